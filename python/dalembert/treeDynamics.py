@@ -6,6 +6,7 @@ side in the registers of the processor, and without Python's lock.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -50,17 +51,31 @@ class TreeDynamics:
             if name
         }
 
+    def _array(self, name: str, values: npt.ArrayLike) -> FloatArray:
+        expected = f"an array whose last axis has {self.numberOfLinks} numbers, one per joint"
+        try:
+            array = np.asarray(values, dtype=float)
+        except (TypeError, ValueError):
+            raise shape_error(f"TreeDynamics: {name}", expected, values) from None
+        if array.ndim == 0 or array.shape[-1] != self.numberOfLinks:
+            raise shape_error(f"TreeDynamics: {name}", expected, values)
+        # The sum of squares takes less time, but may overflow.
+        if not math.isfinite(np.vdot(array, array)) and not np.isfinite(array).all():
+            raise shape_error(f"TreeDynamics: {name}", "finite numbers", values)
+        return array
+
     def _states(self, **given: npt.ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
         """Return states as rows, broadcast against each other, and the shape that results begin with."""
-        arrays = {name: np.asarray(values, dtype=float) for name, values in given.items()}
-        for name, array in arrays.items():
-            if array.ndim == 0 or array.shape[-1] != self.numberOfLinks:
-                expected = f"an array whose last axis has {self.numberOfLinks} numbers, one per joint"
-                raise shape_error(f"TreeDynamics: {name}", expected, given[name])
+        arrays = {name: self._array(name, values) for name, values in given.items()}
         shapes = {array.shape for array in arrays.values()}
         if len(shapes) == 1:
             return [array.reshape(-1, self.numberOfLinks) for array in arrays.values()], shapes.pop()[:-1]
-        shape = np.broadcast_shapes(*shapes)
+        try:
+            shape = np.broadcast_shapes(*shapes)
+        except ValueError:
+            received = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+            expected = "the same number of states in all, or one state"
+            raise ValueError(f"TreeDynamics: expected {expected}; received the shapes {received}") from None
         rows = [np.broadcast_to(array, shape).reshape(-1, self.numberOfLinks) for array in arrays.values()]
         return rows, shape[:-1]
 

@@ -156,6 +156,13 @@ def test_refusals() -> None:
     tree = tree_of(random_links(0, 4))
     with pytest.raises(ValueError, match="TreeDynamics: v.*4 numbers"):
         tree.BiasForces(np.zeros(4), np.zeros(3))
+    with pytest.raises(ValueError, match="TreeDynamics: q: expected finite numbers"):
+        tree.ForwardDynamics([0, np.nan, 0, 0], np.zeros(4), np.zeros(4))
+    tree.MassMatrix([1e200, 0, 0, 0])  # whose square is too large for a number
+    with pytest.raises(ValueError, match="TreeDynamics: q: expected an array .* received .'a'"):
+        tree.MassMatrix(["a", "b", "c", "d"])
+    with pytest.raises(ValueError, match=r"received the shapes q \(5, 4\), v \(3, 4\)"):
+        tree.BiasForces(np.zeros((5, 4)), np.zeros((3, 4)))
     with pytest.raises(ValueError, match="linkNumber: received 4"):
         tree.Jacobian(np.zeros(4), 4)
     with pytest.raises(ValueError, match="linkMasses"):

@@ -289,6 +289,11 @@ def test_rays_of_lidars_form_a_fan():
 # ---- what is refused ----------------------------------------------------------------------------------------------------
 
 WRONG_URDF = {
+    "line 26: <dynamics>: there is no attribute 'dampin'; did you mean 'damping'": ("damping=", "dampin="),
+    "line 29: <inertal>: there is no element 'inertal'; did you mean 'inertial'": (
+        '<inertial><mass value="0.5"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>',
+        "<inertal/>",
+    ),
     "line 1: <a>: expected <robot> as the first element": (URDF[URDF.index("<?xml") :], "<a/>"),
     "line 20: no XML: junk after document element": ("</link>\n  <joint", "</link></robot>\n  <joint"),
     "line 25: <limit>: expected lower <= upper, received 3 and 2": ('lower="-1.5"', 'lower="3"'),
@@ -351,6 +356,9 @@ def test_wrong_urdf_files_are_refused_with_their_line(message, package):
 
 
 WRONG_MJCF = {
+    "line 14: <joint>: there is no attribute 'armatur'; did you mean 'armature'": ("armature=", "armatur="),
+    "line 5: <joint>: there is no attribute 'dampin'; did you mean 'damping'": ('<joint damping="0.3"', '<joint dampin="0.3"'),
+    "line 26: <joit>: there is no element 'joit'; did you mean 'joint'": ('<joint axis="1 0 0"/>', '<joit axis="1 0 0"/>'),
     "line 13: <joint>: type: expected one of hinge, slide, ball, free, received 'hook'": ('axis="0 0 1" pos="0.01', 'type="hook" pos="0.01'),
     "line 15: <geom>: class: there is no default class 'bar'; there are: main, bars": ('<geom class="bars"', '<geom class="bar"'),
     "line 16: <geom>: size: expected 1 to 3 finite numbers, received ''": ('size="0.04"', 'size=""'),
@@ -372,6 +380,23 @@ def test_wrong_mjcf_files_are_refused_with_their_line(message, tmp_path):
     path.write_text(MJCF.replace(old, new, 1))
     with pytest.raises(ValueError, match=re.escape(f"{path}, ") + message):
         ReadRobot(path)
+
+
+def test_what_other_programs_have_in_files_is_passed_over(tmp_path):
+    path = tmp_path / "arm.urdf"
+    path.write_text(
+        URDF.replace("</robot>", '<gazebo reference="base"><damping>1</damping></gazebo></robot>').replace(
+            "<dynamics ", '<dynamics stick="1" '
+        )
+    )
+    assert ReadRobot(path, graphics=False).NumberOfLinks() == 3
+
+
+def test_inertias_that_no_body_has_are_told_with_their_line(tmp_path):
+    path = tmp_path / "arm.urdf"
+    path.write_text(URDF.replace('ixx="0.02"', 'ixx="0.2"'))
+    with pytest.warns(UserWarning, match=re.escape(f"{path}, line 38: <inertia>: RigidBodyInertia: principal moments")):
+        ReadRobot(path, graphics=False)
 
 
 def test_links_in_a_circle_and_other_refusals(tmp_path):

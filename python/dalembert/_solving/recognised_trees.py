@@ -657,8 +657,10 @@ def RecogniseTrees(mbs: MainSystem) -> MainSystem:
     that links do not have, such as a sensor of its coordinates, a marker of its node's coordinates, or a load of weight
     with a user function; so does a joint that a sensor measures. Weight becomes the gravity of the tree.
 
-    raises ValueError if a joint is open at the start
+    raises ValueError if a joint is open at the start, TypeError if mbs is no system
     """
+    if not isinstance(mbs, MainSystem):
+        raise TypeError(f"RecogniseTrees: mbs: expected a MainSystem, received {mbs!r} ({type(mbs).__name__})")
     model = Model(mbs)
     grounded, trees = _trees(model)
     for seat in grounded:

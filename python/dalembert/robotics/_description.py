@@ -6,6 +6,7 @@ mass between them; axes in any direction become axes of turned joints.
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -78,6 +79,19 @@ class _Moving:
     values: dict[str, Any] = field(default_factory=dict)
     inertia: RigidBodyInertia = field(default_factory=RigidBodyInertia)
     drawn: GraphicsList = field(default_factory=list)
+
+
+def inertia_in_file(element: Element, mass: float, tensor: FloatArray) -> RigidBodyInertia:
+    """Return the inertia that an element gives; what is wrong with it is told with file and line."""
+    try:
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            inertia = RigidBodyInertia(mass, tensor)
+    except ValueError as error:
+        element.fail(str(error))
+    for warning in told:
+        warnings.warn(f"{element.file}, line {element.line}: <{element.tag}>: {warning.message}", stacklevel=2)
+    return inertia
 
 
 def translated(r: npt.ArrayLike) -> FloatArray:

@@ -24,7 +24,7 @@ from dalembert._geometry.rotations import (
     RotationVector2RotationMatrix,
 )
 from dalembert.robotics import _drawing, _shapes
-from dalembert.robotics._description import Body, Description, Joint, translated, turned
+from dalembert.robotics._description import Body, Description, Joint, inertia_in_file, translated, turned
 from dalembert.robotics._xml import Element, read
 
 _LEFT_OUT = ("actuator", "contact", "deformable", "equality", "tendon")
@@ -33,6 +33,46 @@ _JOINTS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "f
 _SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
 _UNSHAPED = ("plane", "hfield", "sdf")
 _WORLD = "world"
+_ROTATIONS = "pos quat axisangle euler xyaxes zaxis"
+_BODY_PARTS = (
+    "inertial joint freejoint geom attach site camera light plugin composite flexcomp body frame replicate include"
+)
+# Attributes and children of the elements that count. MuJoCo has more elements, and plugins more
+# attributes; what is nearly one of these is misspelt.
+_KNOWN = {
+    "compiler": (
+        "autolimits boundmass boundinertia settotalmass balanceinertia strippath coordinate angle fitaabb eulerseq "
+        "meshdir texturedir assetdir discardvisual usethread fusestatic inertiafromgeom inertiagrouprange alignfree "
+        "saveinertial",
+        "",
+    ),
+    "worldbody": ("name childclass", _BODY_PARTS),
+    "body": (f"name childclass mocap gravcomp sleep user {_ROTATIONS}", _BODY_PARTS),
+    "frame": (f"name childclass {_ROTATIONS}", _BODY_PARTS),
+    "inertial": (f"mass diaginertia fullinertia {_ROTATIONS}", ""),
+    "freejoint": ("name group align", ""),
+    "joint": (
+        "name class type group pos axis springdamper limited actuatorfrclimited solreflimit solimplimit solreffriction "
+        "solimpfriction stiffness range actuatorfrcrange actuatorgravcomp margin ref springref armature damping "
+        "frictionloss user",
+        "",
+    ),
+    "geom": (
+        "name class type contype conaffinity condim group priority size material rgba friction mass density "
+        "shellinertia solmix solref solimp margin gap fromto hfield mesh fitscale fluidshape fluidcoef user "
+        f"{_ROTATIONS}",
+        "plugin",
+    ),
+}
+
+
+def _refuse_misspelt(element: Element) -> None:
+    """Refuse misspelt names in compiler, defaults and bodies; in the others, nothing is read."""
+    if element.tag in _KNOWN:
+        element.refuse_misspelt(*_KNOWN[element.tag])
+    for child in element.children:
+        if element.tag in ("mujoco", "default", *_KNOWN) and child.tag in ("default", *_KNOWN):
+            _refuse_misspelt(child)
 
 
 def _included(element: Element, folder: Path) -> Element:
@@ -200,11 +240,7 @@ def _inertial(element: Element, compiler: _Compiler) -> RigidBodyInertia:
         tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     else:
         tensor = np.diag(element.numbers("diaginertia", 3))
-    try:
-        inertia = RigidBodyInertia(element.amount("mass"), tensor)
-    except ValueError as error:
-        element.fail(str(error))
-    return inertia.Transformed(compiler.place(element))
+    return inertia_in_file(element, element.amount("mass"), tensor).Transformed(compiler.place(element))
 
 
 class _Reader:
@@ -322,6 +358,7 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     if root.tag != "mujoco":
         root.fail("expected <mujoco> as the first element of an MJCF file")
     root = _included(root, folder)
+    _refuse_misspelt(root)
     reader = _Reader(_Compiler(root, folder, shapes))
     worlds = list(root.every("worldbody"))
     world = replace(root, tag="worldbody", children=[child for element in worlds for child in element.children])

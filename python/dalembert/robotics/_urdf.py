@@ -12,7 +12,7 @@ from dalembert._checks import FloatArray
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._geometry.rotations import RotXYZ2RotationMatrix
 from dalembert.robotics import _drawing, _shapes
-from dalembert.robotics._description import Body, Description, Joint, root_of, translated, turned
+from dalembert.robotics._description import Body, Description, Joint, inertia_in_file, root_of, translated, turned
 from dalembert.robotics._xml import Element, read
 
 _KINDS = {
@@ -23,9 +23,42 @@ _KINDS = {
     "floating": "floating",
     "planar": "planar",
 }
+# Attributes and children of elements. Other programs have others in files; what is nearly one of these is misspelt.
+_KNOWN = {
+    "robot": ("name version", "link joint material transmission gazebo sensor"),
+    "link": ("name type", "inertial visual collision"),
+    "inertial": ("", "origin mass inertia"),
+    "mass": ("value", ""),
+    "inertia": ("ixx ixy ixz iyy iyz izz", ""),
+    "origin": ("xyz rpy", ""),
+    "visual": ("name", "origin geometry material"),
+    "geometry": ("", "box sphere cylinder capsule mesh"),
+    "box": ("size", ""),
+    "sphere": ("radius", ""),
+    "cylinder": ("radius length", ""),
+    "capsule": ("radius length", ""),
+    "mesh": ("filename scale", ""),
+    "material": ("name", "color texture"),
+    "color": ("rgba", ""),
+    "joint": ("name type", "origin parent child axis calibration dynamics limit mimic safety_controller"),
+    "parent": ("link", ""),
+    "child": ("link", ""),
+    "axis": ("xyz", ""),
+    "dynamics": ("damping friction", ""),
+    "limit": ("lower upper effort velocity acceleration deceleration jerk", ""),
+    "mimic": ("joint multiplier offset", ""),
+}
 _GREY = (0.7, 0.7, 0.7, 1.0)
 
 Packages = str | Path | Sequence[str | Path] | Mapping[str, str | Path]
+
+
+def _refuse_misspelt(element: Element) -> None:
+    """Refuse misspelt names in what a robot is made of."""
+    if element.tag in _KNOWN:
+        element.refuse_misspelt(*_KNOWN[element.tag])
+        for child in element.children:
+            _refuse_misspelt(child)
 
 
 def _origin(element: Element) -> FloatArray:
@@ -45,11 +78,9 @@ def _inertial(link: Element) -> RigidBodyInertia | None:
     mass = element.needed("mass").amount("value")
     tensor = element.needed("inertia")
     xx, xy, xz, yy, yz, zz = (tensor.number(f"i{pair}") for pair in ("xx", "xy", "xz", "yy", "yz", "zz"))
-    try:
-        inertia = RigidBodyInertia(mass, [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    except ValueError as error:
-        tensor.fail(str(error))
-    return inertia.Transformed(_origin(element))
+    return inertia_in_file(tensor, mass, np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])).Transformed(
+        _origin(element)
+    )
 
 
 class _Files:
@@ -179,6 +210,7 @@ def read_urdf(
     root = read(fileName, text)
     if root.tag != "robot":
         root.fail("expected <robot> as the first element of a URDF file")
+    _refuse_misspelt(root)
     files = _Files(Path(fileName), packages) if shapes else None
     colored = ((material, material.only("color")) for material in root.every("material"))
     materials = {material.text("name"): color.numbers("rgba", 4) for material, color in colored if color is not None}

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import difflib
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
@@ -42,6 +43,17 @@ class Element:
         """Return the child of a kind, which there must be."""
         found = self.only(tag)
         return found if found is not None else self.fail(f"expected an element <{tag}> in it")
+
+    def refuse_misspelt(self, attributes: str, children: str = "") -> None:
+        """Refuse attributes, and children, that are not among those named but nearly; others are not for us."""
+        self._refuse_nearly("attribute", self.attributes, attributes.split())
+        for child in self.children if children else ():
+            child._refuse_nearly("element", [child.tag], children.split())
+
+    def _refuse_nearly(self, what: str, given: Iterable[str], known: list[str]) -> None:
+        for name in given:
+            if name not in known and (near := difflib.get_close_matches(name, known, 1, 0.7)):
+                self.fail(f"there is no {what} '{name}'; did you mean '{near[0]}'?")
 
     def text(self, name: str, default: str | None = None) -> str:
         """Return an attribute; it must be there unless there is a default."""
