@@ -141,6 +141,14 @@ def test_size_of_a_file() -> None:
     assert 0.2e6 < Path("bodies.html").stat().st_size < 1e6
 
 
+def test_pages_have_the_ending_that_browsers_know(mbs: Any) -> None:
+    mbs.CreateMassPoint(referencePosition=[1, 2, 3], physicsMass=1)
+    with pytest.raises(
+        ValueError, match=r"SaveHTML: fileName: expected a name that ends with .html, received 'page.txt'"
+    ):
+        mbs.SaveHTML("page.txt")
+
+
 def test_without_a_solution_there_is_one_frame(mbs: Any) -> None:
     mbs.CreateMassPoint(referencePosition=[1, 2, 3], physicsMass=1)
     mbs.SaveHTML("still.html")

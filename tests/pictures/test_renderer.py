@@ -120,6 +120,7 @@ def test_wrong_arguments_of_draw(pendulum: Any) -> None:
         ({"view": np.ones((3, 3))}, "view: expected a 3x3 rotation matrix"),
         ({"windowSize": [0, 100]}, "windowSize: expected width and height in pixels"),
         ({"zoom": 0}, "zoom: expected a positive number"),
+        ({"zoom": "2"}, "zoom: expected a finite number, received '2'"),
     ):
         with pytest.raises(ValueError, match=text):
             pendulum.Draw(**arguments)
@@ -146,6 +147,12 @@ def test_films(pendulum: Any) -> None:
     assert len(list(Path("frames").glob("f*.png"))) == 11
     frames = [np.asarray(Image.open(f"frames/f{n:03d}.png")) for n in (0, 5, 10)]
     assert all((a != b).any() for a, b in zip(frames[:-1], frames[1:], strict=True))
+
+
+@pytest.mark.parametrize("name", ["film", "film.xyz", "film.png", "f%s%d.png", "f%q.png", "f%%.png"])
+def test_names_of_no_film_are_refused_before_it_is_drawn(pendulum: Any, name: str) -> None:
+    with pytest.raises(ValueError, match=r"fileName: '.*' (does not end as films do|has no place for the numbers)"):
+        pendulum.DrawSolution(name)
 
 
 def test_videos_need_ffmpeg(pendulum: Any) -> None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dalembert._checks import as_array, shape_error
+from dalembert._checks import as_array, as_number, shape_error
 from dalembert._io.files import file_to_write
 from dalembert._tools.found_items import index_of
 
@@ -73,19 +73,19 @@ def DrawSolution(
     """
     from pathlib import Path
 
-    from dalembert._pictures.films import require_ffmpeg, save_film, save_image
+    from dalembert._pictures.films import check_name, numbered, save_film, save_image
     from dalembert._pictures.motion import Motion
 
     fileName = file_to_write("DrawSolution: fileName", fileName, newFolder=True)
-    numbered = "%" in fileName
-    if not numbered:
-        require_ffmpeg(Path(fileName))
+    name_of = numbered(fileName) if "%" in fileName else None
+    if name_of is None:
+        check_name(Path(fileName))
     size = None if windowSize is None else _size(windowSize)
     motion = Motion(mbs, "DrawSolution", solution, framesPerSecond, speed, view, size, zoom)
     images = (motion.studio.image(scene, motion.camera, size=motion.size) for scene in motion.scenes)
-    if numbered:
+    if name_of is not None:
         for number, image in enumerate(images):
-            save_image(image, fileName % number)
+            save_image(image, name_of(number))
     else:
         save_film(images, fileName, framesPerSecond)
 
@@ -114,8 +114,9 @@ def camera_for(
     from dalembert._pictures import camera as cameras
     from dalembert._pictures.renderer import state_of
 
-    if not np.isfinite(zoom) or zoom <= 0:
-        raise ValueError(f"zoom: expected a positive number, received {zoom}")
+    zoom = as_number("zoom", zoom)
+    if not zoom > 0:
+        raise ValueError(f"zoom: expected a positive number, received {zoom:g}")
     chosen = studio.camera(scene, 0, size)
     start = np.asarray(studio.settings.openGL.advanced.initialModelRotation, float)
     free = "modelRotation" not in state_of(studio.container.renderer, 0) and bool((start == np.eye(3)).all())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,8 @@ from PIL import Image as Pillow
 
 from dalembert._io.files import replacing
 from dalembert._pictures.painting import Image
+
+VIDEOS = (".mp4", ".mkv", ".mov", ".avi", ".webm", ".m4v", ".mpg", ".ogv")  # by ffmpeg
 
 
 def save_image(image: Image, name: str | Path) -> None:
@@ -49,8 +51,28 @@ def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
         ConvertImages2Video(folder, outputFile=str(path.resolve()), inputFrameRate=whole, outputFrameRate=whole)
 
 
+def check_name(path: Path) -> None:
+    """Refuse, before anything is drawn, names that are none of films, and videos where there is no ffmpeg."""
+    if path.suffix.lower() not in (".gif", ".webp", *VIDEOS):
+        raise ValueError(
+            f"fileName: {str(path)!r} does not end as films do; give it the ending .gif, .webp or .mp4, "
+            "or a number for each image, as in 'frame%05d.png'"
+        )
+    require_ffmpeg(path)
+
+
+def numbered(name: str) -> Callable[[int], str]:
+    """Return the names of images by their numbers; refused if the place of the number is not to be understood."""
+    try:
+        if name % 0 != name % 1:
+            return lambda number: name % number
+    except (TypeError, ValueError):
+        pass
+    raise ValueError(f"fileName: {name!r} has no place for the numbers of images; write one, as in 'frame%05d.png'")
+
+
 def require_ffmpeg(path: Path) -> None:
-    """Refuse videos, before anything is drawn, where there is no ffmpeg."""
+    """Refuse videos where there is no ffmpeg."""
     if path.suffix.lower() not in (".gif", ".webp") and shutil.which("ffmpeg") is None:
         raise FileNotFoundError(
             f"film '{path}': the program ffmpeg is not installed, or not in the search path; "

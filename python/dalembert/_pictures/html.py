@@ -31,6 +31,8 @@ def SaveHTML(
     from dalembert._pictures.motion import Motion
 
     path = Path(file_to_write("SaveHTML: fileName", fileName, newFolder=True))
+    if path.suffix.lower() not in (".html", ".htm"):
+        raise ValueError(f"SaveHTML: fileName: expected a name that ends with .html, received '{fileName}'")
     motion = Motion(mbs, "SaveHTML", solution, framesPerSecond, speed, view, (1024, 768), optional=True)
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as written:
