@@ -427,3 +427,38 @@ def test_friction_needs_orientation() -> None:
     )
     with pytest.raises(ValueError, match="orientation.*dynamicFriction"):
         mbs.Assemble()
+
+
+def test_balls_that_bounce_and_roll_off_a_plate_of_two_triangles() -> None:
+    """Steps do not matter where the speed that damping is divided by is bounded: six balls, of which one rolls onto the other triangle with 1e-12 m/s.
+
+    In the end, all have rolled off, over its edges and corners.
+    """
+    ends = []
+    for steps in (2500, 5000):
+        mbs = exu.SystemContainer().AddSystem()
+        ground = mbs.CreateGround()
+        balls = []
+        for angle in np.pi / 3 * np.arange(6):
+            way = np.array([np.sin(angle), np.cos(angle), 0])
+            ball = mbs.CreateRigidBody(
+                referencePosition=0.2 * way + [0.2, 0.2, 0.11], initialVelocity=1.2 * way, inertia=InertiaSphere(1.6, 0.1),
+                gravity=[0, 0, -10],
+            )  # fmt: skip
+            for corners, edges in (([[-1, -1], [2, -1], [-1, 2]], 5), ([[2, -1], [2, 2], [-1, 2]], 3)):
+                mbs.CreateSphereTriangleContact(
+                    bodyNumbers=[ball, ground], radiusSphere=0.1, includeEdges=edges, contactStiffness=1e5,
+                    trianglePoints=[[0.25 * x, 0.25 * y, 0] for x, y in corners], dynamicFriction=0.2, impactModel=2,
+                    restitutionCoefficient=0.5, minimumImpactVelocity=1e-2,
+                )  # fmt: skip
+            balls.append(ball)
+        mbs.Assemble()
+        settings = exu.SimulationSettings()
+        settings.solutionSettings.writeSolutionToFile = False
+        settings.timeIntegration.verboseMode = 0
+        settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 0.5, steps
+        settings.timeIntegration.newton.useModifiedNewton = True
+        mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.TrapezoidalIndex2)
+        ends.append([mbs.GetObjectOutputBody(b, exu.OutputVariableType.Position, [0, 0, 0]) for b in balls])
+    np.testing.assert_allclose(ends[0], ends[1], atol=1e-4)  # of the last bounces, whose times are those of steps
+    assert np.max(ends[1], axis=0)[2] < 0
