@@ -40,6 +40,8 @@ class ScenePlaces {
   }
   // Whether items have come, gone or other parameters since the last call: a change replaces records.
   bool changed() {
+    if (main_->model.record_changes() == record_changes_) return false;
+    record_changes_ = main_->model.record_changes();
     bool result = false;
     for (int k = 0; k < item_kinds; ++k) {
       const auto kind = static_cast<ItemKind>(k);
@@ -69,6 +71,7 @@ class ScenePlaces {
   System::Poses poses_;
   std::vector<double> values_;
   std::array<std::vector<std::shared_ptr<const void>>, item_kinds> records_;
+  std::uint64_t record_changes_ = ~std::uint64_t{0};
 };
 
 // The rows (3 x 4) of frames[index] times local, for each of them.

@@ -59,6 +59,8 @@ std::uint64_t Shadow::contacts_of(const MainSystem& original) {
 }
 
 bool Shadow::renew_items(const MainSystem& original) {
+  if (original.model.record_changes() == record_changes_) return false;
+  record_changes_ = original.model.record_changes();
   bool changed = false;
   for (int k = 0; k < item_kinds; ++k) {
     const auto kind = static_cast<ItemKind>(k);

@@ -35,7 +35,7 @@ class Shadow {
   const std::weak_ptr<MainSystem> original_;
   const std::shared_ptr<MainSystem> system_ = std::make_shared<MainSystem>();
   std::array<std::vector<std::shared_ptr<const void>>, item_kinds> records_;  // of the original: a change replaces them
-  std::uint64_t structure_ = ~std::uint64_t{0}, version_ = 0, contacts_ = 0;
+  std::uint64_t structure_ = ~std::uint64_t{0}, version_ = 0, contacts_ = 0, record_changes_ = ~std::uint64_t{0};
   bool assembled_ = false;
 };
 

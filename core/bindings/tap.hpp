@@ -20,9 +20,9 @@ class Tap {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock) return;
     copy_ = current;
-    filled_ = true;
     wanted_.store(false, std::memory_order_relaxed);
     const double end = SolverTimer::now();
+    filled_ = end;
     next_ = end + rarity * (end - begin);
   }
   bool paused() const { return paused_.load(std::memory_order_relaxed); }
@@ -30,12 +30,19 @@ class Tap {
 
   // ---- a viewer's thread ------------------------------------------------------------------------------------------------
   void want() { wanted_.store(true, std::memory_order_relaxed); }
-  // False if nothing has been offered since the last time.
+  // False if nothing has been offered since the last time. What was offered long ago, while pages were busy with the picture before, is
+  // left once for what comes next: it would be shown later by the time that a picture needs on its way.
   bool take(State& target) {
     const std::lock_guard lock(mutex_);
-    if (!filled_) return false;
+    if (filled_ == 0) return false;
+    const bool is_old = !has_left_ && SolverTimer::now() - filled_ > old;
+    filled_ = 0;
+    has_left_ = is_old;
+    if (is_old) {
+      want();
+      return false;
+    }
     std::swap(target, copy_);
-    filled_ = false;
     return true;
   }
   void pause(bool flag) { paused_.store(flag, std::memory_order_relaxed); }
@@ -43,6 +50,7 @@ class Tap {
   void ask(bool flag) { asks_.store(flag, std::memory_order_relaxed); }
 
  private:
+  static constexpr double old = 0.05;    // s: more than pictures are apart
   static constexpr double rarity = 110;  // copies take less than a hundredth of the solver's time, the first one included
 
   // Of the first copy, whose memory is new.
@@ -55,7 +63,8 @@ class Tap {
   std::atomic<bool> wanted_ = false, paused_ = false, asks_ = false;
   std::mutex mutex_;
   State copy_;
-  bool filled_ = false;
+  double filled_ = 0;  // when; 0: there is nothing to be taken
+  bool has_left_ = false;
   double next_ = 0;  // of the solver's thread
 };
 

@@ -185,6 +185,7 @@ void Model::become(Model other) {
   other.structure_changes_ += structure_changes_ + 1;
   other.equation_changes_ += equation_changes_ + 1;
   other.value_changes_ += value_changes_ + 1;
+  other.record_changes_ += record_changes_ + 1;
   *this = std::move(other);
 }
 

@@ -173,16 +173,24 @@ void Picture::add(const Three& v, std::int32_t item) {
   }
   const Plan plan(v[0].place, v[1].place, v[2].place);
   const auto covered = [&](auto&& shade) { samples_ == 2 ? cover_squares(v, plan, item, shade) : cover(v, plan, item, shade); };
+  const auto packed_normal = [](const Four& n) { return packed(Point{n[0], n[1], n[2]}); };
+  const bool has_one_color = v[0].color == v[1].color && v[0].color == v[2].color;
+  const auto paints = plan.linear(v[0].paint, v[1].paint, v[2].paint);
+  if (bits((v[0].normal == v[1].normal) & (v[0].normal == v[2].normal)) == 15) {  // flat, seen from far away: one normal for all of it
+    const std::uint32_t normal = packed_normal(v[0].normal);
+    const Four weight = four(v[0].weight());
+    if (has_one_color)
+      covered([normal, color = v[0].color](float, float) { return std::pair(color, normal); });
+    else
+      covered([&](float x, float y) { return std::pair(packed(paints.at(x, y) / weight) | to_be_lit, normal); });
+    return;
+  }
   const auto normals = plan.linear(v[0].normal, v[1].normal, v[2].normal);
-  const auto normal_at = [&normals](float x, float y) {
-    const Four n = normals.at(x, y);
-    return packed(Point{n[0], n[1], n[2]});
-  };
-  if (v[0].color == v[1].color && v[0].color == v[2].color) {
+  const auto normal_at = [&](float x, float y) { return packed_normal(normals.at(x, y)); };
+  if (has_one_color) {
     covered([&, color = v[0].color](float x, float y) { return std::pair(color, normal_at(x, y)); });
     return;
   }
-  const auto paints = plan.linear(v[0].paint, v[1].paint, v[2].paint);
   covered([&](float x, float y) {
     const Four weight = four(normals.at(x, y)[3]);
     return std::pair(packed(paints.at(x, y) / weight) | to_be_lit, normal_at(x, y));

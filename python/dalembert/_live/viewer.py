@@ -80,6 +80,7 @@ class Viewer:
         self._made = self._checked = self._next = 0.0
         self._known_settings = ""
         self._complaint = ""
+        self._words: dict[str, dict[str, Any]] = {}  # which pages are told of the settings, by name of what is colored
         self._seen = time.monotonic() + PATIENCE["browser"] - RETURN  # when a page was there, or is expected
         self.at_end: Callable[[], object] = lambda: None
         self.server = link(self._receive)
@@ -183,9 +184,8 @@ class Viewer:
             try:
                 while not self._messages.empty():
                     self._answer(*self._messages.get())
-                if self.server.wanted and (self._dirty or begin >= self._next):
+                if self.server.wanted and (self._dirty or begin >= self._next) and self._look():
                     self._next = begin + self._interval()
-                    self._look()
             except Exception as error:  # of a function of the user, or of graphics data
                 self._complain(error)
             spent, used = time.monotonic() - begin, time.thread_time() - used
@@ -207,15 +207,16 @@ class Viewer:
             _core.Print(f"dalembert, page: {words}")
             self.server.tell({"kind": "notice", "text": words})
 
-    def _look(self) -> None:
-        """Draw what has changed."""
+    def _look(self) -> bool:
+        """Draw what has changed; return whether anything has."""
         news = self._follow()
         self._check_now_and_then()
         if not news and not self._dirty:
-            return
+            return False
         assert self.studio is not None
         if self._dirty:
             self.studio.settings_changed()
+            self._words = {}
         self._dirty = False
         scene = self.studio.flow()
         studio = self.studio
@@ -224,7 +225,9 @@ class Viewer:
             return draw.camera_for(studio, scene, None, (1024, 768), 1.0)
 
         looks = self.studio.makers[0].looks if self.studio.makers else Looks(self.settings)
-        whole, frame = self.stage.messages(scene, looks, views.words(self.settings, scene, looks), camera)
+        words = self._words.get(scene.value_name) or views.words(self.settings, scene, looks)
+        self._words = {scene.value_name: words}
+        whole, frame = self.stage.messages(scene, looks, words, camera)
         self.server.publish(self.stage.number, whole, frame)
         self.pictures += 1
         if self._home:
@@ -233,6 +236,7 @@ class Viewer:
         if self._views:
             self._views = False
             self.server.tell({"kind": "views", "views": views.beside(self.container, self.studio, scene)})
+        return True
 
     def _follow(self) -> bool:
         """Let the shadows follow their systems; return whether there is something new."""

@@ -81,11 +81,15 @@ class Model {
   std::uint64_t structure_changes() const { return structure_changes_; }  // grown: Assemble is needed
   std::uint64_t equation_changes() const { return equation_changes_; }    // the same without those of sensors
   std::uint64_t value_changes() const { return value_changes_; }          // grown: parameters were replaced
+  std::uint64_t record_changes() const { return record_changes_; }        // the same: no item has another record, name or number
   // The items replaced since change number `since`; everything may have changed if the second is false.
   std::pair<std::vector<ItemReference>, bool> changed_since(std::uint64_t since) const;
 
  private:
-  std::vector<Item>& items(ItemKind kind) { return items_[static_cast<std::size_t>(kind)]; }
+  std::vector<Item>& items(ItemKind kind) {  // to be changed
+    ++record_changes_;
+    return items_[static_cast<std::size_t>(kind)];
+  }
   void check_name(ItemKind kind, int number, std::string_view name, const ItemType& type) const;
   void adopt_name(ItemKind kind, int number, Item& item) const;  // checked; a default name is left out
   void register_name(ItemKind kind, int number, std::string_view name);
@@ -101,7 +105,7 @@ class Model {
   std::map<int, std::vector<int>> load_dependencies_;
   std::vector<std::shared_ptr<SystemTermSource>> term_sources_;  // shared by copies of the model
   std::vector<ItemReference> changes_;                                    // the last of the value changes
-  std::uint64_t structure_changes_ = 0, equation_changes_ = 0, value_changes_ = 0;
+  std::uint64_t structure_changes_ = 0, equation_changes_ = 0, value_changes_ = 0, record_changes_ = 0;
 };
 
 // The number in a default name such as 'node12' of that kind; -1 if the name is not of this form.

@@ -1,0 +1,144 @@
+"""Pages behind slow lines see what is now, at the pace of the line: pictures do not wait in a row, and solvers do not wait for pages."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+import test_live_page
+from test_live_page import Reader, settings
+
+from dalembert import graphics
+from dalembert._live.viewer import Viewer
+from dalembert.utilities import InertiaCuboid
+
+RATE = 1e6 / 8  # bytes per second: 1 Mbit/s
+PART = 1250  # bytes that are sent at once: a hundredth of a second
+
+viewer = test_live_page.viewer
+
+
+@pytest.fixture
+def swinging(mbs: Any) -> Any:
+    """Bricks that fall and turn: 600 places of twelve numbers, so that a picture takes a quarter of a second on the line."""
+    brick = [graphics.Brick(size=[0.4, 0.2, 0.1])]
+    inertia = InertiaCuboid(1000, [0.4, 0.2, 0.1])
+    for i in range(600):
+        mbs.CreateRigidBody(
+            referencePosition=[i % 20, i // 20, 0], initialAngularVelocity=[1, 0.1 * i, 0.2],
+            inertia=inertia, graphicsDataList=brick,
+        )  # fmt: skip
+    mbs.Assemble()
+    return mbs
+
+
+class Line(threading.Thread):
+    """Lets a connection pass: to the server at once, to the page with a rate, without memory of its own."""
+
+    def __init__(self, port: int) -> None:
+        super().__init__(daemon=True)
+        self._port, self._listener = port, socket.create_server(("127.0.0.1", 0))
+        self.port = self._listener.getsockname()[1]
+        self.carried = 0
+        self.start()
+
+    def run(self) -> None:
+        page, _ = self._listener.accept()
+        server = socket.create_connection(("127.0.0.1", self._port))
+        server.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 * PART)
+        threading.Thread(target=self._pass, args=(page, server, float("inf")), daemon=True).start()
+        self._pass(server, page, RATE)
+
+    def _pass(self, source: socket.socket, target: socket.socket, rate: float) -> None:
+        with contextlib.suppress(OSError):
+            while data := source.recv(PART):
+                time.sleep(len(data) / rate)
+                target.sendall(data)
+                self.carried += len(data)
+
+
+class Far(Reader):
+    """A page at the other end of a line."""
+
+    def __init__(self, viewer: Viewer, line: Line) -> None:
+        from websockets.sync.client import connect
+
+        origin, port = f"http://127.0.0.1:{viewer.server.port}", viewer.server.port
+        slow = socket.create_connection(("127.0.0.1", line.port))
+        self.socket = connect(
+            f"ws://127.0.0.1:{port}/socket",
+            sock=slow,
+            origin=origin,
+            proxy=None,
+            max_size=None,
+            compression=None,  # type: ignore[arg-type]
+        ).__enter__()
+        self.send("hello", token=viewer.server.token)
+
+
+@pytest.fixture
+def far(viewer: Viewer) -> Iterator[Far]:
+    page = Far(viewer, Line(viewer.server.port))
+    yield page
+    page.socket.close()
+
+
+def test_a_picture_on_a_slow_line_is_as_old_as_its_way_is_long(swinging: Any, viewer: Viewer, far: Far) -> None:
+    passed: list[tuple[float, float]] = []  # time of the solution, and when it was
+
+    def note(mbs: Any, t: float) -> bool:
+        passed.append((t, time.monotonic()))
+        time.sleep(0.002)
+        return True
+
+    swinging.SetPreStepUserFunction(note)
+    far.message("scene")
+    thread = threading.Thread(target=lambda: swinging.SolveDynamic(settings(100_000, 1000.0)))
+    thread.start()
+    ages, trips, asked = [], [], time.monotonic()
+    for _ in range(12):
+        head, arrays = far.picture()
+        now = time.monotonic()
+        times, moments = np.array(passed).T
+        ages.append(now - float(np.interp(head["time"], times, moments)))
+        trips.append(now - asked)
+        asked = now
+    far.press("q")
+    thread.join(20)
+    assert not thread.is_alive()
+    sent = sum(part.nbytes for part in arrays if part is not None)
+    assert np.median(trips) > 0.8 * sent / RATE > 0.1  # the line is slow
+    # beyond its way, a picture is older by the 50 ms that copies of states may wait
+    beyond = np.array(ages[2:]) - np.array(trips[2:])
+    assert -0.5 < np.median(beyond) < 0.05
+
+
+def test_a_slow_line_delays_neither_the_solver_nor_other_pages(swinging: Any, viewer: Viewer, far: Far) -> None:
+    near = Reader(viewer)
+    near.message("scene")
+    solution = threading.Thread(target=lambda: swinging.SolveDynamic(settings(1_000_000, 1000.0)))
+    solution.start()
+    count = {"near": 0, "far": 0}
+    end = time.monotonic() + 3
+
+    def read(name: str, page: Reader) -> None:
+        while time.monotonic() < end:
+            page.picture()
+            count[name] += 1
+
+    readers = [threading.Thread(target=read, args=pair) for pair in (("near", near), ("far", far))]
+    for reader in readers:
+        reader.start()
+    for reader in readers:
+        reader.join(30)
+    near.press("q")
+    solution.join(20)
+    assert not solution.is_alive()
+    assert count["far"] >= 2  # it goes on
+    assert count["near"] > 2 * count["far"]
