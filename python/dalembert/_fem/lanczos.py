@@ -15,8 +15,9 @@ import scipy.linalg
 from dalembert._checks import FloatArray
 
 BLOCK = 12  # vectors that are solved for at once
-TOLERANCE = 1e-12  # norm of a residual, as part of the eigenvalue of the inverse
+TOLERANCE = 1e-10  # norm of a residual, as part of the eigenvalue of the inverse, whose error is about its square
 ROUND_OFF = 1e-15  # the same, as part of the largest of them
+ORTHOGONAL = 1e-9  # what still changes when vectors are made orthogonal once more is its square
 DEPENDENT = 1e-12  # a vector of which less than that is left when the others are taken off
 Solve = Callable[[FloatArray], FloatArray]
 
@@ -59,49 +60,52 @@ def _modes(mass: Any, solve: Solve, found: FloatArray, eigenvalues: FloatArray) 
 
 
 class _Basis:
-    """Vectors that are orthonormal by the mass matrix, and their products with it."""
+    """Vectors that are orthonormal by the mass matrix, and their products with it, as rows."""
 
     def __init__(self, mass: Any) -> None:
         self._mass = mass
         self.size = 0
-        self._vectors, self._massive = (np.empty((mass.shape[0], 8 * BLOCK), order="F") for _ in range(2))
-
-    @property
-    def vectors(self) -> FloatArray:
-        """Orthonormal vectors, as columns."""
-        return self._vectors[:, : self.size]
+        self._vectors, self._massive = (np.empty((8 * BLOCK, mass.shape[0])) for _ in range(2))
 
     @property
     def massive(self) -> FloatArray:
-        """Their products with the mass matrix."""
-        return self._massive[:, : self.size]
+        """Products of the mass matrix with the vectors, as columns."""
+        return self._massive[: self.size].T
 
     def extend(self, new: FloatArray) -> FloatArray:
         """Add what is new in vectors; returns its coefficients in the vectors that were added."""
-        moved = self._mass @ new
-        lengths = np.sqrt(np.abs(np.einsum("ij,ij->j", new, moved)))
-        coupling = np.eye(new.shape[1])
-        for _ in range(3):  # what is left of vectors after the first time is not orthogonal enough [Parlett 1980]
-            known = self.massive.T @ new
-            new, moved = new - self.vectors @ known, moved - self.massive @ known
-            squares, axes = np.linalg.eigh(new.T @ moved)
-            kept = squares > (DEPENDENT * lengths.max(initial=0.0)) ** 2
-            scaled = axes[:, kept] / np.sqrt(squares[kept])
-            new, moved = new @ scaled, moved @ scaled
-            coupling = (np.sqrt(squares[kept])[:, None] * axes.T[kept]) @ coupling
-            lengths = np.ones(new.shape[1])
-        self._append(new)
-        return coupling
+        vectors, massive = self._vectors[: self.size], self._massive[: self.size]
+        rows, coupling, longest = np.ascontiguousarray(new.T), np.eye(new.shape[1]), None
+        while True:
+            known = rows @ massive.T
+            rows -= known @ vectors
+            moved = np.ascontiguousarray((self._mass @ rows.T).T)
+            squares, axes = np.linalg.eigh(rows @ moved.T)
+            longest = longest or np.sqrt(squares.max(initial=0.0) + np.square(known).sum(axis=1).max(initial=0.0))
+            kept = squares > (DEPENDENT * longest) ** 2
+            lengths, turn = np.sqrt(squares[kept]), axes.T[kept]
+            scaled = turn / lengths[:, None]
+            rows, moved = scaled @ rows, scaled @ moved
+            coupling = (lengths[:, None] * turn) @ coupling
+            # What is left of a vector of which much was taken off is not orthogonal enough [Parlett 1980].
+            if np.abs(known).max(initial=0.0) < ORTHOGONAL and np.abs(lengths - 1.0).max(initial=0.0) < ORTHOGONAL:
+                self._append(rows, moved)
+                return coupling
+            longest = 1.0
 
-    def _append(self, new: FloatArray) -> None:
-        size = self.size + new.shape[1]
-        if size > self._vectors.shape[1]:
-            for name in ("_vectors", "_massive"):
-                larger = np.empty((len(new), 2 * size), order="F")
-                larger[:, : self.size] = getattr(self, name)[:, : self.size]
-                setattr(self, name, larger)
-        self._vectors[:, self.size : size], self._massive[:, self.size : size] = new, self._mass @ new
+    def _append(self, rows: FloatArray, moved: FloatArray) -> None:
+        size = self.size + len(rows)
+        if size > len(self._vectors):
+            self._vectors, self._massive = (_doubled(numbers, self.size) for numbers in (self._vectors, self._massive))
+        self._vectors[self.size : size], self._massive[self.size : size] = rows, moved
         self.size = size
+
+
+def _doubled(rows: FloatArray, used: int) -> FloatArray:
+    """Twice as many rows, of which the first ones are taken over."""
+    result = np.empty((2 * len(rows), rows.shape[1]))
+    result[:used] = rows[:used]
+    return result
 
 
 def _bordered(projected: FloatArray, columns: FloatArray) -> FloatArray:
