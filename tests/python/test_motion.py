@@ -121,6 +121,8 @@ def test_what_is_no_trajectory_is_refused():
     with pytest.raises(ValueError, match="Trajectory: maxVelocities: expected positive numbers"):
         Trajectory([0], maxVelocities=[0])
     trajectory = Trajectory([0, 0])
+    with pytest.raises(TypeError, match="Trajectory.Add: profile: expected a profile, .* received 5"):
+        trajectory.Add(5)
     with pytest.raises(ValueError, match="ProfilePTP: no limits of acceleration; give maxAccelerations"):
         trajectory.Add(ProfilePTP([1, 1]))
     with pytest.raises(ValueError, match="ProfilePTP: maxAccelerations: expected 2 numbers, one per coordinate"):

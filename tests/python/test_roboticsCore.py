@@ -287,6 +287,12 @@ def test_what_is_no_robot_is_refused():
         RobotLink(**body, jointType="Ra")
     with pytest.raises(ValueError, match="RobotLink: mass: expected a finite number that is not negative, received -1"):
         RobotLink(**body | {"mass": -1})
+    with pytest.raises(ValueError, match="RobotLink: mass: expected a finite number .*, received '1'"):
+        RobotLink(**body | {"mass": "1"})
+    with pytest.raises(ValueError, match="RobotLink: PDcontrol: expected two numbers, received 5"):
+        RobotLink(**body, PDcontrol=5)
+    with pytest.raises(TypeError, match="CreateKinematicTree: mbs: received None, but expected a MainSystem"):
+        Robot().CreateKinematicTree(None)
     with pytest.raises(ValueError, match="RobotLink: jointLimits: expected .* lower <= upper"):
         RobotLink(**body, jointLimits=[1, 0])
     with pytest.raises(ValueError, match="RobotLink 'arm': there is no PDcontrol; set it by SetPDcontrol"):

@@ -11,10 +11,15 @@ from dalembert._core import SimulationSettings
 from dalembert._solving.diagnosis import SolverError
 
 
-def assemble_if_needed(function: str, mbs: Any, autoAssemble: bool) -> None:
-    """Assemble a system that has changed since its last Assemble(), and say so; refused if the system is in use."""
+def require_system(function: str, mbs: Any) -> None:
+    """Refuse what is no system."""
     if not isinstance(mbs, _core.MainSystem):
         raise TypeError(f"{function}: mbs: received {mbs!r}, but expected a MainSystem; SC.AddSystem() makes one")
+
+
+def assemble_if_needed(function: str, mbs: Any, autoAssemble: bool) -> None:
+    """Assemble a system that has changed since its last Assemble(), and say so; refused if the system is in use."""
+    require_system(function, mbs)
     mbs._RequireIdle(function)
     if autoAssemble and not mbs.systemIsConsistent:
         _core.Print(f"WARNING: {function}: the system is not assembled, calling mbs.Assemble() first")

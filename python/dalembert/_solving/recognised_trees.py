@@ -30,6 +30,7 @@ from dalembert._core import (
 )
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._geometry.three_turns import ThreeTurns
+from dalembert._solving.quiet import require_system
 from dalembert.graphics import Move
 
 GROUND = -1
@@ -659,8 +660,7 @@ def RecogniseTrees(mbs: MainSystem) -> MainSystem:
 
     raises ValueError if a joint is open at the start, TypeError if mbs is no system
     """
-    if not isinstance(mbs, MainSystem):
-        raise TypeError(f"RecogniseTrees: mbs: expected a MainSystem, received {mbs!r} ({type(mbs).__name__})")
+    require_system("RecogniseTrees", mbs)
     model = Model(mbs)
     grounded, trees = _trees(model)
     for seat in grounded:

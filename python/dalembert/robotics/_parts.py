@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_matrix, as_transformation, as_vector, shape_error
+from dalembert._checks import FloatArray, as_matrix, as_number, as_transformation, as_vector, shape_error
 from dalembert._core import JointType
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._geometry.transformations import HT0
@@ -99,8 +99,7 @@ class RobotLink:
     ) -> None:
         amounts = {"mass": mass, "damping": damping, "friction": friction, "rotorInertia": rotorInertia}
         for what, value in amounts.items():
-            if not (np.ndim(value) == 0 and np.isfinite(value) and value >= 0):
-                raise shape_error(f"RobotLink: {what}", "a finite number that is not negative", value)
+            as_number(f"RobotLink: {what}", value, negative=False)
         if jointType not in JOINT_TYPES:
             raise shape_error("RobotLink: jointType", f"one of {', '.join(JOINT_TYPES)}", jointType)
         self.mass = mass
@@ -112,6 +111,8 @@ class RobotLink:
         self.parent = parent
         self.visualization = deepcopy(visualization) if visualization is not None else VRobotLink()
         self.PDcontrol: tuple[float, float] | None = None
+        if PDcontrol is not None and not (hasattr(PDcontrol, "__len__") and len(PDcontrol) == 2):
+            raise shape_error("RobotLink: PDcontrol", "two numbers", PDcontrol)
         if PDcontrol is not None and PDcontrol[0] is not None:
             self.SetPDcontrol(*PDcontrol)
         self.name, self.jointName = name, jointName
@@ -126,6 +127,8 @@ class RobotLink:
         """Set the factors of position and velocity of the drive of the joint."""
         if Pvalue is None or Dvalue is None:
             raise shape_error("RobotLink: PDcontrol", "two numbers", (Pvalue, Dvalue))
+        for value in (Pvalue, Dvalue):
+            as_number("RobotLink: PDcontrol", value)
         self.PDcontrol = (Pvalue, Dvalue)
 
     def HasPDcontrol(self) -> bool:

@@ -14,6 +14,7 @@ from dalembert._checks import FloatArray, as_rotation, shape_error
 from dalembert._core import NodeType
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._geometry.transformations import InverseHT
+from dalembert._solving.quiet import require_system
 from dalembert._tools.found_items import index_of
 from dalembert.create._frames import reference_rotation
 from dalembert.robotics import _drawing, _kinematics
@@ -65,6 +66,7 @@ def _graphics(robot: Robot, i: int) -> GraphicsList:
 def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
     """Raise the ValueError of what cannot be made of bodies and joints, before anything is added."""
     where = "Robot.CreateRedundantCoordinateMBS"
+    require_system(where, mbs)
     if len(options.springUserFunctions) > len(robot.links):
         expected = f"at most {len(robot.links)} entries"
         raise shape_error(f"{where}: jointSpringDamperUserFunctionList", expected, options.springUserFunctions)

@@ -10,6 +10,7 @@ import numpy as np
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import Matrix3DList, Vector3DList
+from dalembert._solving.quiet import require_system
 from dalembert.robotics import _drawing
 from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList
 from dalembert.treeDynamics import TreeDynamics
@@ -166,6 +167,7 @@ def dynamics(robot: Robot, gravity: FloatArray) -> TreeDynamics:
 
 def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tuple[float, float]) -> dict[str, Any]:
     """Add node, tree and what acts on its joints; see Robot.CreateKinematicTree."""
+    require_system("Robot.CreateKinematicTree", mbs)
     n = len(robot.links)
     robot.FollowedCoordinates(robot.referenceConfiguration[:n])  # refuses joints that follow none
     item = items.ObjectKinematicTree(

@@ -335,6 +335,10 @@ class Trajectory:
 
     def Add(self, profile: Profile) -> None:
         """Add a profile at the end."""
+        if not hasattr(profile, "GetBasicProfile"):
+            raise TypeError(
+                f"Trajectory.Add: profile: expected a profile, such as ProfilePTP(...), received {profile!r}"
+            )
         limits = self.globalMaxVelocities, self.globalMaxAccelerations
         motion = profile.GetBasicProfile(self.timesList[-1], self.GetFinalCoordinates(), *limits)
         if len(motion.GetFinalCoordinates()) != len(self.initialCoordinates):
