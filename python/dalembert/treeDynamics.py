@@ -6,7 +6,6 @@ side in the registers of the processor, and without Python's lock.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -59,8 +58,7 @@ class TreeDynamics:
             raise shape_error(f"TreeDynamics: {name}", expected, values) from None
         if array.ndim == 0 or array.shape[-1] != self.numberOfLinks:
             raise shape_error(f"TreeDynamics: {name}", expected, values)
-        # The sum of squares takes less time, but may overflow.
-        if not math.isfinite(np.vdot(array, array)) and not np.isfinite(array).all():
+        if not np.isfinite(array).all():
             raise shape_error(f"TreeDynamics: {name}", "finite numbers", values)
         return array
 

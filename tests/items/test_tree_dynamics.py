@@ -158,7 +158,6 @@ def test_refusals() -> None:
         tree.BiasForces(np.zeros(4), np.zeros(3))
     with pytest.raises(ValueError, match="TreeDynamics: q: expected finite numbers"):
         tree.ForwardDynamics([0, np.nan, 0, 0], np.zeros(4), np.zeros(4))
-    tree.MassMatrix([1e200, 0, 0, 0])  # whose square is too large for a number
     with pytest.raises(ValueError, match="TreeDynamics: q: expected an array .* received .'a'"):
         tree.MassMatrix(["a", "b", "c", "d"])
     with pytest.raises(ValueError, match=r"received the shapes q \(5, 4\), v \(3, 4\)"):
