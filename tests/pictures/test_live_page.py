@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+import os
 import socket
 import subprocess
 import sys
@@ -757,14 +758,30 @@ def test_nothing_of_it_is_imported_before_start() -> None:
     assert done.stdout.strip() == "[]"
 
 
-def test_start_is_quick(SC: Any, mbs: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("DALEMBERT_VIEWER", "on")
-    assert SC.renderer.Start() and SC.renderer.Start()
-    SC.renderer.Stop()
-    begin = time.process_time()
-    SC.renderer.Start()
-    SC.renderer.Stop()
-    assert time.process_time() - begin < 0.3
+STARTED = """
+import time
+import dalembert as exu
+SC = exu.SystemContainer()
+begin = time.process_time()
+assert SC.renderer.Start()
+print("took", time.process_time() - begin)
+SC.renderer.Stop()
+"""
+
+
+def test_start_is_quick(tmp_path: Path) -> None:
+    """The first time in a process, with all that it imports, as it is where the package is installed: its files are compiled."""
+    settings = {
+        **os.environ,
+        "DALEMBERT_VIEWER": "on",
+        "PYTHONPYCACHEPREFIX": str(tmp_path),
+        "PYTHONDONTWRITEBYTECODE": "",
+    }
+    took = []
+    for _ in range(3):
+        done = subprocess.run([sys.executable, "-c", STARTED], env=settings, capture_output=True, text=True, check=True)
+        took.append(float(done.stdout.rpartition("took ")[2]))
+    assert min(took[1:]) < 0.3
 
 
 def test_the_port_can_be_chosen(SC: Any, mbs: Any, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -59,7 +59,8 @@ def text(value: Any) -> str:
     if isinstance(value, (float, np.floating)):
         return f"{value:.6g}"
     if isinstance(value, np.ndarray):
-        result = np.array2string(value, precision=5, separator=", ", threshold=40, suppress_small=True)
+        shown = np.round(value, 5) + 0.0 if value.dtype.kind == "f" and np.abs(value).max(initial=0.0) < 1e4 else value
+        result = np.array2string(shown, precision=5, separator=", ", threshold=40, suppress_small=True)
     elif isinstance(value, (list, tuple)) and value and all(isinstance(entry, (int, float)) for entry in value):
         result = "[" + ", ".join(text(entry) for entry in value[:40]) + (", ...]" if len(value) > 40 else "]")
     elif isinstance(value, (list, Mapping)) and len(value) > 8:
