@@ -232,9 +232,10 @@ void System::mass_matrix(const State& state, const Pattern& pattern, std::span<d
   });
 }
 
+// Totals are those of right_hand_sides or mass_matrix of this state, which come before.
 int System::solve_masses(const State& state, std::span<double> x) {
   SystemParts& parts = *parts_;
-  const Evaluation e = parts.evaluation(state, {});
+  const Evaluation e = view_of(parts, state, {});
   for (const MassSolver* solver : parts.mass_solvers)
     if (const int loose = solver->solve_masses(e, x.data()); loose >= 0) return loose;
   return -1;

@@ -100,6 +100,11 @@ DALEMBERT_INLINE inline Vec3<Spread> cross(const Vec3<Spread>& a, const Vec3<Spr
   using spreads::shuffled;
   return shuffled<1, 2, 0, 3>(a.x * shuffled<1, 2, 0, 3>(b.x) - b.x * shuffled<1, 2, 0, 3>(a.x));
 }
+DALEMBERT_INLINE inline Vec3<Spread> crosses(const Vec3<Spread>& a, const Vec3<Spread>& b, const Vec3<Spread>& c, const Vec3<Spread>& d) {
+  using spreads::shuffled;
+  const Pack<4> first = a.x * shuffled<1, 2, 0, 3>(b.x) - b.x * shuffled<1, 2, 0, 3>(a.x);
+  return shuffled<1, 2, 0, 3>(first + (c.x * shuffled<1, 2, 0, 3>(d.x) - d.x * shuffled<1, 2, 0, 3>(c.x)));
+}
 
 DALEMBERT_INLINE inline Mat3<Spread> operator+(const Mat3<Spread>& a, const Mat3<Spread>& b) {
   return spreads::each_column([&](std::size_t j) { return a[j] + b[j]; });

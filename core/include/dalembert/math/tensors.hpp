@@ -21,6 +21,12 @@ Mat3<S> turned(const Mat3<S>& r, const Mat3<double>& symmetric) {
   return result;
 }
 
+// a x b + c x d.
+template <class S>
+Vec3<S> crosses(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d) {
+  return cross(a, b) + cross(c, d);
+}
+
 // m - a b^T.
 template <class S>
 Mat3<S> without_product(const Mat3<S>& m, const Vec3<S>& a, const Vec3<S>& b) {

@@ -35,8 +35,8 @@ DALEMBERT_INLINE inline S along_joint(const TreeLink& link, const Vec3<S>& axis,
 // What moves the link as it moves.
 template <class S>
 DALEMBERT_INLINE inline LinkWrench<S> inertia_force(const TreeLink& link, const LinkMass<S>& mass, const LinkMotion<S>& motion) {
-  return {link.mass * motion.acceleration + cross(motion.spin_rate, mass.moment) + cross(motion.spin, cross(motion.spin, mass.moment)),
-          cross(mass.moment, motion.acceleration) + mass.inertia * motion.spin_rate + cross(motion.spin, mass.inertia * motion.spin)};
+  return {link.mass * motion.acceleration + crosses(motion.spin_rate, mass.moment, motion.spin, cross(motion.spin, mass.moment)),
+          mass.inertia * motion.spin_rate + crosses(mass.moment, motion.acceleration, motion.spin, mass.inertia * motion.spin)};
 }
 
 // Each wrench becomes the sum over its link and all behind; f(i, force of joint i).

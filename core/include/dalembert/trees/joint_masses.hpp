@@ -5,6 +5,8 @@
 // 6.2 and 6.5). A row belongs to a joint: its force, then one entry for each joint, of which those on the way to the base count.
 #pragma once
 
+#include <utility>
+
 #include "dalembert/math/aligned_vector.hpp"
 #include "dalembert/trees/tree_tangent.hpp"
 
@@ -12,6 +14,8 @@ namespace dalembert {
 
 // With more links, articulated bodies are faster.
 constexpr int few_links = 16;
+// The rows of so few joints stay in registers.
+constexpr std::size_t joints_in_registers = 7;
 
 // Room for one tree, and what is constant of it.
 struct JointMasses {
@@ -20,6 +24,7 @@ struct JointMasses {
   AlignedVector<Vec3<Spread>> origins, turns, shifts;  // of links; of all that moves with a joint, which is number i + 1, at this point
   AlignedVector<std::array<Pack<4>, 6>> columns;  // the same of four joints: x, y, z of shifts, then of turns
   AlignedVector<double> rows, shares;
+  AlignedVector<double> ways;         // as rows: 1 where an entry counts, otherwise 0; of few joints that branch
   std::size_t width = 0;              // of a row
   int first_turn = -1;                // the first link that turns; -1: none
   std::vector<int> before, first;     // joints on the way to the base, base first; where those of each link begin
@@ -33,8 +38,9 @@ struct JointMasses {
     turns.assign(width, {});
     shifts.assign(width, {});
     columns.resize(width / 4);
-    rows.assign(links * width, 0.0);
-    shares.assign(links * width, 0.0);
+    rows.assign((width - 1) * width, 0.0);
+    shares.assign((width - 1) * width, 0.0);
+    ways.clear();
     first_turn = -1;
     before.clear();
     first.assign(1, 0);
@@ -47,6 +53,17 @@ struct JointMasses {
         before.push_back(parent);
       }
       first.push_back(static_cast<int>(before.size()));
+    }
+    if (width <= joints_in_registers + 1 && static_cast<int>(before.size()) < tree.count() * (tree.count() - 1) / 2) mark_ways(tree.count());
+  }
+
+ private:
+  void mark_ways(int links) {
+    ways.assign(rows.size(), 0.0);
+    for (int i = 0; i < links; ++i) {
+      double* way = ways.data() + static_cast<std::size_t>(i) * width;
+      way[0] = way[i + 1] = 1;
+      for (int at = first[static_cast<std::size_t>(i)]; at < first[static_cast<std::size_t>(i) + 1]; ++at) way[before[static_cast<std::size_t>(at)] + 1] = 1;
     }
   }
 };
@@ -82,19 +99,15 @@ DALEMBERT_INLINE inline void find_rows(JointMasses& room, std::size_t links, con
     for (std::size_t g = 0; 4 * g <= k + 1; ++g) {
       const std::array<Pack<4>, 6>& c = room.columns[g];
       Pack<4> entries = (f[0] * c[0] + f[1] * c[1] + f[2] * c[2]) + (m[0] * c[3] + m[1] * c[4] + m[2] * c[5]);
+      if (!room.ways.empty()) entries = entries * Pack<4>::load(room.ways.data() + k * room.width + 4 * g);
       if (g == 0) entries.x[0] = x[k];
       entries.store(row + 4 * g);
     }
   }
 }
 
-// As the function of the same name for articulated bodies.
-DALEMBERT_INLINE inline int accelerate(const Tree& tree, std::span<const LinkPlace<Spread>> places, std::span<const LinkMass<Spread>> masses,
-                                       JointMasses& room, double* x) {
-  const std::size_t links = tree.links.size();
-  compose<Spread>(tree, places, masses, room.bodies);
-  find_answers(tree, places, room);
-  find_rows(room, links, x);
+// Rows become factors, and forces of joints shares of accelerations. Returns the first joint from the leaves on that nothing resists, or -1.
+DALEMBERT_INLINE inline int factorize(JointMasses& room, std::size_t links, double* x) {
   int loose = -1;
   for (std::size_t k = links; k-- > 0;) {
     const double *row = room.rows.data() + k * room.width, pivot = row[k + 1];
@@ -104,13 +117,62 @@ DALEMBERT_INLINE inline int accelerate(const Tree& tree, std::span<const LinkPla
     x[k] = row[0] * inverse;
     for (int at = room.first[k + 1]; at-- > room.first[k];) {
       const auto i = static_cast<std::size_t>(room.before[static_cast<std::size_t>(at)]);
-      const double share = shares[i] = row[i + 1] * inverse;
+      const double share = shares[i + 1] = row[i + 1] * inverse;
       double* other = room.rows.data() + i * room.width;
       for (std::size_t c = 0; c <= i + 1; c += 4) (Pack<4>::load(other + c) - share * Pack<4>::load(row + c)).store(other + c);
     }
   }
+  return loose;
+}
+
+// Calls f.operator()<i>() for all i below `count`, in this order.
+template <std::size_t count, class F>
+DALEMBERT_INLINE inline void each_constant(const F& f) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) DALEMBERT_INLINE { (f.template operator()<i>(), ...); }(std::make_index_sequence<count>());
+}
+
+// The same of rows that registers hold, `groups` of four entries each. Entries of joints that are not on the way to the base are zero.
+template <std::size_t groups>
+DALEMBERT_INLINE inline int factorize_in_registers(JointMasses& room, std::size_t links, double* x) {
+  constexpr std::size_t joints = 4 * groups - 1, width = 4 * groups;
+  std::array<std::array<Pack<4>, groups>, joints> rows;
+  each_constant<joints>([&]<std::size_t k>() DALEMBERT_INLINE {
+    each_constant<groups>([&]<std::size_t g>() DALEMBERT_INLINE { rows[k][g] = Pack<4>::load(room.rows.data() + k * width + 4 * g); });
+  });
+  int loose = -1;
+  each_constant<joints>([&]<std::size_t above>() DALEMBERT_INLINE {
+    constexpr std::size_t k = joints - 1 - above, own = k + 1;
+    if (k >= links) return;
+    const double pivot = rows[k][own / 4][own % 4];
+    if (loose < 0 && !(pivot > 0)) [[unlikely]] loose = static_cast<int>(k);
+    const double inverse = 1 / pivot;
+    std::array<Pack<4>, groups> shares;
+    each_constant<groups>([&]<std::size_t g>() DALEMBERT_INLINE {
+      shares[g] = inverse * rows[k][g];
+      shares[g].store(room.shares.data() + k * width + 4 * g);
+    });
+    x[k] = shares[0][0];
+    each_constant<k>([&]<std::size_t i>() DALEMBERT_INLINE {
+      constexpr int lane = (i + 1) % 4;
+      const Pack<4> share = spreads::shuffled<lane, lane, lane, lane>(shares[(i + 1) / 4]);
+      each_constant<(i + 1) / 4 + 1>([&]<std::size_t g>() DALEMBERT_INLINE { rows[i][g] = rows[i][g] - share * rows[k][g]; });
+    });
+  });
+  return loose;
+}
+
+// As the function of the same name for articulated bodies.
+DALEMBERT_INLINE inline int accelerate(const Tree& tree, std::span<const LinkPlace<Spread>> places, std::span<const LinkMass<Spread>> masses,
+                                       JointMasses& room, double* x) {
+  const std::size_t links = tree.links.size();
+  compose<Spread>(tree, places, masses, room.bodies);
+  find_answers(tree, places, room);
+  find_rows(room, links, x);
+  const int loose = room.width == 4   ? factorize_in_registers<1>(room, links, x)
+                    : room.width == 8 ? factorize_in_registers<2>(room, links, x)
+                                      : factorize(room, links, x);
   for (std::size_t k = 0; k < links; ++k) {
-    const double* shares = room.shares.data() + k * room.width;
+    const double* shares = room.shares.data() + k * room.width + 1;
     double own = x[k];
     for (int at = room.first[k]; at < room.first[k + 1]; ++at) {
       const auto i = static_cast<std::size_t>(room.before[static_cast<std::size_t>(at)]);

@@ -86,16 +86,13 @@ DALEMBERT_INLINE inline void with_axis(int axis, const F& f) {
   else f.template operator()<0>();
 }
 
-// Of the frame of a link, at its coordinate.
+// Turns the other two axes of the frame of a link.
 template <int axis, class S>
-DALEMBERT_INLINE inline Mat3<S> turned_about(const Mat3<double>& orientation, const S& sine, const S& cosine) {
+DALEMBERT_INLINE inline void turn_about(Mat3<S>& rotation, const S& sine, const S& cosine) {
   constexpr int y = (axis + 1) % 3, z = (axis + 2) % 3;
-  const Vec3<S> zero{}, along_y = zero + column(orientation, y), along_z = zero + column(orientation, z);
-  Mat3<S> m{};
-  set_column(m, axis, zero + column(orientation, axis));
-  set_column(m, y, cosine * along_y + sine * along_z);
-  set_column(m, z, cosine * along_z - sine * along_y);
-  return m;
+  const Vec3<S> along_y = column(rotation, y), along_z = column(rotation, z);
+  set_column(rotation, y, cosine * along_y + sine * along_z);
+  set_column(rotation, z, cosine * along_z - sine * along_y);
 }
 
 template <class S>
@@ -107,17 +104,14 @@ DALEMBERT_INLINE inline void place_links(const Tree& tree, const NumberOf<S>* q,
     const TreeLink& link = tree.links[i];
     LinkPlace<S>& place = places[i];
     if (link.parent + 1 != static_cast<int>(i)) A_0l = link.parent < 0 ? A_00 : places[static_cast<std::size_t>(link.parent)].rotation;
+    place.arm = A_0l * link.offset;
+    A_0l = A_0l * link.orientation;
     with_axis(link.axis, [&]<int axis>() {
-      place.axis = A_0l * column(link.orientation, axis);
-      place.arm = A_0l * link.offset;
-      if (link.slides) {
-        place.arm += q[i] * place.axis;
-        A_0l = A_0l * link.orientation;
-      } else {
-        A_0l = A_0l * turned_about<axis>(link.orientation, place.sine, place.cosine);
-      }
-      place.rotation = A_0l;
+      place.axis = column(A_0l, axis);
+      if (link.slides) place.arm += q[i] * place.axis;
+      else turn_about<axis>(A_0l, place.sine, place.cosine);
     });
+    place.rotation = A_0l;
   }
 }
 
@@ -141,7 +135,7 @@ DALEMBERT_INLINE inline void move_links(const Tree& tree, std::span<const LinkPl
     if (link.parent + 1 != static_cast<int>(i)) own = link.parent < 0 ? rest : motions[static_cast<std::size_t>(link.parent)];
     const Vec3<S> swing = cross(own.spin, arm), turning = v[i] * cross(own.spin, axis);
     own.velocity += swing;
-    own.acceleration += cross(own.spin_rate, arm) + cross(own.spin, swing);
+    own.acceleration += crosses(own.spin_rate, arm, own.spin, swing);
     if (link.slides) {
       own.velocity += v[i] * axis;
       own.acceleration += turning + turning;
@@ -170,7 +164,7 @@ Motion<S> motion_at(const LinkPlace<S>& place, const LinkMotion<S>& link, const 
   const Vec3<S> r_0 = place.rotation * r_l, swing = cross(link.spin, r_0);
   return {.position = origin + r_0,
           .velocity = link.velocity + swing,
-          .acceleration = link.acceleration + cross(link.spin_rate, r_0) + cross(link.spin, swing),
+          .acceleration = link.acceleration + crosses(link.spin_rate, r_0, link.spin, swing),
           .rotation = place.rotation,
           .angular_velocity = link.spin,
           .angular_acceleration = link.spin_rate};
