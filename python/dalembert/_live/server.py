@@ -191,7 +191,7 @@ class PageServer:
         if message.get("kind") == "shown":
             page.ready = True
             self._show(page)
-        if message:
+        elif message:
             self._receive(page.number, message)
 
     def _publish(self, scene_number: int, scene: Callable[[], bytes], frame: bytes) -> None:
