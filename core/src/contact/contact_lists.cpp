@@ -106,31 +106,40 @@ void GeneralContact::renew_lists() const {
   ++lists_;
   at_list_.assign(at.begin(), at.end());
   carriers_at_list_ = carriers_now_;
-  if (set_->spheres_touch) neighbours_.build(at, skin_);
+  if (set_->spheres_touch) neighbours_.build(at, skin_, workers_);
   else neighbours_.clear(n);
   std::vector<int> begins{0};
   for (const Chunk& chunk : chunks_) begins.push_back(chunk.end);
   pairs_.list(neighbours_, begins);
+  each_chunk([&](Chunk& chunk) { list_triangles(chunk); });
   first_triangle_.assign(1, 0);
   near_triangles_.clear();
-  for (const SphereAt& s : at) {
-    const std::size_t first = near_triangles_.size();
+  for (const Chunk& chunk : chunks_) {
+    for (const std::size_t end : chunk.ends) first_triangle_.push_back(near_triangles_.size() + end);
+    near_triangles_.insert(near_triangles_.end(), chunk.near_triangles.begin(), chunk.near_triangles.end());
+  }
+}
+
+void GeneralContact::list_triangles(Chunk& chunk) const {
+  std::vector<int>& near = chunk.near_triangles;
+  near.clear();
+  chunk.ends.clear();
+  chunk.at_triangles.clear();
+  for (int i = chunk.begin; i < chunk.end; ++i) {
+    const SphereAt& s = pairs_.at[static_cast<std::size_t>(i)];
+    const std::size_t first = near.size();
     for (std::size_t c = 0; c < trees_.size(); ++c) {
       if (trees_[c].empty()) continue;
       const Vec3<double> centre = into(carriers_at_list_[c], {s.x, s.y, s.z});
       const double reach = s.radius + skin_;
       trees_[c].each_near(centre, reach, [&](int t) {
         const Vec3<double> nearest = nearest_point(local_[static_cast<std::size_t>(t)], nearest_feature(local_[static_cast<std::size_t>(t)], centre), centre);
-        if (dot(nearest - centre, nearest - centre) <= reach * reach) near_triangles_.push_back(t);
+        if (dot(nearest - centre, nearest - centre) <= reach * reach) near.push_back(t);
       });
     }
-    std::sort(near_triangles_.begin() + static_cast<std::ptrdiff_t>(first), near_triangles_.end());
-    first_triangle_.push_back(near_triangles_.size());
-  }
-  for (Chunk& chunk : chunks_) {
-    chunk.at_triangles.clear();
-    for (int i = chunk.begin; i < chunk.end; ++i)
-      if (first_triangle_[static_cast<std::size_t>(i)] != first_triangle_[static_cast<std::size_t>(i) + 1]) chunk.at_triangles.push_back(i);
+    std::sort(near.begin() + static_cast<std::ptrdiff_t>(first), near.end());
+    chunk.ends.push_back(near.size());
+    if (near.size() > first) chunk.at_triangles.push_back(i);
   }
 }
 

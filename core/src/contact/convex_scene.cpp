@@ -83,18 +83,18 @@ bool ConvexScene::follow(Workers* workers) {
   if (workers != nullptr && shapes_.size() >= shapes_to_share) workers->each_stretch(shapes_.size(), place);
   else place(0, shapes_.size());
   if (at_list_.size() == frames_.size() && moved() <= skin_) return false;
-  list();
+  list(workers);
   return true;
 }
 
 // Things of one marker do not touch each other: neither would feel anything of it.
-void ConvexScene::list() {
+void ConvexScene::list(Workers* workers) {
   at_list_ = frames_;
   near_.clear();
   std::vector<SphereAt> balls;
   for (const ConvexNow& now : now_) balls.push_back({now.centre[0], now.centre[1], now.centre[2], now.shape->bound});
   if (convex_ > 0) {
-    neighbours_.build(balls, skin_);
+    neighbours_.build(balls, skin_, workers);
     for (int i = 0; i < convex_; ++i)
       for (const int k : neighbours_.behind(i))
         if (marker(i) != marker(k)) near_.emplace_back(i, k);

@@ -48,7 +48,7 @@ class ConvexScene {
 
  private:
   double moved() const;
-  void list();
+  void list(Workers* workers);
 
   const ContactSet* set_ = nullptr;
   const std::vector<Triangle>* triangles_ = nullptr;

@@ -156,6 +156,8 @@ class GeneralContact final : public SystemTerm {
     int begin = 0, end = 0;
     double moved = 0;  // of its spheres since the lists were made, the largest square
     std::vector<int> at_triangles;  // spheres that are near some
+    std::vector<int> near_triangles;  // of its spheres, one after the other,
+    std::vector<std::size_t> ends;    // up to here
     struct OnCarrier {
       int marker;
       Vec3<double> force, moment;
@@ -170,6 +172,7 @@ class GeneralContact final : public SystemTerm {
   void take_places(const Ports& ports) const;
   void follow(const Ports& ports) const;
   void renew_lists() const;
+  void list_triangles(Chunk& chunk) const;
   void renew_shapes() const;
   double moved() const;
   bool overlap(int sphere, int other) const;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dalembert/math/fixed.hpp"
+#include "dalembert/system/workers.hpp"
 
 namespace dalembert {
 
@@ -15,8 +16,8 @@ struct alignas(32) SphereAt {
 
 class SphereNeighbours {
  public:
-  // Pairs with a gap of up to `margin`, for these places.
-  void build(std::span<const SphereAt> spheres, double margin);
+  // Pairs with a gap of up to `margin`, for these places. Threads share the search; what is found does not depend on them.
+  void build(std::span<const SphereAt> spheres, double margin, Workers* workers);
   // Those of a sphere with larger numbers, ascending.
   std::span<const int> behind(int sphere) const {
     const std::size_t first = first_[static_cast<std::size_t>(sphere)];
@@ -32,7 +33,7 @@ class SphereNeighbours {
   };
   std::vector<std::size_t> first_;
   std::vector<int> seconds_;
-  std::vector<Pair> found_;
+  std::vector<std::vector<Pair>> found_;  // by stretches of spheres in the order of cells
 };
 
 }  // namespace dalembert
