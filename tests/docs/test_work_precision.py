@@ -11,6 +11,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks"))
 
+import radau
 import work_precision
 
 
@@ -47,3 +48,11 @@ def test_order_eight_pays_for_mechanisms() -> None:
     lines = {row[1]: row for row in stored() if row[0] == work_precision.CASES[1].model and row[2] == "1e-08"}
     assert int(lines["DOP853"][5]) < 0.1 * int(lines["ODE23"][5])
     assert float(lines["DOP853"][6]) < float(lines["ODE23"][6])
+
+
+def test_radau_takes_few_steps() -> None:
+    """Errors fall by two orders while the tolerance does so, with less than three times the factorizations: 100^(1/5) = 2.5."""
+    few, many = (radau.by_radau(work_precision.squeezer, 0.03, tolerance) for tolerance in (1e-6, 1e-8))
+    assert few.error == pytest.approx(2e-6, rel=0.5)
+    assert 100 < few.error / many.error < 1000
+    assert many.factorizations < 3 * few.factorizations
