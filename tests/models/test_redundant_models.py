@@ -113,7 +113,7 @@ def test_a_parallel_robot(linear: Any) -> None:
     bodies, joints = 1 + 3 * 5, 3 * 7
     assert counts["degreeOfFreedom"] == 3
     assert counts["redundantConstraints"] == 5 * joints - 6 * bodies + 3
-    # Of multipliers of 7 N, taking off what redundant equations share leaves residuals of 1e-10 N: 2e-12 of the first one.
+    # Residuals come down to about 1e-10 N, which is 2e-12 of the first one, while coordinates do not move any more.
     s = settings(0.05, 50, tolerance=1e-11)
     s.linearSolverType = linear
     s.redundantConstraints.momentLength = 1.0
