@@ -1,7 +1,7 @@
 """A browser for tests, driven by the DevTools protocol over websockets: nothing is needed besides the browser itself.
 
 It is the one of DALEMBERT_BROWSER, or chromium of the system. Without one, tests are skipped by name, and the summary of
-pytest says so (conftest.py); where DALEMBERT_BROWSER is set, as by .ci/run, they fail.
+pytest says so (conftest.py); where DALEMBERT_BROWSER is set, they fail.
 """
 
 from __future__ import annotations
