@@ -14,6 +14,7 @@ from PIL import Image as Pillow
 from dalembert._io.files import replacing
 from dalembert._pictures.painting import Image
 
+ANIMATIONS = (".gif", ".webp")  # by Pillow
 VIDEOS = (".mp4", ".mkv", ".mov", ".avi", ".webm", ".m4v", ".mpg", ".ogv")  # by ffmpeg
 
 
@@ -31,7 +32,7 @@ def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
     """Save images as one file: .gif or .webp by Pillow, .mp4 and other videos by ffmpeg; rate per second."""
     path = Path(name)
     path.parent.mkdir(parents=True, exist_ok=True)
-    if path.suffix.lower() in (".gif", ".webp"):
+    if path.suffix.lower() in ANIMATIONS:
         frames = [Pillow.fromarray(image) for image in images]
         if path.suffix.lower() == ".gif":
             palette = frames[len(frames) // 2].quantize(255, method=Pillow.Quantize.MEDIANCUT)
@@ -53,7 +54,7 @@ def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
 
 def check_name(path: Path) -> None:
     """Refuse, before anything is drawn, names that are none of films, and videos where there is no ffmpeg."""
-    if path.suffix.lower() not in (".gif", ".webp", *VIDEOS):
+    if path.suffix.lower() not in (*ANIMATIONS, *VIDEOS):
         raise ValueError(
             f"fileName: {str(path)!r} does not end as films do; give it the ending .gif, .webp or .mp4, "
             "or a number for each image, as in 'frame%05d.png'"
@@ -73,7 +74,7 @@ def numbered(name: str) -> Callable[[int], str]:
 
 def require_ffmpeg(path: Path) -> None:
     """Refuse videos where there is no ffmpeg."""
-    if path.suffix.lower() not in (".gif", ".webp") and shutil.which("ffmpeg") is None:
+    if path.suffix.lower() not in ANIMATIONS and shutil.which("ffmpeg") is None:
         raise FileNotFoundError(
             f"film '{path}': the program ffmpeg is not installed, or not in the search path; "
             "names that end with .gif or .webp need no other program"
