@@ -15,9 +15,6 @@
 namespace dalembert {
 namespace {
 
-template <class T>
-using Numbers = py::array_t<T, py::array::c_style | py::array::forcecast>;
-
 // Asks one system; all of it needs the lock of the interpreter.
 class ScenePlaces {
  public:
@@ -74,24 +71,6 @@ class ScenePlaces {
   std::uint64_t record_changes_ = ~std::uint64_t{0};
 };
 
-// The rows (3 x 4) of frames[index] times local, for each of them.
-py::array place(const Numbers<double>& frames, const Numbers<std::int32_t>& index, const Numbers<double>& local) {
-  const auto n = static_cast<std::size_t>(index.size()), count = static_cast<std::size_t>(frames.size()) / 12;
-  if (static_cast<std::size_t>(local.size()) != 12 * n) throw py::value_error("_place: local: expected 12 numbers for each index");
-  for (const std::int32_t i : std::span(index.data(), n))
-    if (i < 0 || static_cast<std::size_t>(i) >= count) throw py::index_error("_place: index: there is no frame " + std::to_string(i));
-  py::array_t<double> result({static_cast<py::ssize_t>(n), py::ssize_t{3}, py::ssize_t{4}});
-  double* to = result.mutable_data();
-  for (std::size_t k = 0; k < n; ++k, to += 12) {
-    const double* f = frames.data() + 12 * static_cast<std::size_t>(index.data()[k]);
-    const double* x = local.data() + 12 * k;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 4; ++j)
-        to[4 * i + j] = f[4 * i] * x[j] + f[4 * i + 1] * x[4 + j] + f[4 * i + 2] * x[8 + j] + (j == 3 ? f[4 * i + 3] : 0.0);
-  }
-  return result;
-}
-
 }  // namespace
 
 void register_scene_places(py::module_& module) {
@@ -102,8 +81,6 @@ void register_scene_places(py::module_& module) {
       .def("mesh", &ScenePlaces::mesh, py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration"),
            "An output of all mesh nodes of a super element, row by row; None if it has none of its own.")
       .def("changed", &ScenePlaces::changed, "Whether items have other parameters than at the last call.");
-  module.def("_place", &place, py::arg("frames"), py::arg("index"), py::arg("local"),
-             "The rows (n x 3 x 4) of what stands locally in one of the frames.");
 }
 
 }  // namespace dalembert

@@ -101,6 +101,7 @@ void register_system_container(py::module_& module) {
   register_ray_tracer(module);
   register_shadow(module);
   register_scene_places(module);
+  register_moving_parts(module);
   ContainerClass container(module, "SystemContainer", "The systems of a script and what they share.");
   container.def(py::init(&new_container));
   container.def(

@@ -36,5 +36,6 @@ class SystemContainer : public std::enable_shared_from_this<SystemContainer> {
 void register_renderer(py::module_& module);
 void register_ray_tracer(py::module_& module);
 void register_scene_places(py::module_& module);
+void register_moving_parts(py::module_& module);
 
 }  // namespace dalembert

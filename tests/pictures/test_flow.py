@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 from test_items import READY, run
+from test_live_page import messages, unpacked
 
 import dalembert as exu
 from dalembert import _core, graphics
+from dalembert._live.messages import Stage
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.places import Places
@@ -150,3 +152,32 @@ def test_springs_that_become_much_longer_are_drawn_again(SC: Any, mbs: Any) -> N
         springs = [[i for i in s.instances if len(i.mesh.points) > 300] for s in (moved, drawn)]
         assert len(springs[0]) == len(springs[1]) == 1
         assert springs[0][0].matrix[:, 2] == pytest.approx(springs[1][0].matrix[:, 2], abs=1e-12)
+
+
+ALONE = ("ObjectMassPoint", "ObjectRigidBody", "NodeRigidBodyEP", "ObjectConnectorSpringDamper", "ObjectJointGeneric")
+
+
+@pytest.mark.parametrize("item", READY, ids=lambda item: item.name)
+def test_messages_of_moved_parts_are_those_of_drawn_scenes(item: Any) -> None:
+    SC, mbs = run(item)
+    SC.visualizationSettings.nodes.showNumbers = True
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    if not maker.is_assembled():
+        mbs.Assemble()
+    flow, quick, slow = Flow(maker), Stage(), Stage()
+    told = [messages(stage, flow.scene())[0] for stage in (quick, slow)]
+    assert told[0] == told[1]
+    assert flow.moving() is not None or item.name not in ALONE
+    for seed in range(3):
+        move(mbs, seed)
+        mbs.systemData.SetTime(0.1 * seed, Shown)
+        moved = None if flow.moving() is None else quick.moved(flow)
+        head, arrays = unpacked(messages(slow, flow.scene())[1])
+        if moved is None or flow.moving() is None:
+            return  # springs that become much longer, for one
+        assert moved[0]() == told[0]
+        quick_head, quick_arrays = unpacked(moved[1])
+        assert quick_head == head
+        for one, other in zip(quick_arrays, arrays, strict=True):
+            assert (one is None) == (other is None)
+            assert one is None or one.tobytes() == other.tobytes()

@@ -18,6 +18,7 @@ import numpy.typing as npt
 from dalembert._checks import FloatArray
 from dalembert._pictures import contour
 from dalembert._pictures.camera import Camera
+from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.meshes import Mesh, Rgba, sharp_edges
 from dalembert._pictures.scene import Instance, Scene
@@ -70,6 +71,9 @@ class Stage:
         self._deforming: set[Key] = set()
         self._first: list[npt.NDArray[Any] | None] = []
         self._moved: set[int] = set()
+        self._words = ""  # of the head of a frame, in which only the time changes
+        self._whole: Callable[[], bytes] = bytes
+        self._told: Any = None  # _MovingParts that know what pages have
 
     def item(self, scene: int, number: int) -> list[Any] | None:
         """Return the entry of an item that a page has picked; None if it is no longer there."""
@@ -111,7 +115,22 @@ class Stage:
         def whole() -> bytes:
             return _whole(scene, rigid, deformed, moving, {**words, **head, "kind": "scene", "items": items}, camera())
 
+        self._words = f',"range":{json.dumps(head["range"])},"scene":{self.number}'
+        self._whole, self._told = whole, None
         return whole, self._changes(moving, head)
+
+    def moved(self, flow: Flow) -> tuple[Callable[[], bytes], bytes] | None:
+        """Return the same when parts of a flow have moved since it made the last scene, and nothing else has changed.
+
+        None if they cannot follow. The whole scene is that last one: pages take the frames after it.
+        """
+        parts = flow.moving()
+        if parts is not self._told:
+            first = [part if group >= 0 else () for part, (group, *_) in zip(self._first, flow.sent(), strict=True)]
+            parts.keep([(*entry, part) for entry, part in zip(flow.sent(), first, strict=True)])
+            self._told = parts
+        frame = parts.message(self._words, self._moved)
+        return None if frame is None else (self._whole, frame)
 
     @staticmethod
     def _parts(scene: Scene) -> list[tuple[Key, Instance]]:

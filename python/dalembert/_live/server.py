@@ -21,6 +21,7 @@ from websockets.asyncio.server import Server, ServerConnection, serve
 from websockets.datastructures import Headers
 from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
+from websockets.protocol import State
 
 HOST = "127.0.0.1"
 LONGEST = 1 << 20  # bytes of a message from a page
@@ -203,7 +204,7 @@ class PageServer:
         """Send the newest picture to a page that is ready and has not got it."""
         picture, scene_number, scene, frame = self._newest
         if page.ready and page.picture < picture:
-            self._send(page, frame if page.scene == scene_number else scene())
+            _write(page.connection, frame if page.scene == scene_number else scene())
             page.ready, page.picture, page.scene = False, picture, scene_number
 
     def _tell(self, text: str, number: int | None) -> None:
@@ -224,6 +225,19 @@ class PageServer:
             pass
         finally:
             page.waiting -= 1
+
+
+def _write(connection: ServerConnection, data: bytes) -> None:
+    """Send a binary message at once, without a task that waits: pages are sent one picture after the other."""
+    if connection.state is State.OPEN and not connection.transport.is_closing():
+        size = len(data)
+        if size < 126:
+            length = bytes([size])
+        elif size < 1 << 16:
+            length = b"\x7e" + size.to_bytes(2, "big")
+        else:
+            length = b"\x7f" + size.to_bytes(8, "big")
+        connection.transport.writelines((b"\x82" + length, data))
 
 
 def _style() -> str:

@@ -181,15 +181,16 @@ class Viewer:
     def _work(self) -> None:
         while not self._stopped.is_set():
             begin, used = time.monotonic(), time.thread_time()
+            interval = self._interval()
             try:
                 while not self._messages.empty():
                     self._answer(*self._messages.get())
                 if self.server.wanted and (self._dirty or begin >= self._next) and self._look():
-                    self._next = begin + self._interval()
+                    self._next = begin + interval
             except Exception as error:  # of a function of the user, or of graphics data
                 self._complain(error)
             spent, used = time.monotonic() - begin, time.thread_time() - used
-            self._stopped.wait(max(min(self._interval(), SHORTEST) - spent, used / SHARE - used, 0.001))
+            self._stopped.wait(max(min(interval, SHORTEST) - spent, used / SHARE - used, 0.001))
             if not self.server.pages:
                 self._wake.wait(1.0)
                 self._wake.clear()
@@ -214,6 +215,12 @@ class Viewer:
         if not news and not self._dirty:
             return False
         assert self.studio is not None
+        if not (self._dirty or self._home or self._views) and (flow := self.studio.moving()) is not None:
+            moved = self.stage.moved(flow)
+            if moved is not None:
+                self.server.publish(self.stage.number, *moved)
+                self.pictures += 1
+                return True
         if self._dirty:
             self.studio.settings_changed()
             self._words = {}

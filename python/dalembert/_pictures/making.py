@@ -110,7 +110,7 @@ class SceneMaker:
         """Draw what belongs to no item, and find time and range of the colors."""
         scene = pen.scene
         scene.time = float(self.mbs.systemData.GetTime(pen.places.configuration)) if pen.places.source else 0.0
-        if int(self.looks.setting("sensors.traces.sensorsMbsNumber")) == self.number:
+        if self.has_traces():
             traces.draw(pen, scene.time)
         if self.looks.setting("view0.scene.drawWorldBasis"):
             pen.frame(np.zeros(3), np.eye(3), self.looks.length("view0.scene.worldBasisSize", 0.2))
@@ -119,6 +119,10 @@ class SceneMaker:
         if self._range is not None and not self.looks.setting("contour.reduceRange"):
             scene.value_range = min(scene.value_range[0], self._range[0]), max(scene.value_range[1], self._range[1])
         self._range = scene.value_range if colors.active else None
+
+    def has_traces(self) -> bool:
+        """Return whether sensors of this system leave traces."""
+        return int(self.looks.setting("sensors.traces.sensorsMbsNumber")) == self.number and traces.wanted(self.looks)
 
     def _find_size(self, places: Places) -> None:
         """Let the size be that of bodies, of the places of nodes and of what connectors join, without symbols."""

@@ -96,6 +96,11 @@ class Studio:
             self._flows = [Flow(maker) for maker in self.makers]
         return joined([flow.scene() for flow in self._flows]) if self._flows else Scene()
 
+    def moving(self) -> Flow | None:
+        """Return the flow of the only system, if all that it draws is moved and nothing is drawn again."""
+        only = self._flows[0] if len(self._flows) == len(self.makers) == 1 else None
+        return only if only is not None and only.moving() is not None else None
+
     def settings_changed(self) -> None:
         """Let flow() draw everything again."""
         self._flows = []

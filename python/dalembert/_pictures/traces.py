@@ -8,15 +8,19 @@ import numpy as np
 
 from dalembert._checks import FloatArray
 from dalembert._core import OutputVariableType
-from dalembert._pictures.looks import rgba
+from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.pen import Pen
+
+
+def wanted(looks: Looks) -> bool:
+    """Return whether visualizationSettings.sensors.traces asks for anything."""
+    traces = looks.setting("sensors.traces")
+    return bool(traces.showPositionTrace or traces.showVectors or traces.showTriads)
 
 
 def draw(pen: Pen, time: float) -> None:
     """Draw what visualizationSettings.sensors.traces asks for, of sensors that store their values."""
     traces = pen.looks.setting("sensors.traces")
-    if not (traces.showPositionTrace or traces.showVectors or traces.showTriads):
-        return
     numbers = [int(n) for n in traces.listOfPositionSensors] or _position_sensors(pen)
     palette = np.asarray(traces.traceColors, float).reshape(-1, 4)
     for order, number in enumerate(numbers):

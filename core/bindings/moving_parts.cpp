@@ -1,0 +1,180 @@
+// Parts of scenes that move with items, and messages for pages that tell where they are.
+#include "dalembert/pictures/moving_parts.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "conversion.hpp"
+#include "item_arguments.hpp"
+#include "main_system.hpp"
+#include "picture_arrays.hpp"
+#include "system_container.hpp"
+
+namespace dalembert {
+namespace {
+
+using Form = MovingParts::Form;
+
+std::vector<MovingParts::Frame> frames_of_parts(const Numbers<std::int32_t>& rows) {
+  std::vector<MovingParts::Frame> frames(static_cast<std::size_t>(rows.size()) / 3);
+  const std::int32_t* row = rows.data();
+  for (auto& [kind, number, other] : frames) {
+    if (*row < 0 || *row > static_cast<std::int32_t>(MovingParts::FrameKind::span)) throw py::value_error("_MovingParts: frames: there is no such kind");
+    kind = static_cast<MovingParts::FrameKind>(*row++);
+    number = *row++;
+    other = *row++;
+  }
+  return frames;
+}
+
+// Text and numbers of a message, one after the other.
+class MessageBytes {
+ public:
+  explicit MessageBytes(std::size_t size) : object_(py::reinterpret_steal<py::bytes>(PyBytes_FromStringAndSize(nullptr, static_cast<py::ssize_t>(size)))) {
+    if (!object_) throw py::error_already_set();
+    next_ = PyBytes_AS_STRING(object_.ptr());
+  }
+  void add(std::string_view text) { next_ = std::ranges::copy(text, next_).out; }
+  float* add_floats(std::size_t count) {  // whose place is a multiple of 4
+    auto* const first = reinterpret_cast<float*>(next_);
+    next_ += count * sizeof(float);
+    return first;
+  }
+  py::bytes take() { return std::move(object_); }
+
+ private:
+  py::bytes object_;
+  char* next_ = nullptr;
+};
+
+// An array of a message: parts, or nothing that could move.
+struct SentArray {
+  int group = -1;
+  Form form{};
+  std::size_t count = 0;     // numbers
+  Numbers<double> numbers;   // one for each part
+  Numbers<float> first;      // as pages have them with the whole scene
+};
+
+// Asks one system; all of it needs the lock of the interpreter.
+class PartsOfSystem {
+ public:
+  PartsOfSystem(std::shared_ptr<MainSystem> main, const Numbers<std::int32_t>& frames) : main_(std::move(main)), parts_(frames_of_parts(frames)) {}
+
+  bool find(const py::object& value) {
+    const ConfigurationType configuration = configuration_argument(value, [] { return std::string("_MovingParts.find(...)"); });
+    if (!main_->consistent()) return false;
+    if (configuration == ConfigurationType::Visualization) main_->look_wanted = true;
+    return parts_.find(main_->system, configuration);
+  }
+  py::array frames() const {
+    py::array_t<double> result({static_cast<py::ssize_t>(parts_.frames()), py::ssize_t{3}, py::ssize_t{4}});
+    for (std::size_t i = 0; i < parts_.frames(); ++i) std::ranges::copy(parts_.frame(i), result.mutable_data() + 12 * i);
+    return result;
+  }
+  int add(const Numbers<std::int32_t>& index, const Numbers<double>& local) { return parts_.add(all(index), all(local)); }
+  py::object placed(int group) const {
+    py::array_t<double> result({static_cast<py::ssize_t>(parts_.size(checked(group))), py::ssize_t{3}, py::ssize_t{4}});
+    if (!parts_.place(group, result.mutable_data())) return py::none();
+    return result;
+  }
+
+  void keep(const py::iterable& entries) {
+    entries_.clear();
+    for (const auto& handle : entries) {
+      const auto [group, form, numbers, first] = handle.cast<std::tuple<int, std::string, Numbers<double>, Numbers<float>>>();
+      SentArray entry;
+      if (group >= 0) {
+        const std::size_t count = parts_.size(checked(group));
+        entry = {group, form == "rows" ? Form::rows : form == "place" ? Form::place : Form::place_and_number, 0, numbers, first};
+        entry.count = count * MovingParts::numbers(entry.form);
+        if (entry.form == Form::place_and_number) each("_MovingParts.keep(...)", numbers, count, 1, "numbers");
+        each("_MovingParts.keep(...)", first, entry.count, 1, "first");
+      }
+      entries_.push_back(std::move(entry));
+    }
+  }
+
+  // None if something is not where parts could follow it.
+  py::object message(std::string_view words, py::set& moved) {
+    System& system = main_->system;
+    const double time = main_->consistent() ? system.state(ConfigurationType::Visualization).time : NAN;
+    if (!std::isfinite(time) || !parts_.find(system, ConfigurationType::Visualization)) return py::none();
+    main_->look_wanted = true;
+    std::size_t size = 0;
+    std::string head = R"({"kind":"frame","time":)";
+    std::array<char, 32> digits;
+    head.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), time).ptr);
+    head += words;
+    head += R"(,"arrays":[)";
+    std::vector<const SentArray*> sent;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const SentArray& entry = entries_[i];
+      if (i > 0) head += ',';
+      const std::optional<bool> has_moved = asked(i, moved);
+      if (!has_moved) return py::none();
+      if (*has_moved) {
+        sent.push_back(&entry);
+        size += entry.count * sizeof(float);
+        head += R"(["f4",)" + std::to_string(entry.count) + ']';
+      } else {
+        head += "null";
+      }
+    }
+    head += "]}";
+    head.append((8 - (head.size() + 4) % 8) % 8, ' ');
+    MessageBytes bytes(4 + head.size() + size);
+    const auto length = static_cast<std::uint32_t>(head.size());
+    std::array<char, 4> first;
+    for (std::size_t i = 0; i < 4; ++i) first[i] = static_cast<char>(length >> (8 * i) & 255);
+    bytes.add({first.data(), first.size()});
+    bytes.add(head);
+    for (const SentArray* entry : sent)
+      if (!parts_.write(entry->group, entry->form, all(entry->numbers), bytes.add_floats(entry->count))) return py::none();
+    return bytes.take();
+  }
+
+ private:
+  int checked(int group) const {
+    if (group < 0 || static_cast<std::size_t>(group) >= parts_.groups()) throw py::index_error("_MovingParts: there is no such group");
+    return group;
+  }
+  // Whether an array has moved; none if it cannot be told. What has moved once is always sent: pages may have missed that it went, and that it
+  // came back.
+  std::optional<bool> asked(std::size_t i, py::set& moved) {
+    const SentArray& entry = entries_[i];
+    if (entry.count == 0) return false;
+    if (moved.contains(i)) return true;
+    now_.resize(entry.count);
+    if (!parts_.write(entry.group, entry.form, all(entry.numbers), now_.data())) return std::nullopt;
+    if (std::ranges::equal(now_, all(entry.first))) return false;
+    moved.add(py::int_(i));
+    return true;
+  }
+
+  const std::shared_ptr<MainSystem> main_;
+  MovingParts parts_;
+  std::vector<SentArray> entries_;
+  LargeVector<float> now_;
+};
+
+}  // namespace
+
+void register_moving_parts(py::module_& module) {
+  py::class_<PartsOfSystem>(module, "_MovingParts", "Parts of a scene that move with items of a system.")
+      .def(py::init<std::shared_ptr<MainSystem>, const Numbers<std::int32_t>&>(), py::arg("mbs"), py::arg("frames"))
+      .def("find", &PartsOfSystem::find, py::arg("configuration"),
+           "Find all frames; False if there is no such item, or a span has become much longer or shorter than at first.")
+      .def("frames", &PartsOfSystem::frames, "Rotation and position (n x 3 x 4) of all frames, as they were found last.")
+      .def("add", &PartsOfSystem::add, py::arg("index"), py::arg("local"), "Add parts that stand in frames; returns the number of their group.")
+      .def("placed", &PartsOfSystem::placed, py::arg("group"), "Where the parts of a group are (n x 3 x 4); None if one is nowhere.")
+      .def("keep", &PartsOfSystem::keep, py::arg("entries"),
+           "Keep what messages tell, array by array: group (-1: nothing that moves), form, numbers, and values in the whole scene.")
+      .def("message", &PartsOfSystem::message, py::arg("words"), py::arg("moved"),
+           "The message of a frame, in which `words` follow the time; `moved`: which arrays have ever moved.");
+}
+
+}  // namespace dalembert

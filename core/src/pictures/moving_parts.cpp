@@ -1,0 +1,155 @@
+#include "dalembert/pictures/moving_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace dalembert {
+namespace {
+
+constexpr double stretch = 2.0;    // a span that becomes longer or shorter by more than that is another one
+constexpr double standing = 1e-12;  // as a frame does, up to round-off
+constexpr std::size_t markers = 2;
+
+bool is_made(MovingParts::FrameKind kind) { return kind >= MovingParts::FrameKind::node_place; }
+std::size_t items_of(MovingParts::FrameKind kind) {
+  return kind == MovingParts::FrameKind::span ? markers : static_cast<std::size_t>(kind) % (markers + 1);
+}
+
+constexpr std::array<double, 12> unturned{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+void at_place(const double* item, double* frame) {
+  std::ranges::copy(unturned, frame);
+  for (std::size_t i = 3; i < 12; i += 4) frame[i] = item[i];
+}
+
+// From one place to another: the third column reaches from one to the other; the first one is as near as it can be to the axis of space
+// that is least along it. Returns the length.
+double along(const double* begin, const double* end, double* frame) {
+  const Vec3<double> from{begin[3], begin[7], begin[11]}, axis = Vec3<double>{end[3], end[7], end[11]} - from;
+  const double length = std::sqrt(dot(axis, axis));
+  const Vec3<double> z = (1 / length) * axis;
+  const std::array<double, 3> size{std::abs(z[0]), std::abs(z[1]), std::abs(z[2])};
+  Vec3<double> x{0, 0, 0};
+  x[static_cast<int>(std::ranges::min_element(size) - size.begin())] = 1;
+  x = x - dot(x, z) * z;
+  x = (1 / std::sqrt(dot(x, x))) * x;
+  const Vec3<double> y = cross(z, x);
+  for (int i = 0; i < 3; ++i) {
+    double* row = frame + 4 * i;
+    row[0] = x[i], row[1] = y[i], row[2] = axis[i], row[3] = from[i];
+  }
+  return length;
+}
+
+void multiply(const double* a, const double* b, double* result) {
+  for (std::size_t i = 0; i < 12; i += 4)
+    for (std::size_t j = 0; j < 4; ++j) result[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j] + (j == 3 ? a[i + 3] : 0.0);
+}
+
+}  // namespace
+
+MovingParts::MovingParts(std::vector<Frame> frames) : frames_(std::move(frames)), at_(frames_.size()), lengths_(frames_.size(), -1) {
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    asked_[items_of(frames_[i].kind)] = true;
+    if (is_made(frames_[i].kind)) made_frames_.push_back(i);
+  }
+  made_.resize(12 * made_frames_.size());
+}
+
+bool MovingParts::find(const System& system, ConfigurationType configuration) {
+  constexpr std::array kinds{ItemKind::node, ItemKind::object, ItemKind::marker};
+  bool moved = false;  // in memory
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    if (!asked_[k]) continue;
+    system.poses(kinds[k], configuration, poses_[k]);
+    const std::span<const double> rows = poses_[k].rows;
+    moved = moved || rows.data() != rows_[k].data() || rows.size() != rows_[k].size();
+    rows_[k] = rows;
+  }
+  if (moved && !point_to_rows()) {
+    rows_ = {};
+    return false;
+  }
+  for (std::size_t k = 0; k < made_frames_.size(); ++k)
+    if (!make(made_frames_[k], made_.data() + 12 * k)) return false;
+  return true;
+}
+
+const double* MovingParts::row(std::size_t kind, std::int32_t number) const {
+  const std::size_t at = 12 * static_cast<std::size_t>(number);
+  return number >= 0 && at < rows_[kind].size() ? rows_[kind].data() + at : nullptr;
+}
+
+// False: there is no such item.
+bool MovingParts::point_to_rows() {
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    const Frame& frame = frames_[i];
+    at_[i] = row(items_of(frame.kind), frame.number);
+    if (at_[i] == nullptr || (frame.kind == FrameKind::span && row(markers, frame.other) == nullptr)) return false;
+  }
+  for (std::size_t k = 0; k < made_frames_.size(); ++k) at_[made_frames_[k]] = made_.data() + 12 * k;
+  return true;
+}
+
+// False: a span has become another one.
+bool MovingParts::make(std::size_t i, double* made) {
+  const Frame& frame = frames_[i];
+  const double* item = row(items_of(frame.kind), frame.number);
+  if (frame.kind != FrameKind::span) {
+    at_place(item, made);
+    return true;
+  }
+  const double length = along(item, row(markers, frame.other), made);
+  if (lengths_[i] < 0) lengths_[i] = length;
+  return length < stretch * lengths_[i] && length > lengths_[i] / stretch;
+}
+
+int MovingParts::add(std::span<const std::int32_t> index, std::span<const double> local) {
+  if (local.size() != 12 * index.size()) throw std::invalid_argument("local: expected 12 numbers for each index");
+  for (const std::int32_t i : index)
+    if (i < 0 || static_cast<std::size_t>(i) >= frames_.size()) throw std::out_of_range("index: there is no frame " + std::to_string(i));
+  Group group{{index.begin(), index.end()}, {}};
+  double difference = 0;
+  for (std::size_t k = 0; k < local.size(); ++k) difference = std::max(difference, std::abs(local[k] - unturned[k % 12]));
+  if (!(difference < standing)) group.local.assign(local.begin(), local.end());
+  groups_.push_back(std::move(group));
+  return static_cast<int>(groups_.size()) - 1;
+}
+
+template <class Take>
+bool MovingParts::each(const Group& group, const Take& take) const {
+  std::array<double, 12> product, sums{};  // nan, as soon as a number is not finite
+  for (std::size_t k = 0; k < group.index.size(); ++k) {
+    const double* rows = at_[static_cast<std::size_t>(group.index[k])];
+    if (!group.local.empty()) {
+      multiply(rows, group.local.data() + 12 * k, product.data());
+      rows = product.data();
+    }
+    for (std::size_t j = 0; j < 12; ++j) sums[j] += 0 * rows[j];
+    take(k, rows);
+  }
+  return std::ranges::all_of(sums, [](double sum) { return sum == 0; });
+}
+
+bool MovingParts::place(int group, double* rows) const {
+  return each(groups_[static_cast<std::size_t>(group)], [rows](std::size_t k, const double* from) { std::copy_n(from, 12, rows + 12 * k); });
+}
+
+bool MovingParts::write(int group, Form form, std::span<const double> numbers, float* to) const {
+  const Group& parts = groups_[static_cast<std::size_t>(group)];
+  if (form == Form::rows)
+    return each(parts, [to](std::size_t k, const double* from) {
+      for (std::size_t j = 0; j < 12; ++j) to[12 * k + j] = static_cast<float>(from[j]);
+    });
+  const std::size_t step = MovingParts::numbers(form);
+  return each(parts, [&](std::size_t k, const double* from) {
+    float* const place = to + step * k;
+    for (std::size_t j = 0; j < 3; ++j) place[j] = static_cast<float>(from[4 * j + 3]);
+    if (form == Form::place_and_number) place[3] = static_cast<float>(numbers[k]);
+  });
+}
+
+}  // namespace dalembert
