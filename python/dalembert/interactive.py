@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Callable
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from dalembert import _core
+from dalembert._checks import as_number, shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, Print
 from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution
 
@@ -204,13 +206,15 @@ def AnimateModes(
     stepsPerPeriod images, `period` seconds apart. Elsewhere the first mode, with a small amplitude, becomes the
     visualized state. ValueError without modes.
     """
+    _require("AnimateModes: systemContainer", systemContainer, _core.SystemContainer)
+    _require("AnimateModes: mainSystem", mainSystem, _core.MainSystem)
+    _require("AnimateModes: title", title, str)
+    period = _positive("AnimateModes: period", period)
+    _integer("AnimateModes: runMode", runMode, 0, 3)
+    _integer("AnimateModes: stepsPerPeriod", stepsPerPeriod, 1)
+    amplitude = 0.05 * as_number("AnimateModes: scaleAmplitude", scaleAmplitude)
     data = mainSystem.systemData
-    if not 0 <= runMode <= 3:
-        raise ValueError(f"AnimateModes: runMode: expected 0 to 3, received {runMode}")
-    if stepsPerPeriod < 1:
-        raise ValueError(f"AnimateModes: stepsPerPeriod: expected 1 or more, received {stepsPerPeriod}")
     base, modes = _modes(mainSystem, nodeNumber, systemEigenVectors)
-    amplitude = 0.05 * scaleAmplitude
     data.SetODE2Coordinates(base + amplitude * modes[0], ConfigurationType.Visualization)
 
     from dalembert._pictures.showing import show_solution
@@ -229,19 +233,52 @@ def _modes(mbs: Any, nodeNumber: Any, eigenvectors: Any) -> tuple[Any, Any]:
     data = mbs.systemData
     size = data.ODE2Size()
     if nodeNumber is not None:
+        from dalembert._tools.found_items import index_of
+
+        nodeNumber = index_of(mbs, "Node", nodeNumber, "AnimateModes: nodeNumber")
         reference = (OutputVariableType.Coordinates, ConfigurationType.Reference)
         number = len(np.atleast_1d(mbs.GetNodeOutput(nodeNumber, *reference)))
         if number == 0:
             raise ValueError(f"AnimateModes: nodeNumber: node {nodeNumber} has no modal coordinates")
         first = mbs.GetNodeODE2Index(nodeNumber)
         return np.array(data.GetODE2Coordinates(), dtype=float), np.eye(size)[first : first + number]
-    modes = eigenvectors.T if isinstance(eigenvectors, np.ndarray) else eigenvectors
-    if modes is None or len(modes) == 0 or any(len(mode) < size for mode in modes):
-        raise ValueError(
-            f"AnimateModes: systemEigenVectors: expected an array with modes in columns, or a list of modes, with "
-            f"at least {size} components each, because nodeNumber is None"
+    columns = eigenvectors.T if isinstance(eigenvectors, np.ndarray) else eigenvectors
+    try:
+        modes = [np.real(np.asarray(mode, complex)) for mode in columns]
+    except (TypeError, ValueError):
+        modes = []
+    if not modes or any(mode.ndim != 1 or len(mode) < size or not np.isfinite(mode).all() for mode in modes):
+        expected = (
+            f"an array with modes in columns, or a list of modes, with at least {size} finite components each, "
+            "because nodeNumber is None"
         )
-    return np.zeros(size), np.array([np.real(np.asarray(mode))[:size] for mode in modes])
+        raise shape_error("AnimateModes: systemEigenVectors", expected, eigenvectors)
+    return np.zeros(size), np.array([mode[:size] for mode in modes])
+
+
+def _require(name: str, value: Any, kind: type) -> None:
+    """Refuse what is not of this type."""
+    if not isinstance(value, kind):
+        raise TypeError(str(shape_error(name, f"a {kind.__name__}", value)))
+
+
+def _integer(name: str, value: Any, low: int, high: int | None = None) -> None:
+    """Refuse what is no integer, or out of range."""
+    expected = f"an integer, {low} or more" if high is None else f"an integer from {low} to {high}"
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(str(shape_error(name, expected, value))) from None
+    if number < low or (high is not None and number > high):
+        raise shape_error(name, expected, value)
+
+
+def _positive(name: str, value: Any) -> float:
+    """Return a positive number; everything else is refused."""
+    number = as_number(name, value)
+    if number <= 0:
+        raise shape_error(name, "a positive number", value)
+    return number
 
 
 def solution_of_last_simulation(mbs: Any, caller: str) -> dict[str, Any]:
@@ -275,12 +312,13 @@ def SolutionViewer(
     are shown, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2 again and again. ValueError if there is no
     solution.
     """
+    _require("SolutionViewer: mainSystem", mainSystem, _core.MainSystem)
+    _require("SolutionViewer: title", title, str)
+    timeout = _positive("SolutionViewer: timeout", timeout)
+    _integer("SolutionViewer: runMode", runMode, 0, 2)
     data = solution_of_last_simulation(mainSystem, "SolutionViewer") if solution is None else solution
     check_solution("SolutionViewer", data)
-    if runMode not in (0, 1, 2):
-        raise ValueError(f"SolutionViewer: runMode: expected 0, 1 or 2, received {runMode}")
-    if not 1 <= rowIncrement <= data["nRows"]:
-        raise ValueError(f"SolutionViewer: rowIncrement: expected 1 to {data['nRows']} (rows), received {rowIncrement}")
+    _integer("SolutionViewer: rowIncrement", rowIncrement, 1, data["nRows"])
     from dalembert._pictures.showing import show_solution
 
     rows = {**data, "data": np.asarray(data["data"], float)[::rowIncrement]}

@@ -161,3 +161,29 @@ def test_vtu_of_one_state(spinning: Any) -> None:
 def test_other_names_are_refused(mbs: Any) -> None:
     with pytest.raises(ValueError, match="expected a name that ends with .pvd or .vtu, received 'motion.vtk'"):
         mbs.SaveVTU("motion.vtk")
+
+
+def image_of_settings(mbs: Any, name: str) -> None:
+    SC = mbs.GetSystemContainer()
+    SC.visualizationSettings.exportImages.saveImageFileName = name
+    SC.renderer.RedrawAndSaveImage()
+
+
+@pytest.mark.parametrize(
+    ("write", "ending"),
+    [
+        (lambda mbs, name: mbs.Draw(name), ".png"),
+        (lambda mbs, name: mbs.DrawSolution(name), ".gif"),
+        (lambda mbs, name: mbs.DrawSolution(name), "%05d.png"),
+        (lambda mbs, name: mbs.SaveHTML(name), ".html"),
+        (lambda mbs, name: mbs.SaveGLB(name), ".glb"),
+        (lambda mbs, name: mbs.SaveVTU(name), ".pvd"),
+        (image_of_settings, ""),
+    ],
+    ids=["picture", "film", "images", "html", "glb", "vtu", "image of settings"],
+)
+def test_names_with_a_null_character_are_refused(spinning: Any, write: Any, ending: str) -> None:
+    before = set(Path().iterdir())
+    with pytest.raises(ValueError, match=r"ileName: .*a\\x00b"):
+        write(spinning, f"a\0b{ending}")
+    assert set(Path().iterdir()) == before

@@ -453,6 +453,16 @@ def test_the_solver_goes_on_without_its_page(swinging: Any, viewer: Viewer) -> N
     thread.join(10)
 
 
+def test_a_page_that_was_hidden_sees_what_is_now(swinging: Any, viewer: Viewer) -> None:
+    """Browsers draw nothing while a tab is hidden: it is silent then, and says that it has drawn when it is seen again."""
+    hidden = Reader(viewer)
+    while not isinstance(hidden.socket.recv(timeout=20), bytes):
+        pass
+    swinging.SolveDynamic(settings(1000))
+    hidden.send("shown")
+    assert hidden.picture()[0]["time"] == pytest.approx(1, rel=1e-9)  # the end, and nothing of what has passed
+
+
 # ---- keys
 
 

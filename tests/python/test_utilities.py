@@ -155,6 +155,10 @@ def test_windows_are_not_needed(model, tmp_path, capfd):
     assert capfd.readouterr().out.count("SolutionViewer: there is no window") == 1
     with pytest.raises(ValueError, match="rowIncrement"):
         utilities.AnimateSolution(mbs, solution, rowIncrement=0)
+    for name, value in {"rowIncrement": 12, "runMode": 3, "timeout": 0, "title": None, "mainSystem": None}.items():
+        arguments = {"mainSystem": mbs, "solution": solution, name: value}
+        with pytest.raises((TypeError, ValueError), match=f"SolutionViewer: {name}"):
+            interactive.SolutionViewer(**arguments)
 
 
 # ---- sensors, joints, visibility ------------------------------------------------------------------------------------
@@ -309,6 +313,36 @@ def test_modes_become_visible_states(model):
     assert np.allclose(shown, 0.1 * modes[0])
     with pytest.raises(ValueError, match="systemEigenVectors"):
         interactive.AnimateModes(container, mbs, None)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "error"),
+    [
+        ("systemContainer", None, TypeError),
+        ("mainSystem", 3, TypeError),
+        ("nodeNumber", 1.5, TypeError),
+        ("period", "fast", ValueError),
+        ("period", 0, ValueError),
+        ("stepsPerPeriod", 2.5, TypeError),
+        ("stepsPerPeriod", 0, ValueError),
+        ("runMode", "once", TypeError),
+        ("runMode", 4, ValueError),
+        ("scaleAmplitude", None, ValueError),
+        ("title", 3, TypeError),
+        ("systemEigenVectors", 3, ValueError),
+        ("systemEigenVectors", [1, 2], ValueError),
+        ("systemEigenVectors", ["first"], ValueError),
+        ("systemEigenVectors", np.full((7, 7), np.nan), ValueError),
+        ("systemEigenVectors", np.eye(6), ValueError),
+    ],
+)
+def test_wrong_arguments_of_modes_are_named(model, name, value, error):
+    mbs, _, _ = model
+    good = {"systemContainer": mbs.GetSystemContainer(), "mainSystem": mbs, "nodeNumber": None}
+    before = mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Visualization)
+    with pytest.raises(error, match=f"AnimateModes: {name}"):
+        interactive.AnimateModes(**(good | {"systemEigenVectors": np.eye(7), name: value}))
+    assert np.array_equal(mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Visualization), before)
 
 
 # ---- cables, rotations, demos ---------------------------------------------------------------------------------------

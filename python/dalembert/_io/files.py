@@ -19,11 +19,11 @@ _AT_WORK = ".writing-"  # folders of files that are being written
 
 
 def path_name(name: str, value: Any, expected: str = "the name of a file") -> str:
-    """Return a string or path as string; TypeError or ValueError name the argument if it is neither, or empty."""
+    """Return a string or path as string; TypeError or ValueError name the argument if it is neither, or no name."""
     if not isinstance(value, (str, os.PathLike)):
         raise TypeError(str(shape_error(name, expected, value)))
     path = os.fsdecode(value)
-    if not path.strip():
+    if not path.strip() or "\0" in path:
         raise shape_error(name, expected, value)
     return path
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from PIL import Image as Pillow
 
-from dalembert._io.files import replacing
+from dalembert._io.files import file_to_write, replacing
 from dalembert._pictures.painting import Image
 
 ANIMATIONS = (".gif", ".webp")  # by Pillow
@@ -20,7 +20,7 @@ VIDEOS = (".mp4", ".mkv", ".mov", ".avi", ".webm", ".m4v", ".mpg", ".ogv")  # by
 
 def save_image(image: Image, name: str | Path) -> None:
     """Save an image in the format that the ending of the name says; its folder is made if needed."""
-    path = Path(name)
+    path = Path(file_to_write("fileName", name, newFolder=True))
     if path.suffix.lower() not in Pillow.registered_extensions():
         raise ValueError(f"fileName: {str(name)!r} does not end as images do; give it the ending .png, .jpg or .webp")
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -30,7 +30,7 @@ def save_image(image: Image, name: str | Path) -> None:
 
 def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
     """Save images as one file: .gif or .webp by Pillow, .mp4 and other videos by ffmpeg; rate per second."""
-    path = Path(name)
+    path = Path(file_to_write("fileName", name, newFolder=True))
     path.parent.mkdir(parents=True, exist_ok=True)
     if path.suffix.lower() in ANIMATIONS:
         frames = [Pillow.fromarray(image) for image in images]
