@@ -49,6 +49,10 @@ class Work(NamedTuple):
     evaluations: int
 
 
+def saddle_factors(block: np.ndarray, columns: np.ndarray, rows: np.ndarray, off: np.ndarray) -> Any:
+    return lu_factor(np.block([[block, columns], [rows, off]]))
+
+
 class Motion:
     """Of a system without ODE1 coordinates and without nodes of Lie groups."""
 
@@ -94,15 +98,12 @@ class Motion:
         rates_by_v = np.array(testing.tangent(self.mbs, s, cq=0, cv=1))[n:, :n]
         return [by_q[:n, :n], by_v, masses, by_q[:n, n:], rates_by_v, by_q[n:, n:]]
 
-    def saddle(self, block: np.ndarray, columns: np.ndarray, rows: np.ndarray, off: np.ndarray) -> Any:
-        return lu_factor(np.block([[block, columns], [rows, off]]))
-
     def start(self) -> tuple[np.ndarray, np.ndarray]:
         s = self.state
         q, v = s.q, s.v
         of_constraints = self.parts(0, q, v, 0 * q, np.zeros(self.m))[2:]
         right = -self.residual(0, q, v, 0 * q, np.zeros(self.m))
-        x = lu_solve(self.saddle(*of_constraints), right)
+        x = lu_solve(saddle_factors(*of_constraints), right)
         return x[: self.n], x[self.n :]
 
     def norm(self, of_q: np.ndarray, of_v: np.ndarray, q: np.ndarray, v: np.ndarray) -> float:
@@ -165,7 +166,7 @@ class Motion:
         """By simplified Newton iterations; None: they do not converge."""
         stiffness, damping, masses, *of_constraints = self.parts(t, q, v, a, lam)
         real, pair = (
-            self.saddle(masses + h * x * damping + (h * x) ** 2 * stiffness, *of_constraints)
+            saddle_factors(masses + h * x * damping + (h * x) ** 2 * stiffness, *of_constraints)
             for x in (GAMMA, VALUES[PAIR])
         )
         self.pairs += 1

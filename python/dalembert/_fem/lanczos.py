@@ -75,13 +75,14 @@ class _Basis:
     def extend(self, new: FloatArray) -> FloatArray:
         """Add what is new in vectors; returns its coefficients in the vectors that were added."""
         vectors, massive = self._vectors[: self.size], self._massive[: self.size]
-        rows, coupling, longest = np.ascontiguousarray(new.T), np.eye(new.shape[1]), None
+        rows, coupling, longest = np.ascontiguousarray(new.T), np.eye(new.shape[1]), 0.0
         while True:
             known = rows @ massive.T
             rows -= known @ vectors
             moved = np.ascontiguousarray((self._mass @ rows.T).T)
             squares, axes = np.linalg.eigh(rows @ moved.T)
-            longest = longest or np.sqrt(squares.max(initial=0.0) + np.square(known).sum(axis=1).max(initial=0.0))
+            if not longest:  # of the vectors as they came; afterwards they are of unit length
+                longest = float(np.sqrt(squares.max(initial=0.0) + np.square(known).sum(axis=1).max(initial=0.0)))
             kept = squares > (DEPENDENT * longest) ** 2
             lengths, turn = np.sqrt(squares[kept]), axes.T[kept]
             scaled = turn / lengths[:, None]
