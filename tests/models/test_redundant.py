@@ -176,21 +176,27 @@ def test_without_treatment_a_door_is_singular() -> None:
         Door().mbs.SolveDynamic(s)
 
 
+OF_POSITIONS = (Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43)  # that close gaps of positions
+
+
+@pytest.mark.parametrize("solver", OF_POSITIONS)
 @pytest.mark.parametrize("node", NODES)
-def test_misplaced_hinges_are_fitted_with_a_warning(node: Any, capfd: Any) -> None:
+def test_misplaced_hinges_are_fitted_with_a_warning(node: Any, solver: Any, capfd: Any) -> None:
+    """Longer stages of ``ESDIRK43`` leave Euler parameters off unit length, where such hinges act against each other."""
     aligned, misplaced = Door(node=node), Door(misplaced=1e-6, node=node)
     for door in (aligned, misplaced):
-        door.mbs.SolveDynamic(settings(2, 200))
+        door.mbs.SolveDynamic(settings(2, 500 if solver == Solver.ESDIRK43 else 200), solverType=solver)
     assert misplaced.edge() == pytest.approx(aligned.edge(), abs=1e-5)
     told = capfd.readouterr().out
     assert told.count("contradict each other") == 1 and "'hinge 0'" in told and "'hinge 1'" in told
     assert 1e-7 < redundancy(misplaced.mbs)["misfit"] < 1e-6
 
 
+@pytest.mark.parametrize("solver", OF_POSITIONS)
 @pytest.mark.parametrize("misplaced", [1e-4, 1e-3, 1e-2])
-def test_hinges_that_do_not_fit_are_refused(misplaced: float) -> None:
+def test_hinges_that_do_not_fit_are_refused(misplaced: float, solver: Any) -> None:
     with pytest.raises(SolverError) as refused:
-        Door(misplaced=misplaced).mbs.SolveDynamic(settings(2, 200))
+        Door(misplaced=misplaced).mbs.SolveDynamic(settings(2, 200), solverType=solver)
     assert refused.value.reason == "contradictoryConstraints" and refused.value.stepIndex == 1
     for hinge in range(2):
         named = [text for text in refused.value.dependentEquations if f"'hinge {hinge}'" in text]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/open_constraints.hpp"
@@ -112,7 +113,7 @@ void ConstrainedMotion::prepare(System& system, LinearSolverType type, const Lin
   type_ = type;
   options_ = options;
   settings_ = settings;
-  treats_redundancy_ = system.sizes().ae > 0 && settings.treat && !options.ignore_singular;
+  treats_redundancy_ = treats_redundancy(system.sizes(), settings, options.ignore_singular);
   pattern_ = &system.pattern(is_dense(type));
   ode2_ = system.sizes().ode2;
   first_ae_ = system.sizes().first_ae();
@@ -147,28 +148,87 @@ int ConstrainedMotion::factorize_around_matrix(System& system, const State& stat
     const State still = without_multipliers(state);
     add_gradients(system, still, conditions, *pattern_, matrix_, part_);
     if (step > 0) add_changes_of_gradients(system, still, conditions, step, *pattern_, matrix_, part_);
+    if (redundant_.in_use()) weigh_again(system);
   }
   return factorize_filled(system, state, conditions);
 }
 
 int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
+  if (!examined_) return examine_filled(system, state, conditions);
   if (redundant_.in_use()) redundant_.regularize(*pattern_, matrix_, 1);
-  const bool looks = treats_redundancy_ && !redundant_.in_use();
+  const int singular = factors_->factorize(matrix_);
+  return singular == LinearSolver::success || !treats_redundancy_ || redundant_.in_use() ? singular : pass_singular_matrix(system, singular);
+}
+
+bool ConstrainedMotion::to_be_examined(const State& start_of_step) const {
+  if (!treats_redundancy_) return false;
+  return !examined_ || passing_ || (redundant_.in_use() && !confirmed_ && start_of_step.time != examined_at_);
+}
+
+// In the metric of the masses, with ones where there are none.
+bool ConstrainedMotion::examine(System& system, const State& start_of_step, const Conditions& conditions) {
+  const auto fill_with_masses = [&] {
+    fill(system, start_of_step, conditions);
+    for (int j = 0; j < ode2_; ++j)
+      if (double& mass = matrix_[static_cast<std::size_t>(pattern_->slot(j, j))]; !(mass > 0)) mass = 1;
+  };
+  const bool treated = redundant_.in_use();
+  fill_with_masses();
+  if (treated && !passing_) {
+    confirmed_ = true;
+    weigh_again(system);
+    redundant_.regularize(*pattern_, matrix_, 1);
+    const auto factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
+    if (factors->factorize(matrix_) == LinearSolver::success && redundant_.confirm(*pattern_, matrix_, *factors)) return false;
+    fill_with_masses();
+  }
+  passing_ = false;
+  redundant_ = RedundantConstraints();
+  auto factors = std::exchange(factors_, make_linear_solver(*pattern_, type_, options_));
+  examine_filled(system, start_of_step, conditions);
+  if (treated || redundant_.in_use()) factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
+  factors_ = std::move(factors);
+  return treated || redundant_.in_use();
+}
+
+int ConstrainedMotion::examine_filled(System& system, const State& state, const Conditions& conditions) {
+  examined_ = true;
+  examined_at_ = state.time;
+  system.reactions_are_known({});
   int singular = 0;  // factors that must fail are not made
-  if (looks && !examined_ && RedundantConstraints::evidently_some(system, *pattern_, matrix_) &&
-      look_for_redundancy(system, state, conditions, singular)) {
+  if (treats_redundancy_ && RedundantConstraints::evidently_some(system, *pattern_, matrix_) && look_for_redundancy(system, state, conditions, singular)) {
     return singular;
   }
   singular = factors_->factorize(matrix_);
-  if (looks && (!examined_ || singular != LinearSolver::success)) look_for_redundancy(system, state, conditions, singular);
+  if (treats_redundancy_) look_for_redundancy(system, state, conditions, singular);
   return singular;
+}
+
+// Stages and iterations lead to matrices that are singular for a moment, or because they are far from any state of the system.
+int ConstrainedMotion::pass_singular_matrix(System& system, int singular) {
+  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1)) return singular;
+  redundant_.use(RedundantConstraints::passing_eps);
+  redundant_.regularize(*pattern_, matrix_, 1);
+  auto factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
+  if (factors->factorize(matrix_) != LinearSolver::success) {
+    redundant_.use(0);
+    return singular;
+  }
+  passing_ = true;
+  factors_ = std::move(factors);
+  return LinearSolver::success;
+}
+
+// Combinations are those of all matrices with these constraints, weights are not: steps of other sizes have others.
+void ConstrainedMotion::weigh_again(System& system) {
+  const RedundantConstraints found = std::exchange(redundant_, {});
+  examined_ = redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) && redundant_.take_over(found);
+  if (examined_) redundant_.use(found.eps());
 }
 
 // A matrix that is singular without redundancy belongs to a singular position, which is passed all the same. Whether there are new factors.
 bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
-  examined_ = true;
   const bool regular = singular == LinearSolver::success;
-  system.reactions_are_known({});
   if (regular && RedundantConstraints::evidently_none(system, *pattern_, matrix_)) return false;
   if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_))) return false;
   constexpr double eps = RedundantConstraints::regular_eps;
@@ -183,7 +243,8 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   system.reactions_are_known(redundant_.equations());
   std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
   system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
-  redundant_.use(redundant_.count() > 0 ? redundant_.eps_for_gaps(gaps, false, *pattern_, matrix_, *factors) : RedundantConstraints::passing_eps);
+  passing_ = redundant_.count() == 0;
+  redundant_.use(passing_ ? RedundantConstraints::passing_eps : redundant_.eps_for_gaps(gaps, true, *pattern_, matrix_, *factors));
   redundant_.regularize(*pattern_, matrix_, 1);
   factors_ = at_once ? std::move(factors) : make_linear_solver(*pattern_, type_, redundant_.options(options_));
   singular = at_once && redundant_.eps() == eps ? LinearSolver::success : factors_->factorize(matrix_);
@@ -191,14 +252,14 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
 }
 
 // Accelerations do not depend on which of the redundant equations hold a body; multipliers become the smallest ones. What eps leaves
-// open is closed by a second solution.
+// open is closed by a second solution: the first one leaves as much as its multipliers tell, and taking off the idle part once more.
 void ConstrainedMotion::solve(std::span<double> x) {
   factors_->solve(x);
   if (!redundant_.in_use()) return;
   const auto first = static_cast<std::size_t>(first_ae_);
   redundant_.take_off_idle_solution(*factors_, x);
   rest_.assign(x.size(), 0.0);
-  for (const int k : redundant_.rows()) rest_[first + k] = -redundant_.left_open(k, x[first + k]);
+  for (const int k : redundant_.rows()) rest_[first + k] = -2 * redundant_.left_open(k, x[first + k]);
   factors_->solve(rest_);
   redundant_.take_off_idle_solution(*factors_, rest_);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += rest_[i];
@@ -343,6 +404,15 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
   state.v = still.v;
   const double limit = redundant_.in_use() ? std::max(accepted, settings_.largestMisfit) : accepted;
   return std::max(of_positions, of_velocities) <= limit;
+}
+
+std::vector<double> ConstrainedMotion::misfit(System& system, const State& state, const Conditions& conditions) const {
+  if (!redundant_.in_use() || redundant_.count() == 0 || !(largest_misfit_ > RedundantConstraints::silent_misfit)) return {};
+  std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
+  system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
+  std::vector<double> open = redundant_.misfit(gaps);
+  if (!(redundant_.largest(open) > RedundantConstraints::silent_misfit)) open.clear();
+  return open;
 }
 
 }  // namespace dalembert

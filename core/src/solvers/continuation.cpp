@@ -59,6 +59,7 @@ void Solver::take_continuation() {
   current() = data.state;
   it.currentTime = last_restart_ = data.state.time;
   start_of_step() = current();
+  compare_constraints_with(current());
 }
 
 void Solver::continue_steps() {

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <exception>
 #include <numeric>
+#include <utility>
 
 #include "dalembert/model/model.hpp"
 #include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dependent_equations.hpp"
 #include "finite.hpp"
@@ -14,7 +16,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::size_t most_named = 5;
+constexpr std::size_t most_named = 5, most_items = 10;
 
 struct Part {
   const char* name;  // as methods of systemData are named
@@ -124,10 +126,65 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
 [[gnu::noinline]] void Solver::diagnose_open_gaps() {
   std::vector<double> gaps(static_cast<std::size_t>(sizes_.ae));
   system().gaps(current(), conditions_, gaps);
+  const RedundantConstraints& constraints = redundant_constraints();
+  if (constraints.in_use() && constraints.count() > 0) {
+    const std::vector<double> misfit = constraints.misfit(gaps);
+    if (2 * constraints.largest(misfit) > constraints.largest(gaps)) return diagnose_contradiction(misfit);
+  }
   Diagnosis& d = diagnose(FailureReason::newton);
   add_largest(d.values, gaps, "equation", sizes_.first_ae());
   d.advice = {"the step leaves gaps that cannot be closed: use smaller steps (timeIntegration.numberOfSteps, minimumStepSize)",
               "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
+}
+
+[[gnu::noinline]] void Solver::diagnose_contradiction(std::span<const double> misfit) {
+  Diagnosis& d = diagnose(FailureReason::contradiction);
+  add_largest(d.values, misfit, "equation", sizes_.first_ae());
+  d.dependent = redundant_constraints().contradictions(misfit, system());
+  d.advice = {"move or turn the markers of the joints named above until they fit, or free equations that others state as well",
+              "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the model)"};
+}
+
+// One line per item, the worst equation of each.
+[[gnu::noinline]] void Solver::warn_of_contradiction(std::span<const double> misfit) {
+  if (std::exchange(warned_of_contradiction_, true)) return;
+  const RedundantConstraints& constraints = redundant_constraints();
+  std::vector<std::string> lines;
+  for (const System::EquationOwner& owner : system().equation_owners()) {
+    int worst = -1;
+    double largest = RedundantConstraints::silent_misfit;
+    for (int k = owner.first; k < owner.first + owner.count; ++k) {
+      const double size = std::abs(misfit[static_cast<std::size_t>(k)]) / constraints.unit(k);
+      if (size > largest) {
+        largest = size;
+        worst = k;
+      }
+    }
+    if (worst >= 0)
+      lines.push_back(system().describe(owner) + ", equation " + std::to_string(worst - owner.first) + ": " +
+                      format_number(misfit[static_cast<std::size_t>(worst)]));
+  }
+  std::string text = name() + ": redundant constraints contradict each other; what the closest fit leaves open:";
+  for (const std::string& line : std::span(lines).first(std::min(lines.size(), most_items))) text += "\n  " + line;
+  if (lines.size() > most_items) text += "\n  and " + std::to_string(lines.size() - most_items) + " more";
+  warn(text);
+}
+
+// Where round-off has hidden which constraints are redundant, it is what has grown.
+[[gnu::noinline]] void Solver::advise_on_weak_constraints() {
+  const RedundantConstraints& constraints = redundant_constraints();
+  if (constraints.certain()) return;
+  Diagnosis& d = diagnosis_;
+  if (d.dependent.empty()) {
+    const auto items = constraints.items(system());
+    for (const auto& item : std::span(items).first(std::min(items.size(), most_items)))
+      d.dependent.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out");
+    if (items.size() > most_items) d.dependent.push_back("and " + std::to_string(items.size() - most_items) + " more items");
+  }
+  d.advice.insert(d.advice.begin(),
+                  "some constraint equations are hardly independent of others (by " + number(constraints.weakest()) +
+                      "), so that round-off may hide which are redundant: free equations that others state as well "
+                      "(mbs.ComputeSystemDegreeOfFreedom() lists them by object), or make one body of those that cannot move against each other");
 }
 
 void Solver::add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const {

@@ -125,6 +125,7 @@ void DiagonallyImplicitSolver::find_accelerations() {
     masses_.prepare(system(), linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
                     settings().redundantConstraints);
   }
+  if (masses_.is_examined() && masses_.to_be_examined(state)) masses_.examine(system(), state, conditions_);
   const int row = masses_.factorize(system(), state, conditions_);
   system().right_hand_sides(state, conditions_, state.a, state.y_t);
   if (row == LinearSolver::success) {
@@ -179,6 +180,7 @@ bool DiagonallyImplicitSolver::newton() {
   conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.newtonStagnated = conv.stopNewton = false;
   conv.linearSolverCausingRow = -1;
   it.newtonSteps = 0;
+  if (motion_.to_be_examined(start_of_step()) && motion_.examine(system(), start_of_step(), conditions_)) factorized_for_ = 0;
   if (!solve_stages()) return false;
   if (it.automaticStepSize) it.automaticStepSizeError = estimated_error();
   if (!back_onto_constraints()) return false;
@@ -432,11 +434,17 @@ double DiagonallyImplicitSolver::weight(double value, double before) const {
 
 // With the factors at hand, or with new ones, which the next step takes.
 bool DiagonallyImplicitSolver::back_onto_constraints() {
-  if (sizes_.ae == 0 || motion_.project(system(), current(), conditions_)) return true;
-  if (!factorize()) return fail(Outcome::singular);
-  if (motion_.project(system(), current(), conditions_)) return true;
-  diagnose_open_gaps();
-  return false;
+  if (sizes_.ae == 0) return true;
+  if (!motion_.project(system(), current(), conditions_)) {
+    if (!factorize()) return fail(Outcome::singular);
+    if (!motion_.project(system(), current(), conditions_)) {
+      diagnose_open_gaps();
+      return false;
+    }
+  }
+  if (!warned_of_contradiction_)
+    if (const std::vector<double> misfit = motion_.misfit(system(), current(), conditions_); !misfit.empty()) [[unlikely]] warn_of_contradiction(misfit);
+  return true;
 }
 
 void DiagonallyImplicitSolver::free_memory() {

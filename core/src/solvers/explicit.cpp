@@ -227,6 +227,7 @@ bool ExplicitSolver::newton() {
   conv.linearSolverCausingRow = -1;
   conv.newtonConverged = true;
   end_known_ = off_constraints_ = false;
+  if (constrained_ && motion_.to_be_examined(start_of_step())) [[unlikely]] motion_.examine(system(), start_of_step(), conditions_);
   compute_step();
   if (off_constraints_) [[unlikely]] return lose_constraints();
   if (conv.linearSolverFailed) [[unlikely]] {

@@ -27,7 +27,10 @@ bool ExplicitSolver::constrained_accelerations(Vector& a, std::span<double> y_t)
 bool ExplicitSolver::back_onto_constraints() {
   State& now = current();
   off_constraints_ = !motion_.project(system(), now, conditions_);
-  return !off_constraints_;
+  if (off_constraints_) return false;
+  if (!warned_of_contradiction_)
+    if (const std::vector<double> misfit = motion_.misfit(system(), now, conditions_); !misfit.empty()) [[unlikely]] warn_of_contradiction(misfit);
+  return true;
 }
 
 // False, always. With error control, a smaller step may do.

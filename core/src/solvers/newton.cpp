@@ -44,7 +44,7 @@ void NewtonSolver::initialize_data() {
   const auto n = static_cast<std::size_t>(sizes_.total());
   residual_.assign(n, 0.0);
   increment_.assign(n, 0.0);
-  announced_ = warned_of_misfit_ = false;
+  announced_ = false;
   largest_misfit_ = 0;
 }
 
@@ -356,12 +356,11 @@ void NewtonSolver::restart() {
 }
 
 [[gnu::noinline]] void NewtonSolver::report_failure() {
-  if (contradiction_) return report_contradiction();
+  if (contradiction_) return diagnose_contradiction(misfit_);
   const bool lost = !all_finite(jacobian_) || loop_.lost;
   if (lost) report_not_finite();
   else if (conv.linearSolverFailed) diagnose_singular_matrix(*pattern_, jacobian_);
   else diagnose(FailureReason::newton, unscaled_residual());
-  if (!redundant_.certain()) blame_weak_constraints();
   if (lost || conv.linearSolverFailed) return;
   if ((output.stepInformation & step_information::step_reductions) || verbose(2)) {
     say(1, "  Newton (step " + std::to_string(it.currentStepIndex) + ", t = " + number(it.currentTime) +

@@ -3,15 +3,15 @@
 #include <cmath>
 #include <utility>
 
-#include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/newton.hpp"
 
 namespace dalembert {
 
 namespace {
 
-constexpr std::size_t most_named = 10;  // items of a message
 constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfit = RedundantConstraints::silent_misfit;
+// Logarithm of the square of a step size, beyond which weights are those of other matrices.
+constexpr double other_step = 4.6;
 constexpr double torn_apart = 0.1;  // gaps relative to the size of the model, or in radians
 // Before anything is known of the matrix: large enough that round-off hardly shows, and if that is too large, `try_harder` takes less.
 constexpr double first_eps = RedundantConstraints::regular_eps;
@@ -19,10 +19,11 @@ constexpr double first_eps = RedundantConstraints::regular_eps;
 }  // namespace
 
 bool NewtonSolver::treats_redundancy() const {
-  return sizes_.ae > 0 && settings().redundantConstraints.treat && !settings().linearSolverSettings.ignoreSingularJacobian;
+  return dalembert::treats_redundancy(sizes_, settings().redundantConstraints, settings().linearSolverSettings.ignoreSingularJacobian);
 }
 
 bool NewtonSolver::measure_redundancy() {
+  measured_for_ = row_scale();
   return redundant_.measure(system(), *pattern_, jacobian_, settings().redundantConstraints.momentLength, rate_factor());
 }
 
@@ -46,15 +47,20 @@ void NewtonSolver::constraints_are_known(RedundantConstraints found) {
   linear_ = regularized_solver();
 }
 
-// Combinations are those of all matrices at this place, weights are not.
-void NewtonSolver::begin_announced_treatment() {
+// Combinations are those of all matrices with these constraints, weights are not. False: there are other constraints now.
+[[gnu::noinline]] bool NewtonSolver::weigh_again() {
   const RedundantConstraints found = std::exchange(redundant_, {});
-  const double moment_length = settings().redundantConstraints.momentLength;
-  if (!redundant_.measure(system(), *pattern_, jacobian_, moment_length, rate_factor()) || !redundant_.take_over(found)) {
-    forget_redundancy();
-    linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
-    return;
+  if (measure_redundancy() && redundant_.take_over(found)) {
+    redundant_.use(found.eps());
+    return true;
   }
+  forget_redundancy();
+  linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
+  return false;
+}
+
+void NewtonSolver::begin_announced_treatment() {
+  if (!weigh_again()) return;
   treatment_ = Treatment::lasting;
   treated_since_ = it.currentStepIndex;
   redundant_.use(std::max(redundant_.eps_for(0, conditions_.rate_level), first_eps));
@@ -63,6 +69,7 @@ void NewtonSolver::begin_announced_treatment() {
 
 void NewtonSolver::regularize() {
   if (treatment_ == Treatment::announced) begin_announced_treatment();
+  else if (treatment_ == Treatment::lasting && !(std::abs(std::log(row_scale() / measured_for_)) < other_step)) weigh_again();
   if (redundant_.in_use()) redundant_.regularize(*pattern_, jacobian_, rate_factor());
 }
 
@@ -206,11 +213,6 @@ bool NewtonSolver::treat_from_start_of_step() {
   return true;
 }
 
-// Of the last matrix.
-bool NewtonSolver::near_singular_position() {
-  return sizes_.ae > 0 && !redundant_.in_use() && measure_redundancy() && redundant_.much_weaker(*linear_);
-}
-
 // What the increment would leave open shows in its multipliers. The part that no motion closes would make them larger in each
 // iteration; it is kept as misfit, which residuals do without. A matrix that has to serve many steps turns round-off into more.
 [[gnu::noinline]] void NewtonSolver::take_off_misfit() {
@@ -246,14 +248,7 @@ double NewtonSolver::residual_without_misfit() {
   contradiction_ = false;
   // What eps leaves open of weak constraints is no contradiction.
   const auto contradicts = [&] { return redundant_.largest(redundant_.misfit(misfit_)) > silent_misfit; };
-  if (misfit > silent_misfit && !warned_of_misfit_ && !conditions_.rate_level && contradicts()) {
-    warned_of_misfit_ = true;
-    std::string text = name() + ": redundant constraints contradict each other; what the closest fit leaves open:";
-    const std::vector<std::string> lines = describe_misfit();
-    for (const std::string& line : std::span(lines).first(std::min(lines.size(), most_named))) text += "\n  " + line;
-    if (lines.size() > most_named) text += "\n  and " + std::to_string(lines.size() - most_named) + " more";
-    warn(text);
-  }
+  if (misfit > silent_misfit && !conditions_.rate_level && contradicts()) warn_of_contradiction(misfit_);
   redundant_.take_off_idle_part(*linear_, current().lambda);
   if (!confirmed_ && treatment_ == Treatment::lasting && !(largest_misfit_ > silent_misfit)) confirmed_ = redundant_.confirm(*pattern_, jacobian_, *linear_);
   if (const double eps = redundant_.eps_for(misfit, conditions_.rate_level); treatment_ == Treatment::lasting && (eps != redundant_.eps())) {
@@ -270,48 +265,6 @@ double NewtonSolver::residual_without_misfit() {
   for (const auto& item : redundant_.items(system()))
     text += "    " + item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out\n";
   say(1, text);
-}
-
-// One line per item, the worst equation of each.
-std::vector<std::string> NewtonSolver::describe_misfit() const {
-  std::vector<std::string> lines;
-  for (const System::EquationOwner& owner : system().equation_owners()) {
-    int worst = -1;
-    double largest = silent_misfit;
-    for (int k = owner.first; k < owner.first + owner.count; ++k) {
-      const double size = std::abs(misfit_[static_cast<std::size_t>(k)]) / redundant_.unit(k);
-      if (size > largest) {
-        largest = size;
-        worst = k;
-      }
-    }
-    if (worst >= 0)
-      lines.push_back(system().describe(owner) + ", equation " + std::to_string(worst - owner.first) + ": " + format_number(misfit_[static_cast<std::size_t>(worst)]));
-  }
-  return lines;
-}
-
-// Where round-off has hidden which constraints are redundant, it is what has grown.
-[[gnu::noinline]] void NewtonSolver::blame_weak_constraints() {
-  Diagnosis& d = diagnosis_;
-  if (d.dependent.empty()) {
-    const auto items = redundant_.items(system());
-    for (const auto& item : std::span(items).first(std::min(items.size(), most_named)))
-      d.dependent.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out");
-    if (items.size() > most_named) d.dependent.push_back("and " + std::to_string(items.size() - most_named) + " more items");
-  }
-  d.advice.insert(d.advice.begin(),
-                  "some constraint equations are hardly independent of others (by " + number(redundant_.weakest()) +
-                      "), so that round-off may hide which are redundant: free equations that others state as well "
-                      "(mbs.ComputeSystemDegreeOfFreedom() lists them by object), or make one body of those that cannot move against each other");
-}
-
-[[gnu::noinline]] void NewtonSolver::report_contradiction() {
-  Diagnosis& d = diagnose(FailureReason::contradiction);
-  add_largest(d.values, misfit_, "equation", sizes_.first_ae());
-  d.dependent = redundant_.contradictions(misfit_, system());
-  d.advice = {"move or turn the markers of the joints named above until they fit, or free equations that others state as well",
-              "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the model)"};
 }
 
 }  // namespace dalembert

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "dalembert/math/decompositions.hpp"
@@ -206,35 +207,32 @@ void RedundantConstraints::find_weights(const std::vector<double>& ratios, const
   }
 }
 
-void RedundantConstraints::apply(LinearSolver& factors, double eps, std::span<double> multipliers) {
+void RedundantConstraints::apply(LinearSolver& factors, double eps, std::span<const double> weights, std::span<double> multipliers) {
   std::ranges::fill(x_, 0.0);
-  for (const int k : rows_) x_[static_cast<std::size_t>(first_ae_ + k)] = -eps * row_factor(k) * weight_[k] * multipliers[k];
+  for (const int k : rows_) x_[static_cast<std::size_t>(first_ae_ + k)] = -eps * row_factor(k) * weights[k] * multipliers[k];
   factors.solve(x_);
   for (std::size_t k = 0; k < multipliers.size(); ++k)
     multipliers[k] = multiplier_[k] ? x_[static_cast<std::size_t>(first_ae_) + k] : 0;
 }
 
 // Without eps the operator is S^-1 D, which makes large what forces hardly come from. The factors of a matrix that is singular but for
-// round-off show it at once: combinations that vanish have a share in the mixture.
+// round-off show it at once: combinations that vanish have a share in the mixture. Equations have weights of their own, since one between
+// light bodies is not weak.
 double RedundantConstraints::growth(LinearSolver& factors) {
   NumberSequence random;
   std::vector<double> lambda(weight_.size(), 0.0);
   for (const int k : rows_) lambda[k] = random();
   const auto size = [&] {
     double sum = 0;
-    for (const int k : rows_) sum += weight_[k] * lambda[k] * lambda[k];
+    for (const int k : rows_) sum += own_weight_[k] * lambda[k] * lambda[k];
     return std::sqrt(sum);
   };
   const double before = size();
-  apply(factors, 1, lambda);
+  apply(factors, 1, own_weight_, lambda);
   return size() / before;
 }
 
-bool RedundantConstraints::suspected(LinearSolver& factors) {
-  const double now = growth(factors);
-  if (usual_growth_ == 0) usual_growth_ = now;
-  return !(now < suspicious_growth);
-}
+bool RedundantConstraints::suspected(LinearSolver& factors) { return !(growth(factors) < suspicious_growth); }
 
 std::vector<int> RedundantConstraints::equations() const {
   constexpr double noticeable = 1e-6;
@@ -340,7 +338,7 @@ void RedundantConstraints::take_off_idle_part(LinearSolver& factors, std::span<d
     idle_.assign(multipliers.begin(), multipliers.end());
     double share = 1;
     for (int i = 0; i < most_passes && share > harmless_share; ++i) {
-      apply(factors, eps_, idle_);
+      apply(factors, eps_, weight_, idle_);
       share *= eps_ / (eps_ + weakest_);
     }
     for (std::size_t k = 0; k < idle_.size(); ++k) multipliers[k] -= idle_[k];
@@ -352,24 +350,22 @@ void RedundantConstraints::take_off_idle_solution(LinearSolver& factors, std::sp
   const auto first = static_cast<std::size_t>(first_ae_);
   const auto multipliers = unknowns.subspan(first);
   idle_.assign(multipliers.begin(), multipliers.end());
-  apply(factors, eps_, idle_);
+  apply(factors, eps_, weight_, idle_);
   for (std::size_t i = 0; i < first; ++i) unknowns[i] -= x_[i];
   for (std::size_t k = 0; k < idle_.size(); ++k) multipliers[k] -= idle_[k];
 }
 
-// In the metric of the diagonal of the mass matrix, with ones where there is no mass: any metric serves for counting, and this one makes
-// the matrix regular whatever the model is.
-RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length) {
+bool treats_redundancy(const Sizes& sizes, const RedundantConstraintsSettings& settings, bool ignores_singular) {
+  return sizes.ae > 0 && settings.treat && !ignores_singular;
+}
+
+namespace {
+
+// The gradients of constraints around a diagonal: any metric serves for counting, and one without zeros makes the matrix regular whatever the model is.
+std::vector<double> gradients_beside(std::span<const double> diagonal, System& system, const State& still, Conditions conditions, const Pattern& pattern) {
   const Sizes& s = system.sizes();
-  const Pattern& pattern = system.pattern(false);
   std::vector<double> matrix(static_cast<std::size_t>(pattern.values())), part(matrix.size());
-  State still = state;
-  std::ranges::fill(still.lambda, 0.0);
-  system.mass_matrix(still, pattern, part);
-  for (int j = 0; j < s.first_ae(); ++j) {
-    const auto slot = static_cast<std::size_t>(pattern.slot(j, j));
-    matrix[slot] = part[slot] > 0 ? part[slot] : 1;
-  }
+  for (int j = 0; j < s.first_ae(); ++j) matrix[static_cast<std::size_t>(pattern.slot(j, j))] = j < s.ode2 ? diagonal[static_cast<std::size_t>(j)] : 1;
   const auto take = [&](auto&& wanted) {
     for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
       if (wanted(row, column)) matrix[slot] = part[slot];
@@ -381,11 +377,53 @@ RedundantConstraints redundant_constraints(System& system, const State& state, C
   conditions.rate_level = true;
   system.tangent(still, conditions, {.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0}, pattern, part);
   take([&](int row, int column) { return row >= s.first_ae() && column < s.ode2; });
+  return matrix;
+}
+
+State without_multipliers(State state) {
+  std::ranges::fill(state.lambda, 0.0);
+  return state;
+}
+
+// With ones where there is no mass.
+std::vector<double> diagonal_of_masses(System& system, const State& still, const Pattern& pattern) {
+  std::vector<double> masses(static_cast<std::size_t>(pattern.values())), diagonal;
+  system.mass_matrix(still, pattern, masses);
+  for (int j = 0; j < system.sizes().ode2; ++j) {
+    const double mass = masses[static_cast<std::size_t>(pattern.slot(j, j))];
+    diagonal.push_back(mass > 0 ? mass : 1);
+  }
+  return diagonal;
+}
+
+// Where a mechanism can go is the same whatever its bodies weigh.
+std::vector<double> diagonal_of_lengths(const System& system) {
+  const double length = system.extent();
+  std::vector<double> diagonal;
+  for (const CoordinateUnit unit : system.coordinate_units()) diagonal.push_back(unit == CoordinateUnit::radian ? length * length : 1);
+  return diagonal;
+}
+
+}  // namespace
+
+RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length) {
+  const Pattern& pattern = system.pattern(false);
+  const State still = without_multipliers(state);
+  const std::vector<double> matrix = gradients_beside(diagonal_of_masses(system, still, pattern), system, still, conditions, pattern);
   RedundantConstraints found;
   if (!found.measure(system, pattern, matrix, moment_length, 1)) return found;
   const auto factors = make_linear_solver(pattern, LinearSolverType::EigenSparse, {});
   found.find(pattern, matrix, RedundantConstraints::counting_eps, *factors);
   return found;
+}
+
+double growth_of_multipliers(System& system, const State& state, Conditions conditions) {
+  const Pattern& pattern = system.pattern(false);
+  const std::vector<double> matrix = gradients_beside(diagonal_of_lengths(system), system, without_multipliers(state), conditions, pattern);
+  RedundantConstraints all;
+  if (RedundantConstraints::evidently_none(system, pattern, matrix) || !all.measure(system, pattern, matrix, 0, 1)) return 0;
+  const auto factors = make_linear_solver(pattern, LinearSolverType::EigenSparse, {});
+  return factors->factorize(matrix) == LinearSolver::success ? all.growth(*factors) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace dalembert

@@ -2,10 +2,12 @@
 //
 // Velocities decide where they go, and do not jump. Accelerations and multipliers have noise there, which grows as steps become smaller:
 // estimated errors are made of it, and a step that ends in the very place does not know where to go on. So steps stay large.
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/large_vectors.hpp"
 
@@ -13,11 +15,28 @@ namespace dalembert {
 
 namespace {
 
+// A singular position takes the weakest constraint to zero; elsewhere it changes by less than this. Where it has begun in one, nothing is usual.
+constexpr double weaker_by = 100, smallest_growth = 100, singular_growth = 1e14;
 constexpr double largest_turn = 0.1;     // of the velocities in a step, relative to their size
 constexpr double most_noise = 1e4;       // in units of the tolerances
 constexpr double not_to_be_trusted = 100;
 
 }  // namespace
+
+void Solver::compare_constraints_with(const State& state) {
+  compared_with_ = sizes_.ae > 0 ? state : State();
+  usual_growth_ = 0;
+}
+
+[[gnu::noinline]] bool Solver::near_singular_position() {
+  if (sizes_.ae == 0 || redundant_constraints().in_use()) return false;
+  if (usual_growth_ == 0) {
+    const double growth = growth_of_multipliers(system(), compared_with_, conditions_);
+    usual_growth_ = growth < singular_growth ? std::max(growth, smallest_growth) : smallest_growth;
+    compared_with_ = State();
+  }
+  return growth_of_multipliers(system(), current(), conditions_) > weaker_by * usual_growth_;
+}
 
 [[gnu::noinline]] bool Solver::passes_singular_position(double error) {
   if (sizes_.ae == 0 || !(error <= most_noise)) return false;

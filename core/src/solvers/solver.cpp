@@ -132,7 +132,7 @@ void Solver::initialize_data() {
   it = SolverIterationData();
   singular_position_step_ = aside_step_ = -2;
   passing_steps_ = steps_above_tolerance_ = 0;
-  warned_minimum_ = false;
+  warned_minimum_ = warned_of_contradiction_ = false;
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
   if (system_->searches()) {
@@ -195,6 +195,7 @@ void Solver::initial_conditions() {
   first.y_t.resize(static_cast<std::size_t>(sizes_.ode1));
   current() = first;
   start_of_step() = first;
+  compare_constraints_with(first);
   output.lastSolutionWritten = output.lastSensorsWritten = output.lastImageRecorded = it.startTime;
   last_restart_ = it.startTime;
   write_solution_header();
@@ -300,6 +301,7 @@ void Solver::begin_step() {
     conv.stepReductionFailed = true;
     if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});
     advise_on_locking_turns();
+    advise_on_weak_constraints();
     return;
   }
   steps_since_reduction_ = 0;

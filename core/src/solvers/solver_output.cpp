@@ -238,6 +238,7 @@ void Solver::write_restart() {
   last_restart_ = t;
   write_restart_file(settings_->solutionSettings.restartFileName, restart_data());
   forget();
+  compare_constraints_with(current());
 }
 
 // A file that cannot be written is an error of the run, and a warning if the run has failed anyway.

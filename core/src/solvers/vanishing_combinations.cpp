@@ -418,6 +418,7 @@ bool RedundantConstraints::take_over(const RedundantConstraints& found) {
   count_ = found.count_;
   certain_ = found.certain_;
   weakest_ = found.weakest_;
+  consistent_ = found.consistent_;
   return true;
 }
 

@@ -15,7 +15,13 @@ namespace dalembert {
 class ConstrainedMotion {
  public:
   void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options, const RedundantConstraintsSettings& settings);
-  // The factors at this state; success, or the unknown without a pivot. Redundant constraints are looked for once.
+  // Which constraints are redundant shows where they hold: at starts of steps, and not in what is tried from there. At the first of them, and
+  // once again after something has been found, or singular matrices have been passed.
+  bool to_be_examined(const State& start_of_step) const;
+  bool is_examined() const { return examined_; }
+  // Whether factors at hand serve no longer.
+  bool examine(System& system, const State& start_of_step, const Conditions& conditions);
+  // The factors at this state; success, or the unknown without a pivot. The first state is examined.
   int factorize(System& system, const State& state, const Conditions& conditions);
   // The same around another matrix than that of the masses, which has been put here, with the columns of the multipliers.
   std::span<double> matrix() { return matrix_; }
@@ -32,12 +38,12 @@ class ConstrainedMotion {
   // Moves the state by the smallest changes, in the metric of the masses, that close gaps and end their rates, with the factors at
   // hand. False: they do not get small enough.
   bool project(System& system, State& state, const Conditions& conditions);
-  // With the factors at hand, see RedundantConstraints::much_weaker.
-  bool near_singular_position() { return !redundant_.in_use() && !redundant_.rows().empty() && redundant_.much_weaker(*factors_); }
   // All but what has been found out.
   void free_memory();
   const RedundantConstraints& redundant() const { return redundant_; }
   double largest_misfit() const { return largest_misfit_; }  // that projections have left
+  // What no motion closes of the gaps of a state; empty: nothing worth a word.
+  std::vector<double> misfit(System& system, const State& state, const Conditions& conditions) const;
 
   // Second derivatives of gaps, or derivatives of constraints of velocities, along the motion with constant velocities.
   static std::vector<double> gap_acceleration(System& system, const State& state, const Conditions& conditions);
@@ -47,7 +53,10 @@ class ConstrainedMotion {
   // With constant velocities, and those that are prescribed in time.
   std::vector<double> gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions);
   void fill(System& system, const State& state, const Conditions& conditions);
+  int examine_filled(System& system, const State& state, const Conditions& conditions);
   bool look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
+  int pass_singular_matrix(System& system, int singular);
+  void weigh_again(System& system);
   void add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap);
   // Solutions for right-hand sides of the constraints alone; returns the part of the coordinates.
   std::span<const double> move(std::span<const double> gaps);
@@ -57,7 +66,10 @@ class ConstrainedMotion {
   RedundantConstraintsSettings settings_;
   const Pattern* pattern_ = nullptr;
   int ode2_ = 0, first_ae_ = 0;
-  bool treats_redundancy_ = false, examined_ = false, is_driven_ = false;
+  bool treats_redundancy_ = false, is_driven_ = false;
+  bool examined_ = false, confirmed_ = false;
+  bool passing_ = false;    // a matrix that was singular where constraints had not been found to be redundant
+  double examined_at_ = 0;  // time
   double largest_misfit_ = 0;
   std::unique_ptr<LinearSolver> factors_;
   std::vector<double> matrix_, part_, x_, rest_;

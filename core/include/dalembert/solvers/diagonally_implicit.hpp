@@ -19,7 +19,7 @@ class DiagonallyImplicitSolver : public Solver {
  public:
   std::string name() const override { return "diagonally implicit time integration (ESDIRK43)"; }
   bool controls_step_size() const override { return true; }
-  const RedundantConstraints& redundant_constraints() const { return motion_.redundant(); }
+  const RedundantConstraints& redundant_constraints() const override { return motion_.redundant(); }
   double largest_misfit() const { return motion_.largest_misfit(); }
   int method_order() const { return 4; }
   int number_of_stages() const { return stages; }
@@ -43,7 +43,6 @@ class DiagonallyImplicitSolver : public Solver {
     find_accelerations();
     after_jump_ = true;
   }
-  bool near_singular_position() override { return motion_.near_singular_position(); }
   KnownDerivatives complete_ends() override { return {true, true}; }
 
  private:

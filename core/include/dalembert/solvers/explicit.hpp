@@ -23,7 +23,7 @@ class ExplicitSolver : public Solver {
   std::string name() const override;
   bool controls_step_size() const override { return method_.controls_step_size(); }
   bool enforces_constraints() const override { return settings().timeIntegration.explicitIntegration.eliminateConstraints; }
-  const RedundantConstraints& redundant_constraints() const { return motion_.redundant(); }
+  const RedundantConstraints& redundant_constraints() const override { return motion_.redundant(); }
   double largest_misfit() const { return motion_.largest_misfit(); }
   int method_order() const { return verlet_ ? 2 : method_.order; }
   int number_of_stages() const { return verlet_ ? 1 : method_.stages; }
@@ -44,7 +44,6 @@ class ExplicitSolver : public Solver {
   }
   void forget() override;
   void renew_accelerations() override;
-  bool near_singular_position() override { return constrained_ && motion_.near_singular_position(); }
   KnownDerivatives complete_ends() override;
   void advise_on_growth() override;
 

@@ -29,8 +29,7 @@ class NewtonSolver : public Solver {
   // Values of the system matrix for the current state.
   virtual void compute_jacobian() = 0;
 
-  // What the solver has found of constraints that follow from others; count() is zero if there are none.
-  const RedundantConstraints& redundant_constraints() const { return redundant_; }
+  const RedundantConstraints& redundant_constraints() const override { return redundant_; }
   double largest_misfit() const { return largest_misfit_; }
 
   std::span<double> residual() { return residual_; }
@@ -46,7 +45,6 @@ class NewtonSolver : public Solver {
     if constexpr (std::is_same_v<S, double>) return sqrt(sum_of_squares(system(), residual)) / conv.errorCoordinateFactor;
     else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
-  bool near_singular_position() override;
   // As another matrix with them has shown.
   void constraints_are_known(RedundantConstraints found);
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
@@ -87,6 +85,7 @@ class NewtonSolver : public Solver {
   bool treats_redundancy() const;
   bool measure_redundancy();
   void begin_announced_treatment();
+  bool weigh_again();
   void regularize();
   std::unique_ptr<LinearSolver> regularized_solver() const;
   std::unique_ptr<LinearSolver> find_redundancy();
@@ -98,9 +97,6 @@ class NewtonSolver : public Solver {
   double residual_without_misfit();
   bool settle_multipliers();
   void announce_redundancy();
-  std::vector<std::string> describe_misfit() const;
-  void blame_weak_constraints();
-  void report_contradiction();
   LinearSolverOptions linear_options() const;
   // By which rows of constraints of velocities are multiplied in `jacobian_`.
   virtual double rate_factor() const { return 1; }
@@ -140,12 +136,13 @@ class NewtonSolver : public Solver {
   Treatment treatment_ = Treatment::none;
   bool looks_at_next_ = false;  // at the next matrix
   bool contradiction_ = false;  // it has converged, and left too much open
-  bool tried_harder_ = false, announced_ = false, warned_of_misfit_ = false;
+  bool tried_harder_ = false, announced_ = false;
   StepCount treated_since_ = 0;          // step
   bool begun_at_trial_ = false;          // treatment since a matrix of unknowns that Newton's method tried
   bool treatment_failed_ = false;        // within the step in which it was begun
   bool confirmed_ = false;               // redundancy at the start may be that of a singular position
   std::unique_ptr<LinearSolver> plain_;  // while a singular position is passed
+  double measured_for_ = 0;              // row_scale() of the matrix that weights are for
   std::vector<double> misfit_;           // gaps that no motion closes, by equation; empty: none
   double largest_misfit_ = 0;            // of the last solution, relative to the size of the model
 };

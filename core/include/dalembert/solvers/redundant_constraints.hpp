@@ -6,12 +6,12 @@
 // equations that vanish, and takes off multipliers what makes them larger than need be.
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/simulation_settings.hpp"
 #include "dalembert/system/system.hpp"
 
 namespace dalembert {
@@ -42,8 +42,6 @@ class RedundantConstraints {
   double growth(LinearSolver& factors);
   // Whether some may be redundant, as far as the factors of the matrix tell.
   bool suspected(LinearSolver& factors);
-  // Whether multipliers outgrow what they state by far more than when they were `suspected` for the first time.
-  bool much_weaker(LinearSolver& factors) { return growth(factors) > weaker_by * std::max(usual_growth_, smallest_growth); }
   // Finds the combinations that vanish; factorizes the matrix with this eps, by a solver with `options_to_find`. To count, each equation has a weight
   // of its own, which leaves most of what is weak above round-off. Those that are known from a state
   // close by are only looked at again. False: the matrix is singular for other reasons as well.
@@ -105,15 +103,13 @@ class RedundantConstraints {
 
  private:
   static constexpr std::size_t few_rows = 40;  // not worth to be taken apart
-  // A singular position takes the weakest constraint to zero; elsewhere it changes by less than this.
-  static constexpr double weaker_by = 100, smallest_growth = 100;
 
   double row_factor(int equation) const { return of_rate_[static_cast<std::size_t>(equation)] ? rate_factor_ : 1; }
   // What takes the place of a zero.
   double entry_of(int equation) const { return -eps_ * row_factor(equation) * weight_[static_cast<std::size_t>(equation)]; }
   std::vector<double> without_eps(std::span<const double> values) const;
-  // P with another eps, for all equations with a weight.
-  void apply(LinearSolver& factors, double eps, std::span<double> multipliers);
+  // P with another eps and D, for all equations with a weight.
+  void apply(LinearSolver& factors, double eps, std::span<const double> weights, std::span<double> multipliers);
   void find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length);
   std::span<const int> slots(const Pattern& pattern);
   class Search;
@@ -148,7 +144,6 @@ class RedundantConstraints {
   std::vector<int> rows_;            // equations with a weight
   double rate_factor_ = 1, eps_ = 0, weakest_ = 0;
   double rest_ = 0;                  // the largest eigenvalue of P that is not one
-  double usual_growth_ = 0;          // where the constraints were looked at first
   int count_ = 0;
   bool consistent_ = true, certain_ = true;
   std::vector<Part> parts_;
@@ -157,7 +152,11 @@ class RedundantConstraints {
   std::vector<int> slots_;  // of the diagonal, by rows_
 };
 
+// Whether solvers go on in spite of them.
+bool treats_redundancy(const Sizes& sizes, const RedundantConstraintsSettings& settings, bool ignores_singular);
 // Of the constraints as they are in a state.
 RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length);
+// See RedundantConstraints::growth; masses, stiffness and step sizes have no part in it.
+double growth_of_multipliers(System& system, const State& state, Conditions conditions);
 
 }  // namespace dalembert

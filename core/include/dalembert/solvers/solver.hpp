@@ -26,6 +26,7 @@ struct EventLook;
 class EventWatch;
 struct WatchedValue;
 class Model;
+class RedundantConstraints;
 class StepInterpolation;
 struct RestartData;
 
@@ -93,6 +94,8 @@ class Solver {
   virtual bool controls_step_size() const { return false; }
   virtual bool enforces_constraints() const { return true; }
   virtual double load_factor() const { return 1; }
+  // What has been found of constraints that follow from others; count() is zero if there are none.
+  virtual const RedundantConstraints& redundant_constraints() const = 0;
   double end_time() const;
 
   // ---- output ------------------------------------------------------------------------------------------------------
@@ -144,7 +147,8 @@ class Solver {
   double continued_number(std::size_t i) const;
   // ---- control of the step size: singular positions (singular_positions.cpp) ----------------------------------------
   // Whether the constraints of this step nearly depend on each other, as they did not at the start.
-  virtual bool near_singular_position() { return false; }
+  bool near_singular_position();
+  void compare_constraints_with(const State& state);  // from now on
   // Whether a step is kept although its error, in units of the tolerances, has been estimated to be above them.
   bool passes_singular_position(double error);
   void passing_singular_position();  // counts and tells it
@@ -175,6 +179,9 @@ class Solver {
   // With what can move freely, and equations that depend on each other.
   void diagnose_singular_matrix(const Pattern& pattern, std::span<const double> values);
   void diagnose_open_gaps();  // that no motion onto the constraints has closed
+  // Of redundant constraints, by what no motion closes of their gaps.
+  void diagnose_contradiction(std::span<const double> misfit);
+  void warn_of_contradiction(std::span<const double> misfit);  // once
   // With the equations that have the largest residuals.
   void diagnose(FailureReason reason, std::span<const double> residual);
   // Names what is not finite in the current state or, if there is nothing, in `residual`, with the items that it comes from.
@@ -197,6 +204,7 @@ class Solver {
   bool hold_at_minimum();
   virtual void diagnose_error_control();
   int steps_above_tolerance_ = 0;  // in a row
+  bool warned_of_contradiction_ = false;
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
 
@@ -241,6 +249,7 @@ class Solver {
   void watch_locking_turns();
   void doubt_locking_turns();
   void advise_on_locking_turns();
+  void advise_on_weak_constraints();
   struct Lock {
     std::size_t first;  // coordinate
     StepCount steps;    // that were too large, and the time of the first of them
@@ -310,6 +319,8 @@ class Solver {
   double last_restart_ = 0;
   StepCount steps_since_reduction_ = 0;
   StepCount aside_step_ = -2;
+  State compared_with_;     // constraints as they usually are, until a number has been made of it
+  double usual_growth_ = 0;
   int times_aside_ = 0, passing_steps_ = 0;  // the latter with few others in between
   // Steps of one size in a row; `time`: the end of the last of them.
   struct EqualSteps {
