@@ -12,7 +12,7 @@
 namespace dalembert {
 namespace {
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
 // A pattern in compressed-column storage, made symmetric, with its solver.
@@ -36,16 +36,16 @@ class PatternSolver {
   PatternSolver(const PatternSolver&) = delete;
   PatternSolver& operator=(const PatternSolver&) = delete;
 
-  int factorize(const Numbers& values) {
+  int factorize(const DoubleArray& values) {
     check(values, slots_.size(), "data");
     if (complete_) return solver_->factorize({values.data(), slots_.size()});
     for (std::size_t k = 0; k < slots_.size(); ++k) values_[slots_[k]] = values.data()[k];
     return solver_->factorize(values_);
   }
 
-  Numbers solve(const Numbers& right) {
+  DoubleArray solve(const DoubleArray& right) {
     check(right, static_cast<std::size_t>(pattern_.size()), "b");
-    Numbers x(right.size(), right.data());
+    DoubleArray x(right.size(), right.data());
     solver_->solve({x.mutable_data(), static_cast<std::size_t>(x.size())});
     return x;
   }
@@ -60,7 +60,7 @@ class PatternSolver {
   }
 
  private:
-  static void check(const Numbers& received, std::size_t size, const char* where) {
+  static void check(const DoubleArray& received, std::size_t size, const char* where) {
     if (received.ndim() == 1 && static_cast<std::size_t>(received.size()) == size) return;
     const auto numbers = [](auto count) { return std::to_string(count) + " numbers"; };
     refuse(ErrorKind::value, {.item = "testing.LinearSolver", .parameter = where, .received = numbers(received.size()),
