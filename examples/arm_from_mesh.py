@@ -25,6 +25,7 @@ mesh.points[:, 1] *= rootHeight + (tipHeight - rootHeight) * along
 
 fem = FEMinterface()
 fem.ImportFromMeshio(mesh)  # or the name of a file
+fem.VolumeToSurfaceElements()  # what pictures show
 fem.AssembleMatrices(aluminium)
 for name, x in (("hub", 0.0), ("hand", length)):
     fem.AddBoundary(name, fem.GetNodesInPlane(point=[x, 0, 0], normal=[1, 0, 0]))
@@ -90,4 +91,12 @@ print(f"largest stress: {np.abs(stress).max() / 1e6:.1f} MPa")
 print(f"largest angular acceleration: {acceleration.max():.0f} rad/s^2")
 mbs.PlotSensor(sensors[0], components=1, yLabel="deflection of the hand (m)", fileName="arm_deflection.png")
 mbs.PlotSensor(sensors[1], components=0, yLabel="stress near the hub (Pa)", fileName="arm_stress.png")
+mbs.SetObjectParameter(body, "VshowNodes", False)
+view = mbs.GetSystemContainer().visualizationSettings
+view.nodes.show = view.markers.show = view.connectors.show = False
+view.view0.scene.showMeshEdges = False
+view.contour.outputVariable, view.contour.outputVariableComponent = exu.OutputVariableType.StressLocal, 0  # along it
+view.contour.automaticRange, view.contour.minValue, view.contour.maxValue = False, -1.5e7, 1.5e7
 mbs.Draw(fileName="arm_picture.png")
+in_a_second = settings.timeIntegration.endTime / 4
+mbs.DrawSolution(fileName="arm_motion.gif", windowSize=[480, 360], framesPerSecond=20, speed=in_a_second, view="front")

@@ -127,8 +127,7 @@ settings.timeIntegration.endTime = end
 settings.timeIntegration.numberOfSteps = round(end / step)
 settings.timeIntegration.verboseMode = 0
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.5
-settings.solutionSettings.writeSolutionToFile = False
-settings.solutionSettings.sensorsWritePeriod = scan
+settings.solutionSettings.sensorsWritePeriod = settings.solutionSettings.solutionWritePeriod = scan
 mbs.SolveDynamic(settings)
 
 # ---- odometry: in each interval, the vehicle goes along a line at the heading in its middle
@@ -200,3 +199,7 @@ mbs.PlotSensor(
 view = mbs.GetSystemContainer().visualizationSettings
 view.nodes.show = view.markers.show = view.connectors.show = view.sensors.show = False
 mbs.Draw(fileName="mobile_robot_picture.png", around=platform, zoom=0.5)
+for n in range(1, mbs.systemData.NumberOfObjects()):
+    if mbs.GetObject(n)["objectType"] == "Ground":  # rays are those of the last scan
+        mbs.SetObjectParameter(n, "Vshow", False)
+mbs.DrawSolution(fileName="mobile_robot_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=end / 6)

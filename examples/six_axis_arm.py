@@ -71,7 +71,7 @@ def follow(law):
     settings = exu.SimulationSettings()
     settings.timeIntegration.endTime = duration
     settings.timeIntegration.numberOfSteps = round(duration / sample)
-    settings.solutionSettings.writeSolutionToFile = False
+    settings.solutionSettings.coordinatesSolutionFileName = f"{law.__name__}.txt"
     mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.RK44)
     last = np.array(mbs.systemData.GetODE2Coordinates()) + start
     t, errors, q, q_t, torques = np.split(np.array(rows), [1, 7, 13, 19], axis=1)
@@ -105,3 +105,4 @@ for name, is_at, should in zip("xyz", reached[:3, 3], high[:3, 3], strict=True):
 height = arm.PotentialEnergy(end) - arm.PotentialEnergy(start)
 print(f"work of the drives, less that of bearings: {gained:.3f} J, gain of height {height:.3f} J")
 moved.Draw(fileName="arm_picture.png")
+moved.DrawSolution(fileName="arm_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=duration / 4)

@@ -46,7 +46,7 @@ def steering(side):
     return lambda mbs, t, itemNumber, parameters: [0, 0, 0, 0, 0, angle * np.interp(t, [4, 5], [0, 1])]
 
 
-contacts = []
+joints, contacts = [], []
 for x, side in ((base / 2, 1), (base / 2, -1), (-base / 2, 1), (-base / 2, -1)):
     hub = [x, side * track / 2, radius - sinking]
     wheel = mbs.CreateRigidBody(
@@ -59,7 +59,7 @@ for x, side in ((base / 2, 1), (base / 2, -1), (-base / 2, 1), (-base / 2, -1)):
     )
     free_about_y = {"position": hub, "constrainedAxes": [1, 1, 1, 1, 0, 1]}
     turn = {"offsetUserFunction": steering(side)} if x > 0 else {}
-    mbs.CreateGenericJoint(bodyNumbers=[body, wheel], **free_about_y, **turn)
+    joints.append(mbs.CreateGenericJoint(bodyNumbers=[body, wheel], **free_about_y, **turn))
     if x < 0:
         for turned, sign in ((wheel, 1), (body, -1)):
             at = mbs.AddMarker(MarkerBodyRigid(bodyNumber=turned))
@@ -101,13 +101,17 @@ settings.timeIntegration.endTime = 10
 settings.timeIntegration.numberOfSteps = 4000
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.6
 settings.solutionSettings.sensorsWritePeriod = 1e-2
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = 0.05
 mbs.SolveDynamic(settings)
 
 SC = mbs.GetSystemContainer()
 SC.visualizationSettings.loads.show = SC.visualizationSettings.markers.show = False
 SC.visualizationSettings.sensors.traces.showPositionTrace = True
 mbs.Draw(fileName="vehicle_picture.png", view="axonometric", around=body, zoom=0.35)
+SC.visualizationSettings.view0.camera.trackMarker = mbs.GetObject(joints[0])["markerNumbers"][0]  # in the car
+in_a_second = settings.timeIntegration.endTime / 5
+film = {"windowSize": [420, 320], "framesPerSecond": 20, "speed": in_a_second, "view": "axonometric", "zoom": 18}
+mbs.DrawSolution(fileName="vehicle_motion.gif", **film)
 
 mbs.PlotSensor(position, componentsX=[0], components=[1], xLabel="x (m)", yLabel="y (m)",
                fileName="vehicle_path.png", closeAll=True)  # fmt: skip

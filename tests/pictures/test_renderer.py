@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 import dalembert as exu
+from dalembert import graphics
 from dalembert.itemInterface import NodePoint
 
 
@@ -147,6 +148,31 @@ def test_films(pendulum: Any) -> None:
     assert len(list(Path("frames").glob("f*.png"))) == 11
     frames = [np.asarray(Image.open(f"frames/f{n:03d}.png")) for n in (0, 5, 10)]
     assert all((a != b).any() for a, b in zip(frames[:-1], frames[1:], strict=True))
+
+
+def test_films_follow_a_marker(SC: Any, mbs: Any) -> None:
+    """What flies away stays where it is in the picture, as far as its place is tracked."""
+    shape = [graphics.Sphere(radius=0.1, color=[0.2, 0.2, 0.2, 1], nTiles=16)]
+    ball = mbs.CreateMassPoint(initialVelocity=[2, 1, 0], physicsMass=1, graphicsDataList=shape)
+    marker = mbs.AddMarker(exu.itemInterface.MarkerBodyPosition(bodyNumber=ball))
+    mbs.Assemble()
+    solve(mbs)
+    show, follow = SC.visualizationSettings, SC.visualizationSettings.view0.camera
+    show.nodes.show = show.markers.show = show.general.showSolverTime = show.view0.window.showComputationInfo = False
+    show.view0.scene.drawCoordinateSystem = 0
+
+    def places() -> Any:
+        mbs.DrawSolution("f%d.png", framesPerSecond=8, windowSize=[90, 60], view="front")
+        dark = [np.argwhere((np.asarray(Image.open(f"f{n}.png")) < 200).any(axis=2)) for n in range(5)]
+        return np.array([pixels.mean(axis=0)[::-1] for pixels in dark])
+
+    across, up = np.ptp(places(), axis=0)
+    assert across > 15 and up > 8
+    follow.trackMarker = int(marker)
+    assert places() == pytest.approx(np.tile([44.5, 29.5], (5, 1)), abs=0.6)  # the middle, up to half a pixel
+    follow.trackMarkerPosition = [1, 0, 0]
+    moved = places()
+    assert np.ptp(moved[:, 0]) < 0.6 and np.ptp(moved[:, 1]) == pytest.approx(up, abs=1)
 
 
 @pytest.mark.parametrize("name", ["film", "film.xyz", "film.png", "f%s%d.png", "f%q.png", "f%%.png"])

@@ -69,7 +69,8 @@ def DrawSolution(
 
     A `fileName` with .gif or .webp needs nothing else, .mp4 the program ffmpeg; a name with a % such as
     'images/frame%05d.png' gives numbered images. `speed` is the time of the solution that passes in a second.
-    View, size and zoom are those of Draw(); the camera stands where it sees the whole motion.
+    View, size and zoom are those of Draw(); the camera stands where it sees the whole motion, or follows the marker of
+    visualizationSettings.view0.camera.trackMarker.
     """
     from pathlib import Path
 
@@ -82,12 +83,11 @@ def DrawSolution(
         check_name(Path(fileName))
     size = None if windowSize is None else _size(windowSize)
     motion = Motion(mbs, "DrawSolution", solution, framesPerSecond, speed, view, size, zoom)
-    images = (motion.studio.image(scene, motion.camera, size=motion.size) for scene in motion.scenes)
     if name_of is not None:
-        for number, image in enumerate(images):
+        for number, image in enumerate(motion.images()):
             save_image(image, name_of(number))
     else:
-        save_film(images, fileName, framesPerSecond)
+        save_film(motion.images(), fileName, framesPerSecond)
 
 
 def around(scenes: list[Scene]) -> Scene:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,6 +14,7 @@ from dalembert._io.solution_states import SetSolutionState, check_solution
 from dalembert._pictures import draw
 from dalembert._pictures.films import times_of
 from dalembert._pictures.looks import Looks
+from dalembert._pictures.painting import Image
 from dalembert._pictures.scene import Scene
 from dalembert._pictures.studio import Studio
 from dalembert.interactive import solution_of_last_simulation
@@ -43,23 +46,35 @@ class Motion:
         if solution is not None:
             check_solution(caller, solution)
         self.studio = Studio(mbs.GetSystemContainer(), [mbs])
+        self._tracked: list[Any] = []  # what the camera follows, for each scene
         self.rate, self.size = float(framesPerSecond), size or self.studio.size(0)
         try:
             data = solution_of_last_simulation(mbs, caller) if solution is None else solution
         except (ValueError, OSError):
             if not optional:
                 raise
-            self.scenes = [self.studio.scene()]
+            self.scenes = [self._scene()]
         else:
             times = np.asarray(data["data"], float)[:, 0]
             rows = np.arange(len(times)) if every_row else self._rows(times, speed)
             self.scenes = self._scenes(mbs, data, rows)
         self.camera = draw.camera_for(self.studio, draw.around(self.scenes), view, self.size, zoom)
 
+    def images(self) -> Iterator[Image]:
+        """Return the images; the camera follows a marker as view0.camera.trackMarker says."""
+        for scene, tracked in zip(self.scenes, self._tracked, strict=True):
+            camera = replace(self.camera)
+            self.studio.track(camera, 0, tracked)
+            yield self.studio.image(scene, camera, size=self.size)
+
     @property
     def looks(self) -> Looks:
         """Return the sizes and colors with which the scenes were made."""
         return self.studio.makers[0].looks
+
+    def _scene(self) -> Scene:
+        self._tracked.append(self.studio.tracked())
+        return self.studio.scene()
 
     def _rows(self, recorded: FloatArray, speed: float) -> IntArray:
         """Return the rows that are nearest to the times of the frames."""
@@ -73,7 +88,7 @@ class Motion:
         try:
             for row in rows:
                 SetSolutionState(mbs, data, int(row), ConfigurationType.Visualization)
-                scenes.append(self.studio.scene())
+                scenes.append(self._scene())
         finally:
             mbs.systemData.SetSystemState(before, ConfigurationType.Visualization)
             mbs.systemData.SetTime(time, ConfigurationType.Visualization)

@@ -119,22 +119,28 @@ class Studio:
             result.center = np.asarray(state["centerPoint"], float)
         if known:
             result.zoom = float(state["zoom"])
-        self._track(result, number)
+        self.track(result, number, self.tracked(number))
         return result
 
-    def _track(self, result: Camera, number: int) -> None:
-        """Let the camera follow a marker."""
+    def tracked(self, number: int = 0) -> tuple[FloatArray | None, FloatArray] | None:
+        """Return place and rotation matrix of the marker that the camera of a view follows; None if it follows none."""
         follow = self.view(number).camera
         if int(follow.trackMarker) < 0 or int(follow.trackMarkerMbsNumber) >= len(self.makers):
-            return
+            return None
         mbs = self.makers[int(follow.trackMarkerMbsNumber)].mbs
-        places = Places(mbs, _core.ConfigurationType.Visualization)
-        place = places.marker(int(follow.trackMarker))
+        places, marker = Places(mbs, _core.ConfigurationType.Visualization), int(follow.trackMarker)
+        return places.marker(marker), places.marker_rotation(marker)
+
+    def track(self, camera: Camera, number: int, tracked: tuple[FloatArray | None, FloatArray] | None) -> None:
+        """Let a camera follow what tracked() has returned."""
+        if tracked is None:
+            return
+        follow, (place, rotation) = self.view(number).camera, tracked
         if place is not None:
             chosen = np.asarray(follow.trackMarkerPosition, float) != 0
-            result.center = np.where(chosen, place, result.center)
+            camera.center = np.where(chosen, place, camera.center)
         if np.any(np.asarray(follow.trackMarkerOrientation, float)):
-            result.rotation = result.rotation @ places.marker_rotation(int(follow.trackMarker)).T
+            camera.rotation = camera.rotation @ rotation.T
 
     def image(
         self,
