@@ -23,6 +23,9 @@ struct Linear {
   DALEMBERT_INLINE T at(float x, float y) const { return value + x * dx + y * dy; }
 };
 
+// One component of a quantity that is linear over a triangle, at four places.
+DALEMBERT_INLINE inline Four component(const Linear<Four>& q, int i, Four x, Four y) { return four(q.value[i]) + x * four(q.dx[i]) + y * four(q.dy[i]); }
+
 constexpr Four square_x{0, 1, 0, 1}, square_y{0, 0, 1, 1};
 
 // The middle of those samples of a square that are won, by their bits.
@@ -92,7 +95,7 @@ DALEMBERT_INLINE inline std::pair<int, int> Picture::span(const Sides& sides, in
 }
 
 // The samples of a triangle, pixel by pixel. Those that it wins in a pixel are shaded at once, in their middle, which is inside of it:
-// shade(x, y) gives color and normal.
+// shade(x, y) gives color and normal at four places.
 template <class Shade>
 void Picture::cover(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade) {
   const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
@@ -125,18 +128,39 @@ void Picture::cover(const Three& v, const Plan& plan, std::int32_t item, Shade&&
       }
       if (count == 0) continue;
       const float part = 1 / static_cast<float>(count);
-      const auto [color, normal] = shade(part * static_cast<float>(x_sum), part * static_cast<float>(y_sum));
-      for (std::size_t i = 0; i < count; ++i) color_[won[i]] = color, normal_[won[i]] = normal;
+      const auto [color, normal] = shade(four(part * static_cast<float>(x_sum)), four(part * static_cast<float>(y_sum)));
+      for (std::size_t i = 0; i < count; ++i)
+        color_[won[i]] = static_cast<std::uint32_t>(color[0]), normal_[won[i]] = static_cast<std::uint32_t>(normal[0]);
     }
   }
 }
 
-// The same with two samples in each direction, all four of a pixel side by side.
+// The same with two samples in each direction, all four of a pixel side by side, and four pixels shaded together.
 template <class Shade>
 void Picture::cover_squares(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade) {
   const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
   const Sides sides(v);
   const int first = first_sample(sides.low, rows_), end = first_sample(sides.high, rows_);
+  constexpr std::size_t most = 32;
+  std::array<std::size_t, most> places;  // of pixels that wait for their color
+  std::array<std::uint32_t, most> samples;
+  std::array<float, most> xs, ys;
+  std::size_t waiting = 0;
+  const auto shade_all = [&] {
+    for (std::size_t i = waiting; i % 4 != 0; ++i) xs[i] = xs[waiting - 1], ys[i] = ys[waiting - 1];
+    for (std::size_t i = 0; i < waiting; i += 4) {
+      const auto [color, normal] = shade(load_row<Four>(&xs[i]), load_row<Four>(&ys[i]));
+      for (std::size_t j = 0; j < 4 && i + j < waiting; ++j) {
+        const std::size_t k = places[i + j], below = k + static_cast<std::size_t>(columns_);
+        const FourWhole won = (four(static_cast<std::int32_t>(samples[i + j])) & FourWhole{1, 2, 4, 8}) != FourWhole{};
+        const auto keep = [&](std::uint32_t* to, std::int32_t value) {
+          store_square(won ? four(value) : load_square<FourWhole>(to + k, to + below), to + k, to + below);
+        };
+        keep(color_.data(), color[j]), keep(normal_.data(), normal[j]);
+      }
+    }
+    waiting = 0;
+  };
   for (int row = first & ~1; row < end; row += 2) {
     const auto [b0, e0] = row >= first ? span(sides, row) : std::pair(columns_, 0);
     const auto [b1, e1] = row + 1 < end ? span(sides, row + 1) : std::pair(columns_, 0);
@@ -153,15 +177,14 @@ void Picture::cover_squares(const Three& v, const Plan& plan, std::int32_t item,
       const FourWhole won = (columns >= begins) & (columns < ends) & (n > known);
       const std::uint32_t which = bits(won);
       if (which == 0) continue;
-      const auto keep = [&](auto* samples, auto value) {
-        const auto old = load_square<FourWhole>(samples + k, samples + below);
-        store_square(won ? four(static_cast<std::int32_t>(value)) : old, samples + k, samples + below);
-      };
       store_square(won ? n : known, &depth_[k], &depth_[below]);
-      const auto [color, normal] = shade(static_cast<float>(column) + middles[which].x, static_cast<float>(row) + middles[which].y);
-      keep(item_.data(), item), keep(color_.data(), color), keep(normal_.data(), normal);
+      store_square(won ? four(item) : load_square<FourWhole>(&item_[k], &item_[below]), &item_[k], &item_[below]);
+      places[waiting] = k, samples[waiting] = which;
+      xs[waiting] = static_cast<float>(column) + middles[which].x, ys[waiting] = static_cast<float>(row) + middles[which].y;
+      if (++waiting == most) shade_all();
     }
   }
+  if (waiting > 0) shade_all();
 }
 
 void Picture::add(const Three& v, std::int32_t item) {
@@ -173,28 +196,28 @@ void Picture::add(const Three& v, std::int32_t item) {
   }
   const Plan plan(v[0].place, v[1].place, v[2].place);
   const auto covered = [&](auto&& shade) { samples_ == 2 ? cover_squares(v, plan, item, shade) : cover(v, plan, item, shade); };
-  const auto packed_normal = [](const Four& n) { return packed(Point{n[0], n[1], n[2]}); };
   const bool has_one_color = v[0].color == v[1].color && v[0].color == v[2].color;
+  const auto color = four(static_cast<std::int32_t>(v[0].color));
   const auto paints = plan.linear(v[0].paint, v[1].paint, v[2].paint);
+  const auto color_at = [&](Four x, Four y, Four weight) {
+    return packed(component(paints, 0, x, y) / weight, component(paints, 1, x, y) / weight, component(paints, 2, x, y) / weight) |
+           four(static_cast<std::int32_t>(to_be_lit));
+  };
   if (bits((v[0].normal == v[1].normal) & (v[0].normal == v[2].normal)) == 15) {  // flat, seen from far away: one normal for all of it
-    const std::uint32_t normal = packed_normal(v[0].normal);
-    const Four weight = four(v[0].weight());
+    const Four n = v[0].normal, weight = four(v[0].weight());
+    const FourWhole normal = packed_normal(four(n[0]), four(n[1]), four(n[2]));
     if (has_one_color)
-      covered([normal, color = v[0].color](float, float) { return std::pair(color, normal); });
+      covered([&](Four, Four) { return std::pair(color, normal); });
     else
-      covered([&](float x, float y) { return std::pair(packed(paints.at(x, y) / weight) | to_be_lit, normal); });
+      covered([&](Four x, Four y) { return std::pair(color_at(x, y, weight), normal); });
     return;
   }
   const auto normals = plan.linear(v[0].normal, v[1].normal, v[2].normal);
-  const auto normal_at = [&](float x, float y) { return packed_normal(normals.at(x, y)); };
-  if (has_one_color) {
-    covered([&, color = v[0].color](float x, float y) { return std::pair(color, normal_at(x, y)); });
-    return;
-  }
-  covered([&](float x, float y) {
-    const Four weight = four(normals.at(x, y)[3]);
-    return std::pair(packed(paints.at(x, y) / weight) | to_be_lit, normal_at(x, y));
-  });
+  const auto normal_at = [&](Four x, Four y) { return packed_normal(component(normals, 0, x, y), component(normals, 1, x, y), component(normals, 2, x, y)); };
+  if (has_one_color)
+    covered([&](Four x, Four y) { return std::pair(color, normal_at(x, y)); });
+  else
+    covered([&](Four x, Four y) { return std::pair(color_at(x, y, component(normals, 3, x, y)), normal_at(x, y)); });
 }
 
 void Picture::blend(const Sheet& sheet) {
@@ -213,7 +236,7 @@ void Picture::blend(const Sheet& sheet) {
       if (near.at(fx, fy) <= depth_[k]) continue;
       const Four n = normals.at(fx, fy), paint = paints.at(fx, fy) / four(n[3]);
       float shine = 0;
-      const float bright = strength(unpacked(packed(Point{n[0], n[1], n[2]})), shine), opacity = std::clamp(paint[3], 0.0f, 1.0f);
+      const float bright = strength(unpacked(packed_normal(Point{n[0], n[1], n[2]})), shine), opacity = std::clamp(paint[3], 0.0f, 1.0f);
       const auto channel = [&](int shift, float front) {
         const float behind = static_cast<float>(color_[k] >> shift & 255) / 255;
         return behind + opacity * (std::min(bright * front + shine, 1.0f) - behind);

@@ -1,5 +1,6 @@
 // From samples to an image: rims, light, what is transparent, and the mean of the samples of each pixel.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -13,10 +14,18 @@ constexpr int alike = 1600;  // of 32767: a twentieth of a radian where a surfac
 
 int component(std::uint32_t v) { return static_cast<std::int16_t>(static_cast<std::uint16_t>(v)); }
 
+DALEMBERT_INLINE inline std::int32_t sum_of(FourWhole v) {
+  v += __builtin_shufflevector(v, v, 2, 3, 0, 1);
+  return v[0] + v[1];
+}
+
 // Sums of bytes of colors: red and blue side by side, and green.
 struct Sum {
   std::uint32_t even = 0, odd = 0;
   void add(std::uint32_t color) { even += color & 0xff00ffu, odd += color >> 8 & 255; }
+  DALEMBERT_INLINE void add(FourWhole colors) {
+    even += static_cast<std::uint32_t>(sum_of(colors & four(0xff00ff))), odd += static_cast<std::uint32_t>(sum_of((colors >> 8) & four(255)));
+  }
   // Of that many colors; two are divided at once where that is a shift.
   DALEMBERT_INLINE std::uint32_t mean(std::uint32_t count) const {
     if (count == 1) return even | odd << 8;
@@ -41,10 +50,24 @@ float Picture::strength(const Point& normal, float& shine) const {
   return bright;
 }
 
+// The same for two samples in each direction, all four at once.
+bool Picture::join_square(std::size_t first) {
+  const std::size_t below = first + static_cast<std::size_t>(columns_);
+  const auto colors = load_square<FourWhole>(&color_[first], &color_[below]), normals = load_square<FourWhole>(&normal_[first], &normal_[below]);
+  const FourWhole x = (normals << 16) >> 16, y = normals >> 16, dx = x - four(x[0]), dy = y - four(y[0]), limit = four(alike);
+  if (bits((colors < FourWhole{}) & (dx <= limit) & (dx >= -limit) & (dy <= limit) & (dy >= -limit)) != 15) return false;
+  Sum color;
+  color.add(colors);
+  color_[first] = color.mean(4) | to_be_lit;
+  normal_[first] = (static_cast<std::uint32_t>(sum_of(x) / 4) & 0xffff) | static_cast<std::uint32_t>(sum_of(y) / 4) << 16;
+  return true;
+}
+
 // Whether all samples of a pixel are to be lit, and their normals differ so little that one light will do for all of them; they have the
 // mean of their colors and normals then. Samples: per direction, if it is known at compile time; 0: it is not.
 template <int Samples>
 bool Picture::join(std::size_t first) {
+  if constexpr (Samples == 2) return join_square(first);
   const int samples = Samples > 0 ? Samples : samples_;
   Sum color;
   int x = 0, y = 0;
@@ -129,20 +152,29 @@ void Picture::light(int pixel_row) {
 void Picture::outline(int row) {
   const int reach = std::max(1, samples_ / 2 + samples_ % 2);
   if (row < reach || row >= rows_ - reach) return;
-  const std::ptrdiff_t begin = reach, end = columns_ - reach;
   const std::int32_t* item = item_.data() + row_start(row);
   const float* depth = depth_.data() + row_start(row);
-  std::uint32_t *rim = rim_.data(), *color = color_.data() + row_start(row);
-  std::ranges::fill(rim_, 0u);
-  for (std::ptrdiff_t side = 1; side <= reach; ++side) {
-    const std::ptrdiff_t above = side * columns_;
-    const auto behind = [&](std::ptrdiff_t other, std::ptrdiff_t k) {
-      return static_cast<std::uint32_t>(item[other] != item[k]) & static_cast<std::uint32_t>(depth[other] < depth[k]);
-    };
-    for (std::ptrdiff_t k = begin; k < end; ++k) rim[k] |= behind(k - side, k) | behind(k + side, k) | behind(k - above, k) | behind(k + above, k);
+  std::uint32_t* const color = color_.data() + row_start(row);
+  constexpr std::ptrdiff_t block = 64;  // samples
+  std::array<std::uint32_t, block> rim;
+  for (std::ptrdiff_t begin = reach; begin < columns_ - reach; begin += block) {
+    const std::ptrdiff_t end = std::min<std::ptrdiff_t>(begin + block, columns_ - reach);
+    std::int32_t others = 0;  // zero: all around are of one item, as nearly everywhere
+    for (std::ptrdiff_t side = -reach; side <= reach; ++side)
+      for (std::ptrdiff_t k = begin - reach; k < end + reach; ++k) others |= item[side * columns_ + k] ^ item[begin];
+    if (others == 0) continue;
+    std::ranges::fill(rim, 0u);
+    for (std::ptrdiff_t side = 1; side <= reach; ++side) {
+      const std::ptrdiff_t above = side * columns_;
+      const auto behind = [&](std::ptrdiff_t other, std::ptrdiff_t k) {
+        return static_cast<std::uint32_t>(item[other] != item[k]) & static_cast<std::uint32_t>(depth[other] < depth[k]);
+      };
+      for (std::ptrdiff_t k = begin; k < end; ++k)
+        rim[static_cast<std::size_t>(k - begin)] |= behind(k - side, k) | behind(k + side, k) | behind(k - above, k) | behind(k + above, k);
+    }
+    for (std::ptrdiff_t k = begin; k < end; ++k)
+      color[k] = rim[static_cast<std::size_t>(k - begin)] != 0 && color[k] >= to_be_lit ? (color[k] >> 1 & 0x7f7f7fu) | to_be_lit : color[k];
   }
-  for (std::ptrdiff_t k = begin; k < end; ++k)
-    color[k] = rim[k] != 0 && color[k] >= to_be_lit ? (color[k] >> 1 & 0x7f7f7fu) | to_be_lit : color[k];
 }
 
 template <int Samples>
@@ -151,8 +183,12 @@ void Picture::average(int pixel_row, std::uint8_t* pixels) const {
   const std::uint32_t* first = color_.data() + row_start(pixel_row * samples);
   for (int x = 0; x < width_; ++x, first += samples, pixels += 3) {
     Sum sum;
-    for (int j = 0; j < samples; ++j)
-      for (int i = 0; i < samples; ++i) sum.add(first[j * columns_ + i]);
+    if constexpr (Samples == 2) {
+      sum.add(load_square<FourWhole>(first, first + columns_));
+    } else {
+      for (int j = 0; j < samples; ++j)
+        for (int i = 0; i < samples; ++i) sum.add(first[j * columns_ + i]);
+    }
     const std::uint32_t mean = sum.mean(static_cast<std::uint32_t>(samples * samples));
     for (int channel = 0; channel < 3; ++channel) pixels[channel] = static_cast<std::uint8_t>(mean >> 8 * channel);
   }
@@ -160,16 +196,19 @@ void Picture::average(int pixel_row, std::uint8_t* pixels) const {
 
 template <int Samples>
 std::vector<std::uint8_t> Picture::developed() {
+  const std::size_t width = 3 * static_cast<std::size_t>(width_);
+  std::vector<std::uint8_t> image(width * static_cast<std::size_t>(height_));
+  const auto averaged = [&](int pixel_row) { average<Samples>(pixel_row, image.data() + width * static_cast<std::size_t>(pixel_row)); };
   for (int pixel_row = 0; pixel_row < height_; ++pixel_row) {
     for (int row = pixel_row * samples_; row < (pixel_row + 1) * samples_; ++row) outline(row);
     light<Samples>(pixel_row);
+    if (sheets_.empty()) averaged(pixel_row);  // while its samples are in the cache
   }
+  if (sheets_.empty()) return image;
   std::ranges::stable_sort(sheets_, {}, &Sheet::nearness);
   for (const Sheet& sheet : sheets_) blend(sheet);
   sheets_.clear();
-  const std::size_t width = 3 * static_cast<std::size_t>(width_);
-  std::vector<std::uint8_t> image(width * static_cast<std::size_t>(height_));
-  for (int pixel_row = 0; pixel_row < height_; ++pixel_row) average<Samples>(pixel_row, image.data() + width * static_cast<std::size_t>(pixel_row));
+  for (int pixel_row = 0; pixel_row < height_; ++pixel_row) averaged(pixel_row);
   return image;
 }
 

@@ -23,7 +23,7 @@ constexpr std::size_t most_kept = std::size_t{4} << 20;  // samples, of 16 bytes
 Picture::Picture(int width, int height, int samples, const Camera& camera, const Lighting& lighting)
     : width_(width), height_(height), samples_(samples), columns_(width * samples), rows_(height * samples),
       scale_(static_cast<float>(camera.scale * samples)), perspective_(static_cast<float>(camera.perspective)), view_(camera.view),
-      lighting_(lighting), shine_(shine_steps + 1), rim_(static_cast<std::size_t>(columns_)) {
+      lighting_(lighting), shine_(shine_steps + 1) {
   const std::size_t size = row_start(rows_) + beyond;
   exchange_memory();
   depth_.assign(size, -std::numeric_limits<float>::infinity());

@@ -150,6 +150,7 @@ class Picture {
   template <class Write>
   void walk(Point a, Point b, float half, Write&& write) const;
   void outline(int row);
+  bool join_square(std::size_t first);
   template <int Samples>
   bool join(std::size_t first);
   template <int Samples>
@@ -177,7 +178,6 @@ class Picture {
   LargeVector<Vertex> vertices_;
   LargeVector<std::uint32_t> order_;
   bool has_background_ = false;
-  std::vector<std::uint32_t> rim_;  // of one row of samples
   std::vector<Surface> surfaces_;   // the different ones of a row of pixels
   std::vector<Waiting> waiting_;
   std::vector<Sheet> sheets_;
