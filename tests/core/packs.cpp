@@ -5,6 +5,7 @@
 
 #include "dalembert/batches/groups.hpp"
 #include "dalembert/math/pack.hpp"
+#include "dalembert/math/rotations.hpp"
 
 using namespace dalembert;
 
@@ -53,9 +54,37 @@ int memory_differs(int count) {
   return failures + (to != expected);
 }
 
+// To rounding, and whatever is in the other lanes: a few angles that the library is asked for are among those of polynomials.
+template <int N>
+int functions_differ() {
+  int failures = 0;
+  const auto differs = [](double a, double b) { return !(std::abs(a - b) <= 4e-16 * std::abs(b)); };
+  const auto twin = [](auto x) { return x; };
+  for (int k = -4000; k <= 4000; ++k) {
+    const auto angle = Pack<N>::of_each([k](int lane) { return lane == 1 && k % 7 == 0 ? 1e7 : 0.0031 * k + 0.0007 * lane; });
+    const auto [sine, cosine] = sine_cosine(angle);
+    const Pack<N> found = angle_of(Pack<N>(2.5 * sine), Pack<N>(2.5 * cosine));
+    for (int lane = 0; lane < N; ++lane) {
+      failures += !(std::abs(sine[lane] - std::sin(angle[lane])) < 3e-16) || !(std::abs(cosine[lane] - std::cos(angle[lane])) < 3e-16);
+      failures += differs(found[lane], std::atan2(2.5 * sine[lane], 2.5 * cosine[lane]));
+      const auto alone = sine_cosine(twin(Pack<N>(angle[lane])));
+      failures += alone.sine[0] != sine[lane] || alone.cosine[0] != cosine[lane];
+    }
+    Pack<N> terms[3];
+    RodriguesSeries::terms(Pack<N>(angle * angle), terms[0], terms[1], terms[2]);
+    for (int lane = 0; lane < N; ++lane) {
+      double one[3];
+      RodriguesSeries::terms(angle[lane] * angle[lane], one[0], one[1], one[2]);
+      for (int i = 0; i < 3; ++i) failures += !(std::abs(terms[i][lane] - one[i]) < 1e-12 * (1e-3 + std::abs(one[i])));  // 1 - sine/angle loses three digits
+    }
+  }
+  failures += angle_of(Pack<N>(0.0), Pack<N>(0.0))[0] != 0;
+  return failures;
+}
+
 template <int N>
 int failures_of() {
-  int failures = arithmetic_differs<N>();
+  int failures = arithmetic_differs<N>() + functions_differ<N>();
   for (int count = 1; count <= N; ++count) failures += memory_differs<N, 3>(count) + memory_differs<N, 4>(count) + memory_differs<N, 6>(count) + memory_differs<N, 9>(count);
   if (failures > 0) std::printf("%d lanes: %d failures\n", N, failures);
   return failures;

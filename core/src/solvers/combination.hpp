@@ -11,11 +11,6 @@
 
 namespace dalembert {
 
-struct WeightedVector {
-  double factor;
-  const double* x;
-};
-
 template <std::size_t N>
 void add_weighted(const System& system, double* sum, const double* base, const WeightedVector* terms, std::size_t size) {
   std::array<WeightedVector, N> t;

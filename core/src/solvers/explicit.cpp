@@ -91,7 +91,7 @@ void ExplicitSolver::initialize_data() {
   end_a_.assign(evaluates_end ? n : 0, 0.0);
   end_y_t_.assign(evaluates_end ? n1 : 0, 0.0);
   lie_ = settings().timeIntegration.explicitIntegration.useLieGroupIntegration && system().has_lie_nodes();
-  turn_.assign(lie_ ? n : 0, 0.0);
+  all_on_group_ = lie_ && 6 * system().lie_blocks().size() == n;
 }
 
 void ExplicitSolver::post_initialize() {
@@ -297,7 +297,7 @@ void ExplicitSolver::compute_stage_rates(int stage) {
     if (!accelerations(stage_v_[s], stage_y_[s])) return;
     if (stage == 0) first_stage_known_ = nobody_interferes_;
   }
-  if (!lie_ && stage == 0) return;
+  if (stage == 0) return;
   copy_numbers(system(), current().v.data(), stage_q_[s].size(), stage_q_[s].data());
   if (lie_) turn_stage_rates(s);
 }
@@ -308,7 +308,8 @@ void ExplicitSolver::compute_stage_rates(int stage) {
     std::array<double, 3> turned{};
     for (std::size_t j = 0; j < s; ++j) {
       const double factor = method_.coefficient(static_cast<int>(s), static_cast<int>(j)) * it.currentStepSize;
-      for (std::size_t k = 0; k < 3; ++k) turned[k] += factor * stage_q_[j][r + k];
+      const double* rates = position_rates(j);
+      for (std::size_t k = 0; k < 3; ++k) turned[k] += factor * rates[r + k];
     }
     const auto t = inverse_tangent_operator(turned.data());
     const Vec3<double> rate = t * load<double, 3>(&stage_q_[s][r]);
@@ -325,35 +326,35 @@ ExplicitSolver::StageWeights ExplicitSolver::that_count(std::span<const double> 
 }
 
 const double* ExplicitSolver::position_rates(std::size_t stage) {
-  return stage == 0 && !lie_ ? start_of_step().v.data() : stage_q_[stage].data();
+  return stage == 0 ? start_of_step().v.data() : stage_q_[stage].data();
 }
 
 // Start of the step plus weighted derivatives of the stages.
 void ExplicitSolver::move_from_start(const StageWeights& weights, Vector& q, Vector& v, Vector& y) {
   const State& start = start_of_step();
   const double h = it.currentStepSize;
+  std::array<WeightedVector, RungeKuttaMethod::max_stages> terms;
+  const auto change = [&](auto&& rates) {
+    std::size_t count = 0;
+    for (const StageWeight& w : weights) {
+      terms[count++] = {w.weight * h, rates(w.stage)};
+      keep_loop();
+    }
+    return std::span<const WeightedVector>(terms.data(), count);
+  };
   const auto advance = [&](Vector& x, const Vector& from, auto&& rates) {
     if (x.empty()) return;
     if (weights.size() == 1) {
       const WeightedVector term{weights.front().weight * h, rates(weights.front().stage)};
       return add_weighted<1>(system(), x.data(), from.data(), &term, x.size());
     }
-    std::array<WeightedVector, RungeKuttaMethod::max_stages> terms;
-    std::size_t count = 0;
-    for (const StageWeight& w : weights) {
-      terms[count++] = {w.weight * h, rates(w.stage)};
-      keep_loop();
-    }
-    combine(system(), x, from, std::span(terms.data(), count));
+    combine(system(), x, from, change(rates));
   };
   const auto of_positions = [this](std::size_t stage) { return position_rates(stage); };
-  advance(q, start.q, of_positions);
+  if (!all_on_group_) advance(q, start.q, of_positions);
+  if (lie_) system().compose(start.q, change(of_positions), q);
   advance(v, start.v, [this](std::size_t stage) { return stage_v_[stage].data(); });
   advance(y, start.y, [this](std::size_t stage) { return stage_y_[stage].data(); });
-  if (!lie_) return;
-  std::fill(turn_.begin(), turn_.end(), 0.0);
-  advance(turn_, turn_, of_positions);
-  system().compose(start.q, turn_, q);
 }
 
 void ExplicitSolver::end_of_step() {
@@ -382,8 +383,8 @@ void ExplicitSolver::verlet_step() {
     kick_and_drift(system(), now, h, [](std::size_t) {});
   }
   if (lie_) {
-    for (std::size_t i = 0; i < turn_.size(); ++i) turn_[i] = h * now.v[i];
-    system().compose(start_of_step().q, turn_, now.q);
+    const WeightedVector change{h, now.v.data()};
+    system().compose(start_of_step().q, std::span(&change, 1), now.q);
   }
   eliminate(now.q);
   eliminate(now.v);
@@ -427,7 +428,7 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
 
 void ExplicitSolver::free_memory() {
   for (std::vector<Vector>* stages : {&stage_q_, &stage_v_, &stage_y_}) *stages = {};
-  for (Vector* numbers : {&second_q_, &second_v_, &second_y_, &end_a_, &end_y_t_, &turn_}) *numbers = {};
+  for (Vector* numbers : {&second_q_, &second_v_, &second_y_, &end_a_, &end_y_t_}) *numbers = {};
   mass_ = {};
   motion_ = {};
 }

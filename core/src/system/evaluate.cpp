@@ -271,56 +271,6 @@ void System::gaps(const State& state, const Conditions& conditions, std::span<do
   for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
 }
 
-namespace {
-
-constexpr std::size_t blocks_to_share = numbers_to_share / 20;  // each takes as long as some twenty numbers
-
-// The rotation vector of exp(v) exp(increment), by Euler parameters; its length is in [0, 2 pi], so that it goes on
-// steadily when a rotation passes pi.
-Vec3<double> composed_rotation_vector(const Vec3<double>& v, const Vec3<double>& increment) {
-  const auto half = [](const Vec3<double>& x, double& cosine, Vec3<double>& sine_axis) {
-    const double square = 0.25 * dot(x, x);
-    if (square < 0.01) {  // as turns of a step are: series to the last bit
-      cosine = 1 - square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56 * (1 - square / 90))));
-      sine_axis = (0.5 * (1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72))))) * x;
-      return;
-    }
-    const double angle = std::sqrt(square);
-    cosine = std::cos(angle);
-    sine_axis = (0.5 * std::sin(angle) / angle) * x;
-  };
-  double c0 = 0, c1 = 0;
-  Vec3<double> s0, s1;
-  half(v, c0, s0);
-  half(increment, c1, s1);
-  const double cosine = c0 * c1 - dot(s0, s1);
-  const Vec3<double> sine_axis = c1 * s0 + c0 * s1 + cross(s0, s1);
-  const double sine = std::sqrt(dot(sine_axis, sine_axis));
-  return (sine < 1e-300 ? 2.0 : 2 * std::atan2(sine, cosine) / sine) * sine_axis;
-}
-
-}  // namespace
-
-void System::compose(std::span<const double> q0, std::span<const double> increment, std::span<double> q) const {
-  const std::vector<double>& reference = parts_->state(ConfigurationType::Reference).q;
-  const std::vector<LieBlock>& blocks = parts_->lie_blocks;
-  const auto compose_some = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) {
-      const int r = blocks[b].rotation;
-      Vec3<double> start, turn;
-      for (int i = 0; i < 3; ++i) {
-        q[r - 3 + i] = q0[r - 3 + i] + increment[r - 3 + i];
-        start[i] = reference[r + i] + q0[r + i];
-        turn[i] = increment[r + i];
-      }
-      const Vec3<double> composed = composed_rotation_vector(start, turn);
-      for (int i = 0; i < 3; ++i) q[r + i] = composed[i] - reference[r + i];
-    }
-  };
-  if (blocks.size() < blocks_to_share) compose_some(0, blocks.size());
-  else each_stretch(*this, blocks.size(), compose_some);
-}
-
 void System::restore_unit_lengths(State& state) const {
   const std::vector<double>& reference = parts_->state(ConfigurationType::Reference).q;
   for (const auto& [first, size] : parts_->unit_vectors) {

@@ -53,15 +53,17 @@ void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& di
 }
 
 void sort_loads(SystemParts& parts) {
-  std::unordered_set<const MarkerBatch*> constant_markers, pulled;
+  std::unordered_set<const MarkerBatch*> passing_forces, passing_all, pulled;  // on, as what they are
   std::unordered_set<const Batch*> changing;
   const auto batch_of = [&](int marker) { return parts.markers[static_cast<std::size_t>(marker)].member.batch; };
-  for (const auto& batch : parts.marker_batches)
-    if (batch->constant_pull_back()) constant_markers.insert(batch.get());
+  for (const auto& batch : parts.marker_batches) {
+    if (batch->constant_pull_back(false)) passing_forces.insert(batch.get());
+    if (batch->constant_pull_back(true)) passing_all.insert(batch.get());
+  }
   for (const LoadPlace& load : parts.loads) {
     const Term* batch = load.member.batch;
-    if (batch->has_tangent() || has_user_function(*load.type, load.record.get()) || !constant_markers.contains(batch_of(load.marker)))
-      changing.insert(batch);
+    const auto& passing = batch->has_moments() ? passing_all : passing_forces;
+    if (batch->has_tangent() || has_user_function(*load.type, load.record.get()) || !passing.contains(batch_of(load.marker))) changing.insert(batch);
   }
   std::unordered_set<const MarkerBatch*> loaded;
   for (const LoadPlace& load : parts.loads) (changing.contains(load.member.batch) ? pulled : loaded).insert(batch_of(load.marker));

@@ -91,6 +91,7 @@ class PortBatch final : public Term {
   }
 
   bool has_tangent() const override { return !is_constant; }
+  bool has_moments() const override { return !std::is_same_v<Port, PointPort>; }
 
   bool traceable() const override {
     return is_traced && std::ranges::all_of(entries_, [](const Entry& e) { return has_closed_form(e.parameters); });

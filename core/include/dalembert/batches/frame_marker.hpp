@@ -114,7 +114,7 @@ class FrameMarkerBatch : public MarkerBatch {
       }
     }
   }
-  bool constant_pull_back() const override { return n > 0 && !has_geometric; }
+  bool constant_pull_back(bool) const override { return n > 0 && !has_geometric; }
   bool geometric_follows_tangent() const override { return false; }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     if constexpr (has_geometric) {

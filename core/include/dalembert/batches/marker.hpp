@@ -28,7 +28,7 @@ class CoordinateMarkerBatch : public MarkerBatch {
   void evaluate(const Evaluation& evaluation, Ports& ports) const override;
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override;
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override;
-  bool constant_pull_back() const override { return true; }
+  bool constant_pull_back(bool) const override { return true; }
   void geometric(const Evaluation&, const Weights&, const Ports&, double*) const override {}
   bool traceable() const override { return true; }
   void trace(const TracedCall& call) const override;

@@ -22,7 +22,7 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
     differentiate(evaluation, weights, ports);
   }
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override { subtract_forces(evaluation, ports, r); }
-  bool constant_pull_back() const override {
+  bool constant_pull_back(bool) const override {
     return !turns || std::ranges::all_of(entries_, [this](const Entry& e) { return point(e)[0] == 0 && point(e)[1] == 0; });
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {

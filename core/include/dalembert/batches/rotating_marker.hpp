@@ -64,8 +64,12 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
         for (const Entry& e : entries_) {
           const NodeMotion& m = ports.node_motions[static_cast<std::size_t>(e.node)];
           auto& frame = *reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
-          frame.position = load<double, 3>(evaluation.q + e.dofs[0]) + m.rotation * e.local;
-          frame.velocity = load<double, 3>(evaluation.v + e.dofs[0]) + m.rotation * cross(m.spin, e.local);
+          frame.position = load<double, 3>(evaluation.q + e.dofs[0]);
+          frame.velocity = load<double, 3>(evaluation.v + e.dofs[0]);
+          if (!is_zero(e.local)) {
+            frame.position += m.rotation * e.local;
+            frame.velocity += m.rotation * cross(m.spin, e.local);
+          }
           if constexpr (Shape::forces == 6) {
             frame.rotation = m.rotation;
             frame.angular_velocity = m.angular_velocity;
@@ -94,15 +98,16 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
         const Vec3<double> force = Shape::scale(this->parameters(e)) * load<double, 3>(f);
         Vec3<double> moment{};
         if constexpr (Shape::forces == 6) moment = load<double, 3>(f + 3);
-        ports.node_loads[static_cast<std::size_t>(e.node)].add(point, force, moment);
+        NodeLoad& load = ports.node_loads[static_cast<std::size_t>(e.node)];
+        is_zero(point) ? load.add_at_node(force, moment) : load.add(point, force, moment);
       }
     });
   }
   // Forces at the node itself do not turn with it.
-  bool constant_pull_back() const override {
-    if (apart()) return Base::constant_pull_back();
+  bool constant_pull_back(bool of_moments) const override {
+    if (apart()) return Base::constant_pull_back(of_moments);
     const auto at_node = [this](const Entry& e) { return is_zero(Shape::point(this->parameters(e), e.local)); };
-    return Shape::forces == 3 && std::ranges::all_of(entries_, at_node);
+    return (Shape::forces == 3 || !of_moments) && std::ranges::all_of(entries_, at_node);
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     if (apart()) Base::geometric(evaluation, weights, ports, values);

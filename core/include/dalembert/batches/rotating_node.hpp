@@ -49,7 +49,7 @@ class RotatingNodes final : public RotatingNodeBatch {
     }
   }
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
-    each_group<NodeOfProducts<Node>>(0, entries_.size(), [&]<int L>(const Group<L>& group) {
+    each_group<NodeInPacks<Node>>(0, entries_.size(), [&]<int L>(const Group<L>& group) {
       const auto places = group.each([&](std::size_t i) { return reinterpret_cast<double*>(&ports.node_motions[entries_[i].node]); });
       store_numbers(node_motion<Node>(coordinates(evaluation, group)).numbers(), places);
     });
@@ -61,14 +61,20 @@ class RotatingNodes final : public RotatingNodeBatch {
     });
   }
   void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
-    each_group<NodeOfProducts<Node>>(0, entries_.size(), [&]<int L>(const Group<L>& group) {
+    each_group<NodeInPacks<Node>>(0, entries_.size(), [&]<int L>(const Group<L>& group) {
       using S = Numbers<L>;
       const auto load = gathered<NodeLoadOf>(group.each([&](std::size_t i) { return &ports.node_loads[entries_[i].node]; }));
       const auto rotation = gathered<9>(group.each([&](std::size_t i) { return ports.node_motions[entries_[i].node].rotation.x.data(); }));
-      const Coordinates<S, n> x = coordinates(evaluation, group);
-      const Vec<S, n> q = Node::template pull_back<S>(x, load.force(), load.moment());
-      const auto turn = Node::template pull_back_spin<S>(x, load.own_moment + load.moment_of_forces({rotation.x}));
-      const Vec<S, n> change = vector_of<n>([&](int i) { return i < 3 ? -q[i] : -(q[i] + turn[std::max(i - 3, 0)]); });
+      const Vec3<S> own_moment = load.own_moment + load.moment_of_forces({rotation.x});
+      Vec<S, n> change;
+      if constexpr (LieKernel<Node>) {  // the rates of its rotation are the spin
+        change = joined(-load.force(), -(own_moment + transposed_times(Mat3<S>{rotation.x}, load.moment())));
+      } else {
+        const Coordinates<S, n> x = coordinates(evaluation, group);
+        const Vec<S, n> q = Node::template pull_back<S>(x, load.force(), load.moment());
+        const auto turn = Node::template pull_back_spin<S>(x, own_moment);
+        change = vector_of<n>([&](int i) { return i < 3 ? -q[i] : -(q[i] + turn[std::max(i - 3, 0)]); });
+      }
       add_numbers(change, group.each([&](std::size_t i) { return r + entries_[i].dofs[0]; }), group.count);
     });
   }

@@ -135,7 +135,7 @@ class SizedMarkerBatch final : public MarkerBatch {
       for (std::size_t i = 0; i < e.dofs.size(); ++i) r[e.dofs[i]] -= forces_[i];
     }
   }
-  bool constant_pull_back() const override { return is_constant; }
+  bool constant_pull_back(bool) const override { return is_constant; }
   bool geometric_follows_tangent() const override { return false; }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     if constexpr (is_constant) return;

@@ -43,7 +43,7 @@ struct NodeTraits {
   int lie_rotation = -1;           // three coordinates from this one on form a rotation vector, and take increments on the group
   bool rotation_alone = false;     // `rotation` costs less than `motion`
   bool rotation_tangent = false;   // it states the derivatives of its rotation: contracts/rotating_node.hpp
-  bool products_alone = false;     // motion and pull-back are sums and products
+  bool in_packs = false;           // motion and pull-back take numbers side by side: batches/groups.hpp
 };
 // Of parameters; of nodes and bodies.
 struct NoCheck {

@@ -50,6 +50,12 @@ struct NodeLoadOf {
   static NodeLoadOf of(const Vec<S, count>& x) { return {segment<3>(x, 0), segment<15>(x, 3)}; }
   Vec3<S> force() const { return segment<3>(at_points, 0); }
   Vec3<S> moment() const { return segment<3>(at_points, 3); }
+  void add_at_node(const Vec3<S>& f, const Vec3<S>& m) {
+    for (int i = 0; i < 3; ++i) {
+      at_points[i] += f[i];
+      at_points[3 + i] += m[i];
+    }
+  }
   void add(const Vec3<S>& point, const Vec3<S>& f, const Vec3<S>& m) {
     at_points += joined(f, m, matrix_of<3, 3>([&](int i, int j) { return point[i] * f[j]; }));
   }
@@ -71,9 +77,9 @@ struct RotationTangent {
   Mat<double, 3, R> spin_tangent{}, spin_rate_tangent{}, angular_tangent{};
 };
 
-// Its motion and pull-back are sums and products alone: several nodes are computed at once (batches/groups.hpp).
+// Several nodes are computed at once (batches/groups.hpp).
 template <class N>
-concept NodeOfProducts = requires { requires N::traits.products_alone; };
+concept NodeInPacks = requires { requires N::traits.in_packs; };
 
 template <class N>
 concept RotatingNode = requires(const Coordinates<double, N::size>& x, const Vec3<double>& m, const Weights& w) {

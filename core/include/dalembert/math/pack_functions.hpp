@@ -52,11 +52,15 @@ DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine_of_moderate(const Pack<N
   const Register s = is_odd ? cosine.x : sine.x, c = is_odd ? sine.x : cosine.x;
   return {Pack<N>(turns_sine ? -s : s), Pack<N>(turns_cosine ? -c : c)};
 }
+// What is in one lane does not change what comes of another.
 template <int N>
 DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine(const Pack<N>& angle) {
-  if (!is_zero(one_if_large(angle, Pack<N>()))) [[unlikely]]
-    return sine_cosine_of_any(angle);
-  return sine_cosine_of_moderate(angle);
+  const SineCosine<Pack<N>> moderate = sine_cosine_of_moderate(angle);
+  const Pack<N> large = one_if_large(angle, Pack<N>());
+  if (is_zero(large)) [[likely]] return moderate;
+  const SineCosine<Pack<N>> any = sine_cosine_of_any(angle);
+  const auto is_large = large.x != 0.0;
+  return {is_large ? any.sine.x : moderate.sine.x, is_large ? any.cosine.x : moderate.cosine.x};
 }
 // Of one number, and with derivatives: both are computed once.
 template <class S>
@@ -70,6 +74,26 @@ SineCosine<Dual<N, T>> sine_cosine(const Dual<N, T>& angle) {
   const auto [sine, cosine] = sine_cosine(angle.value);
   return {angle.chain(sine, cosine), angle.chain(cosine, -sine)};
 }
+// The angle whose sine and cosine, or multiples of both, these are; 0 of two zeros. Arguments up to 7/16, and what is left of others when an
+// eighth of a turn has been taken off: the polynomial of fdlibm's arc tangent (Sun Microsystems, 1993).
+template <int N>
+DALEMBERT_INLINE inline Pack<N> angle_of(const Pack<N>& sine, const Pack<N>& cosine) {
+  using Register = typename Pack<N>::Register;
+  constexpr double eighth = 7.85398163397448278999e-01, rest = 3.06161699786838301793e-17;  // of a turn, and what is left of it
+  constexpr std::array arc{3.33333333333329318027e-01,  -1.99999999998764832476e-01, 1.42857142725034663711e-01, -1.11111104054623557880e-01,
+                           9.09088713343650656196e-02,  -7.69187620504482999495e-02, 6.66107313738753120669e-02, -5.83357013379057348645e-02,
+                           4.97687799461593236017e-02,  -3.65315727442169155270e-02, 1.62858201153657823623e-02};
+  const Register a = magnitude(sine).x, b = magnitude(cosine).x, small = a > b ? b : a, large = a > b ? a : b;
+  const auto is_middle = small > 0.4375 * large;
+  const Register over = is_middle ? small - large : small, under = is_middle ? small + large : large;
+  const Pack<N> x(over / one_for_zero(Pack<N>(under)).x), square = x * x;
+  Register angle = (x - x * (square * polynomial(arc, square))).x;
+  angle = is_middle ? eighth + (angle + rest) : angle;
+  angle = a > b ? 2 * eighth - (angle - 2 * rest) : angle;
+  angle = cosine.x < 0.0 ? 4 * eighth - (angle - 4 * rest) : angle;
+  return sine.x < 0.0 ? -angle : angle;
+}
+inline double angle_of(double sine, double cosine) { return std::atan2(sine, cosine); }
 // keep(i, sine, cosine) for `count` angles, which are looked at together.
 template <int N, class F>
 DALEMBERT_INLINE inline void each_sine_cosine(const Pack<N>* angles, std::size_t count, const F& keep) {

@@ -9,6 +9,7 @@
 
 #include "dalembert/math/dual.hpp"
 #include "dalembert/math/fixed.hpp"
+#include "dalembert/math/pack_functions.hpp"
 
 namespace dalembert {
 
@@ -94,22 +95,43 @@ Vec3<S> tait_bryan_angles(const Mat3<S>& r) {
 // Even functions of the angle, as functions of its square, so that duals pass through zero: sin(x)/x,
 // (1 - cos(x))/x^2 and (x - sin(x))/x^3.
 struct RodriguesSeries {
+  static constexpr double small = 1e-3;
+
   template <class S>
   static void terms(const S& angle_squared, S& sinc, S& versine, S& residue) {
-    using std::cos;
-    using std::sin;
+    if (angle_squared < small) of_small(angle_squared, sinc, versine, residue);
+    else of_others(angle_squared, sinc, versine, residue);
+  }
+  template <int N>
+  DALEMBERT_INLINE static void terms(const Pack<N>& angle_squared, Pack<N>& sinc, Pack<N>& versine, Pack<N>& residue) {
+    of_small(angle_squared, sinc, versine, residue);
+    const auto is_small = angle_squared.x < small;
+    const Pack<N> others(is_small ? typename Pack<N>::Register{} : angle_squared.x);
+    if (is_zero(others)) return;
+    Pack<N> s, v, r;
+    of_others(one_for_zero(others), s, v, r);
+    sinc = is_small ? sinc.x : s.x;
+    versine = is_small ? versine.x : v.x;
+    residue = is_small ? residue.x : r.x;
+  }
+
+ private:
+  template <class S>
+  DALEMBERT_INLINE static void of_small(const S& x, S& sinc, S& versine, S& residue) {
+    sinc = 1.0 + x * (-1.0 / 6 + x * (1.0 / 120 + x * (-1.0 / 5040 + x * (1.0 / 362880))));
+    versine = 0.5 + x * (-1.0 / 24 + x * (1.0 / 720 + x * (-1.0 / 40320 + x * (1.0 / 3628800))));
+    residue = 1.0 / 6 + x * (-1.0 / 120 + x * (1.0 / 5040 + x * (-1.0 / 362880 + x * (1.0 / 39916800))));
+  }
+  // Of half the angle: 1 - cos(x) would lose digits.
+  template <class S>
+  DALEMBERT_INLINE static void of_others(const S& angle_squared, S& sinc, S& versine, S& residue) {
     using std::sqrt;
-    if (angle_squared < 1e-3) {
-      const S& x = angle_squared;
-      sinc = 1.0 + x * (-1.0 / 6 + x * (1.0 / 120 + x * (-1.0 / 5040 + x * (1.0 / 362880))));
-      versine = 0.5 + x * (-1.0 / 24 + x * (1.0 / 720 + x * (-1.0 / 40320 + x * (1.0 / 3628800))));
-      residue = 1.0 / 6 + x * (-1.0 / 120 + x * (1.0 / 5040 + x * (-1.0 / 362880 + x * (1.0 / 39916800))));
-    } else {
-      const S angle = sqrt(angle_squared);
-      sinc = sin(angle) / angle;
-      versine = (1.0 - cos(angle)) / angle_squared;
-      residue = (1.0 - sinc) / angle_squared;
-    }
+    const S half = 0.5 * sqrt(angle_squared);
+    const auto [sine, cosine] = sine_cosine(half);
+    const S sine_by_half = sine / half;
+    sinc = sine_by_half * cosine;
+    versine = 0.5 * (sine_by_half * sine_by_half);
+    residue = (1.0 - sinc) / angle_squared;
   }
 };
 template <class S>

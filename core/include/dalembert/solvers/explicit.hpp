@@ -109,7 +109,8 @@ class ExplicitSolver : public Solver {
   RungeKuttaMethod method_;
   std::vector<StageWeights> rows_;  // of the coefficients
   StageWeights result_, second_, third_;  // of the solution, and of those that it is compared with
-  bool verlet_ = false, lie_ = false, constant_mass_ = false;
+  bool verlet_ = false, constant_mass_ = false;
+  bool lie_ = false, all_on_group_ = false;  // rotations are composed; of nodes that have all coordinates
   std::uint64_t renewed_objects_ = 0;  // when the factors of the mass matrix were made
   // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
@@ -124,7 +125,7 @@ class ExplicitSolver : public Solver {
   std::vector<int> eliminated_;
   std::vector<Vector> stage_q_, stage_v_, stage_y_;  // derivatives at the stages
   Vector second_q_, second_v_, second_y_;
-  Vector end_a_, end_y_t_, turn_;
+  Vector end_a_, end_y_t_;
 };
 
 }  // namespace dalembert

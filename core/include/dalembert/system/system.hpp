@@ -25,6 +25,11 @@
 
 namespace dalembert {
 
+struct WeightedVector {
+  double factor;
+  const double* x;
+};
+
 class Model;
 class Ports;
 class SystemTerm;
@@ -122,8 +127,10 @@ class System {
   // are other constraints.
   std::optional<std::vector<int>> fixed_coordinates() const;
 
-  // Lie-group nodes: their coordinates do not add up. For those nodes q = q0 o exp(increment); all other entries of q are left alone.
+  // Lie-group nodes: their coordinates do not add up. For those nodes q = q0 o exp(increment), which is the sum of these; all other
+  // entries of q are left alone.
   bool has_lie_nodes() const;
+  void compose(std::span<const double> q0, std::span<const WeightedVector> increment, std::span<double> q) const;
   void compose(std::span<const double> q0, std::span<const double> increment, std::span<double> q) const;
   struct LieBlock {
     int rotation;  // first of the three rotation coordinates in the ODE2 vector

@@ -148,6 +148,8 @@ class Term : public Batch {
   virtual void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const = 0;
   // False: what `residual` adds is constant, and no derivatives of markers are asked for.
   virtual bool has_tangent() const { return true; }
+  // False: of the forces of its ports it adds to the first three alone.
+  virtual bool has_moments() const { return true; }
   // Adds the mass matrix alone; writes the same blocks as `tangent`.
   virtual void mass(const Evaluation&, Ports&, double*) const {}
   virtual bool has_mass() const { return false; }
@@ -210,8 +212,8 @@ class MarkerBatch : public Batch {
   virtual void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const = 0;
   // r -= J^T force.
   virtual void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
-  // Neither coordinates nor anything else changes J.
-  virtual bool constant_pull_back() const { return false; }
+  // Neither coordinates nor anything else changes J, or its rows of forces; of those of moments nothing is asked where there are none.
+  virtual bool constant_pull_back(bool /*of_moments*/) const { return false; }
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
   // Whether `geometric` builds on what `evaluate_tangent` has left.

@@ -11,7 +11,7 @@ struct NodeRigidBodyEP : NoNodeOutputs {
   using Parameters = NodeRigidBodyEPParameters;
   static constexpr std::string_view item = "NodeRigidBodyEP";
   static constexpr int size = 7;
-  static constexpr NodeTraits traits{.translations = 3, .unit_from = 3, .rotation_alone = true, .rotation_tangent = true, .products_alone = true};
+  static constexpr NodeTraits traits{.translations = 3, .unit_from = 3, .rotation_alone = true, .rotation_tangent = true, .in_packs = true};
 
   static void check(const Parameters& p, const ItemLabel& item) {
     Vec<double, 4> e = segment<4>(p.referenceCoordinates, traits.unit_from);

@@ -11,7 +11,7 @@ struct NodeRigidBodyRotVecLG : NoCheck, NoNodeOutputs {
   using Parameters = NodeRigidBodyRotVecLGParameters;
   static constexpr std::string_view item = "NodeRigidBodyRotVecLG";
   static constexpr int size = 6;
-  static constexpr NodeTraits traits{.translations = 3, .lie_rotation = 3, .rotation_alone = true, .rotation_tangent = true};
+  static constexpr NodeTraits traits{.translations = 3, .lie_rotation = 3, .rotation_alone = true, .rotation_tangent = true, .in_packs = true};
 
   template <class S>
   static Mat3<S> rotation(const Coordinates<S, size>& x) {
