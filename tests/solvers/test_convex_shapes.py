@@ -6,6 +6,7 @@ import copy
 import itertools
 import os
 import pickle
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -37,7 +38,10 @@ def overlap(a: np.ndarray, b: np.ndarray) -> float:
     return float(-differences.equations[:, 3].max())
 
 
-@pytest.mark.parametrize("seed", range(30))
+BESIDE_ITS_FACE = (192, 208, 494, 606)  # where the place is that is deepest
+
+
+@pytest.mark.parametrize("seed", [*range(30), *BESIDE_ITS_FACE])
 def test_overlap_of_random_hulls(seed: int) -> None:
     """As of the hull of all differences of points; a face is taken up to a sine of 0.1 from the best direction, so depths there are longer by up to 1 / cos."""
     rng, world = np.random.default_rng(seed), ConvexWorld()
@@ -55,6 +59,135 @@ def test_overlap_of_random_hulls(seed: int) -> None:
     assert np.abs(normals - normals[0]).max() < 1e-12
     deepest = -found["gaps"].min()
     assert depth * (1 - 1e-12) <= deepest <= depth / np.sqrt(1 - 0.1**2) * (1 + 1e-12)
+
+
+Support = Callable[[np.ndarray], np.ndarray]
+
+
+def shape_at_random(kind: str, rng: np.random.Generator, world: ConvexWorld) -> tuple[Callable[[Any], None], Support]:
+    """A shape around the origin: how it is added at a marker, and how far it reaches along directions, in its own axes."""
+    if kind == "cylinder":
+        radius, length = rng.uniform(0.04, 0.2), rng.uniform(0.05, 0.4)
+        return (
+            lambda marker: world.contact.AddCylinderWithMarker(marker, radius, [0, 0, length], **world.surface),
+            lambda u: radius * np.hypot(u[:, 0], u[:, 1]) + length / 2 * np.abs(u[:, 2]),
+        )
+    if kind == "capsule":
+        radius, length = rng.uniform(0.04, 0.15), rng.uniform(0.05, 0.4)
+        return (
+            lambda marker: world.contact.AddCapsuleWithMarker(marker, radius, [0, 0, length], **world.surface),
+            lambda u: radius + length / 2 * np.abs(u[:, 2]),
+        )
+    if kind == "box":
+        size = rng.uniform(0.05, 0.3, 3)
+        return (
+            lambda marker: world.contact.AddBoxWithMarker(marker, size, **world.surface),
+            lambda u: np.abs(u) @ size / 2,
+        )
+    points = rng.normal(0, 0.1, (rng.integers(4, 14), 3))
+    return (
+        lambda marker: world.contact.AddConvexHullWithMarker(marker, points, **world.surface),
+        lambda u: (u @ points.T).max(axis=1),
+    )
+
+
+def directions(count: int) -> np.ndarray:
+    """Spread evenly over the sphere, on a spiral."""
+    k = np.arange(count) + 0.5
+    up, angle = 1 - 2 * k / count, np.pi * (1 + np.sqrt(5)) * k
+    return np.stack([np.sqrt(1 - up**2) * np.cos(angle), np.sqrt(1 - up**2) * np.sin(angle), up], axis=1)
+
+
+def least_over_directions(f: Support, starts: int = 6) -> tuple[float, np.ndarray]:
+    """The least value, and where: the best of many directions, of ever smaller caps around some, and downhill from there."""
+    spiral, cap = directions(4000), directions(120)
+    best, where = np.inf, spiral[0]
+    left = spiral[np.argsort(f(spiral))]
+    for _ in range(starts):
+        if not len(left):
+            break
+        u, size = left[0], 0.1
+        left = left[left @ u < 0.97]
+        value = f(u[None])[0]
+        while size > 1e-13:
+            around = u + size * cap
+            around /= np.linalg.norm(around, axis=1)[:, None]
+            values = f(around)
+            if values.min() < value:
+                value, u = values.min(), around[values.argmin()]
+            else:
+                size *= 0.6
+        for size in (1e-2, 1e-5):
+            across = np.linalg.svd(u[None])[2][1:]
+            simplex = size * np.array([[0, 0], [1, 0], [0, 1]])
+            point = lambda x: (u + x @ across) / np.linalg.norm(u + x @ across)  # noqa: B023, E731
+            down = minimize(
+                lambda x: f(point(x)[None])[0], np.zeros(2), method="Nelder-Mead",  # noqa: B023
+                options={"initial_simplex": simplex, "xatol": 1e-10, "fatol": 1e-15, "maxiter": 400},
+            )  # fmt: skip
+            if down.fun < value:
+                value, u = down.fun, point(down.x)
+        if value < best:
+            best, where = value, u
+    return float(best), where
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("other", ["box", "hull", "cylinder", "capsule"])
+def test_cylinders_touch_exactly_where_they_overlap(other: str, seed: int) -> None:
+    """As deep as the least overlap over all directions, by support functions alone. A face is taken up to a sine of 0.1
+    from the best direction, so depths there are longer by up to 1 / cos; chords of rims on faces may leave out 1 %."""
+    rng = np.random.default_rng(seed)
+    for case in range(4):
+        world = ConvexWorld()
+        (add0, reach0), (add1, reach1) = shape_at_random("cylinder", rng, world), shape_at_random(other, rng, world)
+        turn0, turn1, way = turned(rng), turned(rng), rng.normal(size=3)
+        way /= np.linalg.norm(way)
+        u = directions(4000)
+        reach = reach0(u @ turn0) + reach1(-u @ turn1)
+        faces = u @ way > 0
+        away = (reach[faces] / (u[faces] @ way)).min() + (-0.002, 0.001, -0.0005, -0.006)[case]
+        first = case % 2 == 0
+        for add, position, rotation in sorted(
+            [(add0, np.zeros(3), turn0), (add1, away * way, turn1)], key=lambda x: (x[0] is add0) != first
+        ):
+            add(placed(world, position, rotation))
+        world.mbs.Assemble()
+        depth, normal = least_over_directions(
+            lambda u: reach0(u @ turn0) + reach1(-u @ turn1) - away * (u @ way)  # noqa: B023
+        )
+        found = world.contact.GetConvexContacts()
+        if depth < -1e-9:
+            assert len(found["gaps"]) == 0
+        elif depth > 1e-9:
+            deepest = found["gaps"].argmin()
+            assert 0.99 * depth * (1 - 1e-6) <= -found["gaps"][deepest] <= depth / np.sqrt(1 - 0.1**2) * (1 + 1e-6)
+            assert (found["normals"][deepest] @ normal) * (1 if first else -1) > np.sqrt(1 - 0.1**2) * (1 - 1e-6)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_rim_on_an_edge(seed: int) -> None:
+    """A line touches a circle of any inclination where it is lowest, if the tangent there crosses it: in closed form."""
+    rng, world, radius, depth = np.random.default_rng(seed), ConvexWorld(), 0.1, 1e-4
+    axis = np.array([rng.choice([-1, 1]) * rng.uniform(0.2, 0.5), rng.uniform(-0.5, 0.5), -1.0])
+    axis /= np.linalg.norm(axis)
+    out = np.array([0, 0, -1.0]) + axis[2] * axis
+    sine = np.linalg.norm(out)
+    lowest = radius * out / sine
+    # The edge is the x-axis, of a prism below it; the circle is lowest over a point of it.
+    center = np.array([rng.uniform(-0.1, 0.1), 0, -depth]) - lowest
+    world.contact.AddConvexHullWithMarker(
+        placed(world, [0, 0, 0], np.eye(3)),
+        [[x, y, z] for x in (-1, 1) for y, z in ((0, 0), (-1, -1), (1, -1))],
+        **world.surface,
+    )
+    marker = placed(world, center, np.eye(3))
+    world.contact.AddCylinderWithMarker(marker, radius, -0.3 * axis, pAxis=[0, 0, 0], **world.surface)
+    world.mbs.Assemble()
+    found = world.contact.GetConvexContacts()
+    np.testing.assert_allclose(found["gaps"], [-depth], rtol=1e-10)
+    np.testing.assert_allclose(found["normals"], [[0, 0, 1]], atol=1e-10)
+    np.testing.assert_allclose(found["points"], [center + lowest + [0, 0, depth / 2]], atol=1e-10)
 
 
 def test_separate_hulls_do_not_touch_and_close_ones_do() -> None:

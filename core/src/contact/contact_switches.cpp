@@ -117,11 +117,14 @@ void GeneralContact::find_switches(const Evaluation& e, const Ports& ports, Swit
   find_verges(e, ports, verges_);
   if (verges_before_.empty()) verges_before_ = verges_;
   for (std::size_t i = 0; i < verges_.size(); ++i) {
-    if (i < set_->spheres.size()) switches.of_part(name_, static_cast<int>(i));
-    else switches.of_part(names_of_convex_[i - set_->spheres.size()], -1);
+    switches.of_part(*this, static_cast<int>(i));
     switches.holds("contact", verges_[i].contact(verges_before_[i]));
     switches.holds("friction", verges_[i].friction(verges_before_[i]));
   }
+}
+
+std::string GeneralContact::name_of_part(int part) const {
+  return (part < spheres() ? "sphere " + std::to_string(part) : "convex shape " + std::to_string(part - spheres())) + " of " + name_;
 }
 
 void GeneralContact::switch_over(const Evaluation& e, const Ports& ports, const double*, double*, double*) {

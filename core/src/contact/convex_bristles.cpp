@@ -9,7 +9,6 @@ namespace dalembert {
 namespace {
 constexpr double far_from_root = 0.5;  // in radii of the ball around the shape
 constexpr std::size_t numbers_per_bristle = 10;
-constexpr double largest_key = 4503599627370496.0;  // 2^52: files keep keys as doubles
 }  // namespace
 
 const GeneralContact::ConvexBristle* GeneralContact::convex_bristle(const ConvexTouch& t, std::int64_t key) const {
@@ -86,7 +85,7 @@ bool GeneralContact::take_convex_history(std::span<const double>& numbers) {
   std::vector<ConvexBristle> taken;
   for (std::size_t i = 0; i < count; ++i) {
     const double* x = numbers.data() + numbers_per_bristle * i;
-    if (!(x[0] >= 0 && x[0] < x[1] && x[1] < scene_.participants() && x[2] >= 0 && x[2] < largest_key)) return false;
+    if (!(x[0] >= 0 && x[0] < x[1] && x[1] < scene_.participants() && x[2] >= 0 && x[2] < static_cast<double>(convex_keys::end))) return false;
     taken.push_back({static_cast<int>(x[0]), static_cast<int>(x[1]), static_cast<std::int64_t>(x[2]), {{x[4], x[5], x[6]}, {x[7], x[8], x[9]}, x[3] != 0}});
     if (taken.size() > 1 && !(taken[taken.size() - 2].order() < taken.back().order())) return false;
   }

@@ -8,23 +8,18 @@
 namespace dalembert {
 namespace {
 
-struct LineOf {
-  Vec3<double> begin, along;  // of length one
-};
-
 // Edges, and the axis of what is round.
-std::vector<LineOf> lines_of(const ConvexNow& shape) {
-  std::vector<LineOf> lines;
+void list_lines(const ConvexNow& shape, std::vector<ConvexPairs::Line>& lines) {
+  lines.clear();
   const auto add = [&](const Vec3<double>& begin, const Vec3<double>& end) { lines.push_back({begin, (1 / norm(end - begin)) * (end - begin)}); };
   if (shape.shape->kind == ConvexKind::polytope)
     for (const ConvexEdge& e : shape.shape->edges) add(shape.corners[static_cast<std::size_t>(e.begin)], shape.corners[static_cast<std::size_t>(e.end)]);
   if (shape.length > 0) lines.push_back({shape.corners[0], shape.axis});
-  return lines;
 }
 
 }  // namespace
 
-double clearance(const ConvexNow& a, const ConvexNow& b) {
+double ConvexPairs::clearance(const ConvexNow& a, const ConvexNow& b) {
   double most = 0;
   // From a to b, or back.
   const auto look = [&](const Vec3<double>& direction) {
@@ -37,17 +32,18 @@ double clearance(const ConvexNow& a, const ConvexNow& b) {
   };
   for (const ConvexNow* shape : {&a, &b})
     for (const Vec3<double>& normal : shape->normals) look(normal);
-  const std::vector<LineOf> lines_a = lines_of(a), lines_b = lines_of(b);
-  for (const LineOf& la : lines_a)
-    for (const LineOf& lb : lines_b) look(cross(la.along, lb.along));
+  list_lines(a, lines_a_);
+  list_lines(b, lines_b_);
+  for (const Line& la : lines_a_)
+    for (const Line& lb : lines_b_) look(cross(la.along, lb.along));
   for (const Vec3<double>& ca : a.corners)
     for (const Vec3<double>& cb : b.corners) look(cb - ca);
-  const auto corners_and_lines = [&](const ConvexNow& shape, const std::vector<LineOf>& lines) {
+  const auto corners_and_lines = [&](const ConvexNow& shape, const std::vector<Line>& lines) {
     for (const Vec3<double>& corner : shape.corners)
-      for (const LineOf& line : lines) look(corner - line.begin - dot(corner - line.begin, line.along) * line.along);
+      for (const Line& line : lines) look(corner - line.begin - dot(corner - line.begin, line.along) * line.along);
   };
-  corners_and_lines(a, lines_b);
-  corners_and_lines(b, lines_a);
+  corners_and_lines(a, lines_b_);
+  corners_and_lines(b, lines_a_);
   return most;
 }
 

@@ -174,8 +174,19 @@ void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& v
   if (!has_convex()) return;
   follow_convex(ports);
   const auto& near = scene_.near();
-  for (ConvexScene::Batch& batch : scene_.batches()) {
+  const auto is_single = [this](int second) { return second >= scene_.first_carrier(); };
+  each_convex_batch([&](ConvexScene::Batch& batch) {
     find_overlaps(batch);
+    batch.clearances.clear();
+    auto touch = batch.found.begin();
+    for (std::size_t pair = batch.begin; pair < batch.end; ++pair) {
+      const auto begin = touch;
+      while (touch != batch.found.end() && std::pair(touch->first, touch->second) == near[pair]) ++touch;
+      const bool is_open = touch == begin || is_single(near[pair].second);
+      batch.clearances.push_back(is_open ? scene_.clearance(pair, batch) : std::numeric_limits<double>::infinity());
+    }
+  });
+  for (const ConvexScene::Batch& batch : scene_.batches()) {
     auto touch = batch.found.begin();
     for (std::size_t pair = batch.begin; pair < batch.end; ++pair) {
       const auto [first, second] = near[pair];
@@ -184,7 +195,7 @@ void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& v
       Verge& verge = verges[static_cast<std::size_t>(owner)];
       double deepest = std::numeric_limits<double>::infinity(), freest = -deepest;
       bool slides = false;
-      const bool single = second >= scene_.first_carrier();
+      const bool single = is_single(second);
       for (; touch != batch.found.end() && touch->first == first && touch->second == second; ++touch) {
         const RigidFrame<double>&frame0 = scene_.frame(first), &frame1 = scene_.frame(second);
         const Meeting<double> at = meeting_of(*touch, frame0, frame1);
@@ -198,7 +209,8 @@ void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& v
           const Bristle* bristle = bristle_of(*touch);
           slides = slides || (bristle != nullptr && bristle->slides);
           if (bristle != nullptr && bristle->slides) continue;
-          excess = excess_of(bristle, convex_pairing(*touch), at, convex_pairing(*touch).pressure(at.gap, away), frame0, frame1);
+          const ContactPairing pairing = whole.part(touch->share);
+          excess = excess_of(bristle, pairing, at, pairing.pressure(at.gap, away), frame0, frame1);
         }
         freest = std::max(freest, excess);
         if (single) verge.add_slip(excess);
@@ -207,7 +219,7 @@ void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& v
         verge.add(deepest);
         if (!slides && std::isfinite(freest)) verge.add_slip(freest);
       }
-      if (single || !std::isfinite(deepest)) verge.add(whole.stiffness * scene_.clearance(pair));
+      if (const double clearance = batch.clearances[pair - batch.begin]; std::isfinite(clearance)) verge.add(whole.stiffness * clearance);
     }
   }
 }

@@ -101,16 +101,15 @@ void ConvexMesh::on_facet(const ConvexNow& shape, const Facet& facet, Scratch& s
 }
 
 void ConvexMesh::on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const {
-  const bool is_cylinder = shape.shape->kind == ConvexKind::cylinder;
   double deepest = shape.shape->bound;  // it leaves one of the triangles on the shortest way
   for (const Vec3<double>& normal : edge.normal) deepest = std::min(deepest, 1.001 * (dot(normal, edge.begin) - shape.lowest(normal)));
   if (!(deepest > 0)) return;
+  if (shape.shape->kind == ConvexKind::cylinder) return rims_on_edge(shape, edge, number, deepest, found);
   for (std::size_t k = 0; k < shape.shape->edges.size(); ++k) {
     const ConvexEdge& e = shape.shape->edges[k];
     const Vec3<double>&begin = shape.corners[static_cast<std::size_t>(e.begin)], &end = shape.corners[static_cast<std::size_t>(e.end)];
     const double length = norm(end - begin);
     const Vec3<double> along = (1 / length) * (end - begin);
-    if (is_cylinder && std::abs(dot(along, shape.axis)) > 0.5) continue;  // its mantle has no edges
     const LinePair lines = nearest_of_lines(begin, along, edge.begin, edge.along);
     if (!(lines.sine > 1e-6) || !(lines.s > 0 && lines.s < length && lines.t > 0 && lines.t < edge.length)) continue;
     Vec3<double> up = unit(cross(along, edge.along));
@@ -129,6 +128,31 @@ void ConvexMesh::on_edge(const ConvexNow& shape, const Edge& edge, int number, s
     t.share = shape.shape->lone;
     t.key = edge_key(number) + static_cast<std::int64_t>(k);
     found.push_back(t);
+  }
+}
+
+void ConvexMesh::rims_on_edge(const ConvexNow& shape, const Edge& edge, int number, double deepest, std::vector<ConvexTouch>& found) {
+  const bool is_border = edge.normal[0] == edge.normal[1];
+  const double whole = angle_around(edge.along, -edge.normal[0], is_border ? edge.inward[0] : -edge.normal[1]), more = whole < 0 ? -slack : slack;
+  const Vec3<double> from = std::cos(more) * -edge.normal[0] - std::sin(more) * cross(edge.along, -edge.normal[0]);
+  for (int end = 0; end < 2; ++end) {
+    const Rim<double> rim = rim_of(shape, end);
+    each_least_overlap(rim, edge.begin, edge.along, from, whole + 2 * more, [&](const Vec3<double>& u) {
+      const Vec3<double> place = rim.centre + rim.radius * rim.reach(u).out - edge.begin;
+      const double depth = dot(u, place), along = dot(place, edge.along);
+      if (!(dot(u, rim.axis) > 0 && depth > 0 && depth <= deepest && along > 0 && along < edge.length)) return;
+      ConvexTouch t;
+      t.kind = Kind::rim_line;
+      t.at0 = shape.shape->corners[static_cast<std::size_t>(end)];
+      t.along0 = shape.inward(rim.axis);
+      t.radius0 = rim.radius;
+      t.at1 = edge.begin;
+      t.along1 = edge.along;
+      t.nearby = shape.inward(u);
+      t.share = shape.shape->lone;
+      t.key = edge_key(number) + 3 + end;
+      found.push_back(t);
+    });
   }
 }
 

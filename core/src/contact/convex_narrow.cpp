@@ -11,11 +11,6 @@ namespace {
 
 constexpr double steep = 0.7;         // cosine of the angle at which a cylinder stands on its cap
 constexpr double upright = 1e-3;      // sine below which no point of a rim is the lowest one
-constexpr double near_face = 0.1;     // sine of the angle up to which an edge contact is one of faces
-constexpr double face_advantage = 1e-3;
-constexpr double side_of_prism = 0.01;  // of the radius
-
-double share_of_edges(const ConvexNow& a, const ConvexNow& b) { return 0.5 * (a.shape->lone + b.shape->lone); }
 
 void feet_of_cylinder(const ConvexNow& shape, const Vec3<double>& n, std::vector<Foot>& feet) {
   const double along = dot(n, shape.axis), tilt = std::sqrt(std::max(0.0, 1 - along * along)), r = shape.shape->radius;
@@ -60,9 +55,10 @@ void ConvexNow::place(const ConvexShape& of, const RigidFrame<double>& at) {
     length = norm(axis);
     axis = (1 / length) * axis;
   }
-  const double r = of.rounding();
-  for (const Vec3<double>& c : corners) box.add(c);
+  const bool is_cylinder = of.kind == ConvexKind::cylinder;
+  for (std::size_t c = 0; c < (is_cylinder ? 2 : corners.size()); ++c) box.add(corners[c]);
   for (int i = 0; i < 3; ++i) {
+    const double r = is_cylinder ? of.radius * std::sqrt(std::max(0.0, 1 - axis[i] * axis[i])) : of.rounding();
     box.lower[i] -= r;
     box.upper[i] += r;
   }
@@ -186,6 +182,17 @@ void ConvexPairs::clip(const ConvexNow& base, int face) {
   for (std::size_t i = 0; i < feet_.size(); ++i) feet_[i].share = shares_[i];
 }
 
+void ConvexPairs::lowest_on_face(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) {
+  const auto f = static_cast<std::size_t>(face);
+  lowest_feet(other, base.normals[f], feet_);
+  const auto lowest = std::ranges::min_element(feet_, {}, [&](const Foot& foot) { return dot(base.normals[f], foot.place); });
+  ConvexTouch t = touch_of(*lowest, other, base.shape->faces[f].normal, base.shape->corners[static_cast<std::size_t>(base.shape->faces[f].corners[0])]);
+  t.share = share_of_edges(base, other);
+  t.swapped = swapped;
+  if (swapped) t.key += convex_keys::second_owner;
+  found.push_back(t);
+}
+
 // The other thing stands on a face of the base: with all of its feet there, as soon as one of them does.
 void ConvexPairs::faces(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) {
   const auto f = static_cast<std::size_t>(face);
@@ -204,7 +211,13 @@ void ConvexPairs::faces(const ConvexNow& base, int face, const ConvexNow& other,
   }
 }
 
-ConvexPairs::Overlap ConvexPairs::overlap(const ConvexNow& a, const ConvexNow& b) const {
+bool is_as_deep(const std::vector<ConvexTouch>& found, std::size_t begin, const ConvexNow& first, const ConvexNow& second, double depth) {
+  const double enough = 0.99 * depth - 1e-9 * std::max(first.shape->bound, second.shape->bound);  // what has just begun is left to the face
+  return enough <= 0 || std::any_of(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(),
+                                    [&](const ConvexTouch& t) { return -meeting_of(t, first.frame, second.frame).gap >= enough; });
+}
+
+ConvexPairs::Overlap ConvexPairs::overlap(const ConvexNow& a, const ConvexNow& b, Overlap& of_faces) const {
   Overlap best;
   const auto best_face = [](const ConvexNow& base, const ConvexNow& other, int& face) {
     double depth = std::numeric_limits<double>::infinity();
@@ -221,18 +234,13 @@ ConvexPairs::Overlap ConvexPairs::overlap(const ConvexNow& a, const ConvexNow& b
   if (!(depth_a > 0)) return best;
   const double depth_b = best_face(b, a, face_b);
   if (!(depth_b > 0)) return best;
-  // Sides of a prism stand back, as what they stand for is round.
-  const auto counted = [](const ConvexNow& base, int face, double depth) {
-    const bool stands_back = base.shape->kind == ConvexKind::cylinder && std::abs(dot(base.normals[static_cast<std::size_t>(face)], base.axis)) < steep;
-    return stands_back ? depth + side_of_prism * base.shape->radius : depth;
-  };
   const double size = std::max(a.shape->bound, b.shape->bound);
-  if (counted(a, face_a, depth_a) <= counted(b, face_b, depth_b) * (1 + face_advantage) + 1e-9 * size) {
+  if (depth_a <= depth_b * (1 + face_advantage) + 1e-9 * size) {
     best = {depth_a, a.normals[static_cast<std::size_t>(face_a)], face_a, -1, -1, -1};
   } else {
     best = {depth_b, -b.normals[static_cast<std::size_t>(face_b)], -1, face_b, -1, -1};
   }
-  const Overlap of_faces = best;
+  of_faces = best;
   for (std::size_t i = 0; i < a.shape->edges.size(); ++i) {
     const ConvexEdge& ea = a.shape->edges[i];
     const Vec3<double>&a0 = a.normals[static_cast<std::size_t>(ea.left)], &a1 = a.normals[static_cast<std::size_t>(ea.right)];
@@ -257,9 +265,7 @@ ConvexPairs::Overlap ConvexPairs::overlap(const ConvexNow& a, const ConvexNow& b
       if (depth < best.depth) best = {depth, normal, -1, -1, static_cast<int>(i), static_cast<int>(k)};
     }
   }
-  if (best.edge_a < 0) return best;
-  // A face that is nearly across takes it: of two faces that lie on each other, edges cross anywhere.
-  return norm(cross(best.normal, of_faces.normal)) < near_face && dot(best.normal, of_faces.normal) > 0 ? of_faces : best;
+  return best;
 }
 
 void ConvexPairs::between(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found) {
@@ -270,26 +276,26 @@ void ConvexPairs::between(const ConvexNow& a, const ConvexNow& b, std::vector<Co
   if (ka == ConvexKind::capsule && kb == ConvexKind::capsule) return capsules(a, b, found);
   if (ka == ConvexKind::capsule) return capsule_on_faces(a, b, false, found);
   if (kb == ConvexKind::capsule) return capsule_on_faces(b, a, true, found);
-  const Overlap at = overlap(a, b);
-  if (!(at.depth > 0)) return;
-  if (ka == ConvexKind::cylinder && kb == ConvexKind::cylinder && mantles(a, b, at, found)) return;
-  if (ka != kb) {
-    const ConvexNow &round = ka == ConvexKind::cylinder ? a : b, &other = ka == ConvexKind::cylinder ? b : a;
-    const int face = ka == ConvexKind::cylinder ? at.face_b : at.face_a;
-    const bool swapped = ka != ConvexKind::cylinder;
-    const std::size_t before = found.size();
-    if (face >= 0) faces(other, face, round, swapped, found);
-    else if (std::abs(dot(at.normal, round.axis)) >= steep) return prisms(a, b, at, found);
-    if (found.size() > before) return;
-    mantle_on_edges(round, other, swapped, found);
-    return mantle_on_corners(round, other, swapped, found);
-  }
-  prisms(a, b, at, found);
+  if (ka == ConvexKind::cylinder && kb == ConvexKind::cylinder) return cylinders(a, b, found);
+  if (ka == ConvexKind::cylinder) return cylinder_and_polytope(a, b, false, found);
+  if (kb == ConvexKind::cylinder) return cylinder_and_polytope(b, a, true, found);
+  polytopes(a, b, found);
 }
 
-void ConvexPairs::prisms(const ConvexNow& a, const ConvexNow& b, const Overlap& at, std::vector<ConvexTouch>& found) {
-  if (at.face_a >= 0) return faces(a, at.face_a, b, true, found);
-  if (at.face_b >= 0) return faces(b, at.face_b, a, false, found);
+// A face that is nearly across takes it: of two faces that lie on each other, edges cross anywhere.
+void ConvexPairs::polytopes(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found) {
+  Overlap of_faces;
+  const Overlap at = overlap(a, b, of_faces);
+  if (!(at.depth > 0)) return;
+  const std::size_t before = found.size();
+  if (is_near_face(of_faces.normal, at.normal)) {
+    if (of_faces.face_a >= 0) faces(a, of_faces.face_a, b, true, found);
+    else faces(b, of_faces.face_b, a, false, found);
+    if (is_as_deep(found, before, a, b, at.depth)) return;
+    found.resize(before);
+    if (at.face_a >= 0) return lowest_on_face(a, at.face_a, b, true, found);
+    if (at.face_b >= 0) return lowest_on_face(b, at.face_b, a, false, found);
+  }
   ConvexTouch t;
   const auto edge = [](const ConvexNow& shape, int number, Vec3<double>& point, Vec3<double>& direction) {
     const ConvexEdge& e = shape.shape->edges[static_cast<std::size_t>(number)];

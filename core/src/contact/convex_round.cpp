@@ -9,34 +9,11 @@ namespace dalembert {
 namespace {
 
 using Kind = ConvexTouch::Kind;
-constexpr double parallel = 0.05;  // sine below which two lines lie side by side
 constexpr double within = 1e-6;    // by which a direction may leave the arc of an edge
-
-ConvexTouch round_touch(Kind kind, const Vec3<double>& at, double radius, const Vec3<double>& at1, const Vec3<double>& along1, double radius1, double share, std::int64_t key) {
-  ConvexTouch t;
-  t.kind = kind;
-  t.at0 = at;
-  t.at1 = at1;
-  t.along1 = along1;
-  t.radius0 = radius;
-  t.radius1 = radius1;
-  t.share = share;
-  t.key = key;
-  return t;
-}
 
 // A point that is nearest on an edge, as a part of its length.
 double part_of_edge(const Vec3<double>& point, const Vec3<double>& begin, const Vec3<double>& end) {
   return std::clamp(dot(point - begin, end - begin) / dot(end - begin, end - begin), 0.0, 1.0);
-}
-
-// Both are parts of lines: of a cylinder its axis, of a polytope an edge.
-ConvexTouch line_touch(const ConvexNow& a, const Vec3<double>& at0, const Vec3<double>& along0, double radius0, const ConvexNow& b, const Vec3<double>& at1,
-                       const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share, std::int64_t key) {
-  ConvexTouch t = round_touch(Kind::lines, a.into(at0), radius0, b.into(at1), b.inward(along1), radius1, share, key);
-  t.along0 = a.inward(along0);
-  t.cosine = dot(cross(along0, along1), normal) > 0 ? 1 : -1;
-  return t;
 }
 
 // Whether a direction leads away from an edge between the two faces that meet there.
@@ -127,6 +104,27 @@ bool ball_on_capsule(const Vec3<double>& x, const Vec3<double>& at, double r, co
 
 }  // namespace
 
+ConvexTouch round_touch(ConvexTouch::Kind kind, const Vec3<double>& at, double radius, const Vec3<double>& at1, const Vec3<double>& along1, double radius1, double share, std::int64_t key) {
+  ConvexTouch t;
+  t.kind = kind;
+  t.at0 = at;
+  t.at1 = at1;
+  t.along1 = along1;
+  t.radius0 = radius;
+  t.radius1 = radius1;
+  t.share = share;
+  t.key = key;
+  return t;
+}
+
+ConvexTouch line_touch(const ConvexNow& a, const Vec3<double>& at0, const Vec3<double>& along0, double radius0, const ConvexNow& b, const Vec3<double>& at1,
+                       const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share, std::int64_t key) {
+  ConvexTouch t = round_touch(Kind::lines, a.into(at0), radius0, b.into(at1), b.inward(along1), radius1, share, key);
+  t.along0 = a.inward(along0);
+  t.cosine = dot(cross(along0, along1), normal) > 0 ? 1 : -1;
+  return t;
+}
+
 void ConvexPairs::ball(const ConvexNow& ball, const ConvexNow& other, bool swapped, double share, std::int64_t key, std::vector<ConvexTouch>& found, int end) const {
   const Vec3<double>&x = ball.corners[static_cast<std::size_t>(end)], &at = ball.shape->corners[static_cast<std::size_t>(end)];
   const double r = ball.shape->radius;
@@ -167,9 +165,10 @@ void ConvexPairs::capsule_on_faces(const ConvexNow& capsule, const ConvexNow& ot
       found.push_back(line_touch(capsule, capsule.corners[0], capsule.axis, r0, other, other.corners[0], other.axis, r1, span, 0.5, convex_keys::mantle));
       found.back().swapped = swapped;
     }
+    return capsule_on_rims(capsule, other, swapped, found);
   }
   mantle_on_edges(capsule, other, swapped, found);
-  if (other.shape->kind == ConvexKind::polytope) mantle_on_corners(capsule, other, swapped, found);
+  mantle_on_corners(capsule, other, swapped, found);
 }
 
 // Where a mantle crosses edges, and where it lies along one: at both ends of what they have in common.
@@ -180,7 +179,6 @@ void ConvexPairs::mantle_on_edges(const ConvexNow& round, const ConvexNow& other
     const Vec3<double>&begin = other.corners[static_cast<std::size_t>(edges[k].begin)], &end = other.corners[static_cast<std::size_t>(edges[k].end)];
     const double length = norm(end - begin);
     const Vec3<double> along = (1 / length) * (end - begin);
-    if (other.shape->kind == ConvexKind::cylinder && std::abs(dot(along, other.axis)) > 0.5) continue;  // its mantle has no edges
     const auto touches = [&](const Vec3<double>& away) {
       const double distance = norm(away);
       return distance < r && distance > 0 && in_arc(other, edges[k], (1 / distance) * away);
@@ -226,30 +224,26 @@ void ConvexPairs::mantle_on_corners(const ConvexNow& round, const ConvexNow& oth
   }
 }
 
-// The prism has told that they overlap, and about which way; axes tell it exactly.
-bool ConvexPairs::mantles(const ConvexNow& a, const ConvexNow& b, const Overlap& at, std::vector<ConvexTouch>& found) const {
-  constexpr double aligned = 0.97, across = 0.25;
-  if (std::abs(dot(at.normal, a.axis)) > across || std::abs(dot(at.normal, b.axis)) > across) return false;
+// Where they cross; side by side, at both ends of what they have in common.
+void ConvexPairs::mantles(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found) const {
   const double reach = a.shape->radius + b.shape->radius;
   const LinePair lines = nearest_of_lines(a.corners[0], a.axis, b.corners[0], b.axis);
   if (lines.sine > parallel) {
     const Vec3<double> span = b.corners[0] + lines.t * b.axis - (a.corners[0] + lines.s * a.axis);
     const double distance = norm(span);
-    if (!(lines.s > 0 && lines.s < a.length && lines.t > 0 && lines.t < b.length) || !(dot(span, at.normal) > aligned * distance) || distance == 0) return false;
-    if (distance < reach) found.push_back(line_touch(a, a.corners[0], a.axis, a.shape->radius, b, b.corners[0], b.axis, b.shape->radius, span, 0.5, convex_keys::mantle));
-    return true;
+    if (!(lines.s > 0 && lines.s < a.length && lines.t > 0 && lines.t < b.length) || distance == 0 || !(distance < reach)) return;
+    found.push_back(line_touch(a, a.corners[0], a.axis, a.shape->radius, b, b.corners[0], b.axis, b.shape->radius, span, 0.5, convex_keys::mantle));
+    return;
   }
-  // Side by side: at both ends of what they have in common.
   const double from = dot(b.corners[0] - a.corners[0], a.axis), to = dot(b.corners[1] - a.corners[0], a.axis);
   const double begin = std::max(0.0, std::min(from, to)), end = std::min(a.length, std::max(from, to));
-  if (!(begin < end)) return false;
+  if (!(begin < end)) return;
   for (const double part : {begin, end}) {
     const Vec3<double> place = a.corners[0] + part * a.axis, over = place - b.corners[0];
     const double distance = norm(over - dot(over, b.axis) * b.axis);
     if (distance < reach && distance > 0)
       found.push_back(round_touch(Kind::point_line, a.into(place), a.shape->radius, b.shape->corners[0], b.inward(b.axis), b.shape->radius, 0.5, part == begin ? 1 : 2));
   }
-  return true;
 }
 
 }  // namespace dalembert

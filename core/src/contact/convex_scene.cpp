@@ -148,14 +148,13 @@ void ConvexScene::find(Batch& batch) const {
   }
 }
 
-double ConvexScene::clearance(std::size_t pair) {
+double ConvexScene::clearance(std::size_t pair, Batch& batch) const {
   const auto [first, second] = near_[pair];
-  Batch& batch = batches_.front();
   if (second >= first_plane()) {
     const ContactPlane& plane = set_->planes[static_cast<std::size_t>(second - first_plane())];
     return batch.pairs.clearance(now(first), frame(second).rotation * plane.normal, out(frame(second), plane.point));
   }
-  if (second < first_carrier()) return dalembert::clearance(now(first), now(second));
+  if (second < first_carrier()) return batch.pairs.clearance(now(first), now(second));
   batch.in_mesh.place(shapes_[static_cast<std::size_t>(first)], seen_from(frame(second), frame(first)));
   return ConvexMesh::clearance(batch.in_mesh, near_triangles_[pair], *facets_, batch.in_triangles);
 }

@@ -95,11 +95,11 @@ void drop_unused(ConvexShape& shape) {
   shape.corners = kept;
 }
 
-// Around the cylinder, so that it overlaps with all that the cylinder overlaps with.
+// Within the cylinder: what stands on its ends stands on the cylinder.
 ConvexDefinition prism_of(const ConvexDefinition& cylinder) {
   const Vec3<double> axis = cylinder.points[1] - cylinder.points[0], unit = (1 / norm(axis)) * axis;
   const Vec3<double> x = any_across(unit), y = cross(unit, x);
-  const double half = std::numbers::pi / prism_sides, r = cylinder.radius / std::cos(half);
+  const double half = std::numbers::pi / prism_sides, r = cylinder.radius;
   ConvexDefinition prism;
   for (int end = 0; end < 2; ++end)
     for (int k = 0; k < prism_sides; ++k) {

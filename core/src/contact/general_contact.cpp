@@ -19,7 +19,6 @@ GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Port
   shares_markers_ = std::ranges::adjacent_find(sorted) != sorted.end();
   for (const ContactCarrier& c : set_->carriers) markers_.push_back(c.marker);
   for (const ContactConvex& c : set_->convex) markers_.push_back(c.marker);
-  for (std::size_t i = 0; i < set_->convex.size(); ++i) names_of_convex_.push_back("convex shape " + std::to_string(i) + " of " + name_);
   for (const ContactPlane& p : set_->planes) markers_.push_back(p.marker);
   renew_shapes();
 }

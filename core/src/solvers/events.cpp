@@ -14,6 +14,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/model.hpp"
 #include "dalembert/solvers/solver.hpp"
+#include "dalembert/system/system_term.hpp"
 
 namespace dalembert {
 
@@ -387,7 +388,7 @@ std::string Solver::describe_event(int event) const {
   const auto users = static_cast<int>(*watch_->users);
   if (event < users) return "event " + std::to_string(event) + " of mbs.EventsUserFunction";
   const Switch& at = switches_[static_cast<std::size_t>(event - users)];
-  if (at.owner != nullptr) return std::string("event '") + at.what + "' of " + (at.part >= 0 ? "sphere " + std::to_string(at.part) + " of " : "") + *at.owner;
+  if (at.owner != nullptr) return std::string("event '") + at.what + "' of " + at.owner->name_of_part(at.part);
   const std::string item = environment_->model == nullptr ? "object " + std::to_string(at.item) : environment_->model->describe(ItemKind::object, at.item);
   return std::string("event '") + at.what + "' of " + item;
 }

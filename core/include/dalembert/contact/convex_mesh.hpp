@@ -42,6 +42,7 @@ class ConvexMesh {
   };
   static void on_facet(const ConvexNow& shape, const Facet& facet, Scratch& scratch);
   void on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const;
+  static void rims_on_edge(const ConvexNow& shape, const Edge& edge, int number, double deepest, std::vector<ConvexTouch>& found);
   void round_on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const;
   void on_corner(const ConvexNow& shape, const Corner& corner, int number, std::vector<ConvexTouch>& found) const;
 

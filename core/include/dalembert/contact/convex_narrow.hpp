@@ -1,6 +1,8 @@
 // Where two convex things overlap: in closed forms of their features, without iterations, so that the same places give the same numbers.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "dalembert/contact/convex_shape.hpp"
@@ -37,11 +39,12 @@ struct Foot {
   double cosine = 1, sine = 0;
 };
 
-// Keys of a pair: places of corners and ends, of faces that are clipped, of crossing edges, of mantles and of corners on them, then those of meshes. No shape has
+// Keys of a pair: places of corners and ends, of faces that are clipped, of crossing edges, of mantles and of corners on them, of rims, then those of meshes. No shape has
 // more edges than the first of these numbers.
 namespace convex_keys {
 constexpr std::int64_t edges = std::int64_t{1} << 20, second_owner = std::int64_t{1} << 43, crossing = std::int64_t{1} << 44, mantle = std::int64_t{1} << 45,
-                       on_mantle = std::int64_t{1} << 46, mesh_edge = std::int64_t{1} << 50, mesh_corner = std::int64_t{1} << 51;
+                       on_mantle = std::int64_t{1} << 46, rim = std::int64_t{1} << 47, mesh_edge = std::int64_t{1} << 50, mesh_corner = std::int64_t{1} << 51, end = std::int64_t{1} << 52;
+static_assert(end == 2 * mesh_corner && end < std::int64_t{1} << 53, "files keep keys as doubles");
 }  // namespace convex_keys
 
 // What of a shape is lowest along a normal: of the faces at its lowest corner, the one that is most across.
@@ -61,30 +64,108 @@ class ConvexPairs {
     Vec3<double> normal;  // from a to b
     int face_a = -1, face_b = -1, edge_a = -1, edge_b = -1;
   };
-  Overlap overlap(const ConvexNow& a, const ConvexNow& b) const;
+  // `of_faces`: the least over directions across faces.
+  Overlap overlap(const ConvexNow& a, const ConvexNow& b, Overlap& of_faces) const;
+  // The same of a cylinder and something: which of its features is where they overlap least, and which of the other's.
+  enum class RoundFeature { cap, mantle, rim };
+  enum class OtherFeature { face, edge, corner, cap, mantle, rim };
+  struct RoundOverlap {
+    double depth = 0;
+    Vec3<double> normal;  // from the cylinder to the other
+    RoundFeature own = RoundFeature::cap;
+    OtherFeature other = OtherFeature::corner;
+    int end = 0, number = 0;  // of the cylinder's axis; of the other's axis, or its face, edge or corner
+  };
   // How far feet of a shape are from a plane, of those that are not below it.
   double clearance(const ConvexNow& shape, const Vec3<double>& normal, const Vec3<double>& point);
+  // How far two shapes are from each other: the most that a direction tells in which faces, edges or corners may touch; 0: none separates them.
+  double clearance(const ConvexNow& a, const ConvexNow& b);
+
+  struct Line {
+    Vec3<double> begin, along;  // of length one
+  };
 
  private:
   void faces(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found);
   void clip(const ConvexNow& base, int face);
-  void prisms(const ConvexNow& a, const ConvexNow& b, const Overlap& at, std::vector<ConvexTouch>& found);
+  void polytopes(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found);
   // Round things: a ball, or the end of a capsule with this share and key; `swapped`: it is the second one.
   void ball(const ConvexNow& ball, const ConvexNow& other, bool swapped, double share, std::int64_t key, std::vector<ConvexTouch>& found, int end = 0) const;
   void capsules(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found) const;
   void capsule_on_faces(const ConvexNow& capsule, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) const;
   void mantle_on_edges(const ConvexNow& round, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) const;
   void mantle_on_corners(const ConvexNow& round, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) const;
-  // Whether two cylinders touch with their mantles: then by their axes.
-  bool mantles(const ConvexNow& a, const ConvexNow& b, const Overlap& at, std::vector<ConvexTouch>& found) const;
+  // Two cylinders that touch with their mantles.
+  void mantles(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found) const;
+  // `swapped`: the cylinder is the second one.
+  void cylinder_and_polytope(const ConvexNow& cylinder, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found);
+  void cylinders(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found);
+  // One place alone, where it is deepest.
+  void lowest_on_face(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found);
+  void capsule_on_rims(const ConvexNow& capsule, const ConvexNow& cylinder, bool swapped, std::vector<ConvexTouch>& found) const;
 
   std::vector<Foot> feet_, kept_;
   std::vector<Vec3<double>> polygon_;
   std::vector<double> shares_;
+  std::vector<Line> lines_a_, lines_b_;
 };
 
-// How far two shapes are from each other: the most that a direction tells in which faces, edges or corners may touch; 0: none separates them.
-double clearance(const ConvexNow& a, const ConvexNow& b);
+// The rim at an end of a cylinder, with its axis outwards.
+inline Rim<double> rim_of(const ConvexNow& cylinder, int end) {
+  return {cylinder.corners[static_cast<std::size_t>(end)], end == 1 ? cylinder.axis : -cylinder.axis, cylinder.shape->radius};
+}
+// Calls f(normal) for directions from the rim to a line, across it, in which both overlap least of all around; of those that are up to a signed `angle`
+// around the line from `from`.
+template <class F>
+void each_least_overlap(const Rim<double>& rim, const Vec3<double>& point, const Vec3<double>& along, const Vec3<double>& from, double angle, const F& f) {
+  constexpr double step = 0.4;  // curves are that smooth
+  const Vec3<double> w = rim.centre - point, across = cross(along, from);
+  const auto direction = [&](double x) { return std::cos(x) * from + std::sin(x) * across; };
+  const auto slope = [&](const Vec3<double>& u) {
+    const Vec3<double> in_plane = u - dot(u, rim.axis) * rim.axis;
+    const double sine = norm(in_plane);
+    return dot(cross(along, u), w) + (sine > 0 ? rim.radius / sine * dot(cross(along, u), in_plane) : 0.0);
+  };
+  const int count = std::max(2, static_cast<int>(std::ceil(std::abs(angle) / step)));
+  const double sign = angle < 0 ? -1 : 1, part = std::abs(angle) / count;
+  double before = sign * slope(from);
+  for (int k = 1; k <= count; ++k) {
+    const double now = sign * slope(direction(sign * k * part));
+    if (before < 0 && now >= 0) {  // Newton's method, halving where it leaves what is known to hold the least one
+      double low = (k - 1) * part, high = k * part, x = 0.5 * (low + high), change = part;
+      for (int turn = 0; turn < 60 && change > rim_normals::rounding; ++turn) {
+        const rim_normals::Newton1 at = rim_normals::across_line(rim, w, along, direction(sign * x));
+        (sign * at.slope < 0 ? low : high) = x;
+        const double next = x - sign * at.slope / at.curvature, better = at.curvature > 0 && next > low && next < high ? next : 0.5 * (low + high);
+        change = std::abs(better - x);
+        x = better;
+      }
+      f(direction(sign * x));
+    }
+    before = now;
+  }
+}
+// The signed angle around `along` from one direction across it to another.
+inline double angle_around(const Vec3<double>& along, const Vec3<double>& from, const Vec3<double>& to) { return std::atan2(dot(along, cross(from, to)), dot(from, to)); }
+// Sine below which two lines lie side by side.
+inline constexpr double parallel = 0.05;
+// Of the first thing a point with a radius, in its own axes as all else.
+ConvexTouch round_touch(ConvexTouch::Kind kind, const Vec3<double>& at, double radius, const Vec3<double>& at1, const Vec3<double>& along1, double radius1, double share,
+                        std::int64_t key);
+// Both are parts of lines, in global axes: of a cylinder its axis, of a polytope an edge.
+ConvexTouch line_touch(const ConvexNow& a, const Vec3<double>& at0, const Vec3<double>& along0, double radius0, const ConvexNow& b, const Vec3<double>& at1,
+                       const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share, std::int64_t key);
+// As a touch of the first thing; `at` and `along` of the line in global axes.
+ConvexTouch rim_touch(const ConvexNow& cylinder, int end, const ConvexNow& other, const Vec3<double>& at, const Vec3<double>& along, double radius,
+                      const Vec3<double>& normal);
+
+// An edge contact is one of faces up to this sine of the angle between the two; faces of the first shape take what those of the second do as well.
+inline constexpr double near_face = 0.1, face_advantage = 1e-3;
+inline bool is_near_face(const Vec3<double>& normal, const Vec3<double>& least) { return norm(cross(least, normal)) < near_face && dot(least, normal) > 0; }
+// Whether places from `begin` on tell how deep the two are: what is deepest may not be over the face, and of parts of rims there are chords.
+bool is_as_deep(const std::vector<ConvexTouch>& found, std::size_t begin, const ConvexNow& first, const ConvexNow& second, double depth);
+// Of a place where no faces lie on each other.
+inline double share_of_edges(const ConvexNow& a, const ConvexNow& b) { return 0.5 * (a.shape->lone + b.shape->lone); }
 
 // Parameters of the points of two lines that are nearest to each other; parallel ones have none.
 struct LinePair {

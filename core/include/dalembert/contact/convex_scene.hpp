@@ -31,6 +31,7 @@ class ConvexScene {
   struct Batch {
     std::size_t begin = 0, end = 0;
     std::vector<ConvexTouch> found, kept;
+    std::vector<double> clearances;  // of its pairs
     ConvexPairs pairs;
     ConvexMesh::Scratch in_triangles;
     ConvexNow in_mesh;
@@ -39,7 +40,7 @@ class ConvexScene {
   // All that overlaps of a batch, in ascending order.
   void find(Batch& batch) const;
   // How far those of a pair are from each other that do not touch, or from a plane or triangles; large: nothing is known of it.
-  double clearance(std::size_t pair);
+  double clearance(std::size_t pair, Batch& batch) const;
   void forget() { at_list_.clear(); }
 
   const ConvexShape& shape(int thing) const { return shapes_[static_cast<std::size_t>(thing)]; }

@@ -1,5 +1,5 @@
-// Convex shapes in the frame of a marker. A capsule is a segment with a radius, a cylinder has an exact rim and mantle besides the prism that
-// stands for it where edges meet, everything else is a polytope of faces with any number of corners.
+// Convex shapes in the frame of a marker. A capsule is a segment with a radius, a cylinder has rims and a mantle besides a prism around it, whose ends are
+// what others stand on; everything else is a polytope of faces with any number of corners.
 #pragma once
 
 #include <array>

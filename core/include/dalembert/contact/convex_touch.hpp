@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "dalembert/contact/rim_normal.hpp"
 #include "dalembert/frames.hpp"
 
 namespace dalembert {
@@ -24,15 +25,18 @@ struct ConvexTouch {
     points,       // points with radii
     point_line,   // of one thing, a point; of the other, a line; with radii
     point_rim,    // of one thing, a point with a radius; of the other, a circle
-    lines         // with radii
+    lines,        // with radii
+    rim_line,     // of one thing, a circle; of the other, a line with a radius
+    rims          // of both, circles
   };
   int first = -1, second = -1;  // participants
-  std::int64_t key = 0;         // which place it is of this pair; below 2^52, so that files keep it as a double
+  std::int64_t key = 0;         // which place it is of this pair: convex_keys
   Kind kind = Kind::point_plane;
   bool swapped = false;         // the point, rim or first line belongs to the second one
   Vec3<double> at0, along0, at1, along1;  // point and direction: of a plane its normal, of a circle its axis
   double radius0 = 0, radius1 = 0;        // that are added; of a circle, its own
   double cosine = 1, sine = 0;            // of the angle on a rim
+  Vec3<double> nearby;                    // of a rim and a line, of rims: a direction near the normal
   double share = 1;                       // of the stiffness of the pair
   bool sticks = true, presses = true;
   std::int64_t bristle = -1;              // the key that its bristle has been known by
@@ -78,6 +82,18 @@ Vec3<S> on_rim(const ConvexTouch& t, const Vec3<S>& centre, const Vec3<S>& axis,
 }
 
 template <class S>
+Rim<S> rim_of(const Vec3<S>& centre, const Vec3<S>& axis, double radius) {
+  return {centre, axis, radius};
+}
+// `beyond`: how far the second one reaches against the normal from its own point.
+template <class S>
+MeetingPlace<S> between_rim_and(const Rim<S>& rim, const Vec3<S>& normal, const Vec3<S>& other, const S& beyond) {
+  const auto reach = rim.reach(normal);
+  const S gap = -(dot(normal, rim.centre - other) + rim.radius * reach.sine + beyond);
+  return {normal, rim.centre + rim.radius * reach.out + (0.5 * gap) * normal, gap};
+}
+
+template <class S>
 MeetingPlace<S> between_lines(const ConvexTouch& t, const Vec3<S>& x0, const Vec3<S>& d0, const Vec3<S>& x1, const Vec3<S>& d1) {
   const Vec3<S> across = cross(d0, d1), span = x1 - x0;
   const S square = dot(across, across);
@@ -95,6 +111,7 @@ ContactMeeting<S> meeting_of(const ConvexTouch& t, const RigidFrame<S>& first, c
   using namespace convex_touch_detail;
   const RigidFrame<S>&a = t.swapped ? second : first, &b = t.swapped ? first : second;
   const Vec3<S> x0 = out(a, t.at0), x1 = out(b, t.at1), d1 = b.rotation * t.along1;
+  const auto nearby = [&] { return rim_normals::value_of_vector(Vec3<S>(a.rotation * t.nearby)); };
   MeetingPlace<S> place;
   switch (t.kind) {
     case ConvexTouch::Kind::point_plane: place = above_plane(x0, t.radius0, d1, x1); break;
@@ -103,6 +120,17 @@ ContactMeeting<S> meeting_of(const ConvexTouch& t, const RigidFrame<S>& first, c
     case ConvexTouch::Kind::point_line: place = between(x0, t.radius0, x1 + dot(x0 - x1, d1) * d1, t.radius1); break;
     case ConvexTouch::Kind::point_rim: place = between(x0, t.radius0, on_rim(t, x1, d1, x0 - x1, t.radius1), 0); break;
     case ConvexTouch::Kind::lines: place = between_lines(t, x0, a.rotation * t.along0, x1, d1); break;
+    case ConvexTouch::Kind::rim_line: {
+      const Rim<S> rim = rim_of<S>(x0, a.rotation * t.along0, t.radius0);
+      place = between_rim_and(rim, normal_of_rim_and_line(rim, x1, d1, nearby()), x1, S(t.radius1));
+      break;
+    }
+    case ConvexTouch::Kind::rims: {
+      const Rim<S> rim = rim_of<S>(x0, a.rotation * t.along0, t.radius0), other = rim_of<S>(x1, d1, t.radius1);
+      const Vec3<S> normal = normal_of_rims(rim, other, nearby());
+      place = between_rim_and(rim, normal, x1, S(t.radius1 * other.reach(normal).sine));
+      break;
+    }
   }
   const Vec3<S> normal = t.swapped ? -place.normal : place.normal;
   return {normal, place.place - first.position, place.place - second.position, place.gap};

@@ -65,6 +65,7 @@ class GeneralContact final : public SystemTerm {
   // Two for each sphere and each convex shape: how many push, and how many of these stick, must not change.
   bool has_switches() const override { return true; }
   void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override;
+  std::string name_of_part(int part) const override;
   void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data, double* lambda) override;
   void forget_switches() override { verges_before_.clear(); }
   bool forget() override;
@@ -332,7 +333,6 @@ class GeneralContact final : public SystemTerm {
   mutable std::uint64_t convex_lists_ = 0;
   bool grown_ = false;  // those at its end are known
   mutable std::vector<Verge> verges_, verges_before_;  // by sphere and convex shape: now, and after the last step; empty: not known
-  std::vector<std::string> names_of_convex_;
 };
 
 }  // namespace dalembert

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace dalembert {
+
+class SystemTerm;
 
 // Where an item switches, from contact to none or from stick to slip: a function of the state that is not negative as long as its data
 // coordinates are right.
@@ -15,8 +16,8 @@ struct Switch {
   bool kink = false;   // forces have one where it changes its sign, either way, and data coordinates stay as they are
   double noise = 0;    // numbers of this size say nothing just after the item has switched
   int item = -1;       // object
-  const std::string* owner = nullptr;  // in its place: a term that is no item,
-  int part = -1;                       // and which of its spheres
+  const SystemTerm* owner = nullptr;  // in its place: a term that is no item,
+  int part = -1;                      // and which of its parts
 };
 
 // What an item tells of its switches: always as many, in one order.
@@ -27,7 +28,7 @@ class Switches {
     item_ = item;
     owner_ = nullptr;
   }
-  void of_part(const std::string& owner, int part) {
+  void of_part(const SystemTerm& owner, int part) {
     owner_ = &owner;
     part_ = part;
   }
@@ -39,7 +40,7 @@ class Switches {
  private:
   std::vector<Switch>& found_;
   int item_ = -1, part_ = -1;
-  const std::string* owner_ = nullptr;
+  const SystemTerm* owner_ = nullptr;
 };
 
 }  // namespace dalembert

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <compare>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,7 @@ class SystemTerm : public Term {
   virtual bool take_history(std::span<const double>& /*numbers*/) { return true; }  // false: they do not fit
   // What it has found when it was told to switch over; it begins with what it finds next.
   virtual void forget_switches() {}
+  virtual std::string name_of_part(int /*part*/) const { return {}; }  // of which Switches tell
 
   void add(const void*, const Placement&, const Ports&) final {}  // it is no list of items
   void refresh(int, const void*) final {}

@@ -1,0 +1,143 @@
+// The direction in which a circle and a line, or two circles, overlap least: where it is, all of what they are changes nothing of the overlap to first order.
+//
+// Along u, a circle of radius r around an axis n reaches r |u - (u.n) n| beyond its centre. With w from the second thing to the centre of the first, they overlap
+// by F(u) = w.u + r |u - (u.n) n| + ..., whose gradient and curvature on the sphere of directions are known in closed form: Newton's method finds the direction
+// from one nearby, and its derivatives follow from one more step with what moves.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/math/dual.hpp"
+#include "dalembert/math/fixed.hpp"
+
+namespace dalembert {
+
+template <class S>
+struct Rim {
+  Vec3<S> centre, axis;  // of length one
+  double radius = 0;
+
+  // Where it is farthest along u, seen from its centre: a direction, and how much of u is in its plane.
+  struct Reach {
+    Vec3<S> out;
+    S sine;
+  };
+  Reach reach(const Vec3<S>& u) const {
+    const Vec3<S> in_plane = u - dot(u, axis) * axis;
+    const S sine = norm(in_plane);
+    return {(1.0 / sine) * in_plane, sine};
+  }
+};
+
+namespace rim_normals {
+
+constexpr int most_steps = 30;
+constexpr double longest_step = 0.3, rounding = 1e-15;
+constexpr double converged = 1e-6;  // steps that are followed by none but one of rounding, which carries derivatives
+
+template <class S>
+Vec3<double> value_of_vector(const Vec3<S>& v) {
+  return vector_of<3>([&](int i) { return value_of(v[i]); });
+}
+template <class S>
+Rim<double> value_of_rim(const Rim<S>& rim) {
+  return {value_of_vector(rim.centre), value_of_vector(rim.axis), rim.radius};
+}
+inline Vec3<double> unit(const Vec3<double>& v) { return (1 / norm(v)) * v; }
+
+// How F grows along `t`, across u, and the part of its curvature there that the circle is the cause of.
+template <class S>
+S slope(const Rim<S>& rim, const typename Rim<S>::Reach& reach, const Vec3<S>& w, const Vec3<S>& t) {
+  return dot(t, w + rim.radius * reach.out);
+}
+inline double bend(const Rim<double>& rim, const Rim<double>::Reach& reach, const Vec3<double>& s, const Vec3<double>& t) {
+  const Vec3<double> side = cross(rim.axis, reach.out);
+  return rim.radius * dot(side, s) * dot(side, t) / reach.sine;
+}
+
+struct Newton1 {
+  double slope, curvature;
+};
+inline Newton1 across_line(const Rim<double>& rim, const Vec3<double>& w, const Vec3<double>& along, const Vec3<double>& u) {
+  const Rim<double>::Reach reach = rim.reach(u);
+  const Vec3<double> t = cross(along, u);
+  return {slope(rim, reach, w, t), bend(rim, reach, t, t) - dot(w, u) - rim.radius * reach.sine};
+}
+
+// Of two circles: two directions across u.
+struct Newton2 {
+  Vec3<double> s, t;
+  double curvature[3];  // ss, st, tt
+  double determinant;
+  bool is_least() const { return curvature[0] > 0 && determinant > 0; }
+  template <class S>
+  Vec3<S> step(const S& gs, const S& gt) const {
+    const double k = -1 / determinant;
+    const S ds = k * (curvature[2] * gs - curvature[1] * gt), dt = k * (curvature[0] * gt - curvature[1] * gs);
+    return vector_of<3>([&](int i) { return ds * s[i] + dt * t[i]; });
+  }
+};
+inline Newton2 between_rims(const Rim<double>& a, const Rim<double>& b, const Vec3<double>& w, const Vec3<double>& u) {
+  const Rim<double>::Reach ra = a.reach(u), rb = b.reach(u);
+  Newton2 n{unit(cross(a.axis, u)), {}, {}, 0};
+  n.t = cross(u, n.s);
+  const double level = dot(w, u) + a.radius * ra.sine + b.radius * rb.sine;
+  const auto both = [&](const Vec3<double>& x, const Vec3<double>& y) { return bend(a, ra, x, y) + bend(b, rb, x, y); };
+  n.curvature[0] = both(n.s, n.s) - level;
+  n.curvature[1] = both(n.s, n.t);
+  n.curvature[2] = both(n.t, n.t) - level;
+  n.determinant = n.curvature[0] * n.curvature[2] - n.curvature[1] * n.curvature[1];
+  return n;
+}
+
+}  // namespace rim_normals
+
+// From the rim to the line, and across it; `point` is any one of the line. What is added to the line changes nothing.
+template <class S>
+Vec3<S> normal_of_rim_and_line(const Rim<S>& rim, const Vec3<S>& point, const Vec3<S>& along, const Vec3<double>& nearby) {
+  using namespace rim_normals;
+  const Rim<double> now = value_of_rim(rim);
+  const Vec3<double> d = value_of_vector(along), w = now.centre - value_of_vector(point);
+  Vec3<double> u = unit(nearby - dot(nearby, d) * d);
+  double curvature = 0, step = longest_step;
+  for (int k = 0; k < most_steps && std::abs(step) > rounding; ++k) {
+    const Newton1 at = across_line(now, w, d, u);
+    curvature = at.curvature;
+    if (!(curvature > 0)) break;
+    step = std::clamp(-at.slope / curvature, -longest_step, longest_step);
+    u = unit(u + step * cross(d, u));
+  }
+  const Vec3<S> across = u - dot(u, along) * along, t = cross(along, across);
+  if (!(curvature > 0 && std::abs(step) < converged)) return across;
+  return across + ((-1 / curvature) * slope(rim, rim.reach(across), rim.centre - point, t)) * t;
+}
+
+// From the first to the second.
+template <class S>
+Vec3<S> normal_of_rims(const Rim<S>& a, const Rim<S>& b, const Vec3<double>& nearby) {
+  using namespace rim_normals;
+  const Rim<double> now_a = value_of_rim(a), now_b = value_of_rim(b);
+  const Vec3<double> w = now_a.centre - now_b.centre;
+  Vec3<double> u = unit(nearby);
+  const auto step_of = [](const auto& first, const auto& second, const auto& between, const Newton2& at, const auto& direction) {
+    const auto ra = first.reach(direction), rb = second.reach(direction);
+    const auto pull = between + first.radius * ra.out + second.radius * rb.out;
+    return at.step(dot(at.s, pull), dot(at.t, pull));
+  };
+  double length = longest_step;
+  for (int k = 0; k < most_steps && length > rounding; ++k) {
+    const Newton2 at = between_rims(now_a, now_b, w, u);
+    length = longest_step;
+    if (!at.is_least()) break;
+    Vec3<double> step = step_of(now_a, now_b, w, at, u);
+    length = norm(step);
+    if (length > longest_step) step = (longest_step / length) * step;
+    u = unit(u + step);
+  }
+  const Vec3<S> fixed = vector_of<3>([&](int i) { return S(u[i]); });
+  if (!(length < converged)) return fixed;
+  return fixed + step_of(a, b, a.centre - b.centre, between_rims(now_a, now_b, w, u), fixed);
+}
+
+}  // namespace dalembert
