@@ -26,7 +26,7 @@ DEBIAN = "/usr/bin/chromium"  # Mesa of the system draws five times as fast as w
 MESA = ["--use-angle=gl-egl", "--ignore-gpu-blocklist"]
 OWN = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--single-process", "--no-zygote"]
 OPTIONS = [
-    "--headless", "--no-sandbox", "--no-first-run", "--disable-extensions", "--use-gl=angle",
+    "--headless", "--no-sandbox", "--no-first-run", "--disable-extensions", "--use-gl=angle", "--window-size=800,600",
 ]  # fmt: skip
 
 
@@ -42,10 +42,10 @@ def program() -> str:
     return found
 
 
-def command(size: str = "800,600") -> list[str]:
-    """Program and options of a browser without a display; size: width and height of its window."""
+def command() -> list[str]:
+    """Program and options of a browser without a display."""
     path = program()
-    return [path, *OPTIONS, *(MESA if path == DEBIAN else OWN), f"--window-size={size}"]
+    return [path, *OPTIONS, *(MESA if path == DEBIAN else OWN)]
 
 
 class Tab:

@@ -9,7 +9,6 @@ import json
 import os
 import re
 import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -173,32 +172,16 @@ def test_the_bundle_is_made_of_its_sources() -> None:
 def test_a_browser_shows_it_offline(falling: Any) -> None:
     """It runs, has drawn, tells the time, knows the item in the middle, and has made no request; its policy would refuse one."""
     falling.SaveHTML("falling.html", framesPerSecond=10, title="a brick falls")
-    text = Path("falling.html").read_text("utf-8")
-    probe = """<script>
-      window.onerror = (words) => document.body.setAttribute("failed", words);
-      setTimeout(() => {
-        const { page } = window;
-        page.play(false);
-        page.show(0);
-        const middle = page.projected([1, 0, 0]);
-        document.body.setAttribute("drawn", page.drawn > 0);
-        document.body.setAttribute("item", JSON.stringify(page.itemAt(...middle)));
-        document.body.setAttribute("requests", performance.getEntriesByType("resource").length);
-        page.show(5);
-        document.body.setAttribute("time", page.time.textContent);
-      }, 3000);
-    </script></html>"""
-    Path("probe.html").write_text(text.replace("</html>", probe), "utf-8")
-    command = [*browser.command("400,300"), "--virtual-time-budget=6000", "--dump-dom"]
-    done = subprocess.run(
-        [*command, Path("probe.html").resolve().as_uri()], capture_output=True, text=True, timeout=120
-    )
-    assert "failed=" not in done.stdout, done.stdout[-500:]
-    body = re.search(r"<body[^>]*>", done.stdout)[0].replace("&quot;", '"').replace("&lt;", "<").replace("&gt;", ">")
-    assert 'drawn="true"' in body and 'requests="0"' in body
-    assert 'time="t = 0.5000 s"' in body
-    assert '["Object",0,"RigidBody"' in body
-    assert "<title>a brick falls</title>" in done.stdout
+    with browser.running() as program:
+        tab = program.tab(address := Path("falling.html").resolve().as_uri())
+        tab.wait("page.drawn > 0")
+        tab.value("page.play(false), page.show(0)")
+        assert tab.value("page.itemAt(...page.projected([1, 0, 0]))")[:3] == ["Object", 0, "RigidBody"]
+        tab.value("page.show(5)")
+        assert tab.value("page.time.textContent") == "t = 0.5000 s"
+        assert tab.value("document.title") == "a brick falls"
+        assert tab.value("performance.getEntriesByType('resource').length") == 0
+        assert tab.requests == [address] and not tab.errors
 
 
 def test_the_solution_viewer_shows_a_page_where_there_is_a_display(
