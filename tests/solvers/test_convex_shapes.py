@@ -166,7 +166,8 @@ def test_cylinders_touch_exactly_where_they_overlap(other: str, seed: int) -> No
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_a_rim_on_an_edge(seed: int) -> None:
+@pytest.mark.parametrize("below", ["hull", "mesh"])
+def test_a_rim_on_an_edge(below: str, seed: int) -> None:
     """A line touches a circle of any inclination where it is lowest, if the tangent there crosses it: in closed form."""
     rng, world, radius, depth = np.random.default_rng(seed), ConvexWorld(), 0.1, 1e-4
     axis = np.array([rng.choice([-1, 1]) * rng.uniform(0.2, 0.5), rng.uniform(-0.5, 0.5), -1.0])
@@ -174,19 +175,21 @@ def test_a_rim_on_an_edge(seed: int) -> None:
     out = np.array([0, 0, -1.0]) + axis[2] * axis
     sine = np.linalg.norm(out)
     lowest = radius * out / sine
-    # The edge is the x-axis, of a prism below it; the circle is lowest over a point of it.
+    # The edge is the x-axis, of a prism or a roof below it; the circle is lowest over a point of it.
     center = np.array([rng.uniform(-0.1, 0.1), 0, -depth]) - lowest
-    world.contact.AddConvexHullWithMarker(
-        placed(world, [0, 0, 0], np.eye(3)),
-        [[x, y, z] for x in (-1, 1) for y, z in ((0, 0), (-1, -1), (1, -1))],
-        **world.surface,
-    )
+    points = [[x, y, z] for y, z in ((0, 0), (-1, -1), (1, -1)) for x in (-1, 1)]
+    if below == "hull":
+        world.contact.AddConvexHullWithMarker(placed(world, [0, 0, 0], np.eye(3)), points, **world.surface)
+    else:
+        roof = [[0, 2, 3], [0, 3, 1], [0, 1, 5], [0, 5, 4]]
+        world.contact.AddTrianglesRigidBodyBased(world.ground, pointList=points, triangleList=roof, **world.surface)
     marker = placed(world, center, np.eye(3))
     world.contact.AddCylinderWithMarker(marker, radius, -0.3 * axis, pAxis=[0, 0, 0], **world.surface)
     world.mbs.Assemble()
     found = world.contact.GetConvexContacts()
     np.testing.assert_allclose(found["gaps"], [-depth], rtol=1e-10)
-    np.testing.assert_allclose(found["normals"], [[0, 0, 1]], atol=1e-10)
+    up = 1 if below == "hull" else -1  # of the first one: the cylinder, if the other is a mesh
+    np.testing.assert_allclose(found["normals"], [[0, 0, up]], atol=1e-10)
     np.testing.assert_allclose(found["points"], [center + lowest + [0, 0, depth / 2]], atol=1e-10)
 
 
