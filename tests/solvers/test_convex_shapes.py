@@ -15,10 +15,11 @@ import pytest
 from scipy.optimize import minimize
 from scipy.spatial import ConvexHull
 from test_convex_contact import ConvexWorld, K
-from test_general_contact import EXPLICIT, IMPLICIT, grid_mesh
+from test_general_contact import EXPLICIT, IMPLICIT, check_tangent, grid_mesh
 
 import dalembert as exu
 from dalembert import itemInterface as eii
+from dalembert._core import testing
 from dalembert.utilities import InertiaSphere, RotationMatrixX, RotationMatrixY, RotationMatrixZ
 
 TYPES = exu.ContactTypeIndex
@@ -191,6 +192,31 @@ def test_a_rim_on_an_edge(below: str, seed: int) -> None:
     up = 1 if below == "hull" else -1  # of the first one: the cylinder, if the other is a mesh
     np.testing.assert_allclose(found["normals"], [[0, 0, up]], atol=1e-10)
     np.testing.assert_allclose(found["points"], [center + lowest + [0, 0, depth / 2]], atol=1e-10)
+
+
+@pytest.mark.parametrize("weights", [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
+@pytest.mark.parametrize("other", ["box", "hull", "cylinder", "capsule"])
+def test_tangent_where_cylinders_touch(other: str, weights: tuple[float, float, float]) -> None:
+    """The direction of least overlap of a rim is found by iterations, its derivatives are exact all the same."""
+    touching = 0
+    for seed in range(6):
+        rng, world = np.random.default_rng(seed), ConvexWorld(0.3)
+        world.contact.frictionProportionalZone = 0.5
+        world.damped(5.0)
+        (add0, reach0), (add1, reach1) = (shape_at_random(kind, rng, world) for kind in ("cylinder", other))
+        turn0, turn1, way, u = turned(rng), turned(rng), rng.normal(size=3), directions(4000)
+        way /= np.linalg.norm(way)
+        faces = u @ way > 0
+        away = ((reach0(u @ turn0) + reach1(-u @ turn1))[faces] / (u[faces] @ way)).min() - 0.002
+        for add, position, rotation in ((add0, np.zeros(3), turn0), (add1, away * way, turn1)):
+            speeds = {"initialVelocity": rng.uniform(-1, 1, 3), "initialAngularVelocity": rng.uniform(-5, 5, 3)}
+            add(world.body(InertiaSphere(1, 0.1), position, (0, 0, 0), referenceRotationMatrix=rotation, **speeds)[1])
+        world.mbs.Assemble()
+        s = testing.State(world.mbs)
+        testing.search(world.mbs, s)
+        touching += len(world.contact.GetConvexContacts()["gaps"])
+        check_tangent(world, s, weights)
+    assert touching > 3
 
 
 def test_separate_hulls_do_not_touch_and_close_ones_do() -> None:
