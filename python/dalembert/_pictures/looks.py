@@ -6,11 +6,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache
+from math import log2
 from typing import Any
 
 from dalembert import _core
 from dalembert._pictures.meshes import Rgba
 from dalembert.graphics import material
+
+STRETCH = 2.0  # a spring that becomes longer or shorter by more than that gets another mesh
 
 
 @lru_cache(maxsize=1)
@@ -37,6 +40,7 @@ class Looks:
     size: float = 1.0
     crowd: int = 0  # how many objects there are
     _windings: dict[int, int] = field(default_factory=dict)  # by number of the spring
+    _slenderness: dict[int, float] = field(default_factory=dict)
     _kept: dict[str, Any] | None = None
 
     @contextmanager
@@ -68,6 +72,13 @@ class Looks:
     def item_length(self, value: float, default: float, part: float) -> float:
         """Return a length of an item; a part of the scene if it is the default."""
         return part * self.size if abs(value - default) < 1e-6 else value
+
+    def slenderness(self, number: int, value: float) -> float:
+        """Return for which slenderness a spring is drawn: one of few, the same until it is twice or half as long."""
+        known = self._slenderness.get(number, 0.0)
+        if not known / STRETCH < value < known * STRETCH:
+            known = self._slenderness[number] = float(2.0 ** (0.5 * round(2 * log2(max(value, 1e-3)))))
+        return known
 
     def windings(self, number: int, slenderness: float) -> int:
         """Return how many windings a spring has in all pictures of a film; unless it is set, more if it is long."""

@@ -136,8 +136,9 @@ class Pen:
         length = float(np.linalg.norm(axis))
         if length <= 0 or radius <= 0:
             return
-        slenderness = float(2.0 ** (0.5 * np.round(2 * np.log2(max(length / radius, 1e-3)))))  # few meshes for many
-        windings = self.looks.windings(self.scene.items[self._item].number, slenderness)
+        number = self.scene.items[self._item].number
+        slenderness = self.looks.slenderness(number, length / radius)
+        windings = self.looks.windings(number, slenderness)
         if self.looks.crowd > CROWD[-1]:
             self.line([begin, end], color)
             return
