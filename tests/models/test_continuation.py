@@ -18,6 +18,7 @@ from solving import Solver, new_system, settings
 from test_andrews import Squeezer
 from test_bricard import Bricard
 from test_four_bar import Bars
+from test_redundant import OF_POSITIONS, Door
 
 import dalembert as exu
 from dalembert import itemInterface as eii
@@ -65,6 +66,11 @@ def watched(mbs: Any, node: int = 0) -> Any:
 def bricard() -> Any:
     """With a redundant equation."""
     return watched(Bricard({}).mbs)
+
+
+def misplaced() -> Any:
+    """Two hinges that do not quite fit."""
+    return watched(Door(misplaced=1e-6).mbs)
 
 
 def squeezer() -> Any:
@@ -208,7 +214,8 @@ CASES: list[tuple[Callable[[], Any], Any, float, int, list[Callable[[Any], None]
     (bricard, Solver.TrapezoidalIndex2, 0.5, 100, [modified]),
     (bricard, Solver.DOPRI5, 0.5, 10, [dense_output]),
     (bricard, Solver.RK44, 0.5, 30, []),
-    (flat, Solver.GeneralizedAlpha, 1.0, 250, []),
+    *((misplaced, kind, 0.5, 125, []) for kind in OF_POSITIONS),
+    *((flat, kind, 1.0, 250, []) for kind in (*OF_POSITIONS, Solver.TrapezoidalIndex2)),
     (squeezer, Solver.GeneralizedAlpha, 0.02, 20, [by_tolerances]),
     (squeezer, Solver.TrapezoidalIndex2, 0.02, 100, [by_tolerances, dense_output]),
     (squeezer, Solver.DOP853, 0.02, 20, [dense_output, binary]),

@@ -139,6 +139,11 @@ void ConstrainedMotion::fill(System& system, const State& state, const Condition
 
 int ConstrainedMotion::factorize(System& system, const State& state, const Conditions& conditions) {
   fill(system, state, conditions);
+  if (has_left_ && state.time == examined_at_) [[unlikely]] {  // the step is repeated
+    redundant_ = RedundantConstraints();
+    factors_ = make_linear_solver(*pattern_, type_, options_);
+    return examine_filled(system, state, conditions);
+  }
   return factorize_filled(system, state, conditions);
 }
 
@@ -193,6 +198,7 @@ bool ConstrainedMotion::examine(System& system, const State& start_of_step, cons
 
 int ConstrainedMotion::examine_filled(System& system, const State& state, const Conditions& conditions) {
   examined_ = true;
+  has_left_ = false;
   examined_at_ = state.time;
   system.reactions_are_known({});
   int singular = 0;  // factors that must fail are not made
@@ -326,6 +332,81 @@ void ConstrainedMotion::accelerations(System& system, const State& state, const 
   solve(x_);
   std::copy_n(x_.begin(), a.size(), a.begin());
   std::copy(x_.begin() + first_ae_, x_.end(), lambda.begin());
+  if (redundant_.in_use() && !confirmed_ && state.time == examined_at_) [[unlikely]] leave_singular_position(system, state, conditions, a, lambda);
+}
+
+// Of the motion with constant accelerations from the start on: beside a singular position, gaps open by their change of velocities as much as
+// by themselves.
+bool ConstrainedMotion::accelerations_after(double time, System& system, const State& start, const Conditions& conditions, std::vector<double>& a,
+                                            std::vector<double>& lambda) {
+  constexpr int most = 20;
+  constexpr double exact = 1e-10, good = 1e-5;
+  State moved = start;
+  moved.time += time;
+  double last = 0;
+  for (int i = 0; i < most; ++i) {
+    std::vector<double> step(a.size());
+    for (std::size_t j = 0; j < a.size(); ++j) {
+      step[j] = time * (start.v[j] + 0.5 * time * a[j]);
+      moved.v[j] = start.v[j] + time * a[j];
+    }
+    moved.q = start.q;
+    move_positions(system, step, moved.q);
+    moved.a = a;
+    moved.lambda = lambda;
+    system.tangent(moved, conditions, {.q = 0.5 * time * time, .v = time, .a = 1, .y = 0, .y_t = 1}, *pattern_, matrix_);
+    leave_out_ode1(system.sizes(), *pattern_, matrix_);
+    if (factorize_around_matrix(system, moved, conditions, time) != LinearSolver::success) return false;
+    std::vector<double> x(x_.size());
+    system.residual(moved, conditions, x);
+    std::fill(x.begin() + ode2_, x.begin() + first_ae_, 0.0);
+    std::ranges::copy(gap_accelerations(system, moved, conditions), x.begin() + first_ae_);
+    solve(x);
+    for (std::size_t j = 0; j < a.size(); ++j) a[j] -= x[j];
+    for (std::size_t k = 0; k < lambda.size(); ++k) lambda[k] -= x[static_cast<std::size_t>(first_ae_) + k];
+    const double change = largest(std::span(x).first(a.size())) / std::max(1.0, largest(a));
+    if (change <= exact || (i > 0 && change <= good && change > 0.1 * last)) return true;  // the latter: of what is left, differences are round-off
+    last = change;
+  }
+  return false;
+}
+
+// From three moments after the start, by a parabola.
+bool ConstrainedMotion::leave_singular_position(System& system, const State& start, Conditions conditions, std::span<double> a,
+                                                std::span<double> lambda) {
+  constexpr double part_of_motion = 1e-3, change_of_velocity = 0.03, first_look = 0.1, smooth = 1e-2;
+  const double speed = largest(start.v), size = std::max(1.0, largest(start.q));
+  if (!redundant_.in_use() || !(speed > 1e-10)) return false;
+  double moment = part_of_motion * size / speed;
+  if (const double acceleration = largest(a); acceleration * moment > change_of_velocity * speed) moment = change_of_velocity * speed / acceleration;
+  conditions.inertia = true;
+  conditions.rate_level = false;
+  State moved = start;
+  std::vector<double> step = start.v;
+  for (double& x : step) x *= first_look * moment;
+  move_positions(system, step, moved.q);
+  ConstrainedMotion beside;
+  beside.prepare(system, type_, options_, settings_);
+  bool leaves = beside.factorize(system, moved, conditions) == LinearSolver::success && !beside.passing_ &&
+                (passing_ || beside.redundant_.count() < redundant_.count());
+  std::vector<double> after[3], multipliers[3];
+  for (int i = 0; i < 3 && leaves; ++i) {
+    after[i] = i > 0 ? after[i - 1] : std::vector<double>(a.begin(), a.end());
+    multipliers[i] = i > 0 ? multipliers[i - 1] : std::vector<double>(lambda.begin(), lambda.end());
+    leaves = beside.accelerations_after((i + 1) * moment, system, start, conditions, after[i], multipliers[i]);
+  }
+  const auto bend = [](const std::vector<double>* x, std::size_t i) { return x[0][i] - 2 * x[1][i] + x[2][i]; };
+  for (std::size_t i = 0; i < a.size() && leaves; ++i) leaves = std::abs(bend(after, i)) <= smooth * std::max(1.0, largest(after[0]));
+  if (!leaves) {
+    system.reactions_are_known(redundant_.equations());
+    return false;
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = 2 * after[0][i] - after[1][i] + bend(after, i);
+  for (std::size_t k = 0; k < lambda.size(); ++k) lambda[k] = 2 * multipliers[0][k] - multipliers[1][k] + bend(multipliers, k);
+  redundant_ = std::move(beside.redundant_);
+  factors_ = std::move(beside.factors_);
+  passing_ = false;
+  return has_left_ = true;
 }
 
 // User functions are asked at a few times: one that is constant there does not drive.

@@ -19,7 +19,7 @@ namespace {
 // What the loop over steps has to know, in the order of the numbers in the file. Those of the solver follow.
 enum RunNumber : std::size_t {
   start_time, step_index, last_step_size, equal_start, equal_step_size, equal_time, equal_before, solution_written, sensors_written,
-  image_recorded, steps_since_reduction, count
+  image_recorded, steps_since_reduction, largest_misfit, count
 };
 
 }  // namespace
@@ -72,6 +72,7 @@ void Solver::continue_steps() {
   output.lastSensorsWritten = run[sensors_written];
   output.lastImageRecorded = run[image_recorded];
   steps_since_reduction_ = static_cast<StepCount>(run[RunNumber::steps_since_reduction]);
+  largest_misfit_ = run[RunNumber::largest_misfit];
   if (!watch_ && !continuation_->events.empty()) watch_ = std::make_unique<EventWatch>();  // which there should be
   if (watch_) {
     const std::span<const double> numbers(continuation_->events);
@@ -89,7 +90,7 @@ RestartData Solver::restart_data() {
   const std::array<double, RunNumber::count> run{it.startTime, as_number(it.currentStepIndex), it.lastStepSize, equal_steps_.start,
                                                  equal_steps_.step_size, equal_steps_.time, as_number(equal_steps_.before),
                                                  output.lastSolutionWritten, output.lastSensorsWritten, output.lastImageRecorded,
-                                                 as_number(steps_since_reduction_)};
+                                                 as_number(steps_since_reduction_), largest_misfit_};
   const std::span<const double> values = restart_values();
   RestartData data{.solver = name(), .state = current(), .algorithmic_accelerations = {values.begin(), values.end()},
                    .step_size = it.currentStepSize, .run = {run.begin(), run.end()}, .events = {}, .history = system_->history(), .files = {solution_file_.length()}};

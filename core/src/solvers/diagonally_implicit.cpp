@@ -442,6 +442,7 @@ bool DiagonallyImplicitSolver::back_onto_constraints() {
       return false;
     }
   }
+  largest_misfit_ = std::max(largest_misfit_, motion_.largest_misfit());
   if (!warned_of_contradiction_)
     if (const std::vector<double> misfit = motion_.misfit(system(), current(), conditions_); !misfit.empty()) [[unlikely]] warn_of_contradiction(misfit);
   return true;

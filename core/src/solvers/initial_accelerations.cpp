@@ -50,7 +50,6 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   InitialAccelerations result;
   result.singular_row = motion.factorize(system, still, position);
   if (result.singular_row != LinearSolver::success) return result;
-  result.redundant = motion.redundant();
   const std::vector<char> jumping = jumping_equations(system, still, position, system.pattern(is_dense(type)));
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
   const std::vector<double> gap = ConstrainedMotion::gap_acceleration(system, still, position);
@@ -60,6 +59,8 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   motion.solve(x);
   result.a.assign(x.begin(), x.begin() + s.ode2);
   result.lambda.assign(x.begin() + s.first_ae(), x.end());
+  if (std::ranges::none_of(jumping, [](char jumps) { return jumps != 0; })) motion.leave_singular_position(system, still, position, result.a, result.lambda);
+  result.redundant = motion.redundant();
   for (int i = 0; i < s.ae; ++i)
     if (!system.constrains_motion(i)) result.lambda[i] = 0;  // what has moved within the step
   return result;

@@ -45,7 +45,6 @@ void NewtonSolver::initialize_data() {
   residual_.assign(n, 0.0);
   increment_.assign(n, 0.0);
   announced_ = false;
-  largest_misfit_ = 0;
 }
 
 // Factors remember the pivots of earlier matrices.

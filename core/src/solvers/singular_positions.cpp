@@ -15,8 +15,9 @@ namespace dalembert {
 
 namespace {
 
-// A singular position takes the weakest constraint to zero; elsewhere it changes by less than this. Where it has begun in one, nothing is usual.
-constexpr double weaker_by = 100, smallest_growth = 100, singular_growth = 1e14;
+// A singular position takes the weakest constraint to zero; elsewhere it changes by less than this. Where it has begun in one, nothing is usual,
+// and only what is much closer to it counts.
+constexpr double weaker_by = 100, smallest_growth = 100, growth_beside_start = 1e4, singular_growth = 1e14;
 constexpr double largest_turn = 0.1;     // of the velocities in a step, relative to their size
 constexpr double most_noise = 1e4;       // in units of the tolerances
 constexpr double not_to_be_trusted = 100;
@@ -32,7 +33,7 @@ void Solver::compare_constraints_with(const State& state) {
   if (sizes_.ae == 0 || redundant_constraints().in_use()) return false;
   if (usual_growth_ == 0) {
     const double growth = growth_of_multipliers(system(), compared_with_, conditions_);
-    usual_growth_ = growth < singular_growth ? std::max(growth, smallest_growth) : smallest_growth;
+    usual_growth_ = growth < singular_growth ? std::max(growth, smallest_growth) : growth_beside_start;
     compared_with_ = State();
   }
   return growth_of_multipliers(system(), current(), conditions_) > weaker_by * usual_growth_;

@@ -32,6 +32,9 @@ class ConstrainedMotion {
   void solve(std::span<double> x);
   // With the forces Q in `a`, which become accelerations.
   void accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a, std::span<double> lambda);
+  // Where the position at the start is a singular one, which shows a moment later, many accelerations fulfil the constraints: the ones that the
+  // motion goes on with, and its multipliers, replace those that have been found, and so does what is redundant then. False: it is not.
+  bool leave_singular_position(System& system, const State& start, Conditions conditions, std::span<double> a, std::span<double> lambda);
   // Second derivatives of gaps, or derivatives of constraints of velocities, along the motion with the accelerations of the state; what is
   // not active gives its multiplier.
   std::vector<double> gap_accelerations(System& system, const State& state, const Conditions& conditions);
@@ -56,6 +59,8 @@ class ConstrainedMotion {
   int examine_filled(System& system, const State& state, const Conditions& conditions);
   bool look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
   int pass_singular_matrix(System& system, int singular);
+  bool accelerations_after(double time, System& system, const State& start, const Conditions& conditions, std::vector<double>& a,
+                           std::vector<double>& lambda);
   void weigh_again(System& system);
   void add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap);
   // Solutions for right-hand sides of the constraints alone; returns the part of the coordinates.
@@ -69,6 +74,7 @@ class ConstrainedMotion {
   bool treats_redundancy_ = false, is_driven_ = false;
   bool examined_ = false, confirmed_ = false;
   bool passing_ = false;    // a matrix that was singular where constraints had not been found to be redundant
+  bool has_left_ = false;   // a singular position, in which constraints were examined
   double examined_at_ = 0;  // time
   double largest_misfit_ = 0;
   std::unique_ptr<LinearSolver> factors_;

@@ -20,7 +20,6 @@ class DiagonallyImplicitSolver : public Solver {
   std::string name() const override { return "diagonally implicit time integration (ESDIRK43)"; }
   bool controls_step_size() const override { return true; }
   const RedundantConstraints& redundant_constraints() const override { return motion_.redundant(); }
-  double largest_misfit() const { return motion_.largest_misfit(); }
   int method_order() const { return 4; }
   int number_of_stages() const { return stages; }
 

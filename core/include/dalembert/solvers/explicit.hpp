@@ -24,7 +24,6 @@ class ExplicitSolver : public Solver {
   bool controls_step_size() const override { return method_.controls_step_size(); }
   bool enforces_constraints() const override { return settings().timeIntegration.explicitIntegration.eliminateConstraints; }
   const RedundantConstraints& redundant_constraints() const override { return motion_.redundant(); }
-  double largest_misfit() const { return motion_.largest_misfit(); }
   int method_order() const { return verlet_ ? 2 : method_.order; }
   int number_of_stages() const { return verlet_ ? 1 : method_.stages; }
 

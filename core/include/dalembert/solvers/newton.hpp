@@ -30,7 +30,6 @@ class NewtonSolver : public Solver {
   virtual void compute_jacobian() = 0;
 
   const RedundantConstraints& redundant_constraints() const override { return redundant_; }
-  double largest_misfit() const { return largest_misfit_; }
 
   std::span<double> residual() { return residual_; }
   std::span<double> increment() { return increment_; }
@@ -144,7 +143,6 @@ class NewtonSolver : public Solver {
   std::unique_ptr<LinearSolver> plain_;  // while a singular position is passed
   double measured_for_ = 0;              // row_scale() of the matrix that weights are for
   std::vector<double> misfit_;           // gaps that no motion closes, by equation; empty: none
-  double largest_misfit_ = 0;            // of the last solution, relative to the size of the model
 };
 
 }  // namespace dalembert

@@ -96,6 +96,7 @@ class Solver {
   virtual double load_factor() const { return 1; }
   // What has been found of constraints that follow from others; count() is zero if there are none.
   virtual const RedundantConstraints& redundant_constraints() const = 0;
+  double largest_misfit() const { return largest_misfit_; }  // that they have left open, relative to the size of the model
   double end_time() const;
 
   // ---- output ------------------------------------------------------------------------------------------------------
@@ -205,6 +206,7 @@ class Solver {
   virtual void diagnose_error_control();
   int steps_above_tolerance_ = 0;  // in a row
   bool warned_of_contradiction_ = false;
+  double largest_misfit_ = 0;
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
 
