@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any
 
 import numpy as np
@@ -44,6 +45,31 @@ def as_number(name: str, value: Any, negative: bool = True) -> float:
     if not np.isfinite(number) or (number < 0 and not negative):
         raise shape_error(name, expected, value)
     return number
+
+
+def as_positive(name: str, value: Any) -> float:
+    """Convert to a positive finite float; ValueError otherwise."""
+    number = as_number(name, value)
+    if number <= 0:
+        raise shape_error(name, "a positive number", value)
+    return number
+
+
+def check_integer(name: str, value: Any, low: int, high: int | None = None) -> None:
+    """Refuse what is no integer, by TypeError, or out of range."""
+    expected = f"an integer, {low} or more" if high is None else f"an integer from {low} to {high}"
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(str(shape_error(name, expected, value))) from None
+    if number < low or (high is not None and number > high):
+        raise shape_error(name, expected, value)
+
+
+def check_type(name: str, value: Any, kind: type) -> None:
+    """Refuse what is not of this type, by TypeError."""
+    if not isinstance(value, kind):
+        raise TypeError(str(shape_error(name, f"a {kind.__name__}", value)))
 
 
 def as_vector(name: str, value: Any, size: int | None = None) -> FloatArray:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 import os
 from collections.abc import Callable
 from typing import Any
@@ -10,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from dalembert import _core
-from dalembert._checks import as_number, shape_error
+from dalembert._checks import as_number, as_positive, check_integer, check_type, shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, Print
 from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution
 
@@ -206,12 +205,12 @@ def AnimateModes(
     stepsPerPeriod images, `period` seconds apart. Elsewhere the first mode, with a small amplitude, becomes the
     visualized state. ValueError without modes.
     """
-    _require("AnimateModes: systemContainer", systemContainer, _core.SystemContainer)
-    _require("AnimateModes: mainSystem", mainSystem, _core.MainSystem)
-    _require("AnimateModes: title", title, str)
-    period = _positive("AnimateModes: period", period)
-    _integer("AnimateModes: runMode", runMode, 0, 3)
-    _integer("AnimateModes: stepsPerPeriod", stepsPerPeriod, 1)
+    check_type("AnimateModes: systemContainer", systemContainer, _core.SystemContainer)
+    check_type("AnimateModes: mainSystem", mainSystem, _core.MainSystem)
+    check_type("AnimateModes: title", title, str)
+    period = as_positive("AnimateModes: period", period)
+    check_integer("AnimateModes: runMode", runMode, 0, 3)
+    check_integer("AnimateModes: stepsPerPeriod", stepsPerPeriod, 1)
     amplitude = 0.05 * as_number("AnimateModes: scaleAmplitude", scaleAmplitude)
     data = mainSystem.systemData
     base, modes = _modes(mainSystem, nodeNumber, systemEigenVectors)
@@ -256,31 +255,6 @@ def _modes(mbs: Any, nodeNumber: Any, eigenvectors: Any) -> tuple[Any, Any]:
     return np.zeros(size), np.array([mode[:size] for mode in modes])
 
 
-def _require(name: str, value: Any, kind: type) -> None:
-    """Refuse what is not of this type."""
-    if not isinstance(value, kind):
-        raise TypeError(str(shape_error(name, f"a {kind.__name__}", value)))
-
-
-def _integer(name: str, value: Any, low: int, high: int | None = None) -> None:
-    """Refuse what is no integer, or out of range."""
-    expected = f"an integer, {low} or more" if high is None else f"an integer from {low} to {high}"
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise TypeError(str(shape_error(name, expected, value))) from None
-    if number < low or (high is not None and number > high):
-        raise shape_error(name, expected, value)
-
-
-def _positive(name: str, value: Any) -> float:
-    """Return a positive number; everything else is refused."""
-    number = as_number(name, value)
-    if number <= 0:
-        raise shape_error(name, "a positive number", value)
-    return number
-
-
 def solution_of_last_simulation(mbs: Any, caller: str) -> dict[str, Any]:
     """Return the solution that the last simulation has written; ValueError if it has written none."""
     if "simulationSettings" not in mbs.sys:
@@ -312,13 +286,13 @@ def SolutionViewer(
     are shown, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2 again and again. ValueError if there is no
     solution.
     """
-    _require("SolutionViewer: mainSystem", mainSystem, _core.MainSystem)
-    _require("SolutionViewer: title", title, str)
-    timeout = _positive("SolutionViewer: timeout", timeout)
-    _integer("SolutionViewer: runMode", runMode, 0, 2)
+    check_type("SolutionViewer: mainSystem", mainSystem, _core.MainSystem)
+    check_type("SolutionViewer: title", title, str)
+    timeout = as_positive("SolutionViewer: timeout", timeout)
+    check_integer("SolutionViewer: runMode", runMode, 0, 2)
     data = solution_of_last_simulation(mainSystem, "SolutionViewer") if solution is None else solution
     check_solution("SolutionViewer", data)
-    _integer("SolutionViewer: rowIncrement", rowIncrement, 1, data["nRows"])
+    check_integer("SolutionViewer: rowIncrement", rowIncrement, 1, data["nRows"])
     from dalembert._pictures.showing import show_solution
 
     rows = {**data, "data": np.asarray(data["data"], float)[::rowIncrement]}

@@ -18,11 +18,6 @@ int cap_face(const ConvexNow& cylinder, int end) {
   return static_cast<int>(face - cylinder.normals.begin());
 }
 
-Vec3<double> any_across(const Vec3<double>& axis) {
-  const Vec3<double> across = cross(axis, std::abs(axis[0]) < 0.6 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 1, 0});
-  return (1 / norm(across)) * across;
-}
-
 // The one of least depth of those that are looked at, until one of them tells that the two are apart.
 class LeastOverlap {
  public:

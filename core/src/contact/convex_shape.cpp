@@ -17,16 +17,6 @@ double size_of(const std::vector<Vec3<double>>& points) {
   return size;
 }
 
-Vec3<double> any_across(const Vec3<double>& axis) {
-  int least = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::abs(axis[i]) < std::abs(axis[least])) least = i;
-  Vec3<double> unit;
-  unit[least] = 1;
-  const Vec3<double> across = cross(axis, unit);
-  return (1 / norm(across)) * across;
-}
-
 // Triangles in one plane make one face; its corners are sorted around their mean.
 void add_faces(const ConvexDefinition& from, ConvexShape& shape) {
   const double size = size_of(from.points);
@@ -120,6 +110,16 @@ ConvexDefinition prism_of(const ConvexDefinition& cylinder) {
 }
 
 }  // namespace
+
+Vec3<double> any_across(const Vec3<double>& axis) {
+  int least = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::abs(axis[i]) < std::abs(axis[least])) least = i;
+  Vec3<double> unit;
+  unit[least] = 1;
+  const Vec3<double> across = cross(axis, unit);
+  return (1 / norm(across)) * across;
+}
 
 void find_corner_shares(std::span<const Vec3<double>> polygon, const Vec3<double>& normal, std::vector<double>& shares) {
   const std::size_t n = polygon.size();

@@ -58,4 +58,7 @@ void find_corner_shares(std::span<const Vec3<double>> polygon, const Vec3<double
 inline constexpr int cap_points = 8;
 double cap_share(int point, double tilt);
 
+// A direction of length one across an axis.
+Vec3<double> any_across(const Vec3<double>& axis);
+
 }  // namespace dalembert
