@@ -182,11 +182,14 @@ OF_POSITIONS = (Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43)  # that
 @pytest.mark.parametrize("solver", OF_POSITIONS)
 @pytest.mark.parametrize("node", NODES)
 def test_misplaced_hinges_are_fitted_with_a_warning(node: Any, solver: Any, capfd: Any) -> None:
-    """Longer stages of ``ESDIRK43`` leave Euler parameters off unit length, where such hinges act against each other."""
+    """The closest fit halves what is misplaced, and so much are the edges apart.
+
+    Stages of ``ESDIRK43`` leave Euler parameters off unit length, where such hinges act against each other.
+    """
     aligned, misplaced = Door(node=node), Door(misplaced=1e-6, node=node)
     for door in (aligned, misplaced):
-        door.mbs.SolveDynamic(settings(2, 500 if solver == Solver.ESDIRK43 else 200), solverType=solver)
-    assert misplaced.edge() == pytest.approx(aligned.edge(), abs=1e-5)
+        door.mbs.SolveDynamic(settings(2, 200), solverType=solver)
+    assert np.abs(misplaced.edge() - aligned.edge()).max() == pytest.approx(5e-7, rel=0.02)
     told = capfd.readouterr().out
     assert told.count("contradict each other") == 1 and "'hinge 0'" in told and "'hinge 1'" in told
     assert 1e-7 < redundancy(misplaced.mbs)["misfit"] < 1e-6

@@ -258,14 +258,50 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
 }
 
 // Accelerations do not depend on which of the redundant equations hold a body; multipliers become the smallest ones. What eps leaves
-// open is closed by a second solution: the first one leaves as much as its multipliers tell, and taking off the idle part once more.
+// open is closed by a second solution.
 void ConstrainedMotion::solve(std::span<double> x) {
   factors_->solve(x);
   if (!redundant_.in_use()) return;
+  kept_.assign(x.size() - static_cast<std::size_t>(first_ae_), 0.0);
+  close_what_eps_leaves(1 + take_off_idle_solution(x), x);
+}
+
+void ConstrainedMotion::solve_increment(std::span<double> x) {
+  if (!redundant_.in_use()) return factors_->solve(x);
+  const auto multipliers = x.subspan(static_cast<std::size_t>(first_ae_));
+  kept_.resize(multipliers.size(), 0.0);
+  for (std::size_t k = 0; k < kept_.size(); ++k) multipliers[k] -= kept_[k];
+  factors_->solve(x);
+  close_what_eps_leaves(1 + take_off_idle_solution(x), x);
+}
+
+// Factors may be those of a state in which joints are further apart than at ends of steps, where what is idle elsewhere exerts forces: one solution
+// leaves a part of it. What the idle part would have closed is kept.
+int ConstrainedMotion::take_off_idle_solution(std::span<double> x) {
+  constexpr int most_passes = 8;
+  constexpr double harmless_share = 1e-4;
+  const auto multipliers = x.subspan(static_cast<std::size_t>(first_ae_));
+  double first = 0;
+  for (int pass = 1;; ++pass) {
+    const std::vector<double> before(multipliers.begin(), multipliers.end());
+    redundant_.take_off_idle_solution(*factors_, x);
+    double open = 0;
+    for (const int k : redundant_.rows()) {
+      const auto i = static_cast<std::size_t>(k);
+      const double gap = redundant_.left_open(k, before[i] - multipliers[i]);
+      kept_[i] -= gap;
+      open = std::max(open, std::abs(gap) / redundant_.unit(k));
+    }
+    if (pass == 1) first = open;
+    if (pass == most_passes || open <= std::max(RedundantConstraints::round_off_of_gaps, harmless_share * first)) return pass;
+  }
+}
+
+// As much as its multipliers tell, and as much again for each solution by which the idle part has been taken off.
+void ConstrainedMotion::close_what_eps_leaves(int times, std::span<double> x) {
   const auto first = static_cast<std::size_t>(first_ae_);
-  redundant_.take_off_idle_solution(*factors_, x);
   rest_.assign(x.size(), 0.0);
-  for (const int k : redundant_.rows()) rest_[first + k] = -2 * redundant_.left_open(k, x[first + k]);
+  for (const int k : redundant_.rows()) rest_[first + k] = -times * redundant_.left_open(k, x[first + k]);
   factors_->solve(rest_);
   redundant_.take_off_idle_solution(*factors_, rest_);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += rest_[i];

@@ -352,11 +352,12 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::iterate(int stage, i
   State& now = current();
   const double enough = it.automaticStepSize ? part_of_tolerance : 1;
   double last = 0;
+  motion_.begin_iterations();
   for (int k = 1; k <= most; ++k) {
     evaluate_residual();
     {
       const TimedPart time(timer, timer.newtonIncrement);
-      motion_.solve(x_);
+      motion_.solve_increment(x_);
     }
     subtract(system(), now.a, 1, x_.data());
     subtract(system(), now.y_t, 1, x_.data() + sizes_.ode2);

@@ -30,6 +30,10 @@ class ConstrainedMotion {
   int factorize_around_matrix(System& system, const State& state, const Conditions& conditions, double step = 0);
   // Of all unknowns; [Q, 0, right-hand sides of the constraints] becomes [a, 0, lambda].
   void solve(std::span<double> x);
+  // The same for an increment of Newton's method. What no motion closes of the second derivatives of gaps would make multipliers larger in each
+  // iteration: the first ones find it, and the next ones do without.
+  void begin_iterations() { kept_.clear(); }
+  void solve_increment(std::span<double> x);
   // With the forces Q in `a`, which become accelerations.
   void accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a, std::span<double> lambda);
   // Where the position at the start is a singular one, which shows a moment later, many accelerations fulfil the constraints: the ones that the
@@ -65,6 +69,9 @@ class ConstrainedMotion {
   void add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap);
   // Solutions for right-hand sides of the constraints alone; returns the part of the coordinates.
   std::span<const double> move(std::span<const double> gaps);
+  // Returns how many solutions it has taken.
+  int take_off_idle_solution(std::span<double> x);
+  void close_what_eps_leaves(int times, std::span<double> x);
 
   LinearSolverType type_ = LinearSolverType::EXUdense;
   LinearSolverOptions options_;
@@ -78,7 +85,7 @@ class ConstrainedMotion {
   double examined_at_ = 0;  // time
   double largest_misfit_ = 0;
   std::unique_ptr<LinearSolver> factors_;
-  std::vector<double> matrix_, part_, x_, rest_;
+  std::vector<double> matrix_, part_, x_, rest_, kept_;
   std::vector<char> of_velocities_, driven_;
   RedundantConstraints redundant_;
 };
