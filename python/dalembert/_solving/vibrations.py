@@ -14,7 +14,7 @@ from dalembert._solving.diagnosis import SolverError
 from dalembert._solving.quiet import assemble_if_needed
 
 _NAME = "ComputeVibrationModes"
-_DENSE = 600  # numbers of the first order system up to which all eigenvalues are computed
+_DENSE = 250  # numbers of the first order system up to which all eigenvalues are computed
 _SHIFT = 1e-5  # of the largest frequency: rigid motions are no singularity, and the lowest frequencies come first
 _LEAST_SHIFT = 1e-7  # the square of this is above round-off, so that they still are none
 _ITERATIONS = 30
