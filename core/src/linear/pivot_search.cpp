@@ -12,6 +12,8 @@ namespace {
 constexpr int small_front = 16;
 // Where singular matrices are allowed, what is smaller than this part of the column of the matrix is round-off.
 constexpr double round_off = 1e-14;
+// Inverses of triangles that solutions multiply by are exact to so many times the round-off of their entries.
+constexpr double harmless_ratio = 1e3;
 
 // One front as a square matrix; the first `candidates` rows and columns are complete and may be eliminated.
 class DenseFront {
@@ -22,17 +24,13 @@ class DenseFront {
 
   double& at(int row, int column) { return values_[static_cast<std::size_t>(column) * length_ + row]; }
 
-  // `usable(row, column, size, below)`: acceptable as pivot, `below` being the largest entry that is left to the parent.
+  // `usable(row, column, size, below)`: acceptable as pivot, `below` being the largest entry that is left to the parent. `tiny_last`: those that
+  // are tiny beside their rows.
   template <class Usable>
-  void eliminate(Usable&& usable, const FrontKernels& kernels) {
-    if (candidates_ <= small_front || !eliminate_in_order(usable, kernels)) {
-      // Columns that fail are tried again once another pivot has been found.
-      for (int before = -1; before < pivots_ && pivots_ < candidates_;) {
-        before = pivots_;
-        for (int end = candidates_; pivots_ < end;) {
-          if (!eliminate_next(usable)) exchange_columns(pivots_, --end);
-        }
-      }
+  void eliminate(Usable&& usable, const FrontKernels& kernels, bool tiny_last) {
+    if (candidates_ <= small_front || !eliminate_in_order(usable, kernels, tiny_last)) {
+      if (tiny_last) eliminate_all(usable, true);
+      eliminate_all(usable, false);
     }
     kernels.eliminate(values_.data(), pivots_, length_, column(candidates_), size_ - candidates_);
   }
@@ -46,11 +44,12 @@ class DenseFront {
 
   // Without exchanges. False, and nothing has happened, if one is called for.
   template <class Usable>
-  bool eliminate_in_order(Usable&& usable, const FrontKernels& kernels) {
+  bool eliminate_in_order(Usable&& usable, const FrontKernels& kernels, bool without_tiny) {
     const std::vector<double> before(column(0), column(candidates_));
     std::vector<double> inverse(static_cast<std::size_t>(candidates_));
     bool good = kernels.factorize(column(0), candidates_, length_, inverse.data()) <= harmless_growth;
     for (int k = 0; k < candidates_; ++k) good &= usable(rows_[k], columns_[k], 1 / std::abs(inverse[k]), 0);
+    for (int k = 0; k < candidates_ && good && without_tiny; ++k) good = !is_tiny(k, k, std::abs(at(k, k)));
     if (good) {
       pivots_ = candidates_;
     } else {
@@ -59,8 +58,26 @@ class DenseFront {
     return good;
   }
 
+  // Columns that fail are tried again once another pivot has been found.
   template <class Usable>
-  bool eliminate_next(Usable&& usable) {
+  void eliminate_all(Usable&& usable, bool without_tiny) {
+    for (int before = -1; before < pivots_ && pivots_ < candidates_;) {
+      before = pivots_;
+      for (int end = candidates_; pivots_ < end;) {
+        if (!eliminate_next(usable, without_tiny)) exchange_columns(pivots_, --end);
+      }
+    }
+  }
+
+  // Beside what is in its row behind column k.
+  bool is_tiny(int row, int k, double pivot) {
+    double largest = 0;
+    for (int j = k + 1; j < candidates_; ++j) largest = std::max(largest, std::abs(at(row, j)));
+    return harmless_ratio * pivot < largest;
+  }
+
+  template <class Usable>
+  bool eliminate_next(Usable&& usable, bool without_tiny) {
     const int k = pivots_;
     double* c = column(k);
     int best = k;
@@ -72,7 +89,7 @@ class DenseFront {
       }
     }
     for (int i = candidates_; i < size_; ++i) below = std::max(below, std::abs(c[i]));
-    if (!usable(rows_[best], columns_[k], largest, below)) return false;
+    if (!usable(rows_[best], columns_[k], largest, below) || (without_tiny && is_tiny(best, k, largest))) return false;
     exchange_rows(k, best);
     const double inverse = 1 / c[k];
     for (int i = k + 1; i < size_; ++i) c[i] *= inverse;
@@ -110,7 +127,8 @@ class Search {
          const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options, const FrontKernels& kernels)
       : tree_(tree), values_(values), scaling_(scaling), smallest_ratio_(smallest_ratio), kernels_(kernels),
         entries_(pattern, tree), waiting_(tree.size()), row_place_(pattern.size()), column_place_(pattern.size()),
-        threshold_(options.pivot_threshold), smallest_(pattern.size(), 0.0), ignore_singular_(options.ignore_singular) {
+        threshold_(options.pivot_threshold), smallest_(pattern.size(), 0.0), ignore_singular_(options.ignore_singular),
+        tiny_last_(!options.tiny_diagonal.empty()) {
     if (!options.ignore_singular) return;
     for (int j = 0; j < pattern.size(); ++j) {
       double largest = 0;
@@ -134,7 +152,7 @@ class Search {
             return pivot >= smallest_ratio_ * below && pivot > smallest_[column] &&
                    pivot > threshold_ * scaling_.row(row) * scaling_.column(column);
           },
-          kernels_);
+          kernels_, tiny_last_);
       const int parent = tree_[f].parent;
       fronts_.push_back(front.take_order());
       if (parent < 0 && front.left() > 0 && !ignore_singular_) {
@@ -205,7 +223,7 @@ class Search {
   std::vector<int> row_place_, column_place_;     // in the front that is being assembled
   double threshold_;
   std::vector<double> smallest_;
-  bool ignore_singular_;
+  bool ignore_singular_, tiny_last_;
 };
 
 }  // namespace
