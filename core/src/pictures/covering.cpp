@@ -8,14 +8,6 @@
 namespace dalembert {
 namespace {
 
-// Where an edge is at a row; its end points come in one order, so that neighbours agree on every sample between them.
-struct Edge {
-  Edge() = default;
-  Edge(Point a, Point b) : begin(a.y), x(a.x), slope(b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0) {}
-  float at(float row) const { return x + (row - begin) * slope; }
-  float begin = 0, x = 0, slope = 0;
-};
-
 // A quantity that is linear over a triangle: its value in the middle of sample 0, 0, and its steps.
 template <class T>
 struct Linear {
@@ -26,19 +18,27 @@ struct Linear {
 // One component of a quantity that is linear over a triangle, at four places.
 DALEMBERT_INLINE inline Four component(const Linear<Four>& q, int i, Four x, Four y) { return four(q.value[i]) + x * four(q.dx[i]) + y * four(q.dy[i]); }
 
-constexpr Four square_x{0, 1, 0, 1}, square_y{0, 0, 1, 1};
+constexpr Four steps{0, 1, 2, 3};
 
-// The middle of those samples of a square that are won, by their bits.
-struct Middle {
-  float x, y;
+// In which order three points come from above, by which of them are before which.
+constexpr std::array<std::array<std::uint8_t, 3>, 8> orders{{{2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {}, {}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2}}};
+DALEMBERT_INLINE inline std::size_t is_before(Point a, Point b) {
+  return static_cast<std::size_t>(a.y < b.y) | (static_cast<std::size_t>(a.y == b.y) & static_cast<std::size_t>(a.x < b.x));
+}
+
+// Of those samples of a square that are won, by their bits: their middle, and which they are.
+struct Won {
+  float x = 0, y = 0;
+  std::array<std::int32_t, 4> flags{};
 };
-constexpr std::array<Middle, 16> middles = [] {
-  std::array<Middle, 16> result{};
+constexpr std::array<Won, 16> squares = [] {
+  std::array<Won, 16> result{};
   for (std::size_t won = 1; won < 16; ++won) {
     float count = 0;
     for (std::size_t k = 0; k < 4; ++k) {
       if ((won >> k & 1) == 0) continue;
       count += 1, result[won].x += static_cast<float>(k % 2), result[won].y += static_cast<float>(k / 2);
+      result[won].flags[k] = -1;
     }
     result[won].x /= count, result[won].y /= count;
   }
@@ -47,26 +47,28 @@ constexpr std::array<Middle, 16> middles = [] {
 
 }  // namespace
 
-// Between which samples of a row a triangle lies: one of its edges passes all of its rows, the other two share them.
+// Between which samples of a row a triangle lies: one of its edges passes all of its rows, the other two share them. End points of edges
+// come in one order, so that neighbours agree on every sample between them.
 class Picture::Sides {
  public:
-  explicit Sides(const Three& v) {
-    std::array<Point, 3> p{v[0].place, v[1].place, v[2].place};
-    const auto order = [&p](std::size_t i, std::size_t j) {
-      if (std::pair(p[j].y, p[j].x) < std::pair(p[i].y, p[i].x)) std::swap(p[i], p[j]);
-    };
-    order(0, 1), order(1, 2), order(0, 1);
-    low = p[0].y, high = p[2].y, middle_ = p[1].y;
-    long_ = Edge(p[0], p[2]), upper_ = Edge(p[0], p[1]), lower_ = Edge(p[1], p[2]);
+  explicit Sides(const Corners& v) {
+    const Point &a = v[0]->place, &b = v[1]->place, &c = v[2]->place;
+    const auto order = orders[is_before(a, b) | is_before(b, c) << 1 | is_before(a, c) << 2];
+    const Point &first = v[order[0]]->place, &second = v[order[1]]->place, &third = v[order[2]]->place;
+    low = first.y, high = third.y, middle_ = second.y;
+    x_ = Four{first.x, first.x, second.x}, y_ = Four{first.y, first.y, second.y};
+    const Four dx = Four{third.x, second.x, third.x} - x_, dy = Four{third.y, second.y, third.y} - y_;
+    slope_ = dy > four(0.0f) ? dx / dy : four(0.0f);
   }
-  std::pair<float, float> at(float row) const {
-    const float a = long_.at(row), b = row < middle_ ? upper_.at(row) : lower_.at(row);
-    return std::minmax(a, b);
+  DALEMBERT_INLINE std::pair<Four, Four> at(Four rows) const {
+    const auto edge = [&](int i) { return four(x_[i]) + (rows - four(y_[i])) * four(slope_[i]); };
+    const Four a = edge(0), b = rows < four(middle_) ? edge(1) : edge(2);
+    return {b < a ? b : a, b < a ? a : b};
   }
   float low, high;
 
  private:
-  Edge long_, upper_, lower_;
+  Four x_, y_, slope_;  // of the long edge, and of the upper and the lower one of the others
   float middle_;
 };
 
@@ -88,17 +90,18 @@ class Picture::Plan {
   float x1_, y1_, x2_, y2_, scale_;
 };
 
-// The samples of a row between the edges of a triangle: the first one, and the one after the last.
-DALEMBERT_INLINE inline std::pair<int, int> Picture::span(const Sides& sides, int row) const {
-  const auto [left, right] = sides.at(static_cast<float>(row) + 0.5f);
-  return {first_sample(left, columns_), first_sample(right, columns_)};
+// The samples of four rows between the edges of a triangle: the first one of each, and the one after the last.
+DALEMBERT_INLINE inline std::pair<Four, Four> Picture::spans(const Sides& sides, Four rows) const {
+  const auto [left, right] = sides.at(rows + four(0.5f));
+  const Four end = four(static_cast<float>(columns_));
+  return {first_samples(left, end), first_samples(right, end)};
 }
 
 // The samples of a triangle, pixel by pixel. Those that it wins in a pixel are shaded at once, in their middle, which is inside of it:
 // shade(x, y) gives color and normal at four places.
 template <class Shade>
-void Picture::cover(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade) {
-  const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
+void Picture::cover(const Corners& v, const Plan& plan, std::int32_t item, Shade&& shade) {
+  const auto near = plan.linear(v[0]->place.z, v[1]->place.z, v[2]->place.z);
   const Sides sides(v);
   const int end = first_sample(sides.high, rows_);
   std::array<std::size_t, 64> won;  // at most eight samples in each direction
@@ -106,11 +109,13 @@ void Picture::cover(const Three& v, const Plan& plan, std::int32_t item, Shade&&
   for (int row = first_sample(sides.low, rows_); row < end;) {
     const int first = row, stop = std::min(row - row % samples_ + samples_, end);
     int left = columns_, right = 0;
-    for (; row < stop; ++row) {
-      const auto [b, e] = span(sides, row);
-      begins[static_cast<std::size_t>(row - first)] = b, ends[static_cast<std::size_t>(row - first)] = e;
-      if (b < e) left = std::min(left, b), right = std::max(right, e);
+    for (; row < stop; row += 4) {
+      const auto [b, e] = spans(sides, four(static_cast<float>(row)) + steps);
+      store(whole(b), &begins[static_cast<std::size_t>(row - first)]), store(whole(e), &ends[static_cast<std::size_t>(row - first)]);
     }
+    row = stop;
+    for (std::size_t j = 0; j < static_cast<std::size_t>(stop - first); ++j)
+      if (begins[j] < ends[j]) left = std::min(left, begins[j]), right = std::max(right, ends[j]);
     for (int column = left - left % samples_; column < right; column += samples_) {
       std::size_t count = 0;
       int x_sum = 0, y_sum = 0;
@@ -135,89 +140,114 @@ void Picture::cover(const Three& v, const Plan& plan, std::int32_t item, Shade&&
   }
 }
 
-// The same with two samples in each direction, all four of a pixel side by side, and four pixels shaded together.
+// Pixels that wait for their color and normal.
+struct Picture::Unshaded {
+  static constexpr std::size_t most = 64;
+  std::size_t count = 0;
+  std::array<std::size_t, most> places;
+  std::array<std::uint32_t, most> samples;  // which of them, by their bits
+  std::array<float, most + 3> xs, ys;
+};
+
+// Not inlined: it would take registers from the loops that find pixels.
 template <class Shade>
-void Picture::cover_squares(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade) {
-  const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
-  const Sides sides(v);
-  const int first = first_sample(sides.low, rows_), end = first_sample(sides.high, rows_);
-  constexpr std::size_t most = 32;
-  std::array<std::size_t, most> places;  // of pixels that wait for their color
-  std::array<std::uint32_t, most> samples;
-  std::array<float, most> xs, ys;
-  std::size_t waiting = 0;
-  const auto shade_all = [&] {
-    for (std::size_t i = waiting; i % 4 != 0; ++i) xs[i] = xs[waiting - 1], ys[i] = ys[waiting - 1];
-    for (std::size_t i = 0; i < waiting; i += 4) {
-      const auto [color, normal] = shade(load_row<Four>(&xs[i]), load_row<Four>(&ys[i]));
-      for (std::size_t j = 0; j < 4 && i + j < waiting; ++j) {
-        const std::size_t k = places[i + j], below = k + static_cast<std::size_t>(columns_);
-        const FourWhole won = (four(static_cast<std::int32_t>(samples[i + j])) & FourWhole{1, 2, 4, 8}) != FourWhole{};
-        const auto keep = [&](std::uint32_t* to, std::int32_t value) {
-          store_square(won ? four(value) : load_square<FourWhole>(to + k, to + below), to + k, to + below);
-        };
-        keep(color_.data(), color[j]), keep(normal_.data(), normal[j]);
-      }
-    }
-    waiting = 0;
-  };
-  for (int row = first & ~1; row < end; row += 2) {
-    const auto [b0, e0] = row >= first ? span(sides, row) : std::pair(columns_, 0);
-    const auto [b1, e1] = row + 1 < end ? span(sides, row + 1) : std::pair(columns_, 0);
-    const int left = std::min(b0, b1) & ~1, right = std::max(e0, e1);
-    const FourWhole begins{b0, b0, b1, b1}, ends{e0, e0, e1, e1};
-    const Four y = four(static_cast<float>(row)) + square_y;
-    const std::size_t start = row_start(row);
-    for (int column = left; column < right; column += 2) {
-      const Four x = four(static_cast<float>(column)) + square_x;
-      const FourWhole columns = whole(x);
-      const std::size_t k = start + static_cast<std::size_t>(column), below = k + static_cast<std::size_t>(columns_);
-      const Four known = load_square<Four>(&depth_[k], &depth_[below]);
-      const Four n = near.value + x * near.dx + y * near.dy;
-      const FourWhole won = (columns >= begins) & (columns < ends) & (n > known);
-      const std::uint32_t which = bits(won);
-      if (which == 0) continue;
-      store_square(won ? n : known, &depth_[k], &depth_[below]);
-      store_square(won ? four(item) : load_square<FourWhole>(&item_[k], &item_[below]), &item_[k], &item_[below]);
-      places[waiting] = k, samples[waiting] = which;
-      xs[waiting] = static_cast<float>(column) + middles[which].x, ys[waiting] = static_cast<float>(row) + middles[which].y;
-      if (++waiting == most) shade_all();
+[[gnu::noinline]] void Picture::shade_pixels(Unshaded& pixels, const Shade& shade) {
+  if (pixels.count == 0) return;
+  const std::size_t last = pixels.count - 1;  // has company: four are shaded together
+  store(four(pixels.xs[last]), &pixels.xs[last]), store(four(pixels.ys[last]), &pixels.ys[last]);
+  for (std::size_t i = 0; i < pixels.count; i += 4) {
+    const auto [color, normal] = shade(load<Four>(&pixels.xs[i]), load<Four>(&pixels.ys[i]));
+#pragma GCC unroll 4
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (i + j == pixels.count) break;
+      const std::size_t k = pixels.places[i + j];
+      const auto won = load<FourWhole>(squares[pixels.samples[i + j]].flags.data());
+      store_some(won, four(color[j]), &color_[k]), store_some(won, four(normal[j]), &normal_[k]);
     }
   }
-  if (waiting > 0) shade_all();
+  pixels.count = 0;
 }
 
-void Picture::add(const Three& v, std::int32_t item) {
-  if (!is_finite(v[0].place) || !is_finite(v[1].place) || !is_finite(v[2].place)) return;
-  const float opacity = v[0].paint[3] / v[0].weight();
+// The same with two samples in each direction, all four of a pixel side by side, and four pixels shaded together.
+template <class Shade>
+void Picture::cover_squares(const Corners& v, const Plan& plan, std::int32_t item, Shade&& shade) {
+  const auto near = plan.linear(v[0]->place.z, v[1]->place.z, v[2]->place.z);
+  const Sides sides(v);
+  const Four limits = first_samples(Four{sides.low, sides.high}, four(static_cast<float>(rows_)));
+  const int first = static_cast<int>(limits[0]), end = static_cast<int>(limits[1]);
+  constexpr int most = static_cast<int>(Unshaded::most);
+  Unshaded pixels;
+  float* const depth = depth_.data();
+  std::int32_t* const items = item_.data();
+  for (int begin = first & ~1; begin < end; begin += 4) {
+    const Four rows = four(static_cast<float>(begin)) + steps;
+    const FourWhole are_inside = (rows >= four(static_cast<float>(first))) & (rows < four(static_cast<float>(end)));
+    auto [begins, ends] = spans(sides, rows);
+    begins = chosen(are_inside, begins, four(static_cast<float>(columns_))), ends = chosen(are_inside, ends, Four{});
+    for (int row = begin; row < std::min(begin + 4, end); row += 2) {
+      const Four b = __builtin_shufflevector(begins, begins, 0, 0, 1, 1), e = __builtin_shufflevector(ends, ends, 0, 0, 1, 1);
+      const Four down = (four(static_cast<float>(row)) + Four{0, 0, 1, 1}) * four(near.dy);
+      begins = __builtin_shufflevector(begins, begins, 2, 3, 2, 3), ends = __builtin_shufflevector(ends, ends, 2, 3, 2, 3);
+      const int left = static_cast<int>(std::min(b[0], b[2])) & ~1, right = static_cast<int>(std::max(e[0], e[2]));
+      for (int from = left; from < right; from += 2 * most) {
+        const int stop = std::min(from + 2 * most, right);
+        if (pixels.count + static_cast<std::size_t>(stop - from + 1) / 2 > Unshaded::most) shade_pixels(pixels, shade);
+        Four columns = four(static_cast<float>(from)) + Four{0, 1, 0, 1};
+        std::size_t k = row_start(row) + 2 * static_cast<std::size_t>(from);
+        for (int column = from; column < stop; column += 2, columns += four(2.0f), k += 4) {
+          const auto known = load<Four>(depth + k);
+          const Four n = four(near.value) + columns * four(near.dx) + down;
+          const FourWhole won = (columns >= b) & (columns < e) & (n > known);
+          const std::uint32_t which = bits(won);
+          if (which == 0) continue;
+          store(chosen(won, n, known), depth + k);
+          store_some(won, four(item), items + k);
+          const std::size_t i = pixels.count++;
+          pixels.places[i] = k, pixels.samples[i] = which;
+          pixels.xs[i] = static_cast<float>(column) + squares[which].x, pixels.ys[i] = static_cast<float>(row) + squares[which].y;
+        }
+      }
+    }
+  }
+  shade_pixels(pixels, shade);
+}
+
+void Picture::add(const Corners& v, std::int32_t item) {
+  const float opacity = v[0]->paint[3] / v[0]->weight();
   if (opacity < 0.999f) {
-    if (opacity > 0.001f) sheets_.push_back({v, v[0].place.z + v[1].place.z + v[2].place.z, item});
+    if (opacity > 0.001f) sheets_.push_back({{*v[0], *v[1], *v[2]}, v[0]->place.z + v[1]->place.z + v[2]->place.z, item});
     return;
   }
-  const Plan plan(v[0].place, v[1].place, v[2].place);
+  const Plan plan(v[0]->place, v[1]->place, v[2]->place);
   const auto covered = [&](auto&& shade) { samples_ == 2 ? cover_squares(v, plan, item, shade) : cover(v, plan, item, shade); };
-  const bool has_one_color = v[0].color == v[1].color && v[0].color == v[2].color;
-  const auto color = four(static_cast<std::int32_t>(v[0].color));
-  const auto paints = plan.linear(v[0].paint, v[1].paint, v[2].paint);
-  const auto color_at = [&](Four x, Four y, Four weight) {
-    return packed(component(paints, 0, x, y) / weight, component(paints, 1, x, y) / weight, component(paints, 2, x, y) / weight) |
-           four(static_cast<std::int32_t>(to_be_lit));
+  const bool has_one_color = v[0]->color == v[1]->color && v[0]->color == v[2]->color;
+  const auto color = four(static_cast<std::int32_t>(v[0]->color));
+  const auto paints = plan.linear(v[0]->paint, v[1]->paint, v[2]->paint);
+  const bool is_parallel = perspective_ == 0;  // all weights are one
+  const auto color_at = [&](Four x, Four y, const auto& weight_at) {
+    Four r = component(paints, 0, x, y), g = component(paints, 1, x, y), b = component(paints, 2, x, y);
+    if (!is_parallel) {
+      const Four weight = weight_at(x, y);
+      r /= weight, g /= weight, b /= weight;
+    }
+    return packed(r, g, b) | four(static_cast<std::int32_t>(to_be_lit));
   };
-  if (bits((v[0].normal == v[1].normal) & (v[0].normal == v[2].normal)) == 15) {  // flat, seen from far away: one normal for all of it
-    const Four n = v[0].normal, weight = four(v[0].weight());
+  if (bits((v[0]->normal == v[1]->normal) & (v[0]->normal == v[2]->normal)) == 15) {  // flat, seen from far away: one normal for all of it
+    const Four n = v[0]->normal;
     const FourWhole normal = packed_normal(four(n[0]), four(n[1]), four(n[2]));
     if (has_one_color)
       covered([&](Four, Four) { return std::pair(color, normal); });
     else
-      covered([&](Four x, Four y) { return std::pair(color_at(x, y, weight), normal); });
+      covered([&](Four x, Four y) { return std::pair(color_at(x, y, [&](Four, Four) { return four(n[3]); }), normal); });
     return;
   }
-  const auto normals = plan.linear(v[0].normal, v[1].normal, v[2].normal);
+  const auto normals = plan.linear(v[0]->normal, v[1]->normal, v[2]->normal);
   const auto normal_at = [&](Four x, Four y) { return packed_normal(component(normals, 0, x, y), component(normals, 1, x, y), component(normals, 2, x, y)); };
+  const auto weight_at = [&](Four x, Four y) { return component(normals, 3, x, y); };
   if (has_one_color)
     covered([&](Four x, Four y) { return std::pair(color, normal_at(x, y)); });
   else
-    covered([&](Four x, Four y) { return std::pair(color_at(x, y, component(normals, 3, x, y)), normal_at(x, y)); });
+    covered([&](Four x, Four y) { return std::pair(color_at(x, y, weight_at), normal_at(x, y)); });
 }
 
 void Picture::blend(const Sheet& sheet) {
@@ -225,14 +255,14 @@ void Picture::blend(const Sheet& sheet) {
   const Plan plan(v[0].place, v[1].place, v[2].place);
   const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
   const auto normals = plan.linear(v[0].normal, v[1].normal, v[2].normal), paints = plan.linear(v[0].paint, v[1].paint, v[2].paint);
-  const Sides sides(v);
+  const Sides sides({&v[0], &v[1], &v[2]});
   const int last = first_sample(sides.high, rows_);
   for (int row = first_sample(sides.low, rows_); row < last; ++row) {
-    const auto [begin, end] = span(sides, row);
-    const std::size_t start = row_start(row);
-    for (int x = begin; x < end; ++x) {
+    const auto [begins, ends] = spans(sides, four(static_cast<float>(row)));
+    const int end = static_cast<int>(ends[0]);
+    for (int x = static_cast<int>(begins[0]); x < end; ++x) {
       const float fx = static_cast<float>(x), fy = static_cast<float>(row);
-      const std::size_t k = start + static_cast<std::size_t>(x);
+      const std::size_t k = sample(x, row);
       if (near.at(fx, fy) <= depth_[k]) continue;
       const Four n = normals.at(fx, fy), paint = paints.at(fx, fy) / four(n[3]);
       float shine = 0;

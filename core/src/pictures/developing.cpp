@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 #include "dalembert/pictures/picture.hpp"
 #include "points.hpp"
@@ -34,6 +35,10 @@ struct Sum {
   }
 };
 
+void write(std::uint32_t color, std::uint8_t* pixel) {
+  for (int channel = 0; channel < 3; ++channel) pixel[channel] = static_cast<std::uint8_t>(color >> 8 * channel);
+}
+
 }  // namespace
 
 // How bright a surface is; `shine` is what it reflects besides.
@@ -50,24 +55,20 @@ float Picture::strength(const Point& normal, float& shine) const {
   return bright;
 }
 
-// The same for two samples in each direction, all four at once.
-bool Picture::join_square(std::size_t first) {
-  const std::size_t below = first + static_cast<std::size_t>(columns_);
-  const auto colors = load_square<FourWhole>(&color_[first], &color_[below]), normals = load_square<FourWhole>(&normal_[first], &normal_[below]);
-  const FourWhole x = (normals << 16) >> 16, y = normals >> 16, dx = x - four(x[0]), dy = y - four(y[0]), limit = four(alike);
-  if (bits((colors < FourWhole{}) & (dx <= limit) & (dx >= -limit) & (dy <= limit) & (dy >= -limit)) != 15) return false;
-  Sum color;
-  color.add(colors);
-  color_[first] = color.mean(4) | to_be_lit;
-  normal_[first] = (static_cast<std::uint32_t>(sum_of(x) / 4) & 0xffff) | static_cast<std::uint32_t>(sum_of(y) / 4) << 16;
-  return true;
-}
-
 // Whether all samples of a pixel are to be lit, and their normals differ so little that one light will do for all of them; they have the
 // mean of their colors and normals then. Samples: per direction, if it is known at compile time; 0: it is not.
 template <int Samples>
 bool Picture::join(std::size_t first) {
-  if constexpr (Samples == 2) return join_square(first);
+  if constexpr (Samples == 2) {
+    const auto colors = load<FourWhole>(&color_[first]), normals = load<FourWhole>(&normal_[first]);
+    const FourWhole x = (normals << 16) >> 16, y = normals >> 16, dx = x - four(x[0]), dy = y - four(y[0]), limit = four(alike);
+    if (bits((colors < FourWhole{}) & (dx <= limit) & (dx >= -limit) & (dy <= limit) & (dy >= -limit)) != 15) return false;
+    Sum color;
+    color.add(colors);
+    color_[first] = color.mean(4) | to_be_lit;
+    normal_[first] = (static_cast<std::uint32_t>(sum_of(x) / 4) & 0xffff) | static_cast<std::uint32_t>(sum_of(y) / 4) << 16;
+    return true;
+  }
   const int samples = Samples > 0 ? Samples : samples_;
   Sum color;
   int x = 0, y = 0;
@@ -90,10 +91,9 @@ bool Picture::join(std::size_t first) {
 }
 
 // The colors of surfaces in the light, in the place of their own: four side by side, each as `strength` has it for one.
-void Picture::light_surfaces() {
+void Picture::light_surfaces(std::size_t count) {
   const float steps = static_cast<float>(shine_.size() - 1);
-  surfaces_.resize((surfaces_.size() + 3) / 4 * 4);
-  for (std::size_t first = 0; first < surfaces_.size(); first += 4) {
+  for (std::size_t first = 0; first < count; first += 4) {
     Surface* s = surfaces_.data() + first;
     const FourWhole colors{s[0].color, s[1].color, s[2].color, s[3].color}, normals{s[0].normal, s[1].normal, s[2].normal, s[3].normal};
     const Four x = as_numbers((normals << 16) >> 16) / four(32767.0f), y = as_numbers(normals >> 16) / four(32767.0f);
@@ -118,38 +118,77 @@ void Picture::light_surfaces() {
   }
 }
 
-// All samples of a row of pixels; side by side, many have one color and normal.
+// The mean of the samples of a pixel, of which `first` is the first one.
 template <int Samples>
-void Picture::light(int pixel_row) {
+std::uint32_t Picture::mean(std::size_t first) const {
   const int samples = Samples > 0 ? Samples : samples_;
-  surfaces_.clear(), waiting_.clear();
-  const auto add = [&](std::size_t k, bool is_pixel) {
-    const Surface surface{static_cast<std::int32_t>(color_[k]), static_cast<std::int32_t>(normal_[k])};
-    if (surfaces_.empty() || !(surfaces_.back() == surface)) surfaces_.push_back(surface);
-    waiting_.push_back({k, static_cast<std::uint32_t>(surfaces_.size() - 1), is_pixel});
+  Sum sum;
+  if constexpr (Samples == 2) {
+    const auto colors = load<FourWhole>(&color_[first]);
+    if (bits(colors == four(colors[0])) == 15) return color_[first];
+    sum.add(colors);
+  } else {
+    for (int j = 0; j < samples; ++j)
+      for (int i = 0; i < samples; ++i) sum.add(color_[first + static_cast<std::size_t>(j * columns_ + i)]);
+  }
+  return sum.mean(static_cast<std::uint32_t>(samples * samples));
+}
+
+// All samples of a row of pixels, and their means; side by side, many have one color and normal. Samples keep their colors if something
+// transparent is before them.
+template <int Samples>
+void Picture::light(int pixel_row, std::uint8_t* pixels) {
+  const int samples = Samples > 0 ? Samples : samples_;
+  Surface* surface = surfaces_.data();  // the last one; before the first one is one of nothing
+  *surface = {};
+  Waiting* next = waiting_.data();
+  const auto add = [&](std::size_t k, int column, Lit lit) {
+    const Surface now{static_cast<std::int32_t>(color_[k]), static_cast<std::int32_t>(normal_[k])};
+    if (!(now == *surface)) *++surface = now;
+    *next++ = {k, static_cast<std::uint32_t>(surface - surfaces_.data()), column, lit};
   };
-  for (int column = 0; column < columns_; column += samples) {
-    const std::size_t first = row_start(pixel_row * samples) + static_cast<std::size_t>(column);
-    if constexpr (Samples == 2)
-      if (bits(load_square<FourWhole>(&color_[first], &color_[first + static_cast<std::size_t>(columns_)]) < FourWhole{}) == 0) continue;
+  for (int column = 0; column < width_; ++column) {
+    const std::size_t first = sample(column * samples, pixel_row * samples);
+    if constexpr (Samples == 2) {
+      if (bits(load<FourWhole>(&color_[first]) < FourWhole{}) == 0) {
+        write(mean<Samples>(first), pixels + 3 * column);
+        continue;
+      }
+    }
     if (join<Samples>(first)) {
-      add(first, true);
+      add(first, column, Lit::pixel);
       continue;
     }
     for (int j = 0; j < samples; ++j)
       for (int i = 0; i < samples; ++i)
-        if (const std::size_t k = first + static_cast<std::size_t>(j * columns_ + i); color_[k] >= to_be_lit) add(k, false);
+        if (const std::size_t k = sample(column * samples + i, pixel_row * samples + j); color_[k] >= to_be_lit) add(k, column, Lit::sample);
+    *next++ = {first, 0, column, Lit::all_samples};
   }
-  light_surfaces();
-  for (const Waiting& w : waiting_) {
+  light_surfaces(static_cast<std::size_t>(surface - surfaces_.data()) + 1);
+  for (const Waiting& w : std::span(waiting_.data(), next)) {
+    if (w.lit == Lit::all_samples) {
+      write(mean<Samples>(w.sample), pixels + 3 * w.column);
+      continue;
+    }
     const auto color = static_cast<std::uint32_t>(surfaces_[w.surface].color);
-    const int side = w.is_pixel ? samples : 1;
-    for (int j = 0; j < side; ++j) std::fill_n(color_.data() + w.sample + static_cast<std::size_t>(j * columns_), side, color);
+    if (w.lit == Lit::sample) {
+      color_[w.sample] = color;
+      continue;
+    }
+    write(color, pixels + 3 * w.column);
+    if (sheets_.empty()) continue;
+    for (int j = 0; j < samples; ++j)
+      for (int i = 0; i < samples; ++i) color_[sample(w.column * samples + i, pixel_row * samples + j)] = color;
   }
 }
 
 // Darken the rim of what stands before something else of another item, half a pixel wide, so that parts of one color can be told apart.
-void Picture::outline(int row) {
+void Picture::outline(int pixel_row) {
+  if (has_squares()) return outline_squares(pixel_row);
+  for (int row = pixel_row * samples_; row < (pixel_row + 1) * samples_; ++row) outline_samples(row);
+}
+
+void Picture::outline_samples(int row) {
   const int reach = std::max(1, samples_ / 2 + samples_ % 2);
   if (row < reach || row >= rows_ - reach) return;
   const std::int32_t* item = item_.data() + row_start(row);
@@ -177,20 +216,37 @@ void Picture::outline(int row) {
   }
 }
 
-template <int Samples>
-void Picture::average(int pixel_row, std::uint8_t* pixels) const {
-  const int samples = Samples > 0 ? Samples : samples_;
-  const std::uint32_t* first = color_.data() + row_start(pixel_row * samples);
-  for (int x = 0; x < width_; ++x, first += samples, pixels += 3) {
-    Sum sum;
-    if constexpr (Samples == 2) {
-      sum.add(load_square<FourWhole>(first, first + columns_));
-    } else {
-      for (int j = 0; j < samples; ++j)
-        for (int i = 0; i < samples; ++i) sum.add(first[j * columns_ + i]);
+// The same for four samples of a pixel, side by side; there is no rim at the border of the picture.
+void Picture::outline_squares(int pixel_row) {
+  const std::ptrdiff_t length = 2 * columns_, up = pixel_row > 0 ? -length : 0, down = pixel_row + 1 < height_ ? length : 0;
+  const std::int32_t* item = item_.data() + row_start(2 * pixel_row);
+  const float* depth = depth_.data() + row_start(2 * pixel_row);
+  std::uint32_t* const color = color_.data() + row_start(2 * pixel_row);
+  const FourWhole inner_rows{up != 0 ? -1 : 0, up != 0 ? -1 : 0, down != 0 ? -1 : 0, down != 0 ? -1 : 0};
+  constexpr std::ptrdiff_t block = 128;  // samples
+  for (std::ptrdiff_t begin = 0; begin < length; begin += block) {
+    const std::ptrdiff_t end = std::min(begin + block, length);
+    const std::int32_t* const from = item + std::max<std::ptrdiff_t>(begin - 4, 0);
+    const std::ptrdiff_t count = item + std::min(end + 4, length) - from;
+    FourWhole others{};  // zero: all around are of one item, as nearly everywhere
+    const FourWhole one = four(from[0]);
+    for (std::ptrdiff_t k = 0; k < count; k += 4)
+      others |= (load<FourWhole>(from + k) ^ one) | (load<FourWhole>(from + up + k) ^ one) | (load<FourWhole>(from + down + k) ^ one);
+    if (bits(others == FourWhole{}) == 15) continue;
+    for (std::ptrdiff_t k = begin; k < end; k += 4) {
+      const std::ptrdiff_t left = k > 0 ? k - 4 : k, right = k + 4 < length ? k + 4 : k;
+      const auto items = load<FourWhole>(item + k);
+      const auto depths = load<Four>(depth + k);
+      const auto behind = [&](FourWhole other, Four nearness) { return (other != items) & (nearness < depths); };
+      const FourWhole rim =
+          behind(__builtin_shufflevector(load<FourWhole>(item + left), items, 1, 4, 3, 6), __builtin_shufflevector(load<Four>(depth + left), depths, 1, 4, 3, 6)) |
+          behind(__builtin_shufflevector(items, load<FourWhole>(item + right), 1, 4, 3, 6), __builtin_shufflevector(depths, load<Four>(depth + right), 1, 4, 3, 6)) |
+          behind(__builtin_shufflevector(load<FourWhole>(item + up + k), items, 2, 3, 4, 5), __builtin_shufflevector(load<Four>(depth + up + k), depths, 2, 3, 4, 5)) |
+          behind(__builtin_shufflevector(items, load<FourWhole>(item + down + k), 2, 3, 4, 5), __builtin_shufflevector(depths, load<Four>(depth + down + k), 2, 3, 4, 5));
+      const FourWhole inner{left < k ? -1 : 0, right > k ? -1 : 0, left < k ? -1 : 0, right > k ? -1 : 0};
+      const auto colors = load<FourWhole>(color + k);
+      store_some(rim & inner & inner_rows & (colors < FourWhole{}), ((colors >> 1) & four(0x7f7f7f)) | four(static_cast<std::int32_t>(to_be_lit)), color + k);
     }
-    const std::uint32_t mean = sum.mean(static_cast<std::uint32_t>(samples * samples));
-    for (int channel = 0; channel < 3; ++channel) pixels[channel] = static_cast<std::uint8_t>(mean >> 8 * channel);
   }
 }
 
@@ -198,17 +254,20 @@ template <int Samples>
 std::vector<std::uint8_t> Picture::developed() {
   const std::size_t width = 3 * static_cast<std::size_t>(width_);
   std::vector<std::uint8_t> image(width * static_cast<std::size_t>(height_));
-  const auto averaged = [&](int pixel_row) { average<Samples>(pixel_row, image.data() + width * static_cast<std::size_t>(pixel_row)); };
-  for (int pixel_row = 0; pixel_row < height_; ++pixel_row) {
-    for (int row = pixel_row * samples_; row < (pixel_row + 1) * samples_; ++row) outline(row);
-    light<Samples>(pixel_row);
-    if (sheets_.empty()) averaged(pixel_row);  // while its samples are in the cache
+  const std::size_t most = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(samples_);  // samples of a row of pixels
+  surfaces_.resize(most + 4), waiting_.resize(most + static_cast<std::size_t>(width_));
+  std::uint8_t* pixels = image.data();
+  for (int pixel_row = 0; pixel_row < height_; ++pixel_row, pixels += width) {
+    outline(pixel_row);
+    light<Samples>(pixel_row, pixels);  // while its samples are in the cache
   }
   if (sheets_.empty()) return image;
   std::ranges::stable_sort(sheets_, {}, &Sheet::nearness);
   for (const Sheet& sheet : sheets_) blend(sheet);
   sheets_.clear();
-  for (int pixel_row = 0; pixel_row < height_; ++pixel_row) averaged(pixel_row);
+  pixels = image.data();
+  for (int pixel_row = 0; pixel_row < height_; ++pixel_row)
+    for (int column = 0; column < width_; ++column, pixels += 3) write(mean<Samples>(sample(column * samples_, pixel_row * samples_)), pixels);
   return image;
 }
 

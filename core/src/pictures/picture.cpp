@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t shine_steps = 1024;
 constexpr std::size_t beyond = 3;  // samples that four side by side may reach beyond the last one
 
+constexpr std::uint32_t turned_away = 1u << 31;  // of a triangle in the order in which they are drawn
+
 constexpr std::size_t most_kept = std::size_t{4} << 20;  // samples, of 16 bytes; the memory of larger pictures is given back
 
 }  // namespace
@@ -50,9 +52,9 @@ void Picture::exchange_memory() {
 
 void Picture::background(const Paint& top, const Paint& bottom) {
   has_background_ = true;
-  for (int row = 0; row < rows_; ++row) {
-    const float part = static_cast<float>(row / samples_) / static_cast<float>(std::max(height_ - 1, 1));
-    std::fill_n(color_.data() + row_start(row), columns_, packed(top + part * (bottom - top)));
+  for (int row = 0; row < height_; ++row) {
+    const float part = static_cast<float>(row) / static_cast<float>(std::max(height_ - 1, 1));
+    std::fill_n(color_.data() + row_start(row * samples_), columns_ * samples_, packed(top + part * (bottom - top)));
   }
 }
 
@@ -106,34 +108,42 @@ void Picture::triangles(const Mesh& mesh) {
     const float* c = mesh.colors.data() + 4 * i;
     corners[i] = {to_eye(mesh.points.data() + 3 * i), smooth ? turned(mesh.normals.data() + 3 * i) : Point{}, {c[0], c[1], c[2], c[3]}};
     vertices[i] = project(corners[i]);
-    vertices[i].inside = is_inside(corners[i].eye);
+    vertices[i].inside = is_inside(corners[i].eye) && is_finite(vertices[i].place);
   }
-  order_.resize(mesh.triangles.size() / 3);
-  std::iota(order_.begin(), order_.end(), 0u);
-  if (order_.size() >= Squares::many)
-    Squares(columns_, rows_).sort(order_, [&](std::uint32_t t) { return vertices[static_cast<std::size_t>(mesh.triangles[3 * std::size_t{t}])].place; });
-  for (const std::size_t t : order_) {
-    std::array<std::size_t, 3> index{};
-    for (std::size_t k = 0; k < 3; ++k) index[k] = static_cast<std::size_t>(mesh.triangles[3 * t + k]);
-    const Point &a = corners[index[0]].eye, &b = corners[index[1]].eye, &c = corners[index[2]].eye;
-    const Point flat = smooth ? Point{} : cross(b - a, c - a);
-    std::array<Point, 3> normals{};
-    float away = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      normals[k] = smooth ? corners[index[k]].normal : flat;
-      away += smooth || perspective_ == 0 ? normals[k].z : dot(normals[k], a + Point{0, 0, 1 / perspective_});
-    }
-    const float side = away > 0 ? -1.0f : 1.0f;
-    Three v{vertices[index[0]], vertices[index[1]], vertices[index[2]]};
-    if (v[0].inside && v[1].inside && v[2].inside) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Point normal = side * normals[k];
-        v[k].normal = v[k].weight() * Four{normal.x, normal.y, normal.z, 1};
+  const auto corner = [&](std::size_t t, std::size_t k) { return static_cast<std::size_t>(mesh.triangles[3 * t + k]); };
+  const auto flat = [&](std::size_t t) {
+    const Point a = corners[corner(t, 0)].eye;
+    return cross(corners[corner(t, 1)].eye - a, corners[corner(t, 2)].eye - a);
+  };
+  const auto faces_away = [&](std::size_t t) {
+    if (smooth) return corners[corner(t, 0)].normal.z + corners[corner(t, 1)].normal.z + corners[corner(t, 2)].normal.z > 0;
+    return (perspective_ == 0 ? flat(t).z : dot(flat(t), corners[corner(t, 0)].eye + Point{0, 0, 1 / perspective_})) > 0;
+  };
+  // Those that face away come last, as others hide many of them.
+  const std::size_t count = mesh.triangles.size() / 3;
+  order_.resize(count);
+  std::size_t facing = 0, away = count;
+  for (std::size_t t = 0; t < count; ++t) order_[faces_away(t) ? --away : facing++] = static_cast<std::uint32_t>(t);
+  std::reverse(order_.begin() + static_cast<std::ptrdiff_t>(facing), order_.end());
+  for (std::size_t i = facing; i < count; ++i) order_[i] |= turned_away;
+  if (count >= Squares::many) Squares(columns_, rows_).sort(order_, [&](std::uint32_t t) { return vertices[corner(t & ~turned_away, 0)].place; });
+  Three turned;  // corners with other normals than their vertices
+  for (const std::uint32_t entry : order_) {
+    const std::size_t t = entry & ~turned_away;
+    const float side = entry & turned_away ? -1.0f : 1.0f;
+    const std::array<std::size_t, 3> index{corner(t, 0), corner(t, 1), corner(t, 2)};
+    Corners v{&vertices[index[0]], &vertices[index[1]], &vertices[index[2]]};
+    if (v[0]->inside && v[1]->inside && v[2]->inside) {
+      if (!smooth || side < 0) {
+        turned = {*v[0], *v[1], *v[2]};
+        const Point n = smooth ? Point{} : side * flat(t);
+        for (Vertex& vertex : turned) vertex.normal = smooth ? vertex.normal * Four{-1, -1, -1, 1} : vertex.weight() * Four{n.x, n.y, n.z, 1};
+        v = {&turned[0], &turned[1], &turned[2]};
       }
       add(v, mesh.items[t]);
     } else if (!planes_.empty()) {
       std::array<Corner, 3> whole{corners[index[0]], corners[index[1]], corners[index[2]]};
-      for (std::size_t k = 0; k < 3; ++k) whole[k].normal = side * normals[k];
+      for (Corner& c : whole) c.normal = side * (smooth ? c.normal : flat(t));
       clipped(whole, mesh.items[t]);
     }
   }
@@ -157,14 +167,17 @@ void Picture::clipped(const std::array<Corner, 3>& corners, std::int32_t item) {
     }
     polygon.swap(rest);
   }
-  for (std::size_t i = 2; i < polygon.size(); ++i) add({project(polygon[0]), project(polygon[i - 1]), project(polygon[i])}, item);
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Three v{project(polygon[0]), project(polygon[i - 1]), project(polygon[i])};
+    if (std::ranges::all_of(v, [](const Vertex& corner) { return is_finite(corner.place); })) add({&v[0], &v[1], &v[2]}, item);
+  }
 }
 
 std::vector<std::int32_t> Picture::items() const {
-  const auto width = static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_), s = static_cast<std::size_t>(samples_);
-  std::vector<std::int32_t> result(width * height);
-  for (std::size_t y = 0; y < height; ++y)
-    for (std::size_t x = 0; x < width; ++x) result[y * width + x] = item_[(y * s + s / 2) * width * s + x * s + s / 2];
+  std::vector<std::int32_t> result(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  std::size_t pixel = 0;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) result[pixel++] = item_[sample(x * samples_ + samples_ / 2, y * samples_ + samples_ / 2)];
   return result;
 }
 

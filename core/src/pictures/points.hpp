@@ -48,7 +48,12 @@ inline Point unpacked(std::uint32_t normal) {
 // Points that are nowhere, or too far away for numbers of a picture, have no place in it.
 inline bool is_finite(Point a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
-// The first sample whose middle is at or behind `x`, within 0 and `end`; 0 if `x` is not a number.
-inline int first_sample(float x, int end) { return x > 0.5f ? static_cast<int>(std::min(std::ceil(x - 0.5f), static_cast<float>(end))) : 0; }
+// The first sample whose middle is at or behind `x`, within 0 and `end`; 0 if `x` is not a number. These are whole numbers.
+DALEMBERT_INLINE inline Four first_samples(Four x, Four end) {
+  const Four from = smaller(x - four(0.5f), end), below = as_numbers(whole(from));
+  const FourWhole result = reinterpret_cast<FourWhole>(below < from ? below + four(1.0f) : below) & (x > four(0.5f));
+  return reinterpret_cast<Four>(result);
+}
+inline int first_sample(float x, int end) { return static_cast<int>(first_samples(four(x), four(static_cast<float>(end)))[0]); }
 
 }  // namespace dalembert

@@ -28,30 +28,33 @@ void Picture::spheres(std::span<const double> centers, std::span<const double> r
   for (const Ball& ball : balls) sphere(ball);
 }
 
-// A disc with the depth and the normals of a sphere, four samples of a row at a time; in perspective, its outline is that of a
+// A disc with the depth and the normals of a sphere, four samples at a time, of a pixel or of a row; in perspective, its outline is that of a
 // sphere seen along its own axis.
 void Picture::sphere(const Ball& ball) {
   const auto [cx, cy, size, middle, radius, color, item] = ball;
   const float part = 1 / size, nearest = middle - radius;
   const Four front = four(nearness(nearest, 1 / (1 + perspective_ * nearest)));
-  const int begin = first_sample(cx - size, columns_), stop = first_sample(cx + size, columns_), end = first_sample(cy + size, rows_);
-  for (int row = first_sample(cy - size, rows_); row < end; ++row) {
-    const float dy = (static_cast<float>(row) + 0.5f - cy) * part;
-    const std::size_t start = row_start(row);
-    for (int x = begin; x < stop; x += 4) {
-      const std::size_t k = start + static_cast<std::size_t>(x);
-      const Four known = load_row<Four>(&depth_[k]);
+  const int begin = first_sample(cx - size, columns_), stop = first_sample(cx + size, columns_);
+  const int first = first_sample(cy - size, rows_), end = first_sample(cy + size, rows_);
+  const int wide = has_squares() ? 2 : 4, high = 4 / wide;
+  const FourWhole right = has_squares() ? FourWhole{0, 1, 0, 1} : FourWhole{0, 1, 2, 3}, down = has_squares() ? FourWhole{0, 0, 1, 1} : FourWhole{};
+  for (int row = first / high * high; row < end; row += high) {
+    const FourWhole rows = four(row) + down, are_inside = (rows >= four(first)) & (rows < four(end));
+    const Four dy = (as_numbers(rows) + four(0.5f) - four(cy)) * four(part);
+    for (int x = has_squares() ? begin & ~1 : begin; x < stop; x += wide) {
+      const std::size_t k = sample(x, row);
+      const auto known = load<Four>(&depth_[k]);
       if (bits(front > known) == 0) continue;
-      const FourWhole columns = four(static_cast<std::int32_t>(x)) + FourWhole{0, 1, 2, 3};
-      const Four dx = (as_numbers(columns) + four(0.5f - cx)) * four(part), rest = four(1 - dy * dy) - dx * dx;
+      const FourWhole columns = four(x) + right;
+      const Four dx = (as_numbers(columns) + four(0.5f - cx)) * four(part), rest = four(1.0f) - dy * dy - dx * dx;
       const Four dz = root(larger(rest, four(0.0f))), z = four(middle) - four(radius) * dz;
       const Four n = perspective_ > 0 ? four(1.0f) / (four(1.0f) + four(perspective_) * z) : -z;
-      const FourWhole won = (rest > four(0.0f)) & (columns < four(static_cast<std::int32_t>(stop))) & (n > known);
+      const FourWhole won = (rest > four(0.0f)) & are_inside & (columns >= four(begin)) & (columns < four(stop)) & (n > known);
       if (bits(won) == 0) continue;
-      const FourWhole normal = (whole(dx * four(32767.0f)) & four(std::int32_t{0xffff})) | four(static_cast<std::int32_t>(-dy * 32767) * 65536);
-      const auto keep = [&](auto* samples, FourWhole values) { store_row(won ? values : load_row<FourWhole>(samples + k), samples + k); };
-      store_row(won ? n : known, &depth_[k]);
-      keep(color_.data(), four(static_cast<std::int32_t>(color))), keep(normal_.data(), normal), keep(item_.data(), four(item));
+      store(won ? n : known, &depth_[k]);
+      store_some(won, four(static_cast<std::int32_t>(color)), &color_[k]);
+      store_some(won, (whole(dx * four(32767.0f)) & four(0xffff)) | whole(-dy * four(32767.0f)) << 16, &normal_[k]);
+      store_some(won, four(item), &item_[k]);
     }
   }
 }
@@ -72,8 +75,7 @@ void Picture::walk(Point a, Point b, float half, Write&& write) const {
     const float s = (static_cast<float>(i) + 0.5f - a.x) / run, middle = a.y + s * (b.y - a.y);
     const int side_stop = first_sample(middle + reach, side_limit);
     for (int j = first_sample(middle - reach, side_limit); j < side_stop; ++j) {
-      const auto row = static_cast<std::size_t>(flat ? j : i), column = static_cast<std::size_t>(flat ? i : j);
-      write(row * static_cast<std::size_t>(columns_) + column, a.z + s * (b.z - a.z));
+      write(flat ? sample(i, j) : sample(j, i), a.z + s * (b.z - a.z));
     }
   }
 }

@@ -23,7 +23,8 @@ class Squares {
     std::vector<std::size_t> starts(static_cast<std::size_t>(count_) + 1);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const Point place = place_of(list[i]);
-      square[i] = static_cast<std::uint32_t>(first_sample(place.y, rows_) / side * across_ + first_sample(place.x, columns_) / side);
+      const FourWhole at = whole(first_samples(Four{place.x, place.y}, Four{static_cast<float>(columns_), static_cast<float>(rows_)})) / side;
+      square[i] = static_cast<std::uint32_t>(at[1] * across_ + at[0]);
       ++starts[square[i] + 1];
     }
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
@@ -33,7 +34,7 @@ class Squares {
   }
 
  private:
-  static constexpr int side = 128;  // samples
+  static constexpr int side = 64;  // samples
 
   int columns_, rows_, across_, count_;
 };

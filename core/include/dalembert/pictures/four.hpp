@@ -22,39 +22,33 @@ DALEMBERT_INLINE inline FourWhole whole(Four a) { return __builtin_convertvector
 
 // Which lanes of a comparison hold, one bit each.
 DALEMBERT_INLINE inline std::uint32_t bits(FourWhole flags) {
+#ifdef __SSE__
+  return static_cast<std::uint32_t>(__builtin_ia32_movmskps(reinterpret_cast<Four>(flags)));
+#else
   const FourWhole b = flags & FourWhole{1, 2, 4, 8};
   using Halves [[gnu::vector_size(16)]] = std::uint64_t;
   const Halves h = reinterpret_cast<Halves>(b);
   const std::uint64_t sum = h[0] | h[1];
   return static_cast<std::uint32_t>(sum) | static_cast<std::uint32_t>(sum >> 32);
+#endif
 }
 
-// The four samples of a square: two of a row, and the two below them.
+// Four numbers that lie side by side, at any place.
 template <class V, class T>
-DALEMBERT_INLINE inline V load_square(const T* upper, const T* lower) {
-  using Halves [[gnu::vector_size(16)]] = double;
-  double a, b;
-  std::memcpy(&a, upper, sizeof a);
-  std::memcpy(&b, lower, sizeof b);
-  return reinterpret_cast<V>(Halves{a, b});
-}
-template <class V, class T>
-DALEMBERT_INLINE inline void store_square(V values, T* upper, T* lower) {
-  using Halves [[gnu::vector_size(16)]] = double;
-  const Halves h = reinterpret_cast<Halves>(values);
-  const double a = h[0], b = h[1];
-  std::memcpy(upper, &a, sizeof a);
-  std::memcpy(lower, &b, sizeof b);
-}
-
-// Four samples of a row, at any place.
-template <class V, class T>
-DALEMBERT_INLINE inline V load_row(const T* from) {
+DALEMBERT_INLINE inline V load(const T* from) {
   V values;
   std::memcpy(&values, from, sizeof values);
   return values;
 }
 template <class V, class T>
-DALEMBERT_INLINE inline void store_row(V values, T* to) { std::memcpy(to, &values, sizeof values); }
+DALEMBERT_INLINE inline void store(V values, T* to) { std::memcpy(to, &values, sizeof values); }
+// Of each lane, one of two numbers; flags: of a comparison.
+template <class V>
+DALEMBERT_INLINE inline V chosen(FourWhole flags, V yes, V no) {
+  const auto a = reinterpret_cast<FourWhole>(yes), b = reinterpret_cast<FourWhole>(no);
+  return reinterpret_cast<V>(b ^ ((a ^ b) & flags));
+}
+template <class V, class T>
+DALEMBERT_INLINE inline void store_some(FourWhole flags, V values, T* to) { store(chosen(flags, values, load<V>(to)), to); }
 
 }  // namespace dalembert

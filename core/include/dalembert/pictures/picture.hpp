@@ -86,7 +86,7 @@ class Picture {
  private:
   struct Vertex {
     Point place;  // x, y in samples, z: nearness
-    bool inside = true;  // of all planes
+    bool inside = true;  // of all planes, and at a place that there is
     std::uint32_t color = 0;
     Four normal{};  // in eye coordinates, and 1 / w, by which all of it is multiplied, as is the paint
     Four paint{};
@@ -97,8 +97,10 @@ class Picture {
     Paint paint;
   };
   using Three = std::array<Vertex, 3>;
+  using Corners = std::array<const Vertex*, 3>;
   class Sides;
   class Plan;
+  struct Unshaded;
   struct Sheet {  // a transparent triangle that waits for what is behind it
     Three corners;
     float nearness;
@@ -109,10 +111,12 @@ class Picture {
     std::int32_t color, normal;
     bool operator==(const Surface&) const = default;
   };
-  struct Waiting {  // a sample, or all of a pixel, and which surface it is
+  enum class Lit : std::uint8_t { pixel, sample, all_samples };  // at once; one of several; all of a pixel, by then, whose mean remains
+  struct Waiting {  // a sample, or the first one of a pixel, and which surface it is
     std::size_t sample;
     std::uint32_t surface;
-    bool is_pixel;
+    int column;
+    Lit lit;
   };
 
   struct Ball {
@@ -138,26 +142,35 @@ class Picture {
   float nearness(float z, float weight) const { return perspective_ > 0 ? weight : -z; }
   bool is_inside(const Point& eye) const;
   std::size_t row_start(int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_); }
+  bool has_squares() const { return samples_ == 2; }
+  // Where a sample is in memory: the four of a pixel lie side by side, upper ones first, if there are four; otherwise those of a row.
+  std::size_t sample(int column, int row) const {
+    if (!has_squares()) return row_start(row) + static_cast<std::size_t>(column);
+    return row_start(row & ~1) + static_cast<std::size_t>(2 * (column & ~1) + 2 * (row & 1) + (column & 1));
+  }
   void begin();
   void clipped(const std::array<Corner, 3>& corners, std::int32_t item);
-  void add(const Three& corners, std::int32_t item);
+  void add(const Corners& corners, std::int32_t item);
   template <class Shade>
-  void cover(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade);
+  void cover(const Corners& v, const Plan& plan, std::int32_t item, Shade&& shade);
   template <class Shade>
-  void cover_squares(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade);
-  std::pair<int, int> span(const Sides& sides, int row) const;
+  void cover_squares(const Corners& v, const Plan& plan, std::int32_t item, Shade&& shade);
+  template <class Shade>
+  void shade_pixels(Unshaded& pixels, const Shade& shade);
+  std::pair<Four, Four> spans(const Sides& sides, Four rows) const;
   void sphere(const Ball& ball);
   template <class Write>
   void walk(Point a, Point b, float half, Write&& write) const;
-  void outline(int row);
-  bool join_square(std::size_t first);
+  void outline(int pixel_row);
+  void outline_samples(int row);
+  void outline_squares(int pixel_row);
   template <int Samples>
   bool join(std::size_t first);
   template <int Samples>
-  void light(int pixel_row);
-  void light_surfaces();
+  void light(int pixel_row, std::uint8_t* pixels);
+  void light_surfaces(std::size_t count);
   template <int Samples>
-  void average(int pixel_row, std::uint8_t* pixels) const;
+  std::uint32_t mean(std::size_t first) const;
   template <int Samples>
   std::vector<std::uint8_t> developed();
   void blend(const Sheet& sheet);
@@ -178,7 +191,7 @@ class Picture {
   LargeVector<Vertex> vertices_;
   LargeVector<std::uint32_t> order_;
   bool has_background_ = false;
-  std::vector<Surface> surfaces_;   // the different ones of a row of pixels
+  std::vector<Surface> surfaces_;   // the different ones of a row of pixels, one after the other
   std::vector<Waiting> waiting_;
   std::vector<Sheet> sheets_;
 };
