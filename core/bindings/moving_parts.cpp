@@ -1,6 +1,8 @@
 // Parts of scenes that move with items, and messages for pages that tell where they are.
 #include "dalembert/pictures/moving_parts.hpp"
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include <string_view>
 
 #include "conversion.hpp"
+#include "dalembert/pictures/frame_along.hpp"
 #include "item_arguments.hpp"
 #include "main_system.hpp"
 #include "picture_arrays.hpp"
@@ -110,14 +113,15 @@ class PartsOfSystem {
     head.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), time).ptr);
     head += words;
     head += R"(,"arrays":[)";
-    std::vector<const SentArray*> sent;
+    std::vector<std::pair<const SentArray*, LargeVector<float>>> sent;  // their values, if they are known already
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const SentArray& entry = entries_[i];
       if (i > 0) head += ',';
       const std::optional<bool> has_moved = asked(i, moved);
       if (!has_moved) return py::none();
       if (*has_moved) {
-        sent.push_back(&entry);
+        sent.emplace_back(&entry, std::move(now_));
+        now_.clear();
         size += entry.count * sizeof(float);
         head += R"(["f4",)" + std::to_string(entry.count) + ']';
       } else {
@@ -132,8 +136,13 @@ class PartsOfSystem {
     for (std::size_t i = 0; i < 4; ++i) first[i] = static_cast<char>(length >> (8 * i) & 255);
     bytes.add({first.data(), first.size()});
     bytes.add(head);
-    for (const SentArray* entry : sent)
-      if (!parts_.write(entry->group, entry->form, all(entry->numbers), bytes.add_floats(entry->count))) return py::none();
+    for (const auto& [entry, values] : sent) {
+      float* const to = bytes.add_floats(entry->count);
+      if (!values.empty())
+        std::ranges::copy(values, to);
+      else if (!parts_.write(entry->group, entry->form, all(entry->numbers), to))
+        return py::none();
+    }
     return bytes.take();
   }
 
@@ -143,16 +152,19 @@ class PartsOfSystem {
     return group;
   }
   // Whether an array has moved; none if it cannot be told. What has moved once is always sent: pages may have missed that it went, and that it
-  // came back.
+  // came back. If it moves for the first time, now_ has its values.
   std::optional<bool> asked(std::size_t i, py::set& moved) {
     const SentArray& entry = entries_[i];
     if (entry.count == 0) return false;
     if (moved.contains(i)) return true;
     now_.resize(entry.count);
     if (!parts_.write(entry.group, entry.form, all(entry.numbers), now_.data())) return std::nullopt;
-    if (std::ranges::equal(now_, all(entry.first))) return false;
-    moved.add(py::int_(i));
-    return true;
+    if (!std::ranges::equal(now_, all(entry.first))) {
+      moved.add(py::int_(i));
+      return true;
+    }
+    now_.clear();
+    return false;
   }
 
   const std::shared_ptr<MainSystem> main_;
@@ -164,7 +176,21 @@ class PartsOfSystem {
 }  // namespace
 
 void register_moving_parts(py::module_& module) {
-  py::class_<PartsOfSystem>(module, "_MovingParts", "Parts of a scene that move with items of a system.")
+  py::class_<PartsOfSystem> parts(module, "_MovingParts", "Parts of a scene that move with items of a system.");
+  parts.attr("kinds") = py::cast(MovingParts::frame_kinds);  // of frames, as __init__ has their numbers
+  parts.attr("stretch") = MovingParts::stretch;
+  module.def(
+      "_frame_along",
+      [](const std::array<double, 3>& axis, const std::optional<std::array<double, 3>>& across) {
+        const auto vector = [](const std::array<double, 3>& v) { return Vec3<double>{v[0], v[1], v[2]}; };
+        const auto columns = frame_along(vector(axis), across ? std::optional(vector(*across)) : std::nullopt);
+        py::array_t<double> result({3, 3});
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) result.mutable_at(i, j) = columns[static_cast<std::size_t>(j)][i];
+        return result;
+      },
+      py::arg("axis"), py::arg("across") = py::none(), "A rotation matrix whose third column is along an axis; its first one is near `across`, if given.");
+  parts
       .def(py::init<std::shared_ptr<MainSystem>, const Numbers<std::int32_t>&>(), py::arg("mbs"), py::arg("frames"))
       .def("find", &PartsOfSystem::find, py::arg("configuration"),
            "Find all frames; False if there is no such item, or a span has become much longer or shorter than at first.")

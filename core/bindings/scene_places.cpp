@@ -2,7 +2,6 @@
 #include <pybind11/numpy.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "item_arguments.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
+#include "record_watch.hpp"
 #include "system_container.hpp"
 
 namespace dalembert {
@@ -35,26 +35,8 @@ class ScenePlaces {
     if (count == 0) return py::none();
     return new_array({count, static_cast<py::ssize_t>(values_.size()) / count}, values_.data());
   }
-  // Whether items have come, gone or other parameters since the last call: a change replaces records.
-  bool changed() {
-    if (main_->model.record_changes() == record_changes_) return false;
-    record_changes_ = main_->model.record_changes();
-    bool result = false;
-    for (int k = 0; k < item_kinds; ++k) {
-      const auto kind = static_cast<ItemKind>(k);
-      auto& known = records_[static_cast<std::size_t>(k)];
-      const auto count = static_cast<std::size_t>(main_->model.count(kind));
-      result = result || known.size() != count;
-      known.resize(count);
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto& record = main_->model.item(kind, static_cast<int>(i)).record;
-        if (known[i] == record) continue;
-        known[i] = record;
-        result = true;
-      }
-    }
-    return result;
-  }
+  // Whether items have come, gone or other parameters since the last call.
+  bool changed() { return watch_.look(main_->model); }
 
  private:
   System& system(const char* method) { return main_->assembled(method); }
@@ -67,8 +49,7 @@ class ScenePlaces {
   const std::shared_ptr<MainSystem> main_;
   System::Poses poses_;
   std::vector<double> values_;
-  std::array<std::vector<std::shared_ptr<const void>>, item_kinds> records_;
-  std::uint64_t record_changes_ = ~std::uint64_t{0};
+  RecordWatch watch_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace dalembert {
 
 Shadow::Shadow(const std::shared_ptr<MainSystem>& original) : original_(original) {}
 
-Shadow::News Shadow::follow() {
+Shadow::News Shadow::follow(Tap::Part wanted) {
   News news;
   const auto original = original_.lock();
   if (!original) return news;
@@ -24,7 +24,7 @@ Shadow::News Shadow::follow() {
     version_ = version;
   }
   news.items = renew_items(*original) || news.structure;
-  news.state = assembled && follow_state(*original);
+  news.state = assembled && follow_state(*original, wanted);
   return news;
 }
 
@@ -32,20 +32,18 @@ Shadow::News Shadow::follow() {
 void Shadow::copy_items(const MainSystem& original) {
   Model model;
   for (int k = 0; k < item_kinds; ++k) {
-    const auto kind = static_cast<ItemKind>(k);
-    auto& known = records_[static_cast<std::size_t>(k)];
-    known.clear();
-    for (Item item : original.model.items(kind)) {
-      known.push_back(item.record);
+    for (Item item : original.model.items(static_cast<ItemKind>(k))) {
       item.record = bind_user_functions(*item.type, std::move(item.record), *system_);
       model.add(std::move(item));
     }
   }
+  watch_.look(original.model);
   for (const auto& source : original.model.term_sources()) model.add(std::make_shared<ContactSet>(static_cast<const ContactSet&>(*source)));
   system_->variables = original.variables;
   system_->sys = original.sys;
   system_->container = original.container;
   system_->become(std::move(model), original.consistent());
+  is_complete_ = true;  // its initial state
 }
 
 // Grows, or jumps, with what general contacts hold.
@@ -59,33 +57,23 @@ std::uint64_t Shadow::contacts_of(const MainSystem& original) {
 }
 
 bool Shadow::renew_items(const MainSystem& original) {
-  if (original.model.record_changes() == record_changes_) return false;
-  record_changes_ = original.model.record_changes();
-  bool changed = false;
-  for (int k = 0; k < item_kinds; ++k) {
-    const auto kind = static_cast<ItemKind>(k);
-    auto& known = records_[static_cast<std::size_t>(k)];
-    for (int i = 0; i < original.model.count(kind); ++i) {
-      const Item& item = original.model.item(kind, i);
-      auto& record = known[static_cast<std::size_t>(i)];
-      if (record == item.record) continue;
-      record = item.record;
-      system_->renew(kind, i, bind_user_functions(*item.type, record, *system_));
-      changed = true;
-    }
-  }
-  return changed;
+  return watch_.look(original.model, [this](ItemKind kind, int number, const Item& item) {
+    system_->renew(kind, number, bind_user_functions(*item.type, item.record, *system_));
+  });
 }
 
-bool Shadow::follow_state(MainSystem& original) {
+bool Shadow::follow_state(MainSystem& original, Tap::Part wanted) {
   State& shown = system_->system.state(ConfigurationType::Visualization);
   if (original.work != nullptr) {
-    original.tap.want();
-    return original.tap.take(shown);
+    original.tap.want(wanted);
+    const Tap::Part taken = original.tap.take(shown);
+    if (taken != Tap::Part::none) is_complete_ = taken == Tap::Part::all;
+    return taken != Tap::Part::none;
   }
+  is_complete_ = true;
   const State& state = original.system.state(ConfigurationType::Visualization);
   const bool same = state.time == shown.time && state.q == shown.q && state.v == shown.v && state.a == shown.a && state.y == shown.y &&
-                    state.lambda == shown.lambda && state.data == shown.data;
+                    state.y_t == shown.y_t && state.lambda == shown.lambda && state.data == shown.data;
   if (!same) shown = state;
   return !same;
 }
@@ -96,11 +84,14 @@ void register_shadow(py::module_& module) {
       .def_property_readonly("system", &Shadow::system)
       .def(
           "follow",
-          [](Shadow& shadow) {
-            const Shadow::News news = shadow.follow();
+          [](Shadow& shadow, bool places) {
+            const Shadow::News news = shadow.follow(places ? Tap::Part::places : Tap::Part::all);
             return py::make_tuple(news.state, news.items, news.structure);
           },
-          "Take over what has changed; tells whether that is the state, items, and which items there are.")
+          py::arg("places") = false,
+          "Take over what has changed; tells whether that is the state, items, and which items there are. With `places`, solvers are asked only for "
+          "where items are.")
+      .def_property_readonly("complete", &Shadow::complete, "Whether all of the state is known, not only where items are.")
       .def(
           "pause", [](Shadow& shadow, bool flag) { shadow.tell([flag](MainSystem& original) { original.tap.pause(flag); }); },
           py::arg("flag"), "Let the solver of the original wait between two steps, or go on.")

@@ -1,11 +1,10 @@
 // A copy of a system in which viewers evaluate what they draw, whatever solvers do to the system itself meanwhile.
 #pragma once
 
-#include <array>
 #include <memory>
-#include <vector>
 
 #include "main_system.hpp"
+#include "record_watch.hpp"
 
 namespace dalembert {
 
@@ -18,7 +17,9 @@ class Shadow {
   struct News {
     bool state = false, items = false, structure = false;
   };
-  News follow();
+  News follow(Tap::Part wanted);
+  // Whether the state is known, not only where items are.
+  bool complete() const { return is_complete_; }
   const std::shared_ptr<MainSystem>& system() const { return system_; }
   // As long as there is an original.
   template <class F>
@@ -29,14 +30,14 @@ class Shadow {
  private:
   bool renew_items(const MainSystem& original);
   void copy_items(const MainSystem& original);
-  bool follow_state(MainSystem& original);
+  bool follow_state(MainSystem& original, Tap::Part wanted);
   static std::uint64_t contacts_of(const MainSystem& original);
 
   const std::weak_ptr<MainSystem> original_;
   const std::shared_ptr<MainSystem> system_ = std::make_shared<MainSystem>();
-  std::array<std::vector<std::shared_ptr<const void>>, item_kinds> records_;  // of the original: a change replaces them
-  std::uint64_t structure_ = ~std::uint64_t{0}, version_ = 0, contacts_ = 0, record_changes_ = ~std::uint64_t{0};
-  bool assembled_ = false;
+  RecordWatch watch_;  // of the original
+  std::uint64_t structure_ = ~std::uint64_t{0}, version_ = 0, contacts_ = 0;
+  bool assembled_ = false, is_complete_ = true;
 };
 
 void register_shadow(py::module_& module);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <mutex>
 
 #include "dalembert/solvers/data.hpp"
@@ -11,16 +12,24 @@ namespace dalembert {
 
 class Tap {
  public:
+  // What viewers want of a state: where items are follows from its time, coordinates and data alone, a third of it in systems of bodies.
+  enum class Part : std::uint8_t { none, places, all };
+
   // ---- the solver's thread, which waits neither for a viewer nor for Python ---------------------------------------------
   void offer(const State& current) {
-    if (!wanted_.load(std::memory_order_relaxed)) return;
+    const Part wanted = wanted_.load(std::memory_order_relaxed);
+    if (wanted == Part::none) return;
     const double begin = SolverTimer::now();
     if (next_ == 0) next_ = begin + rarity * expected_time(current);
     if (begin < next_) return;
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock) return;
-    copy_ = current;
-    wanted_.store(false, std::memory_order_relaxed);
+    if (wanted == Part::all)
+      copy_ = current;
+    else
+      copy_.time = current.time, copy_.q = current.q, copy_.y = current.y, copy_.data = current.data;
+    part_ = wanted;
+    wanted_.store(Part::none, std::memory_order_relaxed);
     const double end = SolverTimer::now();
     filled_ = end;
     next_ = end + rarity * (end - begin);
@@ -29,21 +38,27 @@ class Tap {
   bool asks() const { return asks_.load(std::memory_order_relaxed); }
 
   // ---- a viewer's thread ------------------------------------------------------------------------------------------------
-  void want() { wanted_.store(true, std::memory_order_relaxed); }
-  // False if nothing has been offered since the last time. What was offered long ago, while pages were busy with the picture before, is
-  // left once for what comes next: it would be shown later by the time that a picture needs on its way.
-  bool take(State& target) {
+  void want(Part part) { wanted_.store(part, std::memory_order_relaxed); }
+  // What has been taken; none if nothing has been offered since the last time. What was offered long ago, while pages were busy with the
+  // picture before, is left once for what comes next: it would be shown later by the time that a picture needs on its way.
+  Part take(State& target) {
     const std::lock_guard lock(mutex_);
-    if (filled_ == 0) return false;
+    if (filled_ == 0) return Part::none;
     const bool is_old = !has_left_ && SolverTimer::now() - filled_ > old;
     filled_ = 0;
     has_left_ = is_old;
     if (is_old) {
-      want();
-      return false;
+      want(part_);
+      return Part::none;
     }
-    std::swap(target, copy_);
-    return true;
+    const bool fits = copy_.q.size() == target.q.size() && copy_.y.size() == target.y.size() && copy_.data.size() == target.data.size() &&
+                      (part_ != Part::all || copy_.lambda.size() == target.lambda.size());
+    if (!fits) return Part::none;  // left from before the system was assembled anew
+    if (part_ == Part::all)
+      std::swap(target, copy_);
+    else
+      target.time = copy_.time, target.q.swap(copy_.q), target.y.swap(copy_.y), target.data.swap(copy_.data);
+    return part_;
   }
   void pause(bool flag) { paused_.store(flag, std::memory_order_relaxed); }
   // Between two steps, the solver's thread is to do what viewers have left for it.
@@ -60,9 +75,11 @@ class Tap {
     return static_cast<double>(numbers * sizeof(double)) / 2e9;
   }
 
-  std::atomic<bool> wanted_ = false, paused_ = false, asks_ = false;
+  std::atomic<Part> wanted_ = Part::none;
+  std::atomic<bool> paused_ = false, asks_ = false;
   std::mutex mutex_;
   State copy_;
+  Part part_ = Part::none;  // which of it is known
   double filled_ = 0;  // when; 0: there is nothing to be taken
   bool has_left_ = false;
   double next_ = 0;  // of the solver's thread

@@ -96,3 +96,35 @@ def test_states_are_drawn_while_they_are_computed(SC: Any, mbs: Any) -> None:
     with Drawing(SC, mbs) as drawing:
         mbs.SolveDynamic(settings)
     assert drawing.error is None and drawing.states > 2
+
+
+def test_places_alone_are_told_and_said_to_be_so(mbs: Any) -> None:
+    """A mass that falls: its velocity follows from its place. What is asked for alone brings no velocity, and says so."""
+    mass = mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, -2])
+    mbs.Assemble()
+    shadow, seen = _core._Shadow(mbs), []
+    Shown = exu.ConfigurationType.Visualization
+
+    def look(original: Any, t: float) -> bool:
+        asks_for_places = t < 0.5
+        if shadow.follow(asks_for_places)[0]:
+            data = shadow.system.systemData
+            q, v = (data.GetODE2Coordinates(Shown)[2], data.GetODE2Coordinates_t(Shown)[2])
+            seen.append((t, shadow.complete, q, v))
+        return True
+
+    shadow.follow()
+    mbs.SetPreStepUserFunction(look)
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 100_000, 1
+    settings.timeIntegration.verboseMode = 0
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings)
+    parts = [row for row in seen if not row[1]]
+    whole = [row for row in seen if row[1] and row[0] > 0.5]
+    assert len(parts) > 2 and len(whole) > 2
+    assert all(q < 0 and v == 0 for _, _, q, v in parts)
+    assert [v for *_, v in whole] == pytest.approx([-2 * np.sqrt(-q) for _, _, q, _ in whole], rel=1e-9)
+    shadow.follow(places=True)
+    assert shadow.complete  # no solver is at work
+    assert shadow.system.GetObjectOutput(mass, exu.OutputVariableType.Velocity, Shown)[2] == pytest.approx(-2, rel=1e-9)

@@ -6,10 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "dalembert/pictures/frame_along.hpp"
+
 namespace dalembert {
 namespace {
 
-constexpr double stretch = 2.0;    // a span that becomes longer or shorter by more than that is another one
 constexpr double standing = 1e-12;  // as a frame does, up to round-off
 constexpr std::size_t markers = 2;
 
@@ -25,23 +26,15 @@ void at_place(const double* item, double* frame) {
   for (std::size_t i = 3; i < 12; i += 4) frame[i] = item[i];
 }
 
-// From one place to another: the third column reaches from one to the other; the first one is as near as it can be to the axis of space
-// that is least along it. Returns the length.
+// From one place to another: the third column reaches from one to the other. Returns the length.
 double along(const double* begin, const double* end, double* frame) {
   const Vec3<double> from{begin[3], begin[7], begin[11]}, axis = Vec3<double>{end[3], end[7], end[11]} - from;
-  const double length = std::sqrt(dot(axis, axis));
-  const Vec3<double> z = (1 / length) * axis;
-  const std::array<double, 3> size{std::abs(z[0]), std::abs(z[1]), std::abs(z[2])};
-  Vec3<double> x{0, 0, 0};
-  x[static_cast<int>(std::ranges::min_element(size) - size.begin())] = 1;
-  x = x - dot(x, z) * z;
-  x = (1 / std::sqrt(dot(x, x))) * x;
-  const Vec3<double> y = cross(z, x);
+  const auto [x, y, z] = frame_along(axis);
   for (int i = 0; i < 3; ++i) {
     double* row = frame + 4 * i;
     row[0] = x[i], row[1] = y[i], row[2] = axis[i], row[3] = from[i];
   }
-  return length;
+  return std::sqrt(dot(axis, axis));
 }
 
 void multiply(const double* a, const double* b, double* result) {
@@ -119,33 +112,35 @@ int MovingParts::add(std::span<const std::int32_t> index, std::span<const double
   return static_cast<int>(groups_.size()) - 1;
 }
 
-template <class Take>
+// take(part, rows) for all parts; false if one of the numbers that are taken, each Step-th from the First one on, is not finite.
+template <std::size_t First, std::size_t Step, class Take>
 bool MovingParts::each(const Group& group, const Take& take) const {
-  std::array<double, 12> product, sums{};  // nan, as soon as a number is not finite
+  std::array<double, 12> product;
+  std::array<double, 12 / Step> sums{};  // nan, as soon as a number is not finite
   for (std::size_t k = 0; k < group.index.size(); ++k) {
     const double* rows = at_[static_cast<std::size_t>(group.index[k])];
     if (!group.local.empty()) {
       multiply(rows, group.local.data() + 12 * k, product.data());
       rows = product.data();
     }
-    for (std::size_t j = 0; j < 12; ++j) sums[j] += 0 * rows[j];
+    for (std::size_t j = 0; j < sums.size(); ++j) sums[j] += 0 * rows[First + Step * j];
     take(k, rows);
   }
   return std::ranges::all_of(sums, [](double sum) { return sum == 0; });
 }
 
 bool MovingParts::place(int group, double* rows) const {
-  return each(groups_[static_cast<std::size_t>(group)], [rows](std::size_t k, const double* from) { std::copy_n(from, 12, rows + 12 * k); });
+  return each<0, 1>(groups_[static_cast<std::size_t>(group)], [rows](std::size_t k, const double* from) { std::copy_n(from, 12, rows + 12 * k); });
 }
 
 bool MovingParts::write(int group, Form form, std::span<const double> numbers, float* to) const {
   const Group& parts = groups_[static_cast<std::size_t>(group)];
   if (form == Form::rows)
-    return each(parts, [to](std::size_t k, const double* from) {
+    return each<0, 1>(parts, [to](std::size_t k, const double* from) {
       for (std::size_t j = 0; j < 12; ++j) to[12 * k + j] = static_cast<float>(from[j]);
     });
   const std::size_t step = MovingParts::numbers(form);
-  return each(parts, [&](std::size_t k, const double* from) {
+  return each<3, 4>(parts, [&](std::size_t k, const double* from) {
     float* const place = to + step * k;
     for (std::size_t j = 0; j < 3; ++j) place[j] = static_cast<float>(from[4 * j + 3]);
     if (form == Form::place_and_number) place[3] = static_cast<float>(numbers[k]);

@@ -237,7 +237,8 @@ def _write(connection: ServerConnection, data: bytes) -> None:
             length = b"\x7e" + size.to_bytes(2, "big")
         else:
             length = b"\x7f" + size.to_bytes(8, "big")
-        connection.transport.writelines((b"\x82" + length, data))
+        connection.transport.write(b"\x82" + length)
+        connection.transport.write(data)  # not joined with its head, which would copy it
 
 
 def _style() -> str:

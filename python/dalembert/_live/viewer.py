@@ -23,6 +23,7 @@ from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
 from dalembert._pictures import draw
 from dalembert._pictures.camera import Camera
+from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.renderer import state_of
 from dalembert._pictures.studio import Studio
@@ -77,8 +78,10 @@ class Viewer:
         self._wake, self._released, self._stopped = threading.Event(), threading.Event(), threading.Event()
         self._dirty = self._home = self._views = True
         self._paused = self._waits = False
+        self._lacks = False  # more of the states than where items are is wanted, and not known
         self._made = self._checked = self._next = 0.0
         self._known_settings = ""
+        self._interval = self._wanted_interval()
         self._complaint = ""
         self._words: dict[str, dict[str, Any]] = {}  # which pages are told of the settings, by name of what is colored
         self._seen = time.monotonic() + PATIENCE["browser"] - RETURN  # when a page was there, or is expected
@@ -179,9 +182,10 @@ class Viewer:
         self._wake.set()
 
     def _work(self) -> None:
+        self._prepare()
         while not self._stopped.is_set():
             begin, used = time.monotonic(), time.thread_time()
-            interval = self._interval()
+            interval = self._interval
             try:
                 while not self._messages.empty():
                     self._answer(*self._messages.get())
@@ -195,7 +199,17 @@ class Viewer:
                 self._wake.wait(1.0)
                 self._wake.clear()
 
-    def _interval(self) -> float:
+    def _prepare(self) -> None:
+        """Draw a first scene, so that it is there when the first page is."""
+        self._dirty, self._known_settings = False, repr(self.settings.GetDictionary())
+        try:
+            self._follow()
+            if self.studio is not None and not self._stopped.is_set():
+                self.studio.flow()
+        except Exception as error:
+            self._complain(error)
+
+    def _wanted_interval(self) -> float:
         path = "general.graphicsUpdateInterval"
         looks = Looks(self.settings)
         return SHORTEST if looks.is_default(path) else max(float(looks.setting(path)), 0.01)
@@ -212,15 +226,18 @@ class Viewer:
         """Draw what has changed; return whether anything has."""
         news = self._follow()
         self._check_now_and_then()
-        if not news and not self._dirty:
+        if not (news or self._dirty or self._views or self._lacks):
             return False
         assert self.studio is not None
-        if not (self._dirty or self._home or self._views) and (flow := self.studio.moving()) is not None:
+        if (flow := self._only_moving()) is not None:
             moved = self.stage.moved(flow)
             if moved is not None:
                 self.server.publish(self.stage.number, *moved)
                 self.pictures += 1
                 return True
+        self._lacks = not self._knows_states()
+        if self._lacks:
+            return False
         if self._dirty:
             self.studio.settings_changed()
             self._words = {}
@@ -245,13 +262,24 @@ class Viewer:
             self.server.tell({"kind": "views", "views": views.beside(self.container, self.studio, scene)})
         return True
 
+    def _only_moving(self) -> Flow | None:
+        """Return the flow if nothing but the places of items may have changed in what is drawn."""
+        if self._dirty or self._home or self._views or self._lacks or self.studio is None:
+            return None
+        return self.studio.moving()
+
+    def _knows_states(self) -> bool:
+        """Return whether all of the states is known; otherwise solvers have been asked for it."""
+        return all(shadow.complete for shadow in self.shadows)
+
     def _follow(self) -> bool:
         """Let the shadows follow their systems; return whether there is something new."""
         count = self.container.NumberOfSystems()
         changed = len(self.shadows) != count
         if changed:
             self.shadows = [_core._Shadow(self.container.GetSystem(i)) for i in range(count)]
-        news = [shadow.follow() for shadow in self.shadows]
+        places = self.selection is None and self._only_moving() is not None
+        news = [shadow.follow(places) for shadow in self.shadows]
         items, structure = any(new[1] for new in news), any(new[2] for new in news)
         now = time.monotonic()
         if changed or structure or self.studio is None or (items and now - self._made > OFTEN):
@@ -268,8 +296,9 @@ class Viewer:
         known = repr(self.settings.GetDictionary())
         if known != self._known_settings:
             self._known_settings, self._dirty = known, True
-        if self.selection is not None:
+        if self.selection is not None and self._knows_states():
             self._tell_details(*self.selection[:3])
+        self._interval = self._wanted_interval()
         self._tell_state()
 
     # ---- messages of pages
@@ -284,7 +313,7 @@ class Viewer:
             self.server.tell({"kind": "notice", "text": f"{message['kind']}: {error}"}, page)
 
     def _on_opened(self, page: int, message: dict[str, Any]) -> None:
-        self._dirty = self._views = True
+        self._views = True
         self._tell_state(page)
         if self._controls:
             self.server.tell({"kind": "controls", **self._controls, "values": self.values}, page)
@@ -343,7 +372,8 @@ class Viewer:
             self.selection = None
             return
         self.selection = (system, kind, item, float(message["depth"]))
-        self._tell_details(system, kind, item)
+        if self._knows_states():  # otherwise, soon
+            self._tell_details(system, kind, item)
 
     def _on_settings(self, page: int, message: dict[str, Any]) -> None:
         self.server.tell({"kind": "settings", "rows": keys.rows(self.settings)}, page)

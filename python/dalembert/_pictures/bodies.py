@@ -9,6 +9,7 @@ import numpy as np
 from dalembert._pictures import contour, graphics_data
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.looks import rgba
+from dalembert._pictures.meshes import Mesh
 from dalembert._pictures.pen import Pen
 
 Item = dict[str, Any]
@@ -20,7 +21,7 @@ class Bodies:
     def __init__(self, mbs: Any) -> None:
         self.mbs = mbs
         self._shapes: dict[int, list[graphics_data.Shape]] = {}
-        self._known: graphics_data.Known = {}
+        self._known = graphics_data.Known()
         self._markers: dict[int, list[int]] | None = None
 
     def shapes(self, pen: Pen, number: int, item: Item) -> list[graphics_data.Shape]:
@@ -33,6 +34,15 @@ class Bodies:
             data = self.mbs.GetObject(number, True)
             self._shapes[number] = graphics_data.shapes(data.get("VgraphicsData") or [], default, owner, self._known)
         return self._shapes[number] + user_shapes(self.mbs, number, item, default, owner)
+
+    def meshes(self, pen: Pen, number: int, item: Item) -> list[Mesh] | None:
+        """Return the meshes that a body is drawn by; [] if it has no shape, None if other things are drawn as well."""
+        if callable(item.get("VgraphicsDataUserFunction")):
+            return None
+        shapes = self.shapes(pen, number, item)
+        if not shapes and self._markers_of(number):
+            return None
+        return None if any(kind != "mesh" for kind, *_ in shapes) else [what for _, what, _ in shapes]
 
     def draw(self, pen: Pen, colors: Contour, number: int, item: Item) -> None:
         """Draw a body in its frame."""

@@ -15,13 +15,11 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType
 from dalembert._pictures.pen import Pen
-from dalembert._pictures.places import KINDS, Places
+from dalembert._pictures.places import Places
 from dalembert._pictures.scene import Balls, Herd, Instance, Label, Scene, Threads
 
 if TYPE_CHECKING:
     from dalembert._pictures.making import SceneMaker
-
-FRAMES = (*KINDS, *(f"{kind}Place" for kind in KINDS), "Span")  # kinds of frames, as _MovingParts counts them
 
 
 class Flow:
@@ -75,7 +73,8 @@ class Flow:
         scene, pen = self._maker.draw(configuration)
         if pen is None or pen.places.source is None or not len(pen.frames):
             return scene
-        frames = np.array([(FRAMES.index(kind), *numbers) for kind, *numbers in pen.frames], np.int32)
+        kinds = {kind: number for number, kind in enumerate(_core._MovingParts.kinds)}
+        frames = np.array([(kinds[kind], *numbers) for kind, *numbers in pen.frames], np.int32)
         parts = _core._MovingParts(self._maker.mbs, frames)
         if not parts.find(configuration):
             return scene

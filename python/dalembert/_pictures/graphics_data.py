@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,14 @@ from dalembert.graphics import material
 Shape = tuple[str, Any, Any]  # kind, what, and its color or size
 
 
-Known = dict[tuple[bytes, ...], Mesh]  # meshes by what they are made of
+@dataclass
+class Known:
+    """Meshes that have been read: by what they are made of, and by the dictionary that they are from."""
+
+    meshes: dict[tuple[bytes, ...], Mesh] = field(default_factory=dict)
+    entries: dict[int, tuple[dict[str, Any], Mesh]] = field(
+        default_factory=dict
+    )  # by id, which stays that of the first
 
 
 def shapes(data: Any, default: Rgba, owner: str, known: Known | None = None) -> list[Shape]:
@@ -24,18 +32,20 @@ def shapes(data: Any, default: Rgba, owner: str, known: Known | None = None) -> 
 
     What is equal to a mesh that is `known` becomes the same mesh.
     """
-    known = {} if known is None else known
+    known = known or Known()
     return [_shape(entry, default, f"{owner}: graphicsData[{number}]", known) for number, entry in enumerate(data)]
 
 
 def _shape(entry: dict[str, Any], default: Rgba, where: str, known: Known) -> Shape:
     kind = entry.get("type")
     if kind == "TriangleList":
-        parts = ("points", "triangles", "colors", "normals", "edges", "edgeColor")
-        key = tuple(np.asarray(entry.get(part, ()), float).tobytes() for part in parts)
-        if key not in known:
-            known[key] = _mesh(entry, default, where)
-        return "mesh", known[key], None
+        if id(entry) not in known.entries:
+            parts = ("points", "triangles", "colors", "normals", "edges", "edgeColor")
+            key = tuple(np.asarray(entry.get(part, ()), float).tobytes() for part in parts)
+            if key not in known.meshes:
+                known.meshes[key] = _mesh(entry, default, where)
+            known.entries[id(entry)] = entry, known.meshes[key]
+        return "mesh", known.entries[id(entry)][1], None
     color = rgba(entry.get("color", (-1, -1, -1, 1)), default)
     if kind == "Line":
         return "line", rows(entry["data"], 3), color

@@ -13,8 +13,6 @@ from dalembert import _core
 from dalembert._pictures.meshes import Rgba
 from dalembert.graphics import material
 
-STRETCH = 2.0  # a spring that becomes longer or shorter by more than that gets another mesh
-
 
 @lru_cache(maxsize=1)
 def _defaults() -> Any:
@@ -76,7 +74,7 @@ class Looks:
     def slenderness(self, number: int, value: float) -> float:
         """Return for which slenderness a spring is drawn: one of few, the same until it is twice or half as long."""
         known = self._slenderness.get(number, 0.0)
-        if not known / STRETCH < value < known * STRETCH:
+        if not known / _core._MovingParts.stretch < value < known * _core._MovingParts.stretch:
             known = self._slenderness[number] = float(2.0 ** (0.5 * round(2 * log2(max(value, 1e-3)))))
         return known
 

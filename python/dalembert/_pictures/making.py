@@ -13,10 +13,10 @@ from dalembert._pictures import connectors, contacts, flexible, symbols, traces
 from dalembert._pictures.bodies import Bodies
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.looks import Looks, rgba
-from dalembert._pictures.meshes import edges_of_box
+from dalembert._pictures.meshes import Mesh, edges_of_box, extremes
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places
-from dalembert._pictures.scene import DrawnItem, Instance, Scene
+from dalembert._pictures.scene import DrawnItem, Instance, Scene, placed
 from dalembert._pictures.trees import Trees
 
 TINY = 1e-9  # m, of symbols while the size of the scene is found
@@ -130,22 +130,39 @@ class SceneMaker:
         rough = Scene()
         pen = Pen(rough, places, self.looks)
         colors = Contour(self.looks)
-        nodes = [place for n in range(self._count("Node")) if (place := places.node(n)) is not None]
         pen.take(DrawnItem("Object", -1, "", ""))
-        pen.line(nodes, (0.0, 0.0, 0.0, 1.0))
+        pen.line(self._places_of_nodes(places), (0.0, 0.0, 0.0, 1.0))
+        alike: dict[int, tuple[Mesh, list[int]]] = {}  # bodies by the mesh that they have
         for number in range(self._count("Object")):
             item = places.item("Object", number)
+            name = item["objectType"]
             if not item.get("Vshow", True):
                 continue
-            pen.take(DrawnItem("Object", number, item["objectType"], ""))
+            is_plain = name in RIGID and name != "Ground" and places.turns("Object", number)
+            if is_plain and (found := self.bodies.meshes(pen, number, item)) is not None:
+                for mesh in found:
+                    alike.setdefault(id(mesh), (mesh, []))[1].append(number)
+                continue
+            pen.take(DrawnItem("Object", number, name, ""))
             self._draw_body(pen, colors, number, item)
             if "RollingDisc" not in item["objectType"] and "markerNumbers" in item:  # the ground below them is anywhere
                 joined = [place for m in item["markerNumbers"] if (place := places.marker(m)) is not None]
                 pen.take(DrawnItem("Object", -1, "", ""))
                 pen.line(joined, (0.0, 0.0, 0.0, 1.0))
+        pen.take(DrawnItem("Object", -1, "", ""))
+        for mesh, numbers in alike.values():
+            pen.line(placed(extremes(mesh), np.asarray(places.rows("Object"))[numbers]), (0.0, 0.0, 0.0, 1.0))
         box = rough.box()
         size = 0.0 if box is None else float(np.linalg.norm(box[1] - box[0]))
         self.looks.size = size if size > 100 * TINY else 1.0
+
+    def _places_of_nodes(self, places: Places) -> FloatArray:
+        """Return where nodes are (n x 3), as far as they have a place."""
+        rows = places.rows("Node")
+        rows = np.full((self._count("Node"), 3, 4), np.nan) if rows is None else rows
+        stands = np.isfinite(rows[:, :, 3]).all(axis=1)
+        others = [place for n in np.flatnonzero(~stands) if (place := places.node(int(n))) is not None]
+        return np.concatenate([rows[stands, :, 3], np.reshape(others, (-1, 3))])
 
     def _count(self, kind: str) -> int:
         return int(getattr(self.mbs.systemData, f"NumberOf{kind}s")())

@@ -7,11 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType
 
 KINDS = ("Node", "Object", "Marker")
 ORIGIN = (0.0, 0.0, 0.0)
+frame_along = _core._frame_along
 Position, RotationMatrix = OutputVariableType.Position, OutputVariableType.RotationMatrix
 
 
@@ -184,13 +186,3 @@ class Places:
 
 def _matrix(values: FloatArray | None) -> FloatArray | None:
     return None if values is None or len(values) != 9 else values.reshape(3, 3)
-
-
-def frame_along(axis: FloatArray, across: FloatArray | None = None) -> FloatArray:
-    """Return a rotation matrix whose third column is along an axis; its first one is near `across`, if given."""
-    z = np.asarray(axis, float) / max(math.sqrt(axis @ axis), 1e-300)
-    x = np.eye(3)[np.argmin(np.abs(z))] if across is None or abs(across @ z) > 0.999 else across
-    x = x - (x @ z) * z
-    x = x / math.sqrt(x @ x)
-    (a, b, c), (d, e, f) = z.tolist(), x.tolist()
-    return np.array([[d, b * f - c * e, a], [e, c * d - a * f, b], [f, a * e - b * d, c]])

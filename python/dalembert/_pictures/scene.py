@@ -157,7 +157,7 @@ class Scene:
                 parts.append(np.array([center - radius, center + radius]))
         for herd in self.herds:
             rows = herd.rows[counts[herd.items]]
-            parts.append((extremes(herd.mesh) @ rows[:, :, :3].transpose(0, 2, 1) + rows[:, None, :, 3]).reshape(-1, 3))
+            parts.append(placed(extremes(herd.mesh), rows))
         balls, threads = self.balls, self.threads
         chosen = counts[balls.items]
         parts += [balls.centers[chosen] + sign * balls.radii[chosen, None] for sign in (-1, 1)]
@@ -170,6 +170,12 @@ class Scene:
         """Return all numbers that are shown as colors."""
         shown = [instance.values for instance in self.instances if instance.values is not None]
         return np.concatenate(shown) if shown else np.empty(0)
+
+
+def placed(points: FloatArray, rows: FloatArray) -> FloatArray:
+    """Return where points are that stand in each of many frames (n x 3 x 4)."""
+    found: FloatArray = points @ rows[:, :, :3].transpose(0, 2, 1) + rows[:, None, :, 3]
+    return found.reshape(-1, 3)
 
 
 @dataclass

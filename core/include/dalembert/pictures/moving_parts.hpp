@@ -16,6 +16,8 @@ class MovingParts {
   // Of an item, its rotation and position; its position alone; or what reaches from a marker to another one, whose length is that of the
   // third column.
   enum class FrameKind : std::int32_t { node, object, marker, node_place, object_place, marker_place, span };
+  static constexpr std::array frame_kinds{"Node", "Object", "Marker", "NodePlace", "ObjectPlace", "MarkerPlace", "Span"};  // their names
+  static constexpr double stretch = 2.0;  // a span that becomes longer or shorter by more than that is another one
   struct Frame {
     FrameKind kind;
     std::int32_t number, other;  // other: the second marker of a span
@@ -48,7 +50,7 @@ class MovingParts {
   const double* row(std::size_t kind, std::int32_t number) const;
   bool point_to_rows();
   bool make(std::size_t i, double* made);
-  template <class Take>
+  template <std::size_t First, std::size_t Step, class Take>
   bool each(const Group& group, const Take& take) const;
 
   std::vector<Frame> frames_;
