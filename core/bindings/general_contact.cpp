@@ -214,7 +214,8 @@ py::object shortest_distance(const ContactHandle& self, const py::object& start,
     refuse_value(method, "cylinderRadius", text_of(radius), "0, or typeIndex=ContactTypeIndex.IndexSpheresMarkerBased: a cylinder finds spheres");
   line.direction = (1 / length) * line.direction;
   const Ports* ports = nullptr;
-  const LineHit hit = self.term(method, ports).first_hit(line, *ports);
+  const GeneralContact& term = self.term(method, ports);
+  const LineHit hit = term.first_hit(line, *ports, self.main->system.number_of_current_ports());
   if (!as_dictionary) return py::float_(hit.distance);
   py::dict result;
   result["distance"] = hit.distance;

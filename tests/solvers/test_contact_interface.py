@@ -81,6 +81,109 @@ def test_cylinders_find_spheres_beside_a_line() -> None:
     assert world.contact.ShortestDistanceAlongLine(cylinderRadius=0.3, **of)["distance"] == pytest.approx(0.9)
 
 
+def first_sphere(
+    centres: np.ndarray, radii: np.ndarray, start: np.ndarray, unit: np.ndarray, wide: float = 0.0
+) -> tuple[float, int]:
+    """The smallest distance to any sphere, and its number, from the roots of the quadratic equations of cylinders around the line."""
+    to = centres - start
+    ahead = to @ unit
+    aside = np.linalg.norm(to - np.outer(ahead, unit), axis=1)
+    inside = radii**2 - np.maximum(0, aside - wide) ** 2
+    front = np.where(
+        (inside > 0) & (ahead - np.sqrt(np.maximum(0, inside)) >= 0), ahead - np.sqrt(np.maximum(0, inside)), 1e7
+    )
+    return float(front.min()), int(front.argmin()) if front.min() < 1e7 else -1
+
+
+class Swarm:
+    """Spheres, and many lines at once: they are sought in a tree that is made of one state."""
+
+    def __init__(self, seed: int = 4) -> None:
+        self.rng, self.world = np.random.default_rng(seed), World()
+        self.places, self.radii = self.rng.uniform(-1, 1, (150, 3)), self.rng.uniform(0.02, 0.1, 150)
+        self.bodies = [self.world.point(x, radius=r) for x, r in zip(self.places, self.radii, strict=True)]
+        self.world.mbs.Assemble()
+
+    def check(self, places: np.ndarray, count: int = 120, wide: float = 0.0) -> None:
+        """All lines meet what they should in these places; some of them meet something."""
+        numbers = set()
+        for _ in range(count):
+            start = self.rng.uniform(-2, 2, 3)
+            along = places[self.rng.integers(len(places))] + 0.1 * self.rng.normal(size=3) - start
+            distance, number = first_sphere(places, self.radii, start, along / np.linalg.norm(along), wide)
+            found = self.world.contact.ShortestDistanceAlongLine(
+                start, along, 0, 1e7, True, wide, TYPES.IndexSpheresMarkerBased
+            )
+            assert found["distance"] == pytest.approx(distance, abs=1e-9)
+            assert found["itemIndex"] == number
+            numbers.add(number)
+        assert len(numbers) > 10
+
+
+def test_many_lines_meet_what_one_line_meets() -> None:
+    swarm = Swarm()
+    for wide in (0.0, 0.1):
+        swarm.check(swarm.places, wide=wide)
+
+
+def test_lines_are_of_the_state_of_the_moment() -> None:
+    """Whoever moves the spheres, and however: by functions, by views that are there and by views that have been, by a solver, by radii."""
+    swarm = Swarm()
+    data, contact = swarm.world.mbs.systemData, swarm.world.contact
+    swarm.check(swarm.places)
+    move = swarm.rng.uniform(-0.5, 0.5, swarm.places.shape)
+    data.SetODE2Coordinates(move.ravel())
+    swarm.check(swarm.places + move)
+    view = data.GetODE2Coordinates(copy=False)
+    swarm.check(swarm.places + move)
+    view += 0.25
+    swarm.check(swarm.places + move + 0.25)
+    view *= 0
+    del view
+    swarm.check(swarm.places)
+    swarm.check(swarm.places)
+    swarm.radii = 1.5 * swarm.radii
+    for i, radius in enumerate(swarm.radii):
+        contact.SetSphereMarkerBased(i, radius=radius)
+    swarm.check(swarm.places)
+    system_state = data.GetSystemState()
+    data.SetODE2Coordinates(move.ravel())
+    swarm.check(swarm.places + move)
+    data.SetSystemState(system_state)
+    swarm.check(swarm.places)
+    data.SetODE2Coordinates_t(move.ravel(), configuration=exu.ConfigurationType.Initial)
+    contact.isActive = False
+    swarm.world.solve(0.5, 10, exu.DynamicSolverType.ExplicitEuler)
+    swarm.check(swarm.places + 0.5 * move)
+    swarm.world.mbs.GetNodeOutput(0, exu.OutputVariableType.Position, exu.ConfigurationType.Reference)
+    swarm.check(swarm.places + 0.5 * move)
+
+
+@pytest.mark.parametrize(
+    "solver", [exu.DynamicSolverType.ExplicitEuler, exu.DynamicSolverType.VelocityVerlet, EXPLICIT, IMPLICIT]
+)
+def test_lines_during_a_solution_are_of_its_steps(solver: Any) -> None:
+    """Functions that are called before and after each step see spheres where they are then."""
+    swarm, speed, times = Swarm(), np.array([0.3, 0.2, -0.1]), [0.0]
+    mbs = swarm.world.mbs
+    mbs.systemData.SetODE2Coordinates_t(np.tile(speed, len(swarm.radii)), configuration=exu.ConfigurationType.Initial)
+    swarm.world.contact.isActive = False
+
+    def before(mbs: Any, t: float) -> bool:
+        swarm.check(swarm.places + times[-1] * speed, 60)
+        return True
+
+    def after(mbs: Any, t: float) -> bool:
+        times.append(t)
+        swarm.check(swarm.places + t * speed, 60)
+        return True
+
+    mbs.SetPreStepUserFunction(before)
+    mbs.SetPostStepUserFunction(after)
+    swarm.world.solve(1.0, 4, solver)
+    assert times[-4:] == [0.25, 0.5, 0.75, 1]
+
+
 def test_lines_follow_a_body_that_turns() -> None:
     """The velocity along the line is that of the point of the body."""
     world = World()

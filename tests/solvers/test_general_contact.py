@@ -163,6 +163,43 @@ CUBE_FACES = np.array(
 )  # fmt: skip
 
 
+@pytest.mark.parametrize("friction", [0.0, 0.4])
+def test_forces_on_meshes_are_the_sum_of_all_pushes(friction: float) -> None:
+    """Spheres over faces are pushed four at once; one by one, with what else they touch, each push is the same."""
+    rng, world = np.random.default_rng(8), World(friction=friction, zone=0.05)
+    world.mesh(*grid_mesh(1.0, 14, lambda x, y: 0.1 * np.sin(4 * x) * np.cos(3 * y)), damping=1.0)
+    tilted = world.mbs.CreateGround(
+        referencePosition=[0, 0, 0.1], referenceRotationMatrix=RotationMatrixX(0.3) @ RotationMatrixY(0.2)
+    )
+    world.mesh(*grid_mesh(1.0, 3), world.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=tilted)), stiffness=1e4)
+    plate = world.mbs.CreateRigidBody(
+        referencePosition=[0, 0, -0.05], initialVelocity=[0.1, 0, 0.3], initialAngularVelocity=[0.2, 0.1, 0.4],
+        inertia=InertiaSphere(10, 1),
+    )  # fmt: skip
+    world.mesh(*grid_mesh(0.6, 5), world.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=plate)))
+    count, make = 400, world.ball if friction else world.point
+    bodies = [
+        make(
+            [*rng.uniform(-1.05, 1.05, 2), rng.uniform(-0.05, 0.25)],
+            rng.uniform(-1, 1, 3),
+            radius=rng.uniform(0.05, 0.15),
+        )
+        for _ in range(count)
+    ]
+    world.contact.sphereSphereContact = False
+    world.mbs.Assemble()
+    pairs, _, forces = world.contact._pushes(exu.ConfigurationType.Current)
+    expected = np.zeros((count, 3))
+    np.add.at(expected, pairs[:, 0], forces)
+    rows = [world.mbs.GetObject(body)["nodeNumber"] for body in bodies]
+    first = [world.mbs.GetNodeODE2Index(node) for node in rows]
+    found = np.array(world.contact.GetSystemODE2RhsContactForces())
+    touched = np.bincount(pairs[:, 0], minlength=count)
+    assert (touched == 1).sum() > 50
+    assert (touched > 1).sum() > 50
+    np.testing.assert_allclose([found[i : i + 3] for i in first], expected, atol=1e-10 * np.abs(expected).max())
+
+
 @pytest.mark.parametrize(
     "place",
     [(0.2, 0.3, 1), (1, 0.3, 1), (-1, 1, 0.2), (1, 1, 1), (-1, 1, -1), (0.5, 0.5, 1), (0.5, -0.5, 1), (0, 1, 0), (1.0 - 1e-13, 1, 0.4)],

@@ -3,71 +3,97 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "meetings.hpp"
 
 namespace dalembert {
 
 namespace {
-constexpr int chunk_size = 1000;
+// Small ones are enough work for a thread; of large ones, fewer pairs lie astride of two, and their spheres still lie in a cache.
+constexpr int smallest_chunk = 1000, largest_chunk = 4000, some_threads = 16;
+constexpr double unknown = std::numeric_limits<double>::infinity();  // of ways from or to places that are not finite
 }  // namespace
 
 // Motions of spheres and of what carries triangles, and how far spheres have moved.
 void GeneralContact::take_places(const Ports& ports) const {
   const int n = spheres();
   if (chunks_.empty()) {
-    const int count = std::clamp(n / chunk_size, 1, 1000);
+    const int size = std::clamp(n / some_threads, smallest_chunk, largest_chunk), count = std::clamp(n / size, 1, 1000);
     chunks_.assign(static_cast<std::size_t>(count), Chunk());
     for (int c = 0; c < count; ++c) {
       chunks_[static_cast<std::size_t>(c)].begin = static_cast<int>(std::int64_t{n} * c / count);
       chunks_[static_cast<std::size_t>(c)].end = static_cast<int>(std::int64_t{n} * (c + 1) / count);
     }
   }
-  const bool compares = static_cast<int>(at_list_.size()) == n;
   each_chunk([&](Chunk& chunk) {
     double square = 0;
     for (int number = chunk.begin; number < chunk.end; ++number) {
       const auto i = static_cast<std::size_t>(number);
       const double* x = ports.values.data() + offsets_[i].value;
       SphereAt& at = pairs_.at[i];
+      const double dx = x[0] - at.x, dy = x[1] - at.y, dz = x[2] - at.z;
+      const double way = dx * dx + dy * dy + dz * dz;
+      if (!(way <= square)) square = way < unknown ? way : unknown;
       at = {x[0], x[1], x[2], at.radius};
       pairs_.velocity[i] = {x[3], x[4], x[5]};
       if (turns_[i] != 0) {
         const Vec3<double>& spin = reinterpret_cast<const RigidFrame<double>*>(x)->angular_velocity;
         pairs_.spin[i] = {spin[0], spin[1], spin[2]};
       }
-      if (!compares) continue;
-      const double dx = at.x - at_list_[i].x, dy = at.y - at_list_[i].y, dz = at.z - at_list_[i].z;
-      square = std::max(square, dx * dx + dy * dy + dz * dz);
     }
-    chunk.moved = square;
+    chunk.moved += std::sqrt(square);
   });
   carriers_now_.clear();
-  for (const ContactCarrier& c : set_->carriers) carriers_now_.push_back(frame_of(c.marker, ports));
+  carriers_rest_.clear();
+  for (const ContactCarrier& c : set_->carriers) {
+    carriers_now_.push_back(frame_of(c.marker, ports));
+    carriers_rest_.push_back(ports.ports[static_cast<std::size_t>(c.marker)].n == 0 ? 1 : 0);
+  }
 }
 
 void GeneralContact::renew_shapes() const {
   if (shapes_ == set_->shapes) return;
   shapes_ = set_->shapes;
   std::vector<std::vector<int>> of_carrier(set_->carriers.size());
+  std::vector<Box> boxes;
   local_.clear();
   facets_.clear();
+  carriers_of_triangles_.clear();
   for (std::size_t i = 0; i < set_->triangles.size(); ++i) {
     local_.push_back(set_->triangles[i].points);
+    boxes.emplace_back();
+    for (const Vec3<double>& point : local_.back()) boxes.back().add(point);
     facets_.emplace_back(local_.back());
+    carriers_of_triangles_.push_back(set_->triangles[i].carrier);
     of_carrier[static_cast<std::size_t>(set_->triangles[i].carrier)].push_back(static_cast<int>(i));
   }
   trees_.resize(of_carrier.size());
-  for (std::size_t c = 0; c < trees_.size(); ++c) trees_[c].build(of_carrier[c], local_);
+  for (std::size_t c = 0; c < trees_.size(); ++c) trees_[c].build(of_carrier[c], boxes);
   pairs_.take(*set_);
   scene_.build(*set_, local_, facets_, trees_);
   at_list_.clear();  // the lists are of other shapes
+  lines_ = {};
 }
 
-// How much nearer two things may have come since the lists were made.
+// How far spheres have moved since the lists were made.
+double GeneralContact::moved_by_spheres() const {
+  each_chunk([&](Chunk& chunk) {
+    double square = 0;
+    for (auto i = static_cast<std::size_t>(chunk.begin); i < static_cast<std::size_t>(chunk.end); ++i) {
+      const double dx = pairs_.at[i].x - at_list_[i].x, dy = pairs_.at[i].y - at_list_[i].y, dz = pairs_.at[i].z - at_list_[i].z;
+      square = std::max(square, dx * dx + dy * dy + dz * dz);
+    }
+    chunk.moved = std::sqrt(square);
+  });
+  double moved = 0;
+  for (const Chunk& chunk : chunks_) moved = std::max(moved, chunk.moved);
+  return moved;
+}
+
+// How much nearer two things may have come since the lists were made. Ways of spheres add up to more than that: they are measured only
+// where their sum tells nothing.
 double GeneralContact::moved() const {
-  double square = 0;
-  for (const Chunk& chunk : chunks_) square = std::max(square, chunk.moved);
   double carriers = 0;  // no point of a box moves farther than one of its corners
   for (std::size_t c = 0; c < trees_.size(); ++c) {
     if (trees_[c].empty()) continue;
@@ -79,8 +105,11 @@ double GeneralContact::moved() const {
       carriers = std::max(carriers, norm(out_of(now, corner) - out_of(then, corner)));
     }
   }
-  const double spheres = std::sqrt(square);
-  return spheres + std::max(spheres, carriers);
+  double spheres = 0;
+  for (const Chunk& chunk : chunks_) spheres = std::max(spheres, chunk.moved);
+  const auto nearer = [&] { return spheres + std::max(spheres, carriers); };
+  if (nearer() > skin_) spheres = moved_by_spheres();
+  return nearer();
 }
 
 void GeneralContact::follow(const Ports& ports) const {
@@ -93,18 +122,19 @@ void GeneralContact::follow(const Ports& ports) const {
   renew_lists();
 }
 
-// The skin grows until lists last for some twenty evaluations, and shrinks where they last much longer.
+// The skin grows until lists last for some forty evaluations, and shrinks where they last much longer.
 void GeneralContact::renew_lists() const {
   const AlignedVector<SphereAt>& at = pairs_.at;
   const std::size_t n = at.size();
   double mean = 0;
   for (const SphereAt& s : at) mean += s.radius / static_cast<double>(n);
-  if (skin_ == 0) skin_ = 0.1 * mean;
-  else if (since_list_ < 20) skin_ = std::min(1.5 * skin_, 0.5 * mean);
-  else if (since_list_ > 80) skin_ = std::max(0.7 * skin_, 0.01 * mean);
+  if (skin_ == 0) skin_ = 0.2 * mean;
+  else if (since_list_ < 40) skin_ = std::min(1.5 * skin_, 0.5 * mean);
+  else if (since_list_ > 160) skin_ = std::max(0.7 * skin_, 0.01 * mean);
   since_list_ = 0;
   ++lists_;
   at_list_.assign(at.begin(), at.end());
+  for (Chunk& chunk : chunks_) chunk.moved = 0;
   carriers_at_list_ = carriers_now_;
   if (set_->spheres_touch) neighbours_.build(at, skin_, workers_);
   else neighbours_.clear(n);
@@ -114,10 +144,12 @@ void GeneralContact::renew_lists() const {
   each_chunk([&](Chunk& chunk) { list_triangles(chunk); });
   first_triangle_.assign(1, 0);
   near_triangles_.clear();
+  near_spheres_.clear();
   for (const Chunk& chunk : chunks_) {
     for (const std::size_t end : chunk.ends) first_triangle_.push_back(near_triangles_.size() + end);
     near_triangles_.insert(near_triangles_.end(), chunk.near_triangles.begin(), chunk.near_triangles.end());
   }
+  for (int i = 0; i < spheres(); ++i) near_spheres_.insert(near_spheres_.end(), triangles_near(i).size(), i);
 }
 
 void GeneralContact::list_triangles(Chunk& chunk) const {

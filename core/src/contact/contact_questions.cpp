@@ -3,10 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "meetings.hpp"
 
 namespace dalembert {
+
+namespace {
+constexpr int few_spheres = 16;
+constexpr int lines_worth_a_tree = 50;  // to look at so many times all spheres takes as long as to build it
+}  // namespace
 
 GeneralContact::Items GeneralContact::items_in(const Box& box, const Ports& ports) const {
   Items items;
@@ -33,21 +39,48 @@ GeneralContact::Items GeneralContact::items_in(const Box& box, const Ports& port
   return items;
 }
 
-LineHit GeneralContact::first_hit(const Line& line, const Ports& ports) const {
+// Null: one line after the other is faster.
+const BoxTree* GeneralContact::spheres_for_lines(const Ports& ports, std::uint64_t number) const {
+  if (number == 0 || spheres() < few_spheres) return nullptr;
+  if (lines_.ports != number) lines_ = {number, 0, {}};
+  if (++lines_.count < lines_worth_a_tree) return nullptr;
+  if (!lines_.spheres.empty()) return &lines_.spheres;
+  std::vector<Box> boxes(set_->spheres.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Vec3<double>& centre = read_frame<PointPort>(ports, set_->spheres[i].marker).position;
+    const double r = set_->spheres[i].radius;
+    boxes[i] = {centre - Vec3<double>{r, r, r}, centre + Vec3<double>{r, r, r}};
+  }
+  std::vector<int> all(boxes.size());
+  std::iota(all.begin(), all.end(), 0);
+  lines_.spheres.build(all, boxes);
+  return &lines_.spheres;
+}
+
+// Of those at one distance, the first one.
+void GeneralContact::hit_spheres(const Line& line, const Ports& ports, std::uint64_t number, LineHit& hit) const {
+  const auto look_at = [&](int i) {
+    const PointFrame<double>& frame = read_frame<PointPort>(ports, sphere(i).marker);
+    const double r = sphere(i).radius;
+    const Vec3<double> to = frame.position - line.start;
+    const double along = dot(to, line.direction), aside = std::sqrt(std::max(0.0, dot(to - along * line.direction, to - along * line.direction)));
+    if (aside > r + line.radius) return;
+    const double off = std::max(0.0, aside - line.radius), distance = along - std::sqrt(std::max(0.0, r * r - off * off));
+    const bool first = distance < hit.distance || (distance == hit.distance && i < hit.sphere);
+    if (distance >= line.nearest && first) hit = {distance, dot(line.direction, frame.velocity), i};
+  };
+  if (const BoxTree* tree = spheres_for_lines(ports, number)) {
+    tree->each_along(line.start, line.direction, line.radius, line.nearest, [&] { return hit.distance; }, look_at);
+  } else {
+    for (int i = 0; i < spheres(); ++i) look_at(i);
+  }
+}
+
+LineHit GeneralContact::first_hit(const Line& line, const Ports& ports, std::uint64_t number) const {
   LineHit hit;
   hit.distance = line.farthest;
-  if (line.spheres) {
-    for (int i = 0; i < spheres(); ++i) {
-      const double* x = ports.frame(sphere(i).marker);
-      const double r = sphere(i).radius;
-      const Vec3<double> to{x[0] - line.start[0], x[1] - line.start[1], x[2] - line.start[2]};
-      const double along = dot(to, line.direction), aside = std::sqrt(std::max(0.0, dot(to - along * line.direction, to - along * line.direction)));
-      if (aside > r + line.radius) continue;
-      const double off = std::max(0.0, aside - line.radius), distance = along - std::sqrt(std::max(0.0, r * r - off * off));
-      if (!(distance >= line.nearest && distance < hit.distance)) continue;
-      hit = {distance, dot(line.direction, Vec3<double>{x[3], x[4], x[5]}), i};
-    }
-  }
+  renew_shapes();
+  if (line.spheres) hit_spheres(line, ports, number, hit);
   if (line.cables && line.direction[2] == 0) {  // in the plane: what is not meets them nowhere
     take_cables_of_system();
     for (std::size_t c = 0; c < cables_.size(); ++c) {
@@ -66,13 +99,12 @@ LineHit GeneralContact::first_hit(const Line& line, const Ports& ports) const {
       }
     }
   }
-  renew_shapes();
   hit_convex(line, ports, hit);
   if (!line.triangles) return hit;
   for (std::size_t c = 0; c < trees_.size(); ++c) {
     const RigidFrame<double> frame = read_frame<RigidPort>(ports, set_->carriers[c].marker);
     const Vec3<double> start = into(frame, line.start), direction = transposed_times(frame.rotation, line.direction);
-    trees_[c].each_along(start, direction, line.nearest, [&] { return hit.distance; }, [&](int t) {
+    trees_[c].each_along(start, direction, 0, line.nearest, [&] { return hit.distance; }, [&](int t) {
       const Triangle& corners = local_[static_cast<std::size_t>(t)];
       const Vec3<double> area = area_vector(corners);
       const double slope = dot(area, direction), square = dot(area, area);

@@ -104,7 +104,7 @@ void GeneralContact::find_verges(const Evaluation& e, const Ports& ports, std::v
     }
     for (const int i : chunk.at_triangles) {
       Verge& verge = verges[static_cast<std::size_t>(i)];
-      touching_triangles(i, chunk);
+      touching_triangles(i, triangles_near(i), chunk);
       for (const Found& found : chunk.found) add_verge({i, set_->first_triangle() + found.triangle, true, {}, found.bristle}, ports, verge);
       add_open_triangles(i, verge);
     }

@@ -12,16 +12,15 @@ namespace dalembert {
 
 // Faces that a sphere dips into, and edges and corners of which no triangle around has a point that is nearer. Triangles touch from
 // their positive side alone. What meets in one point counts once: at an inner edge of a smooth surface, for one of its triangles.
-void GeneralContact::find_triangles(int number, Chunk& chunk) const {
+void GeneralContact::find_triangles(int number, std::span<const int> near, Chunk& chunk) const {
   std::vector<Found>& found = chunk.found;
   found.clear();
-  const auto begin = first_triangle_[static_cast<std::size_t>(number)], end = first_triangle_[static_cast<std::size_t>(number) + 1];
   const SphereAt& s = pairs_.at[static_cast<std::size_t>(number)];
   const double least = set_->nearest_relative_distance * s.radius;
   int known = -1;
   Vec3<double> centre;
-  for (std::size_t k = begin; k < end; ++k) {
-    const int t = near_triangles_[k], carrier = triangle(t).carrier;
+  for (const int t : near) {
+    const int carrier = triangle(t).carrier;
     if (carrier != known) {
       centre = into(carriers_now_[static_cast<std::size_t>(carrier)], {s.x, s.y, s.z});
       known = carrier;
@@ -65,8 +64,8 @@ void GeneralContact::find_triangles(int number, Chunk& chunk) const {
   found.swap(chunk.kept);
 }
 
-void GeneralContact::touching_triangles(int number, Chunk& chunk) const {
-  find_triangles(number, chunk);
+void GeneralContact::touching_triangles(int number, std::span<const int> near, Chunk& chunk) const {
+  find_triangles(number, near, chunk);
   if (!bristles_.empty()) pass_bristles_on(number, chunk.found);
 }
 
@@ -176,8 +175,7 @@ void GeneralContact::list_blocks(const Ports& ports) {
     for (const int j : neighbours_.behind(i)) add(i, With::sphere, j, sphere(j).marker);
     for (; cable != cables_in_blocks_.end() && cable->first == i; ++cable) add(i, With::cable, cable->second, -1);
     carriers.clear();
-    for (std::size_t k = first_triangle_[static_cast<std::size_t>(i)]; k < first_triangle_[static_cast<std::size_t>(i) + 1]; ++k)
-      carriers.push_back(triangle(near_triangles_[k]).carrier);
+    for (const int t : triangles_near(i)) carriers.push_back(triangle(t).carrier);
     std::ranges::sort(carriers);
     carriers.erase(std::unique(carriers.begin(), carriers.end()), carriers.end());
     for (const int c : carriers) add(i, With::carrier, c, carrier(c).marker);

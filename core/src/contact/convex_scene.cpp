@@ -23,7 +23,7 @@ RigidFrame<double> seen_from(const RigidFrame<double>& base, const RigidFrame<do
 
 }  // namespace
 
-void ConvexScene::build(const ContactSet& set, const std::vector<Triangle>& triangles, const std::vector<Facet>& facets, const std::vector<TriangleTree>& trees) {
+void ConvexScene::build(const ContactSet& set, const std::vector<Triangle>& triangles, const std::vector<Facet>& facets, const std::vector<BoxTree>& trees) {
   set_ = &set;
   triangles_ = &triangles;
   facets_ = &facets;
@@ -102,7 +102,7 @@ void ConvexScene::list(Workers* workers) {
   std::vector<std::pair<std::pair<int, int>, std::vector<int>>> of_meshes;
   for (int i = 0; i < convex_; ++i)
     for (int c = 0; c < static_cast<int>(meshes_.size()); ++c) {
-      const TriangleTree& tree = (*trees_)[static_cast<std::size_t>(c)];
+      const BoxTree& tree = (*trees_)[static_cast<std::size_t>(c)];
       const int carrier = first_carrier() + c;
       if (tree.empty() || marker(i) == marker(carrier)) continue;
       const RigidFrame<double>& frame = frames_[static_cast<std::size_t>(carrier)];

@@ -90,7 +90,7 @@ std::vector<GeneralContact::Push> GeneralContact::pushes(const Ports& ports, Con
 
 // What a sphere feels of triangles now; what they feel waits in the chunk.
 void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chunk) const {
-  touching_triangles(number, chunk);
+  touching_triangles(number, chunk.of_sphere, chunk);
   const auto i = static_cast<std::size_t>(number);
   const bool spins = turns(number), grips = set_->bristles.grow();
   for (const Found& found : chunk.found) {
@@ -106,7 +106,7 @@ void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chu
     if (moves || grips) at.arm1 = frame.rotation * found.point;
     if (moves) velocity += frame.velocity + cross(frame.angular_velocity, at.arm1);
     if (spins) velocity -= cross(pairs_.spin[i].vector(), at.arm0);
-    const ContactPairing pairing = set_->pairing(sphere(number).surface, carrier.surface);
+    const ContactPairing pairing = pairs_.pairing_with(*set_, number, static_cast<int>(c));
     const Vec3<double> f = grips ? gripping_force(pairing, at, velocity, grip_of(bristles_.find(number, found.bristle), at, frame_of(sphere(number).marker, ports), frame))
                                  : force(pairing, at, velocity, {});
     pairs_.force[i].add(f);
@@ -125,8 +125,7 @@ void GeneralContact::add_direct(Ports& ports) const {
         for (const int j : neighbours_.behind(i)) overlap(i, j);  // refuses those of one centre
     }
     if (grips) add_gripping_pairs(number_of(chunk), ports);
-    chunk.on_carriers.clear();
-    for (const int i : chunk.at_triangles) add_on_triangles(i, ports, chunk);
+    add_on_triangles(ports, rubs, chunk);
   });
   const auto leave = [&](const Chunk& chunk) {
     for (int number = chunk.begin; number < chunk.end; ++number) {

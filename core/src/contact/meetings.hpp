@@ -62,7 +62,7 @@ void GeneralContact::each_touch(Chunk& chunk, F&& f) const {
   for (int i = chunk.begin; i < chunk.end; ++i) {
     for (const int j : neighbours_.behind(i))
       if (overlap(i, j)) f(HeldContact{i, j, true, {}, j});
-    touching_triangles(i, chunk);
+    touching_triangles(i, triangles_near(i), chunk);
     for (const Found& found : chunk.found) f(HeldContact{i, set_->first_triangle() + found.triangle, true, {}, found.bristle});
   }
 }

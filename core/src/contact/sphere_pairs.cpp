@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <type_traits>
 
 #include "dalembert/math/pack.hpp"
 #include "dalembert/math/wide_registers.hpp"
@@ -12,7 +13,7 @@
 namespace dalembert {
 namespace {
 
-constexpr std::size_t most_kinds = 32;  // whose pairings are kept
+constexpr std::size_t most_pairings = 1024;  // that are kept
 using P = Pack<4>;
 
 struct PackedVector {
@@ -26,9 +27,10 @@ struct PackedVector {
   }
 };
 
-template <class T>
-DALEMBERT_INLINE inline std::array<P, 4> fours(const T* all, const int (&which)[4]) {
-  return gather_fours<4>({&all[which[0]].x, &all[which[1]].x, &all[which[2]].x, &all[which[3]].x});
+constexpr std::uint32_t numbers = 4;  // of each sphere: pairs say where they begin
+
+DALEMBERT_INLINE inline std::array<P, 4> fours(const double* all, const std::uint32_t* which) {
+  return gather_fours<4>({all + which[0], all + which[1], all + which[2], all + which[3]});
 }
 DALEMBERT_INLINE inline PackedVector vector_in(const std::array<P, 4>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 }  // namespace
@@ -49,9 +51,13 @@ void SpherePairs::take(const ContactSet& set) {
     kinds_[i] = place->second;
   }
   pairings_.clear();
-  if (surfaces_.size() > most_kinds) return;
-  for (const ContactSurface& a : surfaces_)
-    for (const ContactSurface& b : surfaces_) pairings_.push_back(set.pairing(a, b));
+  with_carriers_.clear();
+  if (surfaces_.size() * surfaces_.size() <= most_pairings)
+    for (const ContactSurface& a : surfaces_)
+      for (const ContactSurface& b : surfaces_) pairings_.push_back(set.pairing(a, b));
+  if (surfaces_.size() * set.carriers.size() <= most_pairings)
+    for (const ContactSurface& a : surfaces_)
+      for (const ContactCarrier& c : set.carriers) with_carriers_.push_back(set.pairing(a, c.surface));
 }
 
 void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> begins) {
@@ -67,23 +73,24 @@ void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> 
   for (std::size_t c = 0; c < chunks; ++c) {
     for (int i = begins[c]; i < begins[c + 1]; ++i)
       for (const int j : neighbours.behind(i)) {
-        firsts_.push_back(i);
-        seconds_.push_back(j);
-        targets_.push_back(j < begins[c + 1] ? j : static_cast<int>(places++));
+        firsts_.push_back(numbers * static_cast<std::uint32_t>(i));
+        seconds_.push_back(numbers * static_cast<std::uint32_t>(j));
+        targets_.push_back(j < begins[c + 1] ? seconds_.back() : numbers * static_cast<std::uint32_t>(places++));
       }
     first_pair_.push_back(firsts_.size());
     first_waiting_.push_back(places);
   }
   force.resize(places);
   moment.resize(places);
+  const auto second = [&](std::size_t pair) { return static_cast<int>(seconds_[pair] / numbers); };
   const auto chunk_of = [&](int sphere) { return static_cast<std::size_t>(std::ranges::upper_bound(begins_, sphere) - begins_.begin()) - 1; };
   for (std::size_t p = 0; p < firsts_.size(); ++p)
-    if (targets_[p] != seconds_[p]) ++waiting[chunk_of(seconds_[p]) + 1];
+    if (targets_[p] != seconds_[p]) ++waiting[chunk_of(second(p)) + 1];
   for (std::size_t c = 0; c < chunks; ++c) waiting[c + 1] += waiting[c];
   first_collected_ = waiting;
   collected_.resize(places - count_);
   for (std::size_t p = 0; p < firsts_.size(); ++p)
-    if (targets_[p] != seconds_[p]) collected_[waiting[chunk_of(seconds_[p])]++] = {seconds_[p], targets_[p]};
+    if (targets_[p] != seconds_[p]) collected_[waiting[chunk_of(second(p))]++] = {second(p), static_cast<int>(place_of_second(p))};
 }
 
 ContactPairing SpherePairs::pairing(const ContactSet& set, int first, int second) const {
@@ -97,39 +104,33 @@ double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const Cont
   const double zone = set.proportional_zone;
   const ContactPairing same = pairing(set, 0, 0);
   P least(std::numeric_limits<double>::infinity());
-  for (std::size_t p = begin; p < end; p += 4) {
-    const int count = static_cast<int>(std::min<std::size_t>(4, end - p));
-    int first[4], second[4], target[4];
-    for (int lane = 0; lane < 4; ++lane) {
-      const std::size_t pair = p + static_cast<std::size_t>(std::min(lane, count - 1));
-      first[lane] = firsts_[pair];
-      second[lane] = seconds_[pair];
-      target[lane] = targets_[pair];
-    }
-    const std::array<P, 4> at0 = fours(at.data(), first), at1 = fours(at.data(), second);
+  const double *const places = &at.data()->x, *const velocities = &velocity.data()->x, *const spins = &spin.data()->x;
+  double *const forces = &force.data()->x, *const moments = &moment.data()->x;
+  const auto four = [&](const std::uint32_t* first, const std::uint32_t* second, const std::uint32_t* target, auto count) DALEMBERT_INLINE {
+    const std::array<P, 4> at0 = fours(places, first), at1 = fours(places, second);
     const PackedVector span = vector_in(at1) - vector_in(at0);
     const P square = dot(span, span), reach = at0[3] + at1[3];
     least = P(square.x < least.x ? square.x : least.x);
-    if (is_zero(P(square.x < (reach * reach).x ? 1.0 - P::Register{} : P::Register{}))) continue;
-    const PackedVector approach = vector_in(fours(velocity.data(), second)) - vector_in(fours(velocity.data(), first));
+    if (is_zero(P(square.x < (reach * reach).x ? 1.0 - P::Register{} : P::Register{}))) return;
+    const PackedVector approach = vector_in(fours(velocities, second)) - vector_in(fours(velocities, first));
     const P distance = sqrt(one_for_zero(square));
     const PackedVector normal = (1.0 / distance) * span;
     const P away = dot(normal, approach);
     P stiffness(same.stiffness), damping(same.damping), friction(same.friction);
     if constexpr (!alike) {
       ContactPairing of[4];
-      for (int lane = 0; lane < 4; ++lane) of[lane] = pairing(set, first[lane], second[lane]);
+      for (int lane = 0; lane < 4; ++lane) of[lane] = pairing(set, static_cast<int>(first[lane] / numbers), static_cast<int>(second[lane] / numbers));
       stiffness = P::of_each([&](int lane) { return of[lane].stiffness; });
       damping = P::of_each([&](int lane) { return of[lane].damping; });
       friction = P::of_each([&](int lane) { return of[lane].friction; });
     }
     P pressure = stiffness * (reach - distance) - damping * away;
     pressure = P(((square.x < (reach * reach).x) & (pressure.x > 0.0)) ? pressure.x : P::Register{});
-    if (is_zero(pressure)) continue;
+    if (is_zero(pressure)) return;
     PackedVector on_first = (-pressure) * normal;
     if constexpr (rubs) {
       const P half = 0.5 * (distance - reach), arm0 = at0[3] + half, arm1 = at1[3] + half;
-      const PackedVector turn = arm0 * vector_in(fours(spin.data(), first)) + arm1 * vector_in(fours(spin.data(), second));
+      const PackedVector turn = arm0 * vector_in(fours(spins, first)) + arm1 * vector_in(fours(spins, second));
       const PackedVector slip = approach - cross(turn, normal) - away * normal;
       const P speed_square = dot(slip, slip);
       const P fast = 1.0 / sqrt(one_for_zero(speed_square));
@@ -139,14 +140,26 @@ double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const Cont
       const PackedVector moment0 = arm0 * torque, moment1 = arm1 * torque;
       const std::array<P, 4> on_second = rows_from<4>({moment1.x, moment1.y, moment1.z, P()});
       each_row<4>({moment0.x, moment0.y, moment0.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order
-        row.add_to(&moment[static_cast<std::size_t>(first[lane])].x);
-        on_second[static_cast<std::size_t>(lane)].add_to(&moment[static_cast<std::size_t>(target[lane])].x);
+        row.add_to(moments + first[lane]);
+        on_second[static_cast<std::size_t>(lane)].add_to(moments + target[lane]);
       });
     }
     each_row<4>({on_first.x, on_first.y, on_first.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
-      row.add_to(&force[static_cast<std::size_t>(first[lane])].x);
-      row.subtract_from(&force[static_cast<std::size_t>(target[lane])].x);
+      row.add_to(forces + first[lane]);
+      row.subtract_from(forces + target[lane]);
     });
+  };
+  const std::size_t whole = begin + (end - begin) / 4 * 4;
+  for (std::size_t p = begin; p < whole; p += 4) four(&firsts_[p], &seconds_[p], &targets_[p], std::integral_constant<int, 4>());
+  if (whole < end) {
+    std::uint32_t first[4], second[4], target[4];
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const std::size_t pair = std::min(whole + lane, end - 1);
+      first[lane] = firsts_[pair];
+      second[lane] = seconds_[pair];
+      target[lane] = targets_[pair];
+    }
+    four(first, second, target, static_cast<int>(end - whole));
   }
   return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
 }
@@ -170,6 +183,8 @@ double SpherePairs::compute(int chunk, const ContactSet& set, Friction friction)
   });
   return least;
 }
+
+std::size_t SpherePairs::place_of_second(std::size_t pair) const { return targets_[pair] / numbers; }
 
 void SpherePairs::collect(int chunk, bool rubs) {
   const auto c = static_cast<std::size_t>(chunk);

@@ -105,6 +105,8 @@ void ExplicitSolver::post_initialize() {
   }
   if (!prepare_factors()) return;
   nobody_interferes_ = !system().has_discontinuities(conditions_) && !hooks().pre_step && !hooks().post_step && !hooks().post_newton && !hooks().events;
+  may_move_at_once_ = nobody_interferes_ && !verlet_ && method_.stages == 1 && eliminated_.empty() && sizes_.ode1 == 0 && !system().calls_user_functions() &&
+                      static_cast<std::size_t>(sizes_.ode2) > few_numbers && !settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations;
   if (verlet_ && !continues() && !accelerations(now.a)) return;
   begin_to_watch();
   if (continues()) {
@@ -148,7 +150,7 @@ void ExplicitSolver::renew_accelerations() {
 // Those at the start belong to the first stage.
 Solver::KnownDerivatives ExplicitSolver::complete_ends() {
   if (verlet_) return {true, it.currentStepIndex > 1};
-  start_of_step().a = stage_v_.front();
+  start_of_step().a = at_once_ ? current().a : stage_v_.front();
   start_of_step().y_t = stage_y_.front();
   eliminate(start_of_step().a);
   return {settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations, true};
@@ -211,8 +213,9 @@ void ExplicitSolver::increase_step_size() {
 }
 
 void ExplicitSolver::save_start_of_step() {
-  first_stage_known_ = false;
-  if (verlet_ && nobody_interferes_) return save_all_but_motion();  // which the step begins with
+  first_stage_known_ = sums_known_ = false;
+  at_once_ = may_move_at_once_ && constant_mass_ && mass_.factors() != nullptr;
+  if ((verlet_ && nobody_interferes_) || at_once_) return save_all_but_motion();  // the step does the rest
   Solver::save_start_of_step();
   if (!end_known_ || verlet_) return;
   std::swap(stage_v_[0], end_a_);
@@ -239,14 +242,21 @@ bool ExplicitSolver::newton() {
   return !it.automaticStepSize || control_step_size();
 }
 
-void ExplicitSolver::compute_step() { verlet_ ? verlet_step() : runge_kutta_step(); }
+void ExplicitSolver::compute_step() {
+  if (verlet_) verlet_step();
+  else if (at_once_ && !searching_) step_at_once();
+  else runge_kutta_step();
+}
 
 // What grows shows in the velocities, as forces change them and they carry the coordinates. Accelerations at the end of a step are in
 // the velocities of Verlet's method; others have to be numbers. The end of the solution is looked at whole.
 DALEMBERT_INLINE inline bool ExplicitSolver::stays_bounded() const {
   const State& now = system().state(ConfigurationType::Current);
   double motion = 0, rest = 0;
-  if (now.v.size() <= few_numbers) {
+  if (sums_known_) {
+    motion = sum_of_v_;
+    rest = sum_of_a_;
+  } else if (now.v.size() <= few_numbers) {
     each_of_few(now.v.size(), [&, v = now.v.data(), a = now.a.data()](std::size_t i) {
       motion += v[i] * v[i];
       rest += a[i] * a[i];
@@ -409,14 +419,19 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
     const TimedPart time(timer, timer.ODE2RHS);
     system().right_hand_sides(current(), conditions_, a, y_t);
   }
-  if (constant_mass_ && renewed_objects_ != system().renewed_objects()) [[unlikely]]
+  return divide_by_masses(a) && (!searching_ || is_good(a, y_t));
+}
+
+// Forces become accelerations.
+bool ExplicitSolver::divide_by_masses(Vector& a) {
+  if (constant_mass_ && masses_are_old()) [[unlikely]]
     if (!prepare_factors() || !(constant_mass_ || update_masses())) return false;
   const TimedPart time(timer, timer.newtonIncrement);
   if (const int row = mass_.solve(system(), current(), a); row != LinearSolver::success) [[unlikely]] {
     mass_failed(row);
     return false;
   }
-  return !searching_ || is_good(a, y_t);
+  return true;
 }
 
 [[gnu::noinline]] void ExplicitSolver::announce_mass_matrix() {

@@ -183,9 +183,9 @@ void clear_columns(const RegionPlan& region, const Pattern& pattern, double* val
 void System::residual(const State& state, const Conditions& conditions, std::span<double> r) {
   if (late_ != nullptr) [[unlikely]] refresh(*late_);
   ++evaluations_;
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   find_residual(*parts_, view_of(*parts_, state, conditions), r.data(), conditions.loads);
-  evaluated_ = &state;
+  ports_hold(&state);
 }
 
 void System::tangent(const State& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
@@ -195,7 +195,7 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   Evaluation e = view_of(parts, state, conditions);
   if (!conditions.follows_residual || evaluated_ != &state) {
     find_residual_in_work(parts, e, conditions.loads);  // the forces on markers, for the geometric part
-    evaluated_ = nullptr;
+    ports_hold(nullptr);
   }
   e.same_state = true;
   const Flagged evaluating(parts.evaluating);
@@ -221,7 +221,7 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
 void System::mass_matrix(const State& state, const Pattern& pattern, std::span<double> values) {
   SystemParts& parts = *parts_;
   parts.bind(pattern);
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   const Evaluation e = view_of(parts, state, {});
   const bool all = !parts.mass_pattern || &pattern != &*parts.mass_pattern || parts.without_matrix.empty();
   parts.each_region([&parts, &e, &pattern, values, all](const RegionPlan& region) {
@@ -249,9 +249,9 @@ void System::rates(const State& state, const Conditions& conditions, std::span<d
   right_hand_sides(state, conditions, {}, y_t);
 }
 
-void System::right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t) {
+std::span<const double> System::negative_forces(const State& state, const Conditions& conditions) {
   if (late_ != nullptr) [[unlikely]] refresh(*late_);
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   ++evaluations_;
   SystemParts& parts = *parts_;
   const std::span<double> residual(parts.work.data(), static_cast<std::size_t>(sizes_.total()));
@@ -260,12 +260,17 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
   e.direct = !conditions.holds_contact;
   e.lambda = residual.data() + residual.size();  // zeros
   find_residual(parts, e, residual.data());
+  return residual;
+}
+
+void System::right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t) {
+  const std::span<const double> residual = negative_forces(state, conditions);
   each_number(*this, rhs.size(), [to = rhs.data(), from = residual.data()](std::size_t i) { to[i] = -from[i]; });
   for (std::size_t i = 0; i < y_t.size(); ++i) y_t[i] = residual[sizes_.ode2 + i] + state.y_t[i];
 }
 
 void System::gaps(const State& state, const Conditions& conditions, std::span<double> g) {
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   SystemParts& parts = *parts_;
   find_residual_in_work(parts, view_of(parts, state, conditions), true);
   for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
@@ -286,7 +291,7 @@ void System::restore_unit_lengths(State& state) const {
 }
 
 Discontinuity System::post_newton(State& state, const Conditions& conditions, Updates updates) {
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   SystemParts& parts = *parts_;
   PostNewton verdict;
   if (!has_discontinuities(conditions)) return {};
@@ -304,7 +309,7 @@ Discontinuity System::post_newton(State& state, const Conditions& conditions, Up
 }
 
 void System::find_switches(const State& state, const Conditions& conditions, std::vector<Switch>& found) {
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   SystemParts& parts = *parts_;
   const Evaluation e = parts.evaluation(state, conditions);
   parts.update_ports(e);
@@ -313,7 +318,7 @@ void System::find_switches(const State& state, const Conditions& conditions, std
 }
 
 void System::switch_over(State& state, const Conditions& conditions) {
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   SystemParts& parts = *parts_;
   parts.data_before.assign(state.data.begin(), state.data.end());
   const Evaluation e = parts.evaluation(state, conditions);

@@ -171,6 +171,7 @@ void add_load_dependencies(System& system, SystemParts& parts, Evaluation evalua
   evaluation.same_state = false;
   const auto forces = parts.ports.forces;  // further tangents may follow the same residual
   const auto node_loads = parts.ports.node_loads;
+  const auto point_forces = parts.ports.point_forces;
   MovedState state(system, parts);
   for (const LoadDependency& dependency : parts.load_dependencies) {
     if (dependency.slots.empty()) continue;
@@ -180,6 +181,7 @@ void add_load_dependencies(System& system, SystemParts& parts, Evaluation evalua
   }
   parts.ports.forces = forces;
   parts.ports.node_loads = node_loads;
+  parts.ports.point_forces = point_forces;
 }
 
 void System::add_load_dependencies(int load, std::span<const int> coordinates) {

@@ -208,7 +208,7 @@ void System::body_output(int object, Variable variable, std::array<double, 3> lo
   std::optional<PortsFor> ports;
   if (place.markers.count > 0) ports.emplace(parts, configuration);
   const Evaluation e = parts.output_evaluation(state, dofs);
-  evaluated_ = parts.evaluating ? evaluated_ : nullptr;
+  ports_hold(parts.evaluating ? evaluated_ : nullptr);
   if (batch->output(entry, variable, at, e, parts.ports, values)) return;
   const State& rest = parts.state(ConfigurationType::Reference);
   if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), &state == &rest, rest, values)) return;
@@ -267,7 +267,7 @@ void System::super_element_output(int object, Variable variable, int mesh_node, 
 
 void System::with_ports(ConfigurationType configuration, const std::function<void(const Ports&)>& look) {
   const PortsFor ports(*parts_, configuration);
-  evaluated_ = parts_->evaluating ? evaluated_ : nullptr;
+  ports_hold(parts_->evaluating ? evaluated_ : nullptr);
   look(parts_->ports);
 }
 
@@ -277,7 +277,7 @@ void System::marker_output(int marker, Variable variable, ConfigurationType conf
   const bool values_of_coordinates = variable == Variable::Coordinates, rates = variable == Variable::Coordinates_t;
   if (provides(*place.type, "Coordinate") && (values_of_coordinates || rates)) {
     const PortsFor ports(parts, configuration);
-    evaluated_ = parts.evaluating ? evaluated_ : nullptr;
+    ports_hold(parts.evaluating ? evaluated_ : nullptr);
     const PortLayout& port = parts.ports.ports[static_cast<std::size_t>(marker)];
     const double* frame = parts.ports.frame(marker);
     const double* first = rates ? frame + port.forces : frame;

@@ -26,6 +26,7 @@ void Ports::append(int value_count, int force_count, std::span<const int> coordi
 void Ports::add_rotating_node() {
   node_motions.emplace_back();
   node_loads.emplace_back();
+  point_forces.emplace_back();
   rotations_.resize(rotations_.size() + rotation_size);
 }
 

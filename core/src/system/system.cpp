@@ -26,7 +26,7 @@ void System::assemble(const Model& model, const Division& division) {
     if (const auto* coordinates = dynamic_cast<const AlgebraicCoordinates*>(term.get())) coordinates->mark(parts->static_signs);
     if (const auto* vectors = dynamic_cast<const UnitVectors*>(term.get())) vectors->list(parts->unit_vectors);
   }
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   // Behind the residual: zeros, for multipliers or displacements that are left out of an evaluation.
   parts->work.assign(sizes_.total() + std::max({sizes_.ode2, sizes_.ae, 1}), 0);
   parts_ = std::move(parts);
@@ -55,7 +55,15 @@ Workers* System::workers() const { return parts_->workers.get(); }
 
 bool System::assembled() const { return assembled_; }
 
-std::shared_ptr<const void> System::hold_states() const { return parts_->kept_states; }
+bool System::calls_user_functions() const {
+  const auto calls = [](const auto& place) { return has_user_function(*place.type, place.record.get()); };
+  return std::ranges::any_of(parts_->nodes, calls) || std::ranges::any_of(parts_->objects, calls) || std::ranges::any_of(parts_->loads, calls);
+}
+
+std::shared_ptr<const void> System::hold_states() const {
+  lent_ = true;
+  return parts_->kept_states;
+}
 
 namespace {
 
@@ -109,7 +117,7 @@ void System::refresh(const Model& model) {
   model.check(changed);
   Placing placing(parts);
   for (const ItemReference& item : changed) check_change(parts, model, placing, item);
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   parts.plan.resting_evaluated = false;
   const auto complete = [&](ObjectPlace& place, int number) {
     const auto& physics = static_cast<const ObjectPhysics&>(*place.type->physics);

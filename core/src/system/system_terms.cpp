@@ -36,7 +36,7 @@ void System::add(std::unique_ptr<SystemTerm> term) {
   parts.system_terms.push_back(term.get());
   parts.terms.push_back(std::move(term));
   parts.bound = nullptr;
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   searches_ = true;
   if (!parts.sparse_patterns.empty()) parts.add_sparse_pattern();
 }
@@ -45,7 +45,7 @@ bool System::search(const State& state, const Conditions& conditions) {
   SystemParts& parts = *parts_;
   const auto rests = [&](const SystemTerm* term) { return conditions.direct && term->direct(); };
   if (std::ranges::all_of(parts.system_terms, rests)) return false;
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   const Evaluation e = parts.evaluation(state, conditions);
   parts.update_ports(e);
   bool changed = false;
@@ -71,17 +71,24 @@ SystemTerm& System::term(int number) { return *parts_->system_terms[static_cast<
 
 const Ports& System::current_ports() {
   SystemParts& parts = *parts_;
-  const State& now = state(ConfigurationType::Current);
+  const State& now = state_of(states_, ConfigurationType::Current);
   if (parts.evaluating || (parts.recording && parts.recorded == &now)) return parts.ports;
-  evaluated_ = nullptr;
+  const bool written = std::exchange(lent_, lent_ && parts.kept_states.use_count() > 1);  // or was until now
+  if (!written && frames_.number > 0 && frames_.writes == writes_ && frames_.touches == touches_) return parts.ports;
   parts.update_ports(parts.output_evaluation(now));
   parts.recorded = &now;
+  ports_hold(nullptr);
+  frames_ = {writes_, touches_, frames_.number + 1};
   return parts.ports;
+}
+
+std::uint64_t System::number_of_current_ports() const {
+  return !lent_ && frames_.writes == writes_ && frames_.touches == touches_ ? frames_.number : 0;
 }
 
 void System::forces_of_term(int number, std::span<double> forces) {
   SystemParts& parts = *parts_;
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   Evaluation e = parts.evaluation(state(ConfigurationType::Current), {});
   e.direct = true;
   parts.update_ports(e);
@@ -106,7 +113,7 @@ void System::restore_history() {
 }
 void System::begin_history() {
   SystemParts& parts = *parts_;
-  evaluated_ = nullptr;
+  ports_hold(nullptr);
   parts.update_ports(parts.evaluation(state(ConfigurationType::Initial), {}));
   for (SystemTerm* term : parts.system_terms) term->begin_history(parts.ports);
 }

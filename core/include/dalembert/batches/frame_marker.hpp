@@ -62,6 +62,11 @@ struct MassShape {
   }
 };
 
+template <class E>
+inline constexpr bool is_at_node = false;
+template <class Node>
+inline constexpr bool is_at_node<AtNode<Node>> = true;
+
 template <class E, class OwnerRecord, template <class> class ShapeOf>
 class FrameMarkerBatch : public MarkerBatch {
  public:
@@ -84,6 +89,7 @@ class FrameMarkerBatch : public MarkerBatch {
     e.node = placement.rotating_node;
     e.port = ports.offsets(placement.item);
     for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[i];
+    if constexpr (passes_on) add_to_runs(e);
     entries_.push_back(std::move(e));
   }
   void refresh(int entry, const void* local) override { entries_[entry].local = *static_cast<const Vec3<double>*>(local); }
@@ -157,7 +163,14 @@ class FrameMarkerBatch : public MarkerBatch {
  private:
   template <class S>
   void find_frames(const EvaluationOf<S>& evaluation, PortsOf<S>& ports) const {
-    if constexpr (Shape::values > 0)
+    if constexpr (passes_on)
+      for (const Run& run : runs_) {
+        const S *q = evaluation.q + run.dof, *v = evaluation.v + run.dof;
+        S* to = ports.values.data() + run.value;
+        for (int k = 0; k < run.count; ++k, q += n, v += n, to += Shape::values)
+          for (int i = 0; i < n; ++i) to[i] = q[i], to[n + i] = v[i];
+      }
+    else if constexpr (Shape::values > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
         auto* frame = reinterpret_cast<typename Shape::template Frame<S>*>(ports.values.data() + e.port.value);
@@ -174,7 +187,10 @@ class FrameMarkerBatch : public MarkerBatch {
   }
   template <class S>
   void subtract_forces(const EvaluationOf<S>& evaluation, const PortsOf<S>& ports, S* r) const {
-    if constexpr (n > 0)
+    if constexpr (passes_on)
+      for (const Run& run : runs_)
+        for (int i = 0; i < n * run.count; ++i) r[run.dof + i] -= ports.forces[static_cast<std::size_t>(run.force + i)];
+    else if constexpr (n > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
         const auto q = Shape::template pull_back<S>(parameters(e), x, e.local, ports.forces.data() + e.port.force);
@@ -196,6 +212,19 @@ class FrameMarkerBatch : public MarkerBatch {
   }
   // All coordinates are components of the position.
   static constexpr bool only_translates = n > 0 && E::traits.translations == n;
+  // They are the frame themselves, and its forces theirs. Markers whose numbers all lie side by side are a run: large systems are as fast as
+  // memory is, and this is all they read of their markers.
+  static constexpr bool passes_on = is_at_node<E> && only_translates && n == Shape::forces && 2 * n == Shape::values;
+  struct Run {
+    int dof, value, force, count;
+  };
+  void add_to_runs(const Entry& e) {
+    const Run* last = runs_.empty() ? nullptr : &runs_.back();
+    const auto follows = [&](int first, int size, int next) { return first + size * last->count == next; };
+    const bool goes_on = last != nullptr && follows(last->dof, n, e.dofs[0]) && follows(last->value, Shape::values, e.port.value) &&
+                         follows(last->force, Shape::forces, e.port.force);
+    goes_on ? void(++runs_.back().count) : runs_.push_back({e.dofs[0], e.port.value, e.port.force, 1});
+  }
   static constexpr bool has_geometric = [] {
     if constexpr (requires { requires Shape::constant_jacobian; } || E::traits.constant_jacobian || only_translates) return false;
     else return n > 0;
@@ -231,6 +260,7 @@ class FrameMarkerBatch : public MarkerBatch {
     }
   }
 
+  std::vector<Run> runs_;  // of entries that pass on
   std::vector<typename E::Parameters> owners_;
   int last_owner_ = -1;  // its number
 };

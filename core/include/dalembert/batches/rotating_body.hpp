@@ -47,13 +47,16 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
   void add(const void* record, const Placement& placement, const Ports& ports) override {
     Base::add(record, placement, ports);
     masses_.push_back(Body::mass_properties(entries_.back().parameters));
+    round_.push_back(masses_.back().round());
   }
   void refresh(int entry, const void* record) override {
     Base::refresh(entry, record);
     masses_[static_cast<std::size_t>(entry)] = Body::mass_properties(entries_[entry].parameters);
+    round_[static_cast<std::size_t>(entry)] = masses_[static_cast<std::size_t>(entry)].round();
   }
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
     each_group(0, entries_.size(), [&]<int L>(const Group<L>& group) {
+      if (!evaluation.inertia && std::ranges::all_of(group.each([&](std::size_t i) { return round_[i]; }), [](char round) { return round != 0; })) return;
       const auto motion = [&](std::size_t i) -> const NodeMotion& { return ports.node_motions[entries_[i].node]; };
       const auto first = [&](std::size_t i) { return evaluation.a + entries_[i].dofs[0]; };
       const auto b = gathered<MassProperties>(group.each([&](std::size_t i) { return &masses_[i]; }));
@@ -93,6 +96,7 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
 
  private:
   std::vector<MassProperties<double>> masses_;
+  std::vector<char> round_;  // their spin takes no moment
 };
 
 }  // namespace dalembert

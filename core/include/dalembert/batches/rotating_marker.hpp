@@ -98,8 +98,7 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
         const Vec3<double> force = Shape::scale(this->parameters(e)) * load<double, 3>(f);
         Vec3<double> moment{};
         if constexpr (Shape::forces == 6) moment = load<double, 3>(f + 3);
-        NodeLoad& load = ports.node_loads[static_cast<std::size_t>(e.node)];
-        is_zero(point) ? load.add_at_node(force, moment) : load.add(point, force, moment);
+        ports.add_load(e.node, point, force, moment);
       }
     });
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "dalembert/batches/groups.hpp"
@@ -19,12 +20,13 @@ NodeMotionOf<S> node_motion(const Coordinates<S, Node::size>& x) {
 }
 // Of the generalised forces of a load that is held fixed: by the rotation coordinates, in their rows.
 template <RotatingNode Node>
-Mat<double, Node::size - 3, Node::size - 3> load_tangent(const NodeLoad& load, const Coordinates<double, Node::size>& x,
+Mat<double, Node::size - 3, Node::size - 3> load_tangent(const NodeLoad& load, const PointForces& beside, const Coordinates<double, Node::size>& x,
                                                          const RotationTangent<Node::size - 3>& t, const Weights& w) {
   constexpr int r = Node::size - 3;
-  Mat<double, r, r> k = Node::moment_tangent(x, load.own_moment + load.moment_of_forces(t.rotation), load.moment(), w);
-  for (int j = 0; j < r; ++j) {
-    const Vec3<double> turned = load.moment_of_forces(t.turn[j]);
+  const Vec3<double> moment = load.beside == 0 ? load.own_moment : load.own_moment + beside.moment(t.rotation);
+  Mat<double, r, r> k = Node::moment_tangent(x, moment, load.moment, w);
+  for (int j = 0; j < r && load.beside != 0; ++j) {
+    const Vec3<double> turned = beside.moment(t.turn[j]);
     for (int i = 0; i < r; ++i) k(i, j) += t.spin_map(0, i) * turned[0] + t.spin_map(1, i) * turned[1] + t.spin_map(2, i) * turned[2];
   }
   return k;
@@ -65,13 +67,18 @@ class RotatingNodes final : public RotatingNodeBatch {
       using S = Numbers<L>;
       const auto load = gathered<NodeLoadOf>(group.each([&](std::size_t i) { return &ports.node_loads[entries_[i].node]; }));
       const auto rotation = gathered<9>(group.each([&](std::size_t i) { return ports.node_motions[entries_[i].node].rotation.x.data(); }));
-      const Vec3<S> own_moment = load.own_moment + load.moment_of_forces({rotation.x});
+      Vec3<S> own_moment = load.own_moment;
+      if (!is_zero(load.beside)) {
+        const auto beside = gathered<PointForcesOf>(group.each([&](std::size_t i) { return &std::as_const(ports.point_forces[entries_[i].node]); }));
+        const Vec3<S> moment = beside.moment({rotation.x});
+        for (int i = 0; i < 3; ++i) own_moment[i] = own_moment[i] + only_where(load.beside, moment[i]);
+      }
       Vec<S, n> change;
       if constexpr (LieKernel<Node>) {  // the rates of its rotation are the spin
-        change = joined(-load.force(), -(own_moment + transposed_times(Mat3<S>{rotation.x}, load.moment())));
+        change = joined(-load.force, -(own_moment + transposed_times(Mat3<S>{rotation.x}, load.moment)));
       } else {
         const Coordinates<S, n> x = coordinates(evaluation, group);
-        const Vec<S, n> q = Node::template pull_back<S>(x, load.force(), load.moment());
+        const Vec<S, n> q = Node::template pull_back<S>(x, load.force, load.moment);
         const auto turn = Node::template pull_back_spin<S>(x, own_moment);
         change = vector_of<n>([&](int i) { return i < 3 ? -q[i] : -(q[i] + turn[std::max(i - 3, 0)]); });
       }
@@ -83,7 +90,7 @@ class RotatingNodes final : public RotatingNodeBatch {
     in_wide_registers([&] {
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
-        const auto k = load_tangent<Node>(ports.node_loads[e.node], x, ports.template rotation<turns>(e.node), weights);
+        const auto k = load_tangent<Node>(ports.node_loads[e.node], ports.point_forces[e.node], x, ports.template rotation<turns>(e.node), weights);
         for (const double entry : k.x) slot.add(-entry);
       }
     });

@@ -7,7 +7,7 @@
 
 #include "dalembert/contact/convex_shape.hpp"
 #include "dalembert/contact/convex_touch.hpp"
-#include "dalembert/contact/triangle_tree.hpp"
+#include "dalembert/contact/box_tree.hpp"
 
 namespace dalembert {
 

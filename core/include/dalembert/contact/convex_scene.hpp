@@ -14,7 +14,7 @@ namespace dalembert {
 class ConvexScene {
  public:
   // Participants: convex shapes, spheres, bodies with triangles, planes.
-  void build(const ContactSet& set, const std::vector<Triangle>& triangles, const std::vector<Facet>& facets, const std::vector<TriangleTree>& trees);
+  void build(const ContactSet& set, const std::vector<Triangle>& triangles, const std::vector<Facet>& facets, const std::vector<BoxTree>& trees);
   bool empty() const { return convex_ == 0 && planes_ == 0; }
   int participants() const { return first_plane() + planes_; }
   int first_ball() const { return convex_; }
@@ -54,7 +54,7 @@ class ConvexScene {
   const ContactSet* set_ = nullptr;
   const std::vector<Triangle>* triangles_ = nullptr;
   const std::vector<Facet>* facets_ = nullptr;
-  const std::vector<TriangleTree>* trees_ = nullptr;
+  const std::vector<BoxTree>* trees_ = nullptr;
   int convex_ = 0, balls_ = 0, carriers_ = 0, planes_ = 0;
   std::vector<ConvexShape> shapes_;  // of convex shapes and spheres
   std::vector<int> markers_;

@@ -23,7 +23,7 @@
 #include "dalembert/contact/planar_cable.hpp"
 #include "dalembert/contact/sphere_neighbours.hpp"
 #include "dalembert/contact/sphere_pairs.hpp"
-#include "dalembert/contact/triangle_tree.hpp"
+#include "dalembert/contact/box_tree.hpp"
 #include "dalembert/system/system_term.hpp"
 #include "dalembert/system/workers.hpp"
 
@@ -80,7 +80,8 @@ class GeneralContact final : public SystemTerm {
   // What touched at the last search, Newton iteration or `update`.
   const std::vector<HeldContact>& touching() const { return touching_; }
   void update(const Ports& ports);
-  LineHit first_hit(const Line& line, const Ports& ports) const;
+  // The number of the ports: good as long as they stay as they are; 0: for this line alone.
+  LineHit first_hit(const Line& line, const Ports& ports, std::uint64_t number) const;
   struct Items {
     std::vector<int> spheres, cables, triangles, convex;
   };
@@ -155,7 +156,7 @@ class GeneralContact final : public SystemTerm {
   // Spheres that follow each other: threads share chunks, which depend on the number of spheres alone, and so does the order of sums.
   struct Chunk {
     int begin = 0, end = 0;
-    double moved = 0;  // of its spheres since the lists were made, the largest square
+    double moved = 0;  // by its spheres since the lists were made: not more than this
     std::vector<int> at_triangles;  // spheres that are near some
     std::vector<int> near_triangles;  // of its spheres, one after the other,
     std::vector<std::size_t> ends;    // up to here
@@ -164,6 +165,14 @@ class GeneralContact final : public SystemTerm {
       Vec3<double> force, moment;
     };
     std::vector<OnCarrier> on_carriers;
+    struct Near {
+      int sphere, triangle;
+      bool over_face;
+    };
+    std::vector<Near> near, on_faces;  // what spheres may dip into now: these are over one face that rests,
+    std::size_t others = 0, faces = 0;  // so many of both
+    int last = -1;
+    std::vector<int> of_sphere;
     std::vector<Found> found, kept;
     std::vector<BristleList::Entry> grown;
   };
@@ -176,10 +185,21 @@ class GeneralContact final : public SystemTerm {
   void list_triangles(Chunk& chunk) const;
   void renew_shapes() const;
   double moved() const;
+  double moved_by_spheres() const;
   bool overlap(int sphere, int other) const;
   [[noreturn]] void refuse_same_centre(int sphere, int other) const;
-  void find_triangles(int sphere, Chunk& chunk) const;
-  void touching_triangles(int sphere, Chunk& chunk) const;
+  std::span<const int> triangles_near(int sphere) const {
+    const std::size_t first = first_triangle_[static_cast<std::size_t>(sphere)];
+    return {near_triangles_.data() + first, first_triangle_[static_cast<std::size_t>(sphere) + 1] - first};
+  }
+  // The triangles of a chunk that find_triangles cannot do without, and those that can do without it.
+  struct Heights;
+  void sift_triangles(Chunk& chunk) const;
+  std::size_t sift(std::size_t begin, std::size_t end, Chunk::Near* left) const;
+  template <bool rubs>
+  void push_from_faces(std::span<const Chunk::Near> all) const;
+  void find_triangles(int sphere, std::span<const int> near, Chunk& chunk) const;
+  void touching_triangles(int sphere, std::span<const int> near, Chunk& chunk) const;
   template <class F>
   void each_touch(Chunk& chunk, F&& f) const;
 
@@ -219,6 +239,7 @@ class GeneralContact final : public SystemTerm {
   Partner partner_of(const HeldContact& contact) const;
   Meeting<double> meet(const HeldContact& contact, const Ports& ports) const;
   void add_held(const HeldContact& contact, Ports& ports) const;
+  void add_on_triangles(const Ports& ports, bool rubs, Chunk& chunk) const;
   void add_on_triangles(int sphere, const Ports& ports, Chunk& chunk) const;
   void add_direct(Ports& ports) const;
   bool touches(const HeldContact& contact, const Ports& ports, bool& sticks) const;
@@ -286,6 +307,8 @@ class GeneralContact final : public SystemTerm {
   void grow_convex(const Ports& ports);
   void write_convex_history(std::vector<double>& numbers) const;
   bool take_convex_history(std::span<const double>& numbers);
+  const BoxTree* spheres_for_lines(const Ports& ports, std::uint64_t number) const;
+  void hit_spheres(const Line& line, const Ports& ports, std::uint64_t number, LineHit& hit) const;
   void hit_convex(const Line& line, const Ports& ports, LineHit& hit) const;
 
   std::shared_ptr<const ContactSet> set_;
@@ -305,7 +328,7 @@ class GeneralContact final : public SystemTerm {
 
   // Kept from one evaluation to the next: they decide what is looked at, never what it gives.
   mutable std::uint64_t shapes_ = ~std::uint64_t{0}, lists_ = 0;
-  mutable std::vector<TriangleTree> trees_;
+  mutable std::vector<BoxTree> trees_;
   mutable std::vector<Triangle> local_;  // corners of all triangles
   mutable std::vector<Facet> facets_;
   mutable SpherePairs pairs_;
@@ -313,11 +336,20 @@ class GeneralContact final : public SystemTerm {
   mutable std::vector<RigidFrame<double>> carriers_now_, carriers_at_list_;
   mutable SphereNeighbours neighbours_;
   mutable std::vector<std::size_t> first_triangle_;
-  mutable std::vector<int> near_triangles_;
+  mutable std::vector<int> near_triangles_, near_spheres_;  // pair by pair
+  mutable std::vector<int> carriers_of_triangles_;
+  mutable std::vector<char> carriers_rest_;
   mutable double skin_ = 0;
   mutable int since_list_ = 0;
   mutable std::vector<Chunk> chunks_;
   Workers* workers_ = nullptr;
+  // Lines that were asked for of the same ports, and their spheres in a tree as soon as it pays.
+  struct Lines {
+    std::uint64_t ports = 0;
+    int count = 0;
+    BoxTree spheres;
+  };
+  mutable Lines lines_;
   std::vector<HeldContact> touching_;
   BristleList bristles_;  // at the start of the step
   std::vector<BristleList::Entry> grown_bristles_;

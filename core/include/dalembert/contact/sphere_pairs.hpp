@@ -2,6 +2,7 @@
 // in a place of its own until that chunk takes it, so that chunks may be computed side by side, and sums have one order.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,12 @@ class SpherePairs {
 
   // Room for the spheres of a set, and their surfaces.
   void take(const ContactSet& set);
+  // Of a sphere with what carries triangles.
+  ContactPairing pairing_with(const ContactSet& set, int sphere, int carrier) const {
+    const auto i = static_cast<std::size_t>(sphere), c = static_cast<std::size_t>(carrier);
+    if (with_carriers_.empty()) return set.pairing(set.spheres[i].surface, set.carriers[c].surface);
+    return with_carriers_[static_cast<std::size_t>(kinds_[i]) * set.carriers.size() + c];
+  }
   // Pairs to look at from now on; chunk c has spheres from begins[c] to begins[c + 1].
   void list(const SphereNeighbours& neighbours, std::span<const int> begins);
   // What friction does: nothing, what is computed here, or what others add.
@@ -35,7 +42,7 @@ class SpherePairs {
   double compute(int chunk, const ContactSet& set, Friction friction);
   // Of the pairs of a chunk, in the order of its neighbours: which the first one is, and where what acts on the second sphere goes.
   std::size_t first_pair(int chunk) const { return first_pair_[static_cast<std::size_t>(chunk)]; }
-  std::size_t place_of_second(std::size_t pair) const { return static_cast<std::size_t>(targets_[pair]); }
+  std::size_t place_of_second(std::size_t pair) const;
   // Adds what other chunks have left.
   void collect(int chunk, bool rubs);
 
@@ -47,8 +54,9 @@ class SpherePairs {
   std::size_t count_ = 0;
   std::vector<int> kinds_;               // of surfaces, by sphere
   std::vector<ContactSurface> surfaces_; // by kind
-  std::vector<ContactPairing> pairings_; // of kinds; empty where there are too many
-  std::vector<int> begins_, firsts_, seconds_, targets_;   // targets: where the force on the second one goes
+  std::vector<ContactPairing> pairings_, with_carriers_; // of kinds with kinds and with carriers; empty where there are too many
+  std::vector<int> begins_;  // of chunks
+  std::vector<std::uint32_t> firsts_, seconds_, targets_;  // by pair; targets: where the force on the second one goes
   std::vector<std::size_t> first_pair_, first_waiting_, first_collected_;  // by chunk
   struct Waiting {
     int sphere, place;

@@ -39,33 +39,35 @@ struct NodeMotionOf {
 };
 using NodeMotion = NodeMotionOf<double>;
 
-// The sum of moments in own axes, and what forces at points of the node and moments in global axes leave: their sums, and the
-// sum of point force^T, row by row, points in own axes.
+// The sums of moments in own axes, and of forces and moments in global axes.
 template <class S>
 struct NodeLoadOf {
-  Vec3<S> own_moment;
-  Vec<S, 15> at_points;
+  Vec3<S> own_moment, force, moment;
+  S beside{};  // not zero: some of the forces act beside the node
 
-  static constexpr int count = 18;
-  static NodeLoadOf of(const Vec<S, count>& x) { return {segment<3>(x, 0), segment<15>(x, 3)}; }
-  Vec3<S> force() const { return segment<3>(at_points, 0); }
-  Vec3<S> moment() const { return segment<3>(at_points, 3); }
+  static constexpr int count = 10;
+  static NodeLoadOf of(const Vec<S, count>& x) { return {segment<3>(x, 0), segment<3>(x, 3), segment<3>(x, 6), x[9]}; }
   void add_at_node(const Vec3<S>& f, const Vec3<S>& m) {
-    for (int i = 0; i < 3; ++i) {
-      at_points[i] += f[i];
-      at_points[3 + i] += m[i];
-    }
-  }
-  void add(const Vec3<S>& point, const Vec3<S>& f, const Vec3<S>& m) {
-    at_points += joined(f, m, matrix_of<3, 3>([&](int i, int j) { return point[i] * f[j]; }));
-  }
-  // Moment of the forces, in own axes of this rotation; linear in it.
-  Vec3<S> moment_of_forces(const Mat3<S>& rotation) const {
-    const Mat3<S> turned = matrix_segment<3, 3>(at_points, 6) * rotation;
-    return {turned(1, 2) - turned(2, 1), turned(2, 0) - turned(0, 2), turned(0, 1) - turned(1, 0)};
+    force += f;
+    moment += m;
   }
 };
 using NodeLoad = NodeLoadOf<double>;
+
+// Of forces beside the node: the sum of point force^T, points in own axes. Without such forces it is neither read nor set back.
+template <class S>
+struct PointForcesOf {
+  Mat3<S> sum;
+
+  static constexpr int count = 9;
+  static PointForcesOf of(const Vec<S, count>& x) { return {{x.x}}; }
+  // Moment of the forces, in own axes of this rotation; linear in it.
+  Vec3<S> moment(const Mat3<S>& rotation) const {
+    const Mat3<S> turned = sum * rotation;
+    return {turned(1, 2) - turned(2, 1), turned(2, 0) - turned(0, 2), turned(0, 1) - turned(1, 0)};
+  }
+};
+using PointForces = PointForcesOf<double>;
 
 // Derivatives by R rotation coordinates. Maps are per rate, tangents along the weights.
 template <int R>
@@ -108,6 +110,10 @@ struct MassProperties {
   Vec3<T> centre;
 
   bool eccentric() const { return !is_zero(dot(centre, centre)); }
+  // The same inertia about all axes.
+  bool round() const requires std::same_as<T, double> {
+    return !eccentric() && tensor[0] == tensor[1] && tensor[1] == tensor[2] && is_zero(segment<3>(tensor, 3));
+  }
   static constexpr int count = 10;
   static MassProperties of(const Vec<T, count>& x) { return {x[0], segment<6>(x, 1), segment<3>(x, 7)}; }
 };

@@ -1,23 +1,23 @@
-// Vectors that begin with a cache line: numbers that are read four at a time do not lie astride of two lines.
+// Vectors that begin with a cache line: numbers that are read four at a time do not lie astride of two lines. Large ones lie in large pages.
 #pragma once
 
 #include <cstddef>
-#include <new>
 #include <vector>
+
+#include "dalembert/math/large_memory.hpp"
 
 namespace dalembert {
 
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;
-  static constexpr std::align_val_t line{64};
 
   CacheLineAllocator() = default;
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-  T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
-  void deallocate(T* memory, std::size_t) { ::operator delete(memory, line); }
+  T* allocate(std::size_t count) { return static_cast<T*>(allocate_large(count * sizeof(T))); }
+  void deallocate(T* memory, std::size_t count) { release_large(memory, count * sizeof(T)); }
   bool operator==(const CacheLineAllocator&) const = default;
 };
 

@@ -90,6 +90,8 @@ struct Pack {
   }
   DALEMBERT_INLINE friend Pack magnitude(const Pack& a) { return a.x < 0 ? -a.x : a.x; }
   DALEMBERT_INLINE friend Pack larger(const Pack& a, const Pack& b) { return a.x > b.x ? a.x : b.x; }
+  // Zero in other lanes, whatever is there.
+  DALEMBERT_INLINE friend Pack only_where(const Pack& flag, const Pack& a) { return flag.x != 0.0 ? a.x : Register{}; }
   // A divisor where there would be none.
   DALEMBERT_INLINE friend Pack one_for_zero(const Pack& a) { return a.x == 0.0 ? 1.0 - Register{} : a.x; }
 
@@ -114,6 +116,7 @@ struct Pack {
 // The same of single numbers, for templates over both.
 inline double magnitude(double a) { return a < 0 ? -a : a; }
 inline double larger(double a, double b) { return a > b ? a : b; }
+inline double only_where(double flag, double a) { return flag != 0 ? a : 0; }
 
 // Every four lanes of four vectors are a matrix: all of these transposed.
 template <int N>

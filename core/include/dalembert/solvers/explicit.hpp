@@ -52,6 +52,11 @@ class ExplicitSolver : public Solver {
   void compute_step();
   void runge_kutta_step();
   void verlet_step();
+  // ---- steps in one pass over memory (one_pass_step.cpp) -------------------------------------------------------------
+  void step_at_once();
+  void keep_motion();
+  void move_by_forces(std::span<const double> negative);
+  bool move_by_masses(std::span<const double> negative);
   void compute_stage(int stage);
   // Stages that count in a sum of derivatives.
   struct StageWeight {
@@ -68,6 +73,8 @@ class ExplicitSolver : public Solver {
   void turn_stage_rates(std::size_t stage);
   // With `y_t`, also the rates of ODE1 coordinates.
   bool accelerations(Vector& a, std::span<double> y_t = {});
+  bool divide_by_masses(Vector& a);
+  bool masses_are_old() { return renewed_objects_ != system().renewed_objects(); }
   void rates(Vector& y_t);
   void eliminate(Vector& x) const;
   void find_eliminated_coordinates();
@@ -113,6 +120,10 @@ class ExplicitSolver : public Solver {
   std::uint64_t renewed_objects_ = 0;  // when the factors of the mass matrix were made
   // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
+  bool may_move_at_once_ = false;  // the method has one stage, and nobody asks for more than where it leads
+  bool at_once_ = false;           // this step does
+  bool sums_known_ = false;     // of squares, after this step:
+  double sum_of_v_ = 0, sum_of_a_ = 0;
   int stiff_signs_ = 0, calm_signs_ = 0;  // in the last steps
   bool told_stiff_ = false;
   double growth_limit_ = 0;         // of the sum of squares of velocities ...

@@ -29,6 +29,9 @@ class MassOperator {
     return LinearSolver::success;
   }
 
+  // If all coordinates stand alone, what forces are multiplied with; otherwise null.
+  const double* factors() const { return without_matrix_ == 0 && blocks_.empty() ? inverse_.data() : nullptr; }
+
  private:
   struct Entry {
     int row, column;

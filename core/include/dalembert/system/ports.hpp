@@ -83,6 +83,16 @@ class Ports : public PortsOf<double> {
   // By rotating node, for the bodies and markers on it.
   std::vector<NodeMotion> node_motions;
   std::vector<NodeLoad> node_loads;
+  std::vector<PointForces> point_forces;  // to be read where loads say so
+  void add_load(int node, const Vec3<double>& point, const Vec3<double>& force, const Vec3<double>& moment) {
+    NodeLoad& load = node_loads[static_cast<std::size_t>(node)];
+    load.add_at_node(force, moment);
+    if (is_zero(point)) return;
+    Mat3<double>& sum = point_forces[static_cast<std::size_t>(node)].sum;
+    const Mat3<double> more = matrix_of<3, 3>([&](int i, int j) { return point[i] * force[j]; });
+    sum = load.beside == 0 ? more : sum + more;
+    load.beside = 1;
+  }
 
   // Append a marker's stretch; `n` dofs follow with the call.
   void append(int value_count, int force_count, std::span<const int> coordinate_dofs, int translations = 0);

@@ -86,9 +86,12 @@ class System {
 
   const Sizes& sizes() const { return sizes_; }
   // Current, Initial, Reference (q and y only), StartOfStep, Visualization.
-  State& state(ConfigurationType configuration) { return state_of(states_, configuration); }
+  State& state(ConfigurationType configuration) {
+    if (configuration == ConfigurationType::Current) ++touches_;
+    return state_of(states_, configuration);
+  }
   const State& state(ConfigurationType configuration) const { return state_of(states_, configuration); }
-  // Holds the vectors of all states where they are, also after the next assembling, which makes others.
+  // Holds the vectors of all states where they are, also after the next assembling, which makes others. Whoever does may write to them.
   std::shared_ptr<const void> hold_states() const;
 
   // r has sizes().total() entries and is overwritten. Not const: markers and work space are kept.
@@ -108,6 +111,7 @@ class System {
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
   bool constant_mass_matrix() const;
+  bool calls_user_functions() const;  // of objects and loads, in evaluations
   std::uint64_t renewed_objects() const { return renewed_objects_; }  // grown: one has other parameters now
   // Generalised forces Q of  M a = Q, without constraint forces; rhs has sizes().ode2 entries. For explicit integrators.
   void forces(const State& state, const Conditions& conditions, std::span<double> rhs);
@@ -115,6 +119,8 @@ class System {
   void rates(const State& state, const Conditions& conditions, std::span<double> y_t);
   // Both at once; what has no entries is left out.
   void right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t);
+  // -Q, without a copy: to be read until the next evaluation.
+  std::span<const double> negative_forces(const State& state, const Conditions& conditions);
   // Constraint equations only; sizes().ae entries.
   void gaps(const State& state, const Conditions& conditions, std::span<double> g);
   // What each ODE2 coordinate measures: components of positions, the other coordinates of such nodes, or no one knows what.
@@ -159,8 +165,10 @@ class System {
   SystemTerm& term(int number);
   // Generalised forces of one of them alone, in the current state; sizes().ode2 entries.
   void forces_of_term(int number, std::span<double> forces);
-  // Frames of markers in the current state, for questions to such terms.
+  // Frames of markers in the current state, for questions to such terms: they stay as long as nobody can have changed the state.
   const Ports& current_ports();
+  // What is kept of them is good as long as this number stays; 0: nothing is to be kept.
+  std::uint64_t number_of_current_ports() const;
   // The same in any configuration, as long as `look` runs.
   void with_ports(ConfigurationType configuration, const std::function<void(const Ports&)>& look);
   // History of such terms, which is no part of a state: a step begins, or begins again.
@@ -255,7 +263,18 @@ class System {
   std::uint64_t version_ = 0;
   std::uint64_t renewed_objects_ = 0;
   const Model* late_ = nullptr;       // whose changes the next evaluation takes over
-  const State* evaluated_ = nullptr;  // whose marker frames and forces the ports hold
+  // Whose marker frames and forces the ports hold.
+  void ports_hold(const State* state) {
+    evaluated_ = state;
+    ++writes_;
+  }
+  const State* evaluated_ = nullptr;
+  std::uint64_t writes_ = 0, touches_ = 0;  // of the ports; times that somebody got the current state who may have changed it
+  struct Frames {
+    std::uint64_t writes = 0, touches = 0, number = 0;
+  };
+  Frames frames_;               // of the current state, when they were last evaluated
+  mutable bool lent_ = false;   // who holds the states may have changed them without asking for them
   int evaluations_ = 0;
   int pattern_revisions_ = 0;
   bool searches_ = false, forgotten_ = false;

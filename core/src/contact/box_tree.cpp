@@ -1,4 +1,4 @@
-#include "dalembert/contact/triangle_tree.hpp"
+#include "dalembert/contact/box_tree.hpp"
 
 #include <algorithm>
 
@@ -9,26 +9,26 @@ constexpr int leaf_size = 4;
 
 }  // namespace
 
-void TriangleTree::build(std::span<const int> entries, const std::vector<Triangle>& all) {
+void BoxTree::build(std::span<const int> entries, std::span<const Box> boxes) {
   entries_.assign(entries.begin(), entries.end());
   nodes_.clear();
   if (entries_.empty()) return;
   nodes_.reserve(entries_.size());
-  split(0, static_cast<int>(entries_.size()), all);
+  split(0, static_cast<int>(entries_.size()), boxes);
 }
 
 // In halves along the longest side of the box around the centres.
-void TriangleTree::split(int first, int count, const std::vector<Triangle>& all) {
+void BoxTree::split(int first, int count, std::span<const Box> boxes) {
   const auto sum = [&](int entry) {
-    const Triangle& t = all[static_cast<std::size_t>(entry)];
-    return t[0] + t[1] + t[2];
+    const Box& box = boxes[static_cast<std::size_t>(entry)];
+    return box.lower + box.upper;
   };
   const std::size_t at = nodes_.size();
   nodes_.emplace_back();
   Box box, centres;
   for (int i = first; i < first + count; ++i) {
     const int entry = entries_[static_cast<std::size_t>(i)];
-    for (const Vec3<double>& point : all[static_cast<std::size_t>(entry)]) box.add(point);
+    box.add_box(boxes[static_cast<std::size_t>(entry)]);
     centres.add(sum(entry));
   }
   nodes_[at].box = box;
@@ -45,15 +45,15 @@ void TriangleTree::split(int first, int count, const std::vector<Triangle>& all)
     const double x = sum(a)[axis], y = sum(b)[axis];
     return x < y || (x == y && a < b);
   });
-  split(first, count / 2, all);
+  split(first, count / 2, boxes);
   nodes_[at].first = static_cast<int>(nodes_.size());
-  split(first + count / 2, count - count / 2, all);
+  split(first + count / 2, count - count / 2, boxes);
 }
 
 // A hair wider than the box: a line along its side meets what lies there.
-bool TriangleTree::passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double from, double to) {
+bool BoxTree::passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double distance, double from, double to) {
   for (int i = 0; i < 3; ++i) {
-    const double hair = 1e-9 * (box.upper[i] - box.lower[i]) + 1e-14 * (std::abs(box.upper[i]) + std::abs(box.lower[i]));
+    const double hair = 1e-9 * (box.upper[i] - box.lower[i]) + 1e-14 * (std::abs(box.upper[i]) + std::abs(box.lower[i])) + distance;
     const double lower = box.lower[i] - hair - start[i], upper = box.upper[i] + hair - start[i];
     if (direction[i] == 0) {
       if (lower > 0 || upper < 0) return false;

@@ -1,4 +1,4 @@
-// Triangles that rest in one frame, in boxes within boxes: which of them are near a point, and which one a line meets.
+// Things in boxes within boxes: which of them are near a point, and which ones a line may meet.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "dalembert/math/triangle.hpp"
+#include "dalembert/math/fixed.hpp"
 
 namespace dalembert {
 
@@ -20,6 +20,10 @@ struct Box {
       lower[i] = std::min(lower[i], point[i]);
       upper[i] = std::max(upper[i], point[i]);
     }
+  }
+  void add_box(const Box& other) {
+    add(other.lower);
+    add(other.upper);
   }
   bool overlaps(const Box& other) const {
     for (int i = 0; i < 3; ++i)
@@ -36,10 +40,10 @@ struct Box {
   }
 };
 
-class TriangleTree {
+class BoxTree {
  public:
-  // Entries are numbers in `all`.
-  void build(std::span<const int> entries, const std::vector<Triangle>& all);
+  // Entries are numbers of boxes.
+  void build(std::span<const int> entries, std::span<const Box> boxes);
   bool empty() const { return nodes_.empty(); }
   const Box& box() const { return nodes_.front().box; }
 
@@ -48,10 +52,11 @@ class TriangleTree {
   void each_near(const Vec3<double>& point, double distance, F&& f) const {
     each([&](const Box& box) { return box.square_distance(point) <= distance * distance; }, f);
   }
-  // Calls f(entry) for all with a box that the line start + s * direction, from <= s <= to(), may pass; `to` may fall meanwhile.
+  // Calls f(entry) for all with a box that the line start + s * direction, from <= s <= to(), may pass at this distance; `to` may fall
+  // meanwhile.
   template <class To, class F>
-  void each_along(const Vec3<double>& start, const Vec3<double>& direction, double from, const To& to, F&& f) const {
-    each([&](const Box& box) { return passes(box, start, direction, from, to()); }, f);
+  void each_along(const Vec3<double>& start, const Vec3<double>& direction, double distance, double from, const To& to, F&& f) const {
+    each([&](const Box& box) { return passes(box, start, direction, distance, from, to()); }, f);
   }
 
  private:
@@ -77,8 +82,8 @@ class TriangleTree {
       for (int i = node.first; i < node.first + node.count; ++i) f(entries_[static_cast<std::size_t>(i)]);
     }
   }
-  static bool passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double from, double to);
-  void split(int first, int count, const std::vector<Triangle>& all);
+  static bool passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double distance, double from, double to);
+  void split(int first, int count, std::span<const Box> boxes);
 
   std::vector<Node> nodes_;
   std::vector<int> entries_;

@@ -1,0 +1,166 @@
+// Spheres on faces of triangles that rest, four at once; what is left are those at edges and corners, at several triangles, and at what moves.
+#include <algorithm>
+
+#include "dalembert/contact/general_contact.hpp"
+#include "dalembert/math/pack.hpp"
+#include "dalembert/math/wide_registers.hpp"
+
+namespace dalembert {
+namespace {
+
+using P = Pack<4>;
+constexpr std::size_t lanes = 4;
+static_assert(sizeof(Facet) == 18 * sizeof(double));  // corner, normal, three directions inward, and where the edges are
+
+DALEMBERT_INLINE inline std::array<P, 4> gather(const std::array<const double*, lanes>& from, std::size_t first = 0) {
+  return gather_fours<4>({from[0] + first, from[1] + first, from[2] + first, from[3] + first});
+}
+DALEMBERT_INLINE inline P smaller(const P& a, const P& b) { return b.x < a.x ? b.x : a.x; }
+DALEMBERT_INLINE inline Vec3<P> first_three(const std::array<P, 4>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+}  // namespace
+
+// Four spheres over four triangles, and how high they are.
+struct GeneralContact::Heights {
+  std::array<const double*, lanes> facet;
+  Mat3<P> rotation;  // of what carries them
+  Vec3<P> centre;    // there
+  Vec3<P> normal;
+  P height, radius;
+  std::array<P, 4> behind_normal;  // the last two components of it, and what comes then
+
+  DALEMBERT_INLINE Heights(const GeneralContact& contact, const std::array<Chunk::Near, lanes>& pair) {
+    std::array<const double*, lanes> at, frame;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const auto t = static_cast<std::size_t>(pair[lane].triangle);
+      facet[lane] = contact.facets_[t].corner.x.data();
+      at[lane] = &contact.pairs_.at[static_cast<std::size_t>(pair[lane].sphere)].x;
+      frame[lane] = contact.carriers_now_[static_cast<std::size_t>(contact.carriers_of_triangles_[t])].position.x.data();
+    }
+    const std::array<P, 4> s = gather(at), corner = gather(facet);
+    behind_normal = gather(facet, 4);
+    const auto take_frame = [&](const auto& number) DALEMBERT_INLINE {
+      for (std::size_t i = 0; i < 9; ++i) rotation.x[i] = number(6 + i);
+      centre = transposed_times(rotation, Vec3<P>{s[0] - number(0), s[1] - number(1), s[2] - number(2)});
+    };
+    const auto of_each = [&](std::size_t i) DALEMBERT_INLINE { return P(P::Register{frame[0][i], frame[1][i], frame[2][i], frame[3][i]}); };
+    const auto of_first = [&](std::size_t i) DALEMBERT_INLINE { return P(frame[0][i]); };
+    const bool is_one = frame[0] == frame[1] && frame[0] == frame[2] && frame[0] == frame[3];
+    is_one ? take_frame(of_first) : take_frame(of_each);
+    normal = {corner[3], behind_normal[0], behind_normal[1]};
+    height = dot(normal, centre - first_three(corner));
+    radius = s[3];
+  }
+  DALEMBERT_INLINE P within_edges() const {
+    const std::array<P, 4> f8 = gather(facet, 8), f12 = gather(facet, 12), f14 = gather(facet, 14);
+    const P first = dot(Vec3<P>{behind_normal[2], behind_normal[3], f8[0]}, centre) - f14[1], second = dot(Vec3<P>{f8[1], f8[2], f8[3]}, centre) - f14[2],
+            third = dot(first_three(f12), centre) - f14[3];
+    return smaller(first, smaller(second, third));
+  }
+};
+
+// Triangles that find_triangles would not leave out by heights over planes and distances from edges, to the last bit.
+DALEMBERT_INLINE inline std::size_t GeneralContact::sift(std::size_t begin, std::size_t end, Chunk::Near* left) const {
+  std::size_t count = 0;
+  for (std::size_t k = begin; k < end; k += lanes) {
+    std::array<Chunk::Near, lanes> pair;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const std::size_t p = std::min(k + lane, end - 1);
+      pair[lane] = {near_spheres_[p], near_triangles_[p], false};
+    }
+    const Heights at(*this, pair);
+    const P::Register height = at.height.x, radius = at.radius.x;
+    const auto near = (height > 0.0) & (height <= radius);
+    if (is_zero(P(near ? 1.0 - P::Register{} : P::Register{}))) continue;
+    const P::Register within = at.within_edges().x;
+    const auto beside = (within < 0.0) & (within * within + height * height > radius * radius);
+    const auto kept = near & ~beside, over = (within > 0.0) & (height < radius) & (height >= set_->nearest_relative_distance * radius);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      left[count] = {pair[lane].sphere, pair[lane].triangle, over[lane] != 0};
+      count += kept[lane] != 0 && k + lane < end ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+// Spheres over one face of what rests, and all others.
+void GeneralContact::sift_triangles(Chunk& chunk) const {
+  const std::size_t begin = first_triangle_[static_cast<std::size_t>(chunk.begin)], end = first_triangle_[static_cast<std::size_t>(chunk.end)];
+  if (chunk.near.size() < end - begin + lanes) {
+    chunk.near.resize(end - begin + lanes);
+    chunk.on_faces.resize(end - begin + lanes);
+  }
+  std::size_t count = 0, on_faces = 0, others = 0;
+  if (begin < end) in_registers_of_four([&, this] { count = sift(begin, end, chunk.near.data()); });
+  const bool grips = set_->bristles.grow();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Chunk::Near pair = chunk.near[k];
+    const bool follows = k > 0 && chunk.last == pair.sphere, goes_on = k + 1 < count && chunk.near[k + 1].sphere == pair.sphere;
+    chunk.last = pair.sphere;
+    const bool simple = pair.over_face && !follows && !goes_on && !grips && carriers_rest_[static_cast<std::size_t>(carriers_of_triangles_[static_cast<std::size_t>(pair.triangle)])] != 0;
+    chunk.on_faces[on_faces] = pair;
+    on_faces += simple ? 1 : 0;
+    chunk.near[others] = pair;
+    others += simple ? 0 : 1;
+  }
+  chunk.others = others;
+  chunk.faces = on_faces;
+}
+
+// As add_on_triangles has it.
+template <bool rubs>
+DALEMBERT_INLINE inline void GeneralContact::push_from_faces(std::span<const Chunk::Near> all) const {
+  const double zone = set_->proportional_zone;
+  for (std::size_t k = 0; k < all.size(); k += lanes) {
+    std::array<Chunk::Near, lanes> pair;
+    std::array<const double*, lanes> velocities, spins;
+    std::array<ContactPairing, lanes> pairings;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      pair[lane] = all[std::min(k + lane, all.size() - 1)];
+      const auto i = static_cast<std::size_t>(pair[lane].sphere);
+      velocities[lane] = &pairs_.velocity[i].x;
+      if constexpr (rubs) spins[lane] = &pairs_.spin[i].x;
+      pairings[lane] = pairs_.pairing_with(*set_, pair[lane].sphere, carriers_of_triangles_[static_cast<std::size_t>(pair[lane].triangle)]);
+    }
+    const auto of_pairing = [&](double ContactPairing::*number) DALEMBERT_INLINE {
+      return P(P::Register{pairings[0].*number, pairings[1].*number, pairings[2].*number, pairings[3].*number});
+    };
+    const int count = static_cast<int>(std::min(lanes, all.size() - k));
+    const Heights at(*this, pair);
+    const Vec3<P> normal = -(at.rotation * at.normal);
+    Vec3<P> velocity = -first_three(gather(velocities));
+    if constexpr (rubs) velocity -= cross(first_three(gather(spins)), at.height * normal);
+    const P away = dot(normal, velocity);
+    P pressure = -(of_pairing(&ContactPairing::stiffness) * (at.height - at.radius)) - of_pairing(&ContactPairing::damping) * away;
+    pressure = P(pressure.x > 0.0 ? pressure.x : P::Register{});
+    Vec3<P> force = (-pressure) * normal;
+    if constexpr (rubs) {
+      const Vec3<P> slip = velocity - away * normal;
+      const P square = dot(slip, slip), fast = 1.0 / sqrt(one_for_zero(square));
+      const P factor(square.x < zone * zone ? P(1 / zone).x : fast.x);
+      const Vec3<P> drag = (of_pairing(&ContactPairing::friction) * pressure) * (factor * slip), moment = at.height * cross(normal, drag);
+      force = force + drag;
+      each_row<4>({moment[0], moment[1], moment[2], P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
+        row.add_to(&pairs_.moment[static_cast<std::size_t>(pair[static_cast<std::size_t>(lane)].sphere)].x);
+      });
+    }
+    each_row<4>({force[0], force[1], force[2], P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
+      row.add_to(&pairs_.force[static_cast<std::size_t>(pair[static_cast<std::size_t>(lane)].sphere)].x);
+    });
+  }
+}
+
+void GeneralContact::add_on_triangles(const Ports& ports, bool rubs, Chunk& chunk) const {
+  chunk.on_carriers.clear();
+  sift_triangles(chunk);
+  const std::span<const Chunk::Near> faces(chunk.on_faces.data(), chunk.faces);
+  if (!faces.empty()) in_registers_of_four([faces, rubs, this] { rubs ? push_from_faces<true>(faces) : push_from_faces<false>(faces); });
+  for (std::size_t k = 0; k < chunk.others;) {
+    const int sphere = chunk.near[k].sphere;
+    chunk.of_sphere.clear();
+    for (; k < chunk.others && chunk.near[k].sphere == sphere; ++k) chunk.of_sphere.push_back(chunk.near[k].triangle);
+    add_on_triangles(sphere, ports, chunk);
+  }
+}
+
+}  // namespace dalembert
