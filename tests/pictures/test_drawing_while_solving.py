@@ -15,6 +15,7 @@ from test_items import READY, run
 
 import dalembert as exu
 from dalembert import _core
+from dalembert._live.histories import History
 from dalembert._pictures.studio import Studio
 
 STEPS = 100  # with 130 items, some 10^4 of them
@@ -128,3 +129,46 @@ def test_places_alone_are_told_and_said_to_be_so(mbs: Any) -> None:
     shadow.follow(places=True)
     assert shadow.complete  # no solver is at work
     assert shadow.system.GetObjectOutput(mass, exu.OutputVariableType.Velocity, Shown)[2] == pytest.approx(-2, rel=1e-9)
+
+
+def test_traces_go_through_what_was_seen_until_all_is_stored(mbs: Any) -> None:
+    """A mass that falls is at -t**2 in all states that were seen; afterwards, there is what the sensor has stored."""
+    mass = mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, -2])
+    sensor = mbs.AddSensor(
+        exu.itemInterface.SensorBody(
+            bodyNumber=mass, outputVariableType=exu.OutputVariableType.Position, storeInternal=True, writeToFile=False
+        )
+    )
+    silent = mbs.AddSensor(
+        exu.itemInterface.SensorBody(
+            bodyNumber=mass, outputVariableType=exu.OutputVariableType.Position, writeToFile=False
+        )
+    )
+    mbs.Assemble()
+    shadow = _core._Shadow(mbs)
+    history, seen = History(mbs, shadow), []
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 100_000, 1
+    settings.timeIntegration.verboseMode = 0
+    settings.solutionSettings.writeSolutionToFile = False
+    settings.solutionSettings.sensorsWritePeriod = 0.1
+
+    def look(original: Any, t: float) -> bool:
+        if shadow.follow()[0]:
+            seen.append(history.rows(sensor))
+            with pytest.raises(ValueError, match="stores nothing"):
+                history.rows(silent)
+        return True
+
+    shadow.follow()
+    mbs.SetPreStepUserFunction(look)
+    for _ in range(2):
+        seen.clear()
+        mbs.SolveDynamic(settings)
+        rows = seen[-1]
+        assert len(rows) == len(seen) > 3 and (np.diff(rows[:, 0]) > 0).all()
+        np.testing.assert_allclose(rows[:, 3], -(rows[:, 0] ** 2), rtol=1e-9, atol=1e-12)
+        shadow.follow()
+        stored = history.rows(sensor)
+        np.testing.assert_array_equal(stored, mbs.GetSensorStoredData(sensor))
+        np.testing.assert_allclose(stored[:, 0], np.linspace(0, 1, 11), atol=1e-4)

@@ -417,6 +417,22 @@ def test_copies_take_little_of_the_time_of_the_solver(swinging: Any, viewer: Vie
     assert solver.timer.visualization < 0.01 * solver.timer.total
 
 
+def test_sensors_leave_traces_while_it_is_solved(SC: Any, swinging: Any, viewer: Viewer) -> None:
+    position = exu.OutputVariableType.Position
+    swinging.AddSensor(exu.itemInterface.SensorBody(bodyNumber=1, outputVariableType=position, storeInternal=True))
+    swinging.Assemble()
+    SC.visualizationSettings.sensors.traces.showPositionTrace = True
+    reader = Reader(viewer)
+    thread = solving(swinging)
+    while True:
+        head, _ = reader.message("scene")
+        if "Trace" in {head["items"][item][0] for item in head["lines"]["items"] if item >= 0}:
+            break
+    assert thread.is_alive()
+    reader.press("q")
+    thread.join(20)
+
+
 def test_two_pages_and_one_that_does_not_answer(swinging: Any, viewer: Viewer) -> None:
     """Who does not tell that a frame was shown gets no other one; the others do not wait for it."""
     silent, reader = Reader(viewer), Reader(viewer)

@@ -17,6 +17,7 @@ import numpy as np
 
 from dalembert import _core
 from dalembert._live import details, keys, views
+from dalembert._live.histories import History
 from dalembert._live.messages import Stage
 from dalembert._live.opening import PATIENCE, RETURN
 from dalembert._live.server import PageServer
@@ -65,6 +66,7 @@ class Viewer:
         """`link` reaches pages: a server of this machine, or the channel of a notebook."""
         self.container, self.settings = container, container.visualizationSettings
         self.shadows: list[Any] = []
+        self._histories: list[History] = []
         self.studio: Studio | None = None
         self.stage = Stage()
         self.selection: tuple[int, str, int, float] | None = None
@@ -277,7 +279,9 @@ class Viewer:
         count = self.container.NumberOfSystems()
         changed = len(self.shadows) != count
         if changed:
-            self.shadows = [_core._Shadow(self.container.GetSystem(i)) for i in range(count)]
+            systems = [self.container.GetSystem(i) for i in range(count)]
+            self.shadows = [_core._Shadow(mbs) for mbs in systems]
+            self._histories = [History(*both) for both in zip(systems, self.shadows, strict=True)]
         places = self.selection is None and self._only_moving() is not None
         news = [shadow.follow(places) for shadow in self.shadows]
         items, structure = any(new[1] for new in news), any(new[2] for new in news)
@@ -285,6 +289,8 @@ class Viewer:
         if changed or structure or self.studio is None or (items and now - self._made > OFTEN):
             self._made = now
             self.studio = Studio(self.container, [shadow.system for shadow in self.shadows])
+            for maker, history in zip(self.studio.makers, self._histories, strict=True):
+                maker.stored = history.rows
             self._home = self._home or changed or structure
         return changed or structure or items or any(new[0] for new in news)
 

@@ -47,6 +47,7 @@ class SceneMaker:
         self.bodies, self.meshes = Bodies(mbs), flexible.MeshBodies(mbs)
         self.trees = Trees(mbs)
         self.source: Any = None  # of the places of all items, once the system is assembled
+        self.stored: traces.Stored = mbs.GetSensorStoredData
         self._sized = False
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:
@@ -111,7 +112,7 @@ class SceneMaker:
         scene = pen.scene
         scene.time = float(self.mbs.systemData.GetTime(pen.places.configuration)) if pen.places.source else 0.0
         if self.has_traces():
-            traces.draw(pen, scene.time)
+            traces.draw(pen, scene.time, self.stored)
         if self.looks.setting("view0.scene.drawWorldBasis"):
             pen.frame(np.zeros(3), np.eye(3), self.looks.length("view0.scene.worldBasisSize", 0.2))
         scene.value_name = colors.name

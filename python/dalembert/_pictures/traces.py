@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,8 @@ from dalembert._core import OutputVariableType
 from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.pen import Pen
 
+Stored = Callable[[int], Any]  # time and values, row by row, that a sensor has stored
+
 
 def wanted(looks: Looks) -> bool:
     """Return whether visualizationSettings.sensors.traces asks for anything."""
@@ -18,13 +21,13 @@ def wanted(looks: Looks) -> bool:
     return bool(traces.showPositionTrace or traces.showVectors or traces.showTriads)
 
 
-def draw(pen: Pen, time: float) -> None:
+def draw(pen: Pen, time: float, stored: Stored) -> None:
     """Draw what visualizationSettings.sensors.traces asks for, of sensors that store their values."""
     traces = pen.looks.setting("sensors.traces")
     numbers = [int(n) for n in traces.listOfPositionSensors] or _position_sensors(pen)
     palette = np.asarray(traces.traceColors, float).reshape(-1, 4)
     for order, number in enumerate(numbers):
-        rows = _rows(pen, traces, number, time)
+        rows = _rows(stored, traces, number, time)
         if rows is None or len(rows) < 2:
             continue
         color = rgba(palette[order % len(palette)]) if len(palette) else (0.2, 0.2, 0.2, 1.0)
@@ -32,12 +35,12 @@ def draw(pen: Pen, time: float) -> None:
         if traces.showPositionTrace:
             pen.line(positions[:: max(int(traces.positionsShowEvery), 1)], color, float(traces.lineWidth))
         if traces.showVectors and order < len(traces.listOfVectorSensors):
-            vectors = _rows(pen, traces, int(traces.listOfVectorSensors[order]), time)
+            vectors = _rows(stored, traces, int(traces.listOfVectorSensors[order]), time)
             for i in _chosen(rows, vectors, traces.vectorsShowEvery, traces.showCurrent):
                 assert vectors is not None
                 pen.arrow(positions[i], float(traces.vectorScaling) * vectors[i, 1:4], 0.002 * pen.looks.size, color)
         if traces.showTriads and order < len(traces.listOfTriadSensors):
-            turned = _rows(pen, traces, int(traces.listOfTriadSensors[order]), time)
+            turned = _rows(stored, traces, int(traces.listOfTriadSensors[order]), time)
             for i in _chosen(rows, turned, traces.triadsShowEvery, traces.showCurrent):
                 assert turned is not None
                 pen.frame(positions[i], turned[i, 1:10].reshape(3, 3), float(traces.triadSize))
@@ -52,10 +55,10 @@ def _position_sensors(pen: Pen) -> list[int]:
     ]
 
 
-def _rows(pen: Pen, traces: Any, number: int, time: float) -> FloatArray | None:
+def _rows(stored: Stored, traces: Any, number: int, time: float) -> FloatArray | None:
     """Return time and values of a sensor, as much of the past and the future as is to be shown."""
     try:
-        rows = np.atleast_2d(np.asarray(pen.places.mbs.GetSensorStoredData(number), float))
+        rows = np.atleast_2d(np.asarray(stored(number), float))
     except (RuntimeError, ValueError):
         return None
     if rows.ndim != 2 or rows.shape[1] < 4:
