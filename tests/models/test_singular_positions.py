@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from solving import Solver, Variable, settings
+from scipy.integrate import solve_ivp
+from solving import Solver, Variable, new_system, settings
 from test_four_bar import Bars, parallelogram
 
 import dalembert as exu
@@ -107,3 +108,83 @@ def test_stiff_loops_are_not_taken_for_singular_positions(solver: Any) -> None:
     assert bars.mbs.sys["dynamicSolver"].it.singularPositionSteps == 0
     error = np.linalg.norm(bars.tip_output(Variable.Position) - parallelogram(2, [0.5])[0][:2])
     assert error < 1e-4
+
+
+def test_starts_in_the_flat_position_that_round_off_spoils_name_methods_that_do_not_suffer() -> None:
+    """At 1e-10, errors of positions are those of round-off by the sine of a small angle; what constrains accelerations has none of them."""
+    bars = Bars(2, angle=0, rate=-3)
+    s = by_tolerance(1e-10)
+    s.timeIntegration.endTime = 0.03
+    with pytest.raises(SolverError) as refused:
+        bars.mbs.SolveDynamic(s, solverType=Solver.GeneralizedAlpha)
+    assert refused.value.reason == "toleranceBelowRoundOff"
+    assert "ESDIRK43" in refused.value.advice[0] and "singular position" in refused.value.advice[0]
+    wanted = parallelogram(2, [0.03], (0, -3))[0][:2]
+    for solver in (Solver.ESDIRK43, Solver.DOPRI5):
+        bars = Bars(2, angle=0, rate=-3)
+        assert bars.mbs.SolveDynamic(s, solverType=solver)
+        np.testing.assert_allclose(bars.tip_output(Variable.Position), wanted, rtol=0, atol=1e-9)
+
+
+class SliderCrank:
+    """Crank and rod of one meter, upright together, where the slider may pass or stay: the crank turns on at 2 rad/s and takes it along."""
+
+    rate = 2.0
+
+    def __init__(self, stiffness: float) -> None:
+        self.mbs = new_system()
+        ground = self.mbs.AddObject(exu.ObjectGround())
+        crank = self.bar([0, 0.5, np.pi / 2], [-self.rate / 2, 0, self.rate])
+        rod = self.bar([0, 0.5, -np.pi / 2], [-1.5 * self.rate, 0, -self.rate])
+        node = self.mbs.AddNode(exu.NodePoint2D(initialVelocities=[-2 * self.rate, 0]))
+        self.slider = self.mbs.AddObject(exu.MassPoint2D(physicsMass=1, nodeNumber=node))
+        self.join((ground, [0, 0, 0]), (crank, [-0.5, 0, 0]))
+        self.join((crank, [0.5, 0, 0]), (rod, [-0.5, 0, 0]))
+        self.join((rod, [0.5, 0, 0]), (self.slider, [0, 0, 0]))
+        fixed, along, across = (
+            self.mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=i))
+            for n, i in ((self.mbs.AddNode(exu.NodePointGround()), 0), (node, 0), (node, 1))
+        )
+        self.mbs.AddObject(exu.CoordinateConstraint(markerNumbers=[fixed, across]))
+        self.mbs.AddObject(exu.CoordinateSpringDamper(markerNumbers=[fixed, along], stiffness=stiffness))
+        self.mbs.Assemble()
+
+    def bar(self, reference: list[float], velocities: list[float]) -> Any:
+        node = self.mbs.AddNode(exu.NodeRigidBody2D(referenceCoordinates=reference, initialVelocities=velocities))
+        return self.mbs.AddObject(exu.RigidBody2D(physicsMass=1, physicsInertia=1 / 12, nodeNumber=node))
+
+    def join(self, *ends: tuple[Any, list[float]]) -> None:
+        markers = [self.mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=b, localPosition=p)) for b, p in ends]
+        self.mbs.AddObject(exu.RevoluteJoint2D(markerNumbers=markers))
+
+    def place(self) -> float:
+        return float(self.mbs.GetObjectOutputBody(self.slider, Variable.Position, [0, 0, 0])[0])
+
+    def reference(self, stiffness: float, end: float) -> float:
+        """By one coordinate, the angle: inertia 2/3 + 6 sin^2, slider at 2 cos."""
+
+        def rates(t: float, x: np.ndarray) -> list[float]:
+            sin, cos = np.sin(x[0]), np.cos(x[0])
+            return [x[1], (4 * stiffness * sin * cos - 6 * sin * cos * x[1] ** 2) / (2 / 3 + 6 * sin**2)]
+
+        return float(
+            2 * np.cos(solve_ivp(rates, [0, end], [np.pi / 2, self.rate], "DOP853", rtol=1e-12, atol=1e-12).y[0, -1])
+        )
+
+
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43])
+def test_a_slider_crank_that_starts_in_its_dead_centre(solver: Any, capfd: Any) -> None:
+    """A spring of 1 kN/m leaves time to tell how it goes on; one of 1 MN/m, of 800 rad/s, bends accelerations within the first moments."""
+    model = SliderCrank(1e3)
+    s = settings(0.02, 100)
+    s.timeIntegration.automaticStepSize = False
+    model.mbs.SolveDynamic(s, solverType=solver)
+    # Generalized alpha: (omega h)^2 / 12 of 25 rad/s in steps of 0.2 ms is 2e-6, of 8 cm.
+    assert model.place() == pytest.approx(
+        model.reference(1e3, 0.02), abs=3e-7 if solver == Solver.GeneralizedAlpha else 1e-8
+    )
+    assert "starts in a singular position" not in capfd.readouterr().out
+    s = settings(0.01, 20)
+    s.timeIntegration.automaticStepSize = False
+    SliderCrank(1e6).mbs.SolveDynamic(s, solverType=solver)
+    assert capfd.readouterr().out.count("starts in a singular position") == 1

@@ -139,7 +139,7 @@ void ConstrainedMotion::fill(System& system, const State& state, const Condition
 
 int ConstrainedMotion::factorize(System& system, const State& state, const Conditions& conditions) {
   fill(system, state, conditions);
-  if (has_left_ && state.time == examined_at_) [[unlikely]] {  // the step is repeated
+  if (knowledge_ == Knowledge::beside && state.time == examined_at_) [[unlikely]] {  // the step is repeated
     redundant_ = RedundantConstraints();
     factors_ = make_linear_solver(*pattern_, type_, options_);
     return examine_filled(system, state, conditions);
@@ -159,7 +159,7 @@ int ConstrainedMotion::factorize_around_matrix(System& system, const State& stat
 }
 
 int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
-  if (!examined_) return examine_filled(system, state, conditions);
+  if (!is_examined()) return examine_filled(system, state, conditions);
   if (redundant_.in_use()) redundant_.regularize(*pattern_, matrix_, 1);
   const int singular = factors_->factorize(matrix_);
   return singular == LinearSolver::success || !treats_redundancy_ || redundant_.in_use() ? singular : pass_singular_matrix(system, singular);
@@ -167,7 +167,8 @@ int ConstrainedMotion::factorize_filled(System& system, const State& state, cons
 
 bool ConstrainedMotion::to_be_examined(const State& start_of_step) const {
   if (!treats_redundancy_) return false;
-  return !examined_ || passing_ || (redundant_.in_use() && !confirmed_ && start_of_step.time != examined_at_);
+  if (knowledge_ == Knowledge::none || knowledge_ == Knowledge::passing) return true;
+  return redundant_.in_use() && knowledge_ != Knowledge::confirmed && start_of_step.time != examined_at_;
 }
 
 // In the metric of the masses, with ones where there are none.
@@ -177,28 +178,27 @@ bool ConstrainedMotion::examine(System& system, const State& start_of_step, cons
     for (int j = 0; j < ode2_; ++j)
       if (double& mass = matrix_[static_cast<std::size_t>(pattern_->slot(j, j))]; !(mass > 0)) mass = 1;
   };
-  const bool treated = redundant_.in_use();
+  const bool treated = redundant_.in_use(), again = treated && knowledge_ != Knowledge::passing;
   fill_with_masses();
-  if (treated && !passing_) {
-    confirmed_ = true;
+  if (again) {
+    knowledge_ = Knowledge::confirmed;
     weigh_again(system);
     redundant_.regularize(*pattern_, matrix_, 1);
     const auto factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
     if (factors->factorize(matrix_) == LinearSolver::success && redundant_.confirm(*pattern_, matrix_, *factors)) return false;
     fill_with_masses();
   }
-  passing_ = false;
   redundant_ = RedundantConstraints();
   auto factors = std::exchange(factors_, make_linear_solver(*pattern_, type_, options_));
   examine_filled(system, start_of_step, conditions);
+  if (again && knowledge_ == Knowledge::first) knowledge_ = Knowledge::confirmed;
   if (treated || redundant_.in_use()) factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
   factors_ = std::move(factors);
   return treated || redundant_.in_use();
 }
 
 int ConstrainedMotion::examine_filled(System& system, const State& state, const Conditions& conditions) {
-  examined_ = true;
-  has_left_ = false;
+  knowledge_ = Knowledge::first;
   examined_at_ = state.time;
   system.reactions_are_known({});
   int singular = 0;  // factors that must fail are not made
@@ -220,7 +220,7 @@ int ConstrainedMotion::pass_singular_matrix(System& system, int singular) {
     redundant_.use(0);
     return singular;
   }
-  passing_ = true;
+  knowledge_ = Knowledge::passing;
   factors_ = std::move(factors);
   return LinearSolver::success;
 }
@@ -228,8 +228,8 @@ int ConstrainedMotion::pass_singular_matrix(System& system, int singular) {
 // Combinations are those of all matrices with these constraints, weights are not: steps of other sizes have others.
 void ConstrainedMotion::weigh_again(System& system) {
   const RedundantConstraints found = std::exchange(redundant_, {});
-  examined_ = redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) && redundant_.take_over(found);
-  if (examined_) redundant_.use(found.eps());
+  if (redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) && redundant_.take_over(found)) redundant_.use(found.eps());
+  else knowledge_ = Knowledge::none;
 }
 
 // A matrix that is singular without redundancy belongs to a singular position, which is passed all the same. Whether there are new factors.
@@ -249,8 +249,9 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   system.reactions_are_known(redundant_.equations());
   std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
   system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
-  passing_ = redundant_.count() == 0;
-  redundant_.use(passing_ ? RedundantConstraints::passing_eps : redundant_.eps_for_gaps(gaps, true, *pattern_, matrix_, *factors));
+  const bool passing = redundant_.count() == 0;
+  if (passing) knowledge_ = Knowledge::passing;
+  redundant_.use(passing ? RedundantConstraints::passing_eps : redundant_.eps_for_gaps(gaps, true, *pattern_, matrix_, *factors));
   redundant_.regularize(*pattern_, matrix_, 1);
   factors_ = at_once ? std::move(factors) : make_linear_solver(*pattern_, type_, redundant_.options(options_));
   singular = at_once && redundant_.eps() == eps ? LinearSolver::success : factors_->factorize(matrix_);
@@ -355,7 +356,7 @@ std::vector<double> ConstrainedMotion::gap_accelerations(System& system, const S
   return gap;
 }
 
-void ConstrainedMotion::accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a,
+bool ConstrainedMotion::accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a,
                                       std::span<double> lambda) {
   const State still = without_multipliers(state);
   const std::vector<double> gap = gap_accelerations_of_velocities(system, still, conditions);
@@ -368,7 +369,8 @@ void ConstrainedMotion::accelerations(System& system, const State& state, const 
   solve(x_);
   std::copy_n(x_.begin(), a.size(), a.begin());
   std::copy(x_.begin() + first_ae_, x_.end(), lambda.begin());
-  if (redundant_.in_use() && !confirmed_ && state.time == examined_at_) [[unlikely]] leave_singular_position(system, state, conditions, a, lambda);
+  const bool at_start = redundant_.in_use() && knowledge_ != Knowledge::confirmed && state.time == examined_at_;
+  return !at_start || leave_singular_position(system, state, conditions, a, lambda);
 }
 
 // Of the motion with constant accelerations from the start on: beside a singular position, gaps open by their change of velocities as much as
@@ -407,14 +409,45 @@ bool ConstrainedMotion::accelerations_after(double time, System& system, const S
   return false;
 }
 
+namespace {
+
+constexpr double at_rest = 1e-10;  // speed
+// A start in a singular position is looked at after moments in which the motion covers this part of the size of the model ...
+constexpr double part_of_motion = 1e-3;
+// ... and velocities do not change by more than this part of them. What is redundant shows much sooner.
+constexpr double change_of_velocity = 0.03, first_look = 0.1;
+// By how much accelerations at three moments may be off a straight line, relative to their size.
+constexpr double smooth = 1e-2;
+
+double moment_after(const State& start, std::span<const double> a) {
+  const double speed = largest(start.v), moment = part_of_motion * std::max(1.0, largest(start.q)) / speed;
+  return std::min(moment, change_of_velocity * speed / std::max(largest(a), 1e-300));
+}
+
+// Of values at three moments in a row: the parabola one moment before, and how much it is bent.
+double bend(const std::vector<double>* x, std::size_t i) { return x[0][i] - 2 * x[1][i] + x[2][i]; }
+void extrapolate(const std::vector<double>* x, std::span<double> to) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = 2 * x[0][i] - x[1][i] + bend(x, i);
+}
+bool is_smooth(const std::vector<double>* x) {
+  const double most = smooth * std::max(1.0, largest(x[0]));
+  for (std::size_t i = 0; i < x[0].size(); ++i)
+    if (!(std::abs(bend(x, i)) <= most)) return false;
+  return true;
+}
+
+}  // namespace
+
+bool ConstrainedMotion::is_more_regular_than(const ConstrainedMotion& other) const {
+  return knowledge_ != Knowledge::passing && (other.knowledge_ == Knowledge::passing || redundant_.count() < other.redundant_.count());
+}
+
 // From three moments after the start, by a parabola.
 bool ConstrainedMotion::leave_singular_position(System& system, const State& start, Conditions conditions, std::span<double> a,
                                                 std::span<double> lambda) {
-  constexpr double part_of_motion = 1e-3, change_of_velocity = 0.03, first_look = 0.1, smooth = 1e-2;
-  const double speed = largest(start.v), size = std::max(1.0, largest(start.q));
-  if (!redundant_.in_use() || !(speed > 1e-10)) return false;
-  double moment = part_of_motion * size / speed;
-  if (const double acceleration = largest(a); acceleration * moment > change_of_velocity * speed) moment = change_of_velocity * speed / acceleration;
+  constexpr std::size_t moments = 3;
+  if (!redundant_.in_use() || !(largest(start.v) > at_rest)) return true;
+  const double moment = moment_after(start, a);
   conditions.inertia = true;
   conditions.rate_level = false;
   State moved = start;
@@ -423,26 +456,24 @@ bool ConstrainedMotion::leave_singular_position(System& system, const State& sta
   move_positions(system, step, moved.q);
   ConstrainedMotion beside;
   beside.prepare(system, type_, options_, settings_);
-  bool leaves = beside.factorize(system, moved, conditions) == LinearSolver::success && !beside.passing_ &&
-                (passing_ || beside.redundant_.count() < redundant_.count());
-  std::vector<double> after[3], multipliers[3];
-  for (int i = 0; i < 3 && leaves; ++i) {
-    after[i] = i > 0 ? after[i - 1] : std::vector<double>(a.begin(), a.end());
+  const bool regular = beside.factorize(system, moved, conditions) == LinearSolver::success, singular = regular && beside.is_more_regular_than(*this);
+  std::vector<double> accelerations[moments], multipliers[moments];
+  bool leaves = singular;
+  for (std::size_t i = 0; i < moments && leaves; ++i) {
+    accelerations[i] = i > 0 ? accelerations[i - 1] : std::vector<double>(a.begin(), a.end());
     multipliers[i] = i > 0 ? multipliers[i - 1] : std::vector<double>(lambda.begin(), lambda.end());
-    leaves = beside.accelerations_after((i + 1) * moment, system, start, conditions, after[i], multipliers[i]);
+    leaves = beside.accelerations_after(static_cast<double>(i + 1) * moment, system, start, conditions, accelerations[i], multipliers[i]);
   }
-  const auto bend = [](const std::vector<double>* x, std::size_t i) { return x[0][i] - 2 * x[1][i] + x[2][i]; };
-  for (std::size_t i = 0; i < a.size() && leaves; ++i) leaves = std::abs(bend(after, i)) <= smooth * std::max(1.0, largest(after[0]));
-  if (!leaves) {
+  if (!leaves || !is_smooth(accelerations)) {
     system.reactions_are_known(redundant_.equations());
-    return false;
+    return !singular;
   }
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] = 2 * after[0][i] - after[1][i] + bend(after, i);
-  for (std::size_t k = 0; k < lambda.size(); ++k) lambda[k] = 2 * multipliers[0][k] - multipliers[1][k] + bend(multipliers, k);
+  extrapolate(accelerations, a);
+  extrapolate(multipliers, lambda);
   redundant_ = std::move(beside.redundant_);
   factors_ = std::move(beside.factors_);
-  passing_ = false;
-  return has_left_ = true;
+  knowledge_ = Knowledge::beside;
+  return true;
 }
 
 // User functions are asked at a few times: one that is constant there does not drive.

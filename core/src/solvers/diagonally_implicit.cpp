@@ -129,7 +129,7 @@ void DiagonallyImplicitSolver::find_accelerations() {
   const int row = masses_.factorize(system(), state, conditions_);
   system().right_hand_sides(state, conditions_, state.a, state.y_t);
   if (row == LinearSolver::success) {
-    masses_.accelerations(system(), state, conditions_, state.a, state.lambda);
+    if (!masses_.accelerations(system(), state, conditions_, state.a, state.lambda)) warn_of_undecided_start();
   } else if (!find_accelerations_without_masses() && !std::exchange(warned_of_masses_, true)) {
     warn(name() + ": accelerations at the start are set to zero: mass matrix and constraints are singular at unknown " + std::to_string(row) + " (" +
          system().describe_row(row) + ")");

@@ -19,7 +19,7 @@ bool ExplicitSolver::constrained_accelerations(Vector& a, std::span<double> y_t)
     system().right_hand_sides(now, conditions_, a, y_t);
   }
   const TimedPart time(timer, timer.newtonIncrement);
-  motion_.accelerations(system(), now, conditions_, a, now.lambda);
+  if (!motion_.accelerations(system(), now, conditions_, a, now.lambda)) [[unlikely]] warn_of_undecided_start();
   return !searching_ || is_good(a, y_t);
 }
 

@@ -63,6 +63,11 @@ double SecondOrderSolver::noise_of_estimates() {
   d.advice = {"ask for larger errors: with the steps that timeIntegration.absoluteTolerance=" + format_number(s.absoluteTolerance) + " and relativeTolerance=" +
                   format_number(s.relativeTolerance) + " take, round-off of positions alone is more",
               "use a method of higher order, whose steps are larger (exu.DynamicSolverType.DOP853)"};
+  if (has_weak_constraints()) {
+    d.advice.insert(d.advice.begin(),
+                    "use a method that constrains accelerations (exu.DynamicSolverType.ESDIRK43 or DOPRI5): this is beside a singular position, where gaps of "
+                    "round-off leave much more of it in positions, and in estimates of errors");
+  }
   return false;
 }
 

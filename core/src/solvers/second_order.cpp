@@ -145,6 +145,7 @@ bool SecondOrderSolver::find_accelerations() {
          std::to_string(found.singular_row) + " (" + system().describe_row(found.singular_row) + ")");
     return false;
   }
+  if (!found.decided) warn_of_undecided_start();
   now.a = found.a;  // in place: views stay valid
   now.lambda = found.lambda;
   constraints_are_known(std::move(found.redundant));

@@ -39,6 +39,10 @@ void Solver::compare_constraints_with(const State& state) {
   return growth_of_multipliers(system(), current(), conditions_) > weaker_by * usual_growth_;
 }
 
+[[gnu::noinline]] bool Solver::has_weak_constraints() {
+  return sizes_.ae > 0 && growth_of_multipliers(system(), current(), conditions_) > weaker_by * smallest_growth;
+}
+
 [[gnu::noinline]] bool Solver::passes_singular_position(double error) {
   if (sizes_.ae == 0 || !(error <= most_noise)) return false;
   const State &now = current(), &start = start_of_step();
@@ -71,6 +75,13 @@ void Solver::diagnose_singular_position() {
   diagnose(FailureReason::singular_position).advice = {
       "use larger steps, which lead beyond it: larger tolerances, or equal steps (timeIntegration.automaticStepSize=False)",
       "keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can go"};
+}
+
+[[gnu::noinline]] void Solver::warn_of_undecided_start() {
+  if (std::exchange(warned_of_undecided_start_, true)) return;
+  warn(name() + ": the motion starts in a singular position, where the mechanism could go on in more ways than one; "
+       "which one it takes could not be told, and the accelerations and reactions at the start are the smallest that constraints allow. Start a "
+       "little beside this position, or with smaller forces and stiffness");
 }
 
 [[gnu::noinline]] void Solver::passing_singular_position() {

@@ -18,7 +18,7 @@ class ConstrainedMotion {
   // Which constraints are redundant shows where they hold: at starts of steps, and not in what is tried from there. At the first of them, and
   // once again after something has been found, or singular matrices have been passed.
   bool to_be_examined(const State& start_of_step) const;
-  bool is_examined() const { return examined_; }
+  bool is_examined() const { return knowledge_ != Knowledge::none; }
   // Whether factors at hand serve no longer.
   bool examine(System& system, const State& start_of_step, const Conditions& conditions);
   // The factors at this state; success, or the unknown without a pivot. The first state is examined.
@@ -34,10 +34,11 @@ class ConstrainedMotion {
   // iteration: the first ones find it, and the next ones do without.
   void begin_iterations() { kept_.clear(); }
   void solve_increment(std::span<double> x);
-  // With the forces Q in `a`, which become accelerations.
-  void accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a, std::span<double> lambda);
+  // With the forces Q in `a`, which become accelerations. False: of the motions that are possible from here on, nothing tells which one it will be.
+  bool accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a, std::span<double> lambda);
   // Where the position at the start is a singular one, which shows a moment later, many accelerations fulfil the constraints: the ones that the
-  // motion goes on with, and its multipliers, replace those that have been found, and so does what is redundant then. False: it is not.
+  // motion goes on with, and its multipliers, replace those that have been found, and so does what is redundant then. False: a moment later does
+  // not tell either.
   bool leave_singular_position(System& system, const State& start, Conditions conditions, std::span<double> a, std::span<double> lambda);
   // Second derivatives of gaps, or derivatives of constraints of velocities, along the motion with the accelerations of the state; what is
   // not active gives its multiplier.
@@ -56,6 +57,10 @@ class ConstrainedMotion {
   static std::vector<double> gap_acceleration(System& system, const State& state, const Conditions& conditions);
 
  private:
+  // Of redundant constraints. `first`: as the first state has shown, which may be a singular position; `beside`: that was one, and a moment later
+  // has shown; `confirmed`: another start of a step has shown the same; `passing`: a matrix was singular although no redundancy is known.
+  enum class Knowledge { none, first, beside, confirmed, passing };
+
   int factorize_filled(System& system, const State& state, const Conditions& conditions);
   // With constant velocities, and those that are prescribed in time.
   std::vector<double> gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions);
@@ -63,6 +68,7 @@ class ConstrainedMotion {
   int examine_filled(System& system, const State& state, const Conditions& conditions);
   bool look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
   int pass_singular_matrix(System& system, int singular);
+  bool is_more_regular_than(const ConstrainedMotion& other) const;
   bool accelerations_after(double time, System& system, const State& start, const Conditions& conditions, std::vector<double>& a,
                            std::vector<double>& lambda);
   void weigh_again(System& system);
@@ -79,9 +85,7 @@ class ConstrainedMotion {
   const Pattern* pattern_ = nullptr;
   int ode2_ = 0, first_ae_ = 0;
   bool treats_redundancy_ = false, is_driven_ = false;
-  bool examined_ = false, confirmed_ = false;
-  bool passing_ = false;    // a matrix that was singular where constraints had not been found to be redundant
-  bool has_left_ = false;   // a singular position, in which constraints were examined
+  Knowledge knowledge_ = Knowledge::none;
   double examined_at_ = 0;  // time
   double largest_misfit_ = 0;
   std::unique_ptr<LinearSolver> factors_;

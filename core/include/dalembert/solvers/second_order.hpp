@@ -108,6 +108,7 @@ struct InitialAccelerations {
   std::vector<double> a, lambda;
   int singular_row = LinearSolver::success;
   RedundantConstraints redundant;
+  bool decided = true;  // see ConstrainedMotion::accelerations
 };
 InitialAccelerations initial_accelerations(System& system, const State& state, const Conditions& conditions, LinearSolverType type,
                                            const LinearSolverOptions& options, const RedundantConstraintsSettings& redundancy);

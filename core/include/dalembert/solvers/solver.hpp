@@ -149,6 +149,7 @@ class Solver {
   // ---- control of the step size: singular positions (singular_positions.cpp) ----------------------------------------
   // Whether the constraints of this step nearly depend on each other, as they did not at the start.
   bool near_singular_position();
+  bool has_weak_constraints();  // as beside a singular position
   void compare_constraints_with(const State& state);  // from now on
   // Whether a step is kept although its error, in units of the tolerances, has been estimated to be above them.
   bool passes_singular_position(double error);
@@ -183,6 +184,7 @@ class Solver {
   // Of redundant constraints, by what no motion closes of their gaps.
   void diagnose_contradiction(std::span<const double> misfit);
   void warn_of_contradiction(std::span<const double> misfit);  // once
+  void warn_of_undecided_start();  // once
   // With the equations that have the largest residuals.
   void diagnose(FailureReason reason, std::span<const double> residual);
   // Names what is not finite in the current state or, if there is nothing, in `residual`, with the items that it comes from.
@@ -205,7 +207,7 @@ class Solver {
   bool hold_at_minimum();
   virtual void diagnose_error_control();
   int steps_above_tolerance_ = 0;  // in a row
-  bool warned_of_contradiction_ = false;
+  bool warned_of_contradiction_ = false, warned_of_undecided_start_ = false;
   double largest_misfit_ = 0;
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
