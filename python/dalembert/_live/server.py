@@ -232,13 +232,12 @@ def _write(connection: ServerConnection, data: bytes) -> None:
     if connection.state is State.OPEN and not connection.transport.is_closing():
         size = len(data)
         if size < 126:
-            length = bytes([size])
+            connection.transport.write(bytes([0x82, size]) + data)
         elif size < 1 << 16:
-            length = b"\x7e" + size.to_bytes(2, "big")
-        else:
-            length = b"\x7f" + size.to_bytes(8, "big")
-        connection.transport.write(b"\x82" + length)
-        connection.transport.write(data)  # not joined with its head, which would copy it
+            connection.transport.write(b"\x82\x7e" + size.to_bytes(2, "big") + data)
+        else:  # not joined with its head, which would copy it
+            connection.transport.write(b"\x82\x7f" + size.to_bytes(8, "big"))
+            connection.transport.write(data)
 
 
 def _style() -> str:

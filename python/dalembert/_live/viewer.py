@@ -82,7 +82,7 @@ class Viewer:
         self._paused = self._waits = False
         self._lacks = False  # more of the states than where items are is wanted, and not known
         self._made = self._checked = self._next = 0.0
-        self._known_settings = ""
+        self._known_settings: dict[str, Any] = {}
         self._interval = self._wanted_interval()
         self._complaint = ""
         self._words: dict[str, dict[str, Any]] = {}  # which pages are told of the settings, by name of what is colored
@@ -203,7 +203,7 @@ class Viewer:
 
     def _prepare(self) -> None:
         """Draw a first scene, so that it is there when the first page is."""
-        self._dirty, self._known_settings = False, repr(self.settings.GetDictionary())
+        self._dirty, self._known_settings = False, self.settings.GetDictionary()
         try:
             self._follow()
             if self.studio is not None and not self._stopped.is_set():
@@ -299,7 +299,7 @@ class Viewer:
         if now - self._checked < OFTEN:
             return
         self._checked = now
-        known = repr(self.settings.GetDictionary())
+        known = self.settings.GetDictionary()
         if known != self._known_settings:
             self._known_settings, self._dirty = known, True
         if self.selection is not None and self._knows_states():
