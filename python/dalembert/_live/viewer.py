@@ -31,6 +31,7 @@ from dalembert._pictures.studio import Studio
 
 SHORTEST = 1 / 30  # s between pictures, unless settings say otherwise
 SHARE = 0.25  # of the time, at most, is spent on pictures: the interpreter is needed by others
+LARGE = 50_000  # objects, whose scene takes seconds
 OFTEN = 0.5  # s between looks at what has no signal: settings that scripts change, outputs of the selected item
 
 Receive = Callable[[int, dict[str, Any]], None]
@@ -202,11 +203,12 @@ class Viewer:
                 self._wake.clear()
 
     def _prepare(self) -> None:
-        """Draw a first scene, so that it is there when the first page is."""
+        """Draw a first scene, so that it is there when the first page is; large ones wait for a reader."""
         self._dirty, self._known_settings = False, self.settings.GetDictionary()
         try:
             self._follow()
-            if self.studio is not None and not self._stopped.is_set():
+            count = sum(shadow.system.systemData.NumberOfObjects() for shadow in self.shadows)
+            if self.studio is not None and count < LARGE and not self._stopped.is_set():
                 self.studio.flow()
         except Exception as error:
             self._complain(error)
