@@ -263,7 +263,7 @@ std::span<const double> System::negative_forces(const State& state, const Condit
   return residual;
 }
 
-void System::right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t) {
+[[gnu::flatten]] void System::right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t) {
   const std::span<const double> residual = negative_forces(state, conditions);
   each_number(*this, rhs.size(), [to = rhs.data(), from = residual.data()](std::size_t i) { to[i] = -from[i]; });
   for (std::size_t i = 0; i < y_t.size(); ++i) y_t[i] = residual[sizes_.ode2 + i] + state.y_t[i];

@@ -188,8 +188,12 @@ class FrameMarkerBatch : public MarkerBatch {
   template <class S>
   void subtract_forces(const EvaluationOf<S>& evaluation, const PortsOf<S>& ports, S* r) const {
     if constexpr (passes_on)
-      for (const Run& run : runs_)
-        for (int i = 0; i < n * run.count; ++i) r[run.dof + i] -= ports.forces[static_cast<std::size_t>(run.force + i)];
+      for (const Run& run : runs_) {
+        const S* force = ports.forces.data() + run.force;
+        S* to = r + run.dof;
+        for (int k = 0; k < run.count; ++k, to += n, force += force_room)
+          for (int i = 0; i < n; ++i) to[i] -= force[i];
+      }
     else if constexpr (n > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
@@ -215,6 +219,7 @@ class FrameMarkerBatch : public MarkerBatch {
   // They are the frame themselves, and its forces theirs. Markers whose numbers all lie side by side are a run: large systems are as fast as
   // memory is, and this is all they read of their markers.
   static constexpr bool passes_on = is_at_node<E> && only_translates && n == Shape::forces && 2 * n == Shape::values;
+  static constexpr int force_room = n == 3 ? 4 : n;  // from one to the next, as ports have it
   struct Run {
     int dof, value, force, count;
   };
@@ -222,7 +227,7 @@ class FrameMarkerBatch : public MarkerBatch {
     const Run* last = runs_.empty() ? nullptr : &runs_.back();
     const auto follows = [&](int first, int size, int next) { return first + size * last->count == next; };
     const bool goes_on = last != nullptr && follows(last->dof, n, e.dofs[0]) && follows(last->value, Shape::values, e.port.value) &&
-                         follows(last->force, Shape::forces, e.port.force);
+                         follows(last->force, force_room, e.port.force);
     goes_on ? void(++runs_.back().count) : runs_.push_back({e.dofs[0], e.port.value, e.port.force, 1});
   }
   static constexpr bool has_geometric = [] {
