@@ -123,6 +123,14 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
   diagnosis_.dependent = describe_equations(system(), dependent_equations(pattern, values));
 }
 
+[[gnu::noinline]] void Solver::warn_of_free_motion(std::span<const int> rows) {
+  std::string text = name() + ": other states are in balance as well, as nothing resists a motion of:";
+  const std::vector<std::string> lines = describe_equations(system(), rows);
+  for (const std::string& line : std::span(lines).first(std::min(lines.size(), most_items))) text += "\n  " + line;
+  if (lines.size() > most_items) text += "\n  and " + std::to_string(lines.size() - most_items) + " more";
+  warn(text + "\n  Hold it by a constraint or a weak spring, unless any of these states will do.");
+}
+
 [[gnu::noinline]] void Solver::diagnose_open_gaps() {
   std::vector<double> gaps(static_cast<std::size_t>(sizes_.ae));
   system().gaps(current(), conditions_, gaps);

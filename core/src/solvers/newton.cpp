@@ -68,6 +68,7 @@ void NewtonSolver::take_pattern() {
   const auto make = [&](const LinearSolverOptions& options) { return make_linear_solver(*pattern, linear_type(), options); };
   linear_ = make(redundant_.in_use() ? redundant_.options(linear_options()) : linear_options());
   if (plain_) plain_ = make(linear_options());
+  factorized_ = false;
   pattern_ = pattern;
   redundant_.pattern_revised();
   jacobian_.assign(static_cast<std::size_t>(pattern->values()), 0.0);
@@ -156,6 +157,7 @@ bool NewtonSolver::factorize() {
   conv.linearSolverCausingRow = linear_->factorize(jacobian_);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
   if (looks_at_next_ || conv.linearSolverFailed) [[unlikely]] look_for_redundancy();
+  factorized_ = !conv.linearSolverFailed;
   return !conv.linearSolverFailed;
 }
 

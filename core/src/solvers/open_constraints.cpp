@@ -160,7 +160,6 @@ void Solver::check_constraints() {
   else warn(text);
 }
 
-// After a solution that has finished: what speaks against it.
 void Solver::look_back() {
   const auto steps = [](StepCount n) { return std::to_string(n) + (n == 1 ? " step" : " steps"); };
   if (it.stepsAboveTolerance > 0) {

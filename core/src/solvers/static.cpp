@@ -129,11 +129,13 @@ void StaticSolver::move(std::span<const double> step) {
   for (std::size_t i = 0; i < now.lambda.size(); ++i) now.lambda[i] += signs[i] * step[static_cast<std::size_t>(sizes_.first_ae()) + i];
 }
 
-void StaticSolver::compute_jacobian() {
+void StaticSolver::compute_jacobian() { compute_jacobian(settings().staticSolver.computeLoadsJacobian ? 1 : 0); }
+
+void StaticSolver::compute_jacobian(double load_dependencies) {
   constexpr Weights weights{.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0};
   turn_multipliers();
   Conditions conditions = conditions_;
-  conditions.load_dependencies = settings().staticSolver.computeLoadsJacobian ? 1 : 0;
+  conditions.load_dependencies = load_dependencies;
   if (wants_differences(newton_settings.numericalDifferentiation)) {
     numerical_tangent(system(), current(), conditions, weights, newton_settings.numericalDifferentiation, pattern(), jacobian_);
   } else {

@@ -54,6 +54,7 @@ class NewtonSolver : public Solver {
 
   const Pattern* pattern_ = nullptr;
   std::unique_ptr<LinearSolver> linear_;
+  bool factorized_ = false;  // what `linear_` was last given
   std::vector<double> residual_, increment_, jacobian_;
   double least_initial_residual_ = 0;  // tolerances are relative to no less
   bool full_newton_ = true;  // a new Jacobian in every iteration

@@ -87,6 +87,8 @@ class Solver {
   virtual void finish_step(bool write);
   virtual bool reduce_step_size() = 0;
   virtual void increase_step_size() = 0;
+  // After a solution that has finished: what speaks against it.
+  virtual void look_back();
 
   // ---- what it is --------------------------------------------------------------------------------------------------
   virtual bool is_static() const { return false; }
@@ -185,6 +187,7 @@ class Solver {
   void diagnose_contradiction(std::span<const double> misfit);
   void warn_of_contradiction(std::span<const double> misfit);  // once
   void warn_of_undecided_start();  // once
+  void warn_of_free_motion(std::span<const int> rows);
   // With the equations that have the largest residuals.
   void diagnose(FailureReason reason, std::span<const double> residual);
   // Names what is not finite in the current state or, if there is nothing, in `residual`, with the items that it comes from.
@@ -272,7 +275,6 @@ class Solver {
   void step_failed();
   void step_succeeded();
   void end_steps();
-  void look_back();
   // Out of the way of steps that need none of them.
   void warn_of_step_sizes();
   void announce_step();

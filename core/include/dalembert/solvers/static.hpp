@@ -35,6 +35,7 @@ class StaticSolver : public NewtonSolver {
   void compute_update(bool initial) override;
   void compute_jacobian() override;
   bool discontinuous_iteration() override;
+  void look_back() override;
   // Of the last solution, with staticSolver.arcLength.
   const std::vector<SingularPoint>& singular_points() const { return singular_points_; }
   double geometric_factor() const { return geometric_factor_; }  // of consecutive loads, with loadStepGeometric
@@ -52,6 +53,10 @@ class StaticSolver : public NewtonSolver {
   // Adds an increment of all unknowns to the state.
   void move(std::span<const double> step);
   void set_quasi_time(double time);
+  void compute_jacobian(double load_dependencies);
+  // Coordinates that move where nothing resists (free_motion.cpp).
+  std::vector<int> free_coordinates();
+  std::vector<int> free_of_resistance() const;
 
   // ---- paths by their length (arc_length.cpp) ----------------------------------------------------------------------
   struct Path;
