@@ -335,12 +335,15 @@ std::vector<double> ConstrainedMotion::gap_acceleration(System& system, const St
 
 std::vector<double> ConstrainedMotion::gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions) {
   std::vector<double> gap = gap_acceleration(system, still, conditions);
-  if (driven_.size() != gap.size()) {
-    driven_ = driven_equations(system, still, conditions);
-    is_driven_ = std::ranges::any_of(driven_, [](char d) { return d != 0; });
-  }
+  find_driven(system, still, conditions);
   if (is_driven_) add_driving(system, still, conditions, gap);
   return gap;
+}
+
+void ConstrainedMotion::find_driven(System& system, const State& state, const Conditions& conditions) {
+  if (driven_.size() == state.lambda.size()) return;
+  driven_ = driven_equations(system, state, conditions);
+  is_driven_ = std::ranges::any_of(driven_, [](char d) { return d != 0; });
 }
 
 // Rates are linear in the velocities.
@@ -526,6 +529,7 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
     });
   }
   State still = without_multipliers(state);
+  find_driven(system, still, conditions);
   std::vector<double> gaps(n);
   // As long as gaps become smaller; what is left of them, in units of `size`.
   const auto close = [&](bool of_rates, double size, auto&& apply) {

@@ -13,6 +13,7 @@
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/model.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/system_term.hpp"
 
@@ -367,6 +368,7 @@ bool Solver::event_reached() const {
   if (watch.events.empty()) return;
   it.eventsCount += static_cast<StepCount>(watch.events.size());
   const int repeated = watch.count_repeated(time);
+  const std::vector<double> velocities = hooks().event_action ? current().v : std::vector<double>();
   for (const EventWatch::Event& event : watch.events) {
     if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + position_text() + "\n");
     if (!hooks().event_action || event.number >= static_cast<int>(*watch.users)) continue;
@@ -378,10 +380,22 @@ bool Solver::event_reached() const {
   if (hooks().event_action || locates_switches()) {
     conv.jacobianUpdateRequested = true;
     if (system_->searches()) search();
+    if (hooks().event_action && current().v != velocities) end_velocities_against_constraints();
     renew_accelerations();
   }
   if (repeated >= 0) diagnose_chatter(repeated);
   watch.events_over(event_values());
+}
+
+// That an action has left, as a plastic impact of the joints does: by the smallest change in the metric of the masses.
+[[gnu::noinline]] void Solver::end_velocities_against_constraints() {
+  if (sizes_.ae == 0 || is_static() || !enforces_constraints()) return;
+  const auto& l = settings_->linearSolverSettings;
+  State moved = current();
+  ConstrainedMotion motion;
+  motion.prepare(*system_, linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian}, settings_->redundantConstraints);
+  if (motion.factorize(*system_, moved, conditions_) != LinearSolver::success) return;
+  if (motion.project(*system_, moved, conditions_)) std::ranges::copy(moved.v, current().v.begin());  // in place: there are views of them
 }
 
 std::string Solver::describe_event(int event) const {

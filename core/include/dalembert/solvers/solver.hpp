@@ -243,6 +243,7 @@ class Solver {
   void switch_over();
   const std::vector<WatchedValue>& event_values();
   bool locates_switches() const { return iterates_without_ != System::Updates::all; }
+  void end_velocities_against_constraints();
   void diagnose_chatter(int event);
   std::string describe_event(int event) const;
   double look_into_step(double& before);
