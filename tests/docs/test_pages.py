@@ -29,7 +29,7 @@ AGREEMENT = {  # relative difference of compared values, and how many there are
     "band_brake": (4e-4, 2),  # the stiffness of the bent band
     "cart_on_terrain": (6e-3, 1),  # the wheels creep
     "box_tower": (1e-4, 2),  # what still moves after 3 s; rounding of five digits
-    "hopper": (2e-3, 2),  # what still moves in the heap
+    "hopper": (5e-4, 2),  # a mean of 40 forces of a heap that creeps: 2e-4 from start to start
     "cantilever": (1e-3, 2),  # the bending of eight cubic elements; the axial strain of 3 N is below 3e-4
     "slider_crank": (2e-6, 2),  # rounding of six digits
     "four_bar": (2e-3, 2),  # accelerations of second order at 1 ms; extremes are sampled
