@@ -24,7 +24,7 @@ from dalembert.itemInterface import (
     ObjectRigidBody2D,
     TorsionalSpringDamper,
 )
-from dalembert.rigidBodyUtilities import InertiaCuboid  # fmt: skip
+from dalembert.rigidBodyUtilities import InertiaCuboid
 
 WORDS = "other states are in balance as well"
 SOLVERS = [exu.LinearSolverType.EXUdense, exu.LinearSolverType.EigenSparse]

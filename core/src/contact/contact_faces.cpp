@@ -93,10 +93,11 @@ void GeneralContact::sift_triangles(Chunk& chunk) const {
   std::size_t count = 0, on_faces = 0, others = 0;
   if (begin < end) in_registers_of_four([&, this] { count = sift(begin, end, chunk.near.data()); });
   const bool grips = set_->bristles.grow();
+  int last = -1;
   for (std::size_t k = 0; k < count; ++k) {
     const Chunk::Near pair = chunk.near[k];
-    const bool follows = k > 0 && chunk.last == pair.sphere, goes_on = k + 1 < count && chunk.near[k + 1].sphere == pair.sphere;
-    chunk.last = pair.sphere;
+    const bool follows = last == pair.sphere, goes_on = k + 1 < count && chunk.near[k + 1].sphere == pair.sphere;
+    last = pair.sphere;
     const bool simple = pair.over_face && !follows && !goes_on && !grips && carriers_rest_[static_cast<std::size_t>(carriers_of_triangles_[static_cast<std::size_t>(pair.triangle)])] != 0;
     chunk.on_faces[on_faces] = pair;
     on_faces += simple ? 1 : 0;

@@ -53,7 +53,7 @@ std::vector<double> softest_direction(std::size_t ode2, std::size_t total, const
 void StaticSolver::look_back() {
   if (sizes_.ode2 > 0 && it.newtonJacobiCount > 0) {
     const std::vector<double> last = jacobian_;  // which users may ask for
-    if (const std::vector<int> rows = free_coordinates(); !rows.empty()) warn_of_free_motion(rows);
+    if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) warn_of_free_motion(rows);
     jacobian_ = last;
   }
   NewtonSolver::look_back();
@@ -67,23 +67,23 @@ std::vector<int> StaticSolver::free_of_resistance() const {
 }
 
 // The last factors belong to an iteration before the end, without the loads: forces that turn bodies there may cancel at the end.
-std::vector<int> StaticSolver::free_coordinates() {
+std::vector<int> StaticSolver::free_coordinates(std::span<const double> last) {
   const auto ode2 = static_cast<std::size_t>(sizes_.ode2), total = static_cast<std::size_t>(sizes_.total());
   const auto solve = [this](std::span<double> x) { linear_->solve(x); };
   const auto factorize_now = [this] {
-    compute_jacobian(1);
     const bool regular = factorize();
     conv.linearSolverFailed = false;  // the state itself was found
     return regular;
   };
-  if (!factorized_ && !factorize_now()) return free_of_resistance();
-  const std::vector<double> softest = softest_direction(ode2, total, solve);
-  const double before = stiffness_along(softest, pattern(), jacobian_).sum;
   compute_jacobian(1);
+  const bool unknown = !factorized_;
+  if (unknown && !factorize_now()) return free_of_resistance();
+  const std::vector<double> softest = softest_direction(ode2, total, solve);
+  const double before = stiffness_along(softest, pattern(), last).sum;
   const Stiffness now = stiffness_along(softest, pattern(), jacobian_);
   std::vector<int> rows;
   if (std::abs(now.sum) > std::max(suspicious * now.terms, much_softer * std::abs(before))) return rows;
-  if (!factorize_now()) return free_of_resistance();
+  if (!unknown && !factorize_now()) return free_of_resistance();
   NearestModes nearest;
   nearest.find(solve, ode2, total);
   std::vector<double> shares(ode2);

@@ -16,6 +16,7 @@
 #include <tuple>
 #include <vector>
 
+#include "dalembert/contact/box_tree.hpp"
 #include "dalembert/contact/bristle.hpp"
 #include "dalembert/contact/contact_set.hpp"
 #include "dalembert/contact/convex_scene.hpp"
@@ -23,7 +24,6 @@
 #include "dalembert/contact/planar_cable.hpp"
 #include "dalembert/contact/sphere_neighbours.hpp"
 #include "dalembert/contact/sphere_pairs.hpp"
-#include "dalembert/contact/box_tree.hpp"
 #include "dalembert/system/system_term.hpp"
 #include "dalembert/system/workers.hpp"
 
@@ -171,7 +171,6 @@ class GeneralContact final : public SystemTerm {
     };
     std::vector<Near> near, on_faces;  // what spheres may dip into now: these are over one face that rests,
     std::size_t others = 0, faces = 0;  // so many of both
-    int last = -1;
     std::vector<int> of_sphere;
     std::vector<Found> found, kept;
     std::vector<BristleList::Entry> grown;
