@@ -146,7 +146,7 @@ def test_traces_go_through_what_was_seen_until_all_is_stored(mbs: Any) -> None:
     )
     mbs.Assemble()
     shadow = _core._Shadow(mbs)
-    history, seen = History(mbs, shadow), []
+    history, seen = History(mbs, shadow, exu.VisualizationSettings()), []
     settings = exu.SimulationSettings()
     settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 100_000, 1
     settings.timeIntegration.verboseMode = 0

@@ -24,6 +24,7 @@ from websockets.sync.client import connect
 import dalembert as exu
 from dalembert import graphics
 from dalembert._live import server as serving
+from dalembert._live.histories import LONGEST, Track
 from dalembert._live.messages import Stage
 from dalembert._live.viewer import Viewer, viewer_of
 from dalembert._pictures.camera import Camera
@@ -333,6 +334,21 @@ def test_what_changes_its_shape_becomes_deformable() -> None:
     np.testing.assert_array_equal(arrays[0], (3 * TRIANGLE.points).ravel())
 
 
+def test_what_changes_more_than_its_points_is_another_scene() -> None:
+    stage, shades = Stage(), np.array([[1.0, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 1]])
+    for number in range(5):
+        scene = moved_scene()
+        triangles = TRIANGLE.triangles if number < 3 else TRIANGLE.triangles[:, ::-1]
+        mesh = Mesh((1 + number) * TRIANGLE.points, triangles, None, np.roll(shades, number, 0))
+        scene.instances[0].color, scene.instances[0].mesh = None, mesh
+        head, arrays = unpacked(messages(stage, scene)[0])
+        sent = head["meshes"][0]
+        assert head["scene"] == 1 + number
+        assert arrays[sent["triangles"]].tolist() == triangles[0].tolist()
+        assert mesh.colors is not None
+        np.testing.assert_array_equal(arrays[sent["colors"]], 255 * mesh.colors.ravel())
+
+
 def test_another_color_is_another_scene() -> None:
     stage = Stage()
     messages(stage, moved_scene())
@@ -415,6 +431,26 @@ def test_copies_take_little_of_the_time_of_the_solver(swinging: Any, viewer: Vie
         time.sleep(0.005)
     assert viewer.pictures > 1
     assert solver.timer.visualization < 0.01 * solver.timer.total
+
+
+def test_tracks_become_thinner_and_not_longer() -> None:
+    track = Track(2)
+    for number in range(10 * LONGEST):
+        track.add(np.array([number, -number], float))
+        times, values = track.rows().T
+        assert times[0] == 0 and times[-1] == number and len(times) <= LONGEST + 1
+    np.testing.assert_array_equal(values, -times)
+    np.testing.assert_array_equal(times[:-1], np.arange(0, number, 16))  # the least power of 2 that is not below 10
+    assert len(times) > LONGEST / 2
+
+
+def test_tracks_of_a_span_of_time_are_as_dense_as_they_were() -> None:
+    track = Track(2)
+    for number in range(3 * LONGEST):
+        track.add(np.array([number, number], float), number - 1000)
+        assert len(track.rows()) <= LONGEST + 1
+    times = track.rows()[:, 0]
+    np.testing.assert_array_equal(times[times >= 3 * LONGEST - 1001], np.arange(3 * LONGEST - 1001, 3 * LONGEST))
 
 
 def test_sensors_leave_traces_while_it_is_solved(SC: Any, swinging: Any, viewer: Viewer) -> None:
@@ -718,6 +754,33 @@ def test_functions_that_draw_see_the_state_that_is_shown(SC: Any, viewer: Viewer
     reader.until(lambda: min(seen, default=0.0) < -0.01)
     reader.press("q")
     thread.join(10)
+
+
+def colors_of(scene: Any) -> list[list[float]]:
+    return [mesh["color"][:3] for mesh in scene[0]["meshes"]]
+
+
+def test_the_last_of_many_changes_of_an_item_is_shown(swinging: Any, viewer: Viewer) -> None:
+    reader = Reader(viewer)
+    reader.message("scene")
+    for color in ([1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 1]):
+        swinging.SetObjectParameter(1, "VgraphicsData", [graphics.Brick(size=[0.4, 0.2, 0.1], color=color)])
+        while color[:3] == [1, 0, 0] and color[:3] not in colors_of(reader.message("scene")):
+            pass
+        time.sleep(0.1)
+    while [0, 0, 1] not in colors_of(reader.message("scene")):
+        pass
+
+
+def test_bodies_without_colors_have_the_color_of_the_settings(swinging: Any, viewer: Viewer) -> None:
+    brick = graphics.Brick(size=[0.4, 0.2, 0.1])
+    del brick["colors"]
+    swinging.SetObjectParameter(1, "VgraphicsData", [brick])
+    reader = Reader(viewer)
+    for color in ([0, 1, 1, 1], [1, 1, 0, 1]):
+        viewer.settings.bodies.defaultColor = color
+        while color[:3] not in colors_of(reader.message("scene")):
+            pass
 
 
 # ---- dialogs

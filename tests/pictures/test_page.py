@@ -148,6 +148,27 @@ def test_pages_have_the_ending_that_browsers_know(mbs: Any) -> None:
         mbs.SaveHTML("page.txt")
 
 
+def test_what_functions_draw_may_be_another_mesh_in_each_frame(falling: Any) -> None:
+    """Of other sizes, and of other colors."""
+
+    def drawn(mbs: Any, number: int) -> list[Any]:
+        time = mbs.systemData.GetTime(exu.ConfigurationType.Visualization)
+        if time < 0.5:
+            return [graphics.Sphere(radius=0.1 + time, nTiles=4, color=[1, 0, 0, 1])]
+        return [graphics.Brick(size=[time, 0.1, 0.1], color=[0, 0, 1, 1] if time < 0.8 else [0, 1, 0, 1])]
+
+    falling.SetObjectParameter(0, "VgraphicsDataUserFunction", drawn)
+    falling.SetObjectParameter(0, "VgraphicsData", [])
+    falling.SaveHTML("shapes.html", framesPerSecond=10)
+    head, arrays = unpacked(data_of(Path("shapes.html").read_text("utf-8")))
+    own = [mesh for mesh in head["meshes"] if [head["items"][i][:2] for i in mesh["items"]] == [["Object", 0]]]
+    assert [mesh["color"][:3] for mesh in own] == [[1, 0, 0], [0, 0, 1], [0, 1, 0]]
+    times = np.array(head["times"])
+    for mesh, shown in zip(own, (times < 0.5, (times >= 0.5) & (times < 0.8), times >= 0.8), strict=True):
+        frames = arrays[mesh["frames"]].reshape(-1, len(times)).T  # number by number
+        np.testing.assert_array_equal(np.any(frames != 0, axis=1), shown)
+
+
 def test_without_a_solution_there_is_one_frame(mbs: Any) -> None:
     mbs.CreateMassPoint(referencePosition=[1, 2, 3], physicsMass=1)
     mbs.SaveHTML("still.html")

@@ -20,7 +20,7 @@ from dalembert._pictures import contour
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
-from dalembert._pictures.meshes import Mesh, Rgba, sharp_edges
+from dalembert._pictures.meshes import Mesh, Rgba, same_form, sharp_edges
 from dalembert._pictures.scene import Instance, Scene
 
 Key = tuple[int, int]  # item, and how manieth of its parts
@@ -69,6 +69,7 @@ class Stage:
         self._kept: Any = None
         self._meshes: dict[Key, Mesh] = {}
         self._deforming: set[Key] = set()
+        self._forms: dict[Key, int] = defaultdict(int)  # how often more has changed of a mesh than its points
         self._first: list[npt.NDArray[Any] | None] = []
         self._moved: set[int] = set()
         self._words = ""  # of the head of a frame, in which only the time changes
@@ -94,7 +95,7 @@ class Stage:
             [(id(herd.mesh), herd.color, id(herd.items)) for herd in scene.herds],
             [id(part) if len(part) else None for part in (scene.balls.items, scene.threads.items)],
             [(id(group[0][1].mesh), group[0][1].color, [key for key, _ in group]) for group in rigid],
-            [(key, part.mesh.points.shape, part.mesh.triangles.shape, part.color) for key, part in deformed],
+            [(key, self._forms[key], part.color, part.values is None) for key, part in deformed],
             [(color, item) for _, _, color, item in scene.spheres],
             [(label.text, label.color) for label in scene.labels],
             [(color, item) for _, color, _, item in scene.lines],
@@ -105,7 +106,8 @@ class Stage:
         if layout != self._layout:
             self.number += 1
             self._layout, self._first, self._moved = layout, moving.parts, set()
-            self._kept = (list(scene.herds), scene.balls, scene.threads)  # as long as they are known by their id
+            herds, meshes = list(scene.herds), [group[0][1].mesh for group in rigid]
+            self._kept = (herds, meshes, scene.balls, scene.threads)  # as long as they are known by their id
             self.items = [[item.kind, item.number, item.type_name, item.name, item.system] for item in scene.items]
             self._items_of[self.number] = self.items
             self._items_of.pop(self.number - SCENES, None)
@@ -150,8 +152,11 @@ class Stage:
         deformed = []
         for key, part in parts:
             before = self._meshes.get(key)
-            if before is not None and before is not part.mesh and before.points.shape == part.mesh.points.shape:
-                self._deforming.add(key)
+            if before is not None and before is not part.mesh:
+                if before.points.shape == part.mesh.points.shape:
+                    self._deforming.add(key)
+                if not same_form(before, part.mesh):
+                    self._forms[key] += 1
             if part.values is not None or key in self._deforming:
                 deformed.append((key, part))
             else:

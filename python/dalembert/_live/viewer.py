@@ -81,6 +81,7 @@ class Viewer:
         self._wake, self._released, self._stopped = threading.Event(), threading.Event(), threading.Event()
         self._dirty = self._home = self._views = True
         self._paused = self._waits = False
+        self._stale = False  # items have changed since the studio was made
         self._lacks = False  # more of the states than where items are is wanted, and not known
         self._made = self._checked = self._next = 0.0
         self._known_settings: dict[str, Any] = {}
@@ -283,18 +284,20 @@ class Viewer:
         if changed:
             systems = [self.container.GetSystem(i) for i in range(count)]
             self.shadows = [_core._Shadow(mbs) for mbs in systems]
-            self._histories = [History(*both) for both in zip(systems, self.shadows, strict=True)]
+            self._histories = [History(*both, self.settings) for both in zip(systems, self.shadows, strict=True)]
         places = self.selection is None and self._only_moving() is not None
         news = [shadow.follow(places) for shadow in self.shadows]
         items, structure = any(new[1] for new in news), any(new[2] for new in news)
+        self._stale = self._stale or items
         now = time.monotonic()
-        if changed or structure or self.studio is None or (items and now - self._made > OFTEN):
-            self._made = now
+        again = changed or structure or self.studio is None or (self._stale and now - self._made > OFTEN)
+        if again:
+            self._made, self._stale = now, False
             self.studio = Studio(self.container, [shadow.system for shadow in self.shadows])
             for maker, history in zip(self.studio.makers, self._histories, strict=True):
                 maker.stored = history.rows
             self._home = self._home or changed or structure
-        return changed or structure or items or any(new[0] for new in news)
+        return again or items or any(new[0] for new in news)
 
     def _check_now_and_then(self) -> None:
         now = time.monotonic()

@@ -9,7 +9,7 @@ import numpy as np
 from dalembert._pictures import contour, graphics_data
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.looks import rgba
-from dalembert._pictures.meshes import Mesh
+from dalembert._pictures.meshes import Mesh, Rgba
 from dalembert._pictures.pen import Pen
 
 Item = dict[str, Any]
@@ -22,14 +22,17 @@ class Bodies:
         self.mbs = mbs
         self._shapes: dict[int, list[graphics_data.Shape]] = {}
         self._known = graphics_data.Known()
+        self._default: Rgba | None = None
         self._markers: dict[int, list[int]] | None = None
 
     def shapes(self, pen: Pen, number: int, item: Item) -> list[graphics_data.Shape]:
         """Return the shapes of a body, and those that its user function gives for this picture."""
+        default = pen.looks.default_color("bodies.defaultColor")
+        if default != self._default:  # which meshes without colors have
+            self._default, self._shapes, self._known = default, {}, graphics_data.Known()
         if number in self._shapes and not callable(item.get("VgraphicsDataUserFunction")):
             return self._shapes[number]
         owner = f"object {number} '{item['name']}'"
-        default = rgba(pen.looks.setting("bodies.defaultColor"))
         if number not in self._shapes:
             data = self.mbs.GetObject(number, True)
             self._shapes[number] = graphics_data.shapes(data.get("VgraphicsData") or [], default, owner, self._known)

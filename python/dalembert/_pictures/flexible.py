@@ -17,6 +17,7 @@ from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places, frame_along
 
 Item = dict[str, Any]
+NO_EDGES: IntArray = np.empty((0, 2), int)
 LINE_WIDTH = 3.0  # pixels, of beams whose section nobody has given
 
 
@@ -206,7 +207,7 @@ class MeshBodies:
 
     def __init__(self, mbs: Any) -> None:
         self.mbs = mbs
-        self._edges: dict[int, IntArray] = {}
+        self._known: dict[int, tuple[Item, IntArray, IntArray]] = {}  # triangles and edges of the item as it is
 
     def draw(self, pen: Pen, colors: Contour, number: int, item: Item) -> None:
         """Draw the triangles of the mesh, deformed; its nodes if there are no triangles."""
@@ -216,15 +217,11 @@ class MeshBodies:
         points = self._points(pen, number, item)
         if points is None:
             return
-        triangles = np.asarray(item.get("VtriangleMesh", []), int).reshape(-1, 3)
+        triangles, edges = self._faces(number, item)
         color = pen.looks.color(item, "bodies.defaultColor")
         if len(triangles):
-            if number not in self._edges:
-                sides = np.sort(
-                    np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1
-                )
-                self._edges[number] = np.unique(sides, axis=0)
-            edges = self._edges[number] if pen.looks.setting("view0.scene.showMeshEdges") else np.empty((0, 2), int)
+            if not pen.looks.setting("view0.scene.showMeshEdges"):
+                edges = NO_EDGES
             if not pen.looks.setting("view0.scene.showMeshFaces"):
                 triangles = triangles[:0]
             dark = (0.3 * color[0], 0.3 * color[1], 0.3 * color[2], 1.0)
@@ -237,6 +234,14 @@ class MeshBodies:
             radius = 0.5 * pen.looks.length("nodes.defaultSize", 0.015)
             for point in points:
                 pen.sphere(point, radius, color)
+
+    def _faces(self, number: int, item: Item) -> tuple[IntArray, IntArray]:
+        """Return the triangles of a mesh, and their edges."""
+        if number not in self._known or self._known[number][0] is not item:
+            triangles = np.asarray(item.get("VtriangleMesh", []), int).reshape(-1, 3)
+            sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+            self._known[number] = item, triangles, np.unique(np.sort(sides, axis=1), axis=0)
+        return self._known[number][1:]
 
     def _points(self, pen: Pen, number: int, item: Item) -> FloatArray | None:
         """Return the positions of the mesh nodes."""

@@ -26,7 +26,7 @@ class Flow:
     """The scenes of one maker."""
 
     def __init__(self, maker: SceneMaker) -> None:
-        self._maker = maker
+        self._maker, self._changes = maker, maker.changes()
         self._parts: Any = None  # _MovingParts
         self._complete = False
 
@@ -40,7 +40,7 @@ class Flow:
         self._forget_what_has_changed()
         with maker.looks.kept():
             if (places := self._found(configuration)) is not None:
-                return self._moved(maker.places(configuration), places)
+                return self._moved(maker.places_again(configuration), places)
             return self._begin(configuration)
 
     def _found(self, configuration: ConfigurationType) -> list[FloatArray] | None:
@@ -64,7 +64,8 @@ class Flow:
         return [*herds, *others, (labels, "place", none)]
 
     def _forget_what_has_changed(self) -> None:
-        if self._maker.source is not None and self._maker.source.changed():
+        if (changes := self._maker.changes()) != self._changes:
+            self._changes = changes
             self.forget()
 
     def _begin(self, configuration: ConfigurationType) -> Scene:

@@ -93,7 +93,17 @@ class Looks:
     def color(self, item: dict[str, Any], path: str, name: str = "Vcolor") -> Rgba:
         """Return the color of an item, or the default color of its kind."""
         value = item.get(name, (-1.0,))
-        return rgba(value if value[0] >= 0 else self.setting(path))
+        return rgba(value) if value[0] >= 0 else self.default_color(path)
+
+    def default_color(self, path: str) -> Rgba:
+        """Return the default color of a kind."""
+        if self._kept is None:
+            return rgba(self.setting(path))
+        key = f"{path} as color"
+        if key not in self._kept:
+            self._kept[key] = rgba(self.setting(path))
+        color: Rgba = self._kept[key]
+        return color
 
 
 @lru_cache(maxsize=1)

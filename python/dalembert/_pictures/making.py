@@ -15,7 +15,7 @@ from dalembert._pictures.contour import Contour
 from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.meshes import Mesh, edges_of_box, extremes
 from dalembert._pictures.pen import Pen
-from dalembert._pictures.places import Places
+from dalembert._pictures.places import Parameters, Places
 from dalembert._pictures.scene import DrawnItem, Instance, Scene, placed
 from dalembert._pictures.trees import Trees
 
@@ -47,6 +47,8 @@ class SceneMaker:
         self.bodies, self.meshes = Bodies(mbs), flexible.MeshBodies(mbs)
         self.trees = Trees(mbs)
         self.source: Any = None  # of the places of all items, once the system is assembled
+        self._items: Parameters = {}  # as they have been since the last of the changes
+        self._changes = 0
         self.stored: traces.Stored = mbs.GetSensorStoredData
         self._sized = False
 
@@ -68,6 +70,18 @@ class SceneMaker:
         if self.source is None:
             self.source = _core._ScenePlaces(self.mbs)
         return Places(self.mbs, configuration, self.source)
+
+    def places_again(self, configuration: ConfigurationType) -> Places:
+        """Return the same, for few items that are drawn again and again: their parameters are kept."""
+        self.changes()
+        return Places(self.mbs, configuration, self.source, self._items)
+
+    def changes(self) -> int:
+        """Return how often items of the assembled system have come, gone or got other parameters."""
+        if self.source is not None and self.source.changed():
+            self._items = {}
+            self._changes += 1
+        return self._changes
 
     def draw(self, configuration: ConfigurationType | None) -> tuple[Scene, Pen | None]:
         """Return a scene, and the pen that knows what sticks to what; None if that is of no use."""
@@ -170,14 +184,20 @@ class SceneMaker:
 
     def _draw_kind(self, pen: Pen, colors: Contour, kind: str) -> None:
         """Draw all items of a kind, as far as they and their group of settings are shown."""
+        flags: dict[str, tuple[bool, bool]] = {}  # by group: whether items, and their numbers, are shown
+        name_of_type = f"{kind.lower()}Type"
         for number in range(self._count(kind)):
             item = pen.places.item(kind, number)
-            group = self.looks.setting(self._group(kind, item))
-            if not item.get("Vshow", True) or not group.show:
+            name = self._group(kind, item)
+            if name not in flags:
+                group = self.looks.setting(name)
+                flags[name] = bool(group.show), bool(group.showNumbers)
+            shown, numbered = flags[name]
+            if not shown or not item.get("Vshow", True):
                 continue
-            pen.take(DrawnItem(kind, number, item[f"{kind.lower()}Type"], item["name"]))
+            pen.take(DrawnItem(kind, number, item[name_of_type], item["name"]))
             self._draw(pen, colors, kind, number, item)
-            if group.showNumbers:
+            if numbered:
                 self._number(pen, kind, number, item)
 
     def _draw_item(self, pen: Pen, colors: Contour, drawn: DrawnItem) -> None:

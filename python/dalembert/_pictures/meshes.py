@@ -29,6 +29,12 @@ class Mesh:
     extreme: FloatArray | None = None  # see extremes
 
 
+def same_form(a: Mesh, b: Mesh) -> bool:
+    """Return whether two meshes differ in the places of their points alone."""
+    parts: list[tuple[Any, Any]] = [(a.triangles, b.triangles), (a.colors, b.colors), (a.edges, b.edges)]
+    return a.points.shape == b.points.shape and all(one is other or np.array_equal(one, other) for one, other in parts)
+
+
 _DIRECTIONS = np.array([[x, y, z] for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if x or y or z], float)
 
 

@@ -11,6 +11,7 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType
 
+Parameters = dict[tuple[str, int], dict[str, Any]]  # by kind and number of an item
 KINDS = ("Node", "Object", "Marker")
 ORIGIN = (0.0, 0.0, 0.0)
 frame_along = _core._frame_along
@@ -20,10 +21,15 @@ Position, RotationMatrix = OutputVariableType.Position, OutputVariableType.Rotat
 class Places:
     """Asks a system for outputs; None where an item has no place, or no orientation."""
 
-    def __init__(self, mbs: Any, configuration: ConfigurationType, source: Any = None) -> None:
-        """`source`, a _ScenePlaces of an assembled system, tells where all items of a kind are at once."""
+    def __init__(
+        self, mbs: Any, configuration: ConfigurationType, source: Any = None, items: Parameters | None = None
+    ) -> None:
+        """`source`, a _ScenePlaces of an assembled system, tells where all items of a kind are at once.
+
+        `items` are parameters that are known already, and those that are asked for.
+        """
         self.mbs, self.configuration, self.source = mbs, configuration, source
-        self.items: dict[tuple[str, int], dict[str, Any]] = {}
+        self.items: Parameters = {} if items is None else items
         self._rows: dict[str, FloatArray] = {}
         self._places: dict[str, list[bool]] = {}
         self._turns: dict[str, list[bool]] = {}

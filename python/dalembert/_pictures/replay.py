@@ -18,7 +18,7 @@ import numpy.typing as npt
 from dalembert._checks import FloatArray
 from dalembert._pictures import contour
 from dalembert._pictures.looks import Looks
-from dalembert._pictures.meshes import Mesh, sharp_edges
+from dalembert._pictures.meshes import Mesh, same_form, sharp_edges
 from dalembert._pictures.scene import Instance, Scene
 
 if TYPE_CHECKING:
@@ -142,12 +142,12 @@ def _meshes(
     rigid: dict[tuple[int, Any], list[tuple[Key, list[Instance | None]]]] = defaultdict(list)
     result = []
     for key in keys:
-        history: list[Instance | None] = [frame.get(key) for frame in frames]
-        known = [part for part in history if part is not None]
-        if all(part.mesh is known[0].mesh and part.values is None for part in known):
-            rigid[id(known[0].mesh), known[0].color].append((key, history))
-        elif all(part.mesh.points.shape == known[0].mesh.points.shape for part in known):
-            result.append(_deformed(packer, key, history, looks, limits))
+        for history in _by_form([frame.get(key) for frame in frames]):
+            known = [part for part in history if part is not None]
+            if all(part.mesh is known[0].mesh and part.values is None for part in known):
+                rigid[id(known[0].mesh), known[0].color].append((key, history))
+            else:
+                result.append(_deformed(packer, key, history, looks, limits))
     for group in rigid.values():
         first = next(part for part in group[0][1] if part is not None)
         entry = _shape(packer, first.mesh, first)
@@ -156,6 +156,25 @@ def _meshes(
         entry["items"] = [key[0] for key, _ in group]
         result.append(entry)
     return result
+
+
+def _by_form(parts: list[Instance | None]) -> list[list[Instance | None]]:
+    """Return histories of one form each: where the parts have another one, or are none, there is nothing."""
+    histories: list[tuple[Instance, list[Instance | None]]] = []
+    for number, part in enumerate(parts):
+        if part is None:
+            continue
+        history = next((known for first, known in reversed(histories) if _alike(first, part)), None)
+        if history is None:
+            history = [None] * len(parts)
+            histories.append((part, history))
+        history[number] = part
+    return [history for _, history in histories]
+
+
+def _alike(a: Instance, b: Instance) -> bool:
+    same = a.mesh is b.mesh or same_form(a.mesh, b.mesh)
+    return same and a.color == b.color and (a.values is None) == (b.values is None)
 
 
 def _shape(packer: Packer, mesh: Mesh, first: Instance, points: FloatArray | None = None) -> dict[str, Any]:
@@ -196,9 +215,10 @@ def _deformed(
     entry["frames"] = packer.moving(np.array([frame.ravel() for frame in points]))
     entry["items"] = [key[0]]
     if first.values is not None:
-        shades = [contour.colors(looks, p.values, limits) for p in history if p is not None and p.values is not None]
+        nothing = np.zeros((len(still), 4))
+        shades = [nothing if p is None else contour.colors(looks, np.asarray(p.values), limits) for p in history]
         entry["color"] = [1.0, 1.0, 1.0, 1.0]
-        entry["frameColors"] = packer.shades(np.array(shades)[..., :3]) if len(shades) == len(history) else None
+        entry["frameColors"] = packer.shades(np.array(shades)[..., :3])
     return entry
 
 
