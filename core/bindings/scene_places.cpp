@@ -31,7 +31,7 @@ class ScenePlaces {
   py::object mesh(int object, const py::object& variable, const py::object& configuration) {
     if (object < 0 || object >= main_->model.count(ItemKind::object)) throw py::index_error("_ScenePlaces.mesh(...): there is no such object");
     const auto asked = static_cast<OutputVariableType>(Enumeration::number(variable.ptr()));
-    const int count = system("mesh").mesh_output(object, asked, read(configuration), poses_.totals, values_);
+    const int count = system("mesh").mesh_outputs(object, asked, read(configuration), poses_.totals, values_);
     if (count == 0) return py::none();
     return new_array({count, static_cast<py::ssize_t>(values_.size()) / count}, values_.data());
   }

@@ -9,11 +9,13 @@ import pytest
 
 import dalembert as exu
 from dalembert import graphics
-from dalembert._pictures import painting
+from dalembert._pictures import contour, painting
+from dalembert._pictures.looks import Looks
 from dalembert._pictures.studio import Studio, item_at
 from dalembert.itemInterface import (
     Cable2D,
     MarkerBodyRigid,
+    MarkerKinematicTreeRigid,
     MarkerNodeCoordinate,
     MarkerNodePosition,
     NodeGenericODE2,
@@ -376,9 +378,18 @@ def test_coordinates_that_lengthen_a_rope_are_not_where_it_runs(SC: Any, mbs: An
     assert columns.max() - 512 == pytest.approx(0.5 * scale, abs=2)
 
 
-def test_the_last_link_of_a_tree_ends_at_its_center_of_mass(SC: Any, mbs: Any) -> None:
+@pytest.mark.parametrize("limits", [(0.0, 1.0), (-3.0, 5.0), (20.0, 20.001)])
+def test_colors_of_many_numbers_are_those_of_each(limits: tuple[float, float]) -> None:
+    looks, (low, high) = Looks(exu.VisualizationSettings()), limits
+    values = low + (high - low) * np.concatenate([np.linspace(-0.2, 1.2, 3001), [0, 1]])
+    exact = 255 * contour.colors(looks, values, limits)[:, :3]
+    off = np.abs(contour.shades(looks, values, limits) - exact)
+    assert 0.1 < off.max() < 1.01  # half a step of the table, where colors change by 4 * 255 / 1024, and half a byte
+
+
+def test_links_of_a_tree_reach_to_their_center_of_mass_and_markers(SC: Any, mbs: Any) -> None:
     node = mbs.AddNode(NodeGenericODE2(numberOfODE2Coordinates=2, referenceCoordinates=[0, 0]))
-    mbs.AddObject(
+    tree = mbs.AddObject(
         ObjectKinematicTree(
             nodeNumber=node, jointTypes=[exu.JointType.RevoluteZ] * 2, linkParents=[-1, 0], linkMasses=[1, 1],
             jointTransformations=exu.Matrix3DList([np.eye(3)] * 2), linkCOMs=exu.Vector3DList([[0.5, 0, 0]] * 2),
@@ -389,3 +400,8 @@ def test_the_last_link_of_a_tree_ends_at_its_center_of_mass(SC: Any, mbs: Any) -
     box = Studio(SC).scene().box()
     assert box is not None
     assert box[1][0] == pytest.approx(1.5, abs=1e-9)  # a rod ends there; the joint at 1 is much thinner
+    mbs.AddMarker(MarkerKinematicTreeRigid(objectNumber=tree, linkNumber=1, localPosition=[0, 2, 0]))
+    mbs.Assemble()
+    box = Studio(SC).scene().box()
+    assert box is not None
+    assert box[1][1] == pytest.approx(2, abs=1e-9)  # another one at the marker

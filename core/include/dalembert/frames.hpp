@@ -6,6 +6,8 @@
 //      f_0 = A_0b f_b            f_b = transposed_times(A_0b, f_0)            A_0c = A_0b A_bc
 #pragma once
 
+#include <algorithm>
+
 #include "dalembert/math/fixed.hpp"
 
 namespace dalembert {
@@ -19,11 +21,13 @@ struct Motion {
 };
 
 // The rows of rotation and position, 3 x 4 numbers, which pictures ask for.
+template <class S>
+Vec<S, 12> pose_numbers(const Vec3<S>& position, const Mat3<S>& rotation) {
+  return vector_of<12>([&](int i) { return i % 4 < 3 ? rotation(i / 4, i % 4) : position[i / 4]; });
+}
 inline void write_pose(const Vec3<double>& position, const Mat3<double>& rotation, double* rows) {
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) rows[4 * i + k] = rotation.x[static_cast<std::size_t>(3 * i + k)];
-    rows[4 * i + 3] = position[i];
-  }
+  const Vec<double, 12> numbers = pose_numbers(position, rotation);
+  std::ranges::copy(numbers.x, rows);
 }
 
 // What markers pass on to connectors, loads and constraints. Laid out as scalars side by side: ports copy them in and out, and

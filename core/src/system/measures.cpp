@@ -11,8 +11,6 @@ namespace {
 // A single coordinate may be anything.
 bool is_in_space(const NodePlace& node) { return node.ode2 >= 0 && node.translations > 1; }
 
-// Of a body with a mesh, so many points tell its size.
-constexpr int enough_points = 1000;
 // Points that are closer together (in m) than this are one point and round-off.
 constexpr double smallest_extent = 1e-12;
 
@@ -55,7 +53,7 @@ double System::extent() const {
   for (const NodePlace& node : parts.nodes)
     if (is_in_space(node)) include(parts.total.data() + node.ode2, node.translations);
   std::vector<int> coordinates;
-  std::vector<double> point;
+  std::vector<double> points;
   for (const ObjectPlace& object : parts.objects) {
     const auto& [batch, entry] = object.member;
     const int count = batch == nullptr ? 0 : batch->mesh_nodes(entry);
@@ -63,8 +61,8 @@ double System::extent() const {
     coordinates.clear();
     parts.list_coordinates(object, Coordinates::ode2, coordinates);
     const Evaluation now = parts.output_evaluation(parts.state(ConfigurationType::Current), coordinates);
-    for (int i = 0; i < count; i += 1 + count / enough_points)
-      if (batch->mesh_output(entry, i, OutputVariableType::Position, now, point)) include(point.data(), 3);
+    if (batch->mesh_outputs(entry, 0, count, OutputVariableType::Position, now, points))
+      for (int i = 0; i < count; ++i) include(points.data() + 3 * i, 3);
   }
   const Vec3<double> span = high - low;
   const double diagonal = std::sqrt(dot(span, span));

@@ -260,7 +260,7 @@ void System::super_element_output(int object, Variable variable, int mesh_node, 
   if (own == 0) return node_output(place.nodes.of(parts.references)[static_cast<std::size_t>(mesh_node)], variable, configuration, values);
   NumberList list(parts.free_numbers);
   parts.list_coordinates(place, Coordinates::ode2, list.numbers);
-  if (batch->mesh_output(entry, mesh_node, variable, parts.output_evaluation(parts.state(configuration), list.numbers), values)) return;
+  if (batch->mesh_outputs(entry, mesh_node, 1, variable, parts.output_evaluation(parts.state(configuration), list.numbers), values)) return;
   refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "", "its mesh nodes have no output variable " + std::string(variable_name(variable)), "",
                             "Position, Displacement, Velocity, Acceleration, DisplacementLocal, VelocityLocal, or that of its modes", ""});
 }

@@ -109,20 +109,14 @@ void System::poses(ItemKind kind, ConfigurationType configuration, Poses& poses)
   }
 }
 
-int System::mesh_output(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const {
+int System::mesh_outputs(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const {
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const auto& [batch, entry] = place.member;
   const int count = std::max(batch->mesh_nodes(entry), 0);
   values.clear();
   const Evaluation e = parts.output_evaluation(parts.state(configuration), totals);
-  Values one;
-  for (int i = 0; i < count; ++i) {
-    one.clear();
-    if (!batch->mesh_output(entry, i, variable, e, one)) return 0;
-    values.insert(values.end(), one.begin(), one.end());
-  }
-  return count;
+  return count > 0 && batch->mesh_outputs(entry, 0, count, variable, e, values) ? count : 0;
 }
 
 }  // namespace dalembert

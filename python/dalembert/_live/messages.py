@@ -55,6 +55,7 @@ class Arrays:
         return b"".join(data)
 
 
+UNTURNED = np.eye(3)
 SCENES = 4  # of which items are remembered: a page may speak of one that has just been replaced
 
 
@@ -177,9 +178,10 @@ class Stage:
             rows[:, :, 3] = [part.place for _, part in group]
             arrays.add("f4", rows)
         for _, part in deformed:
-            arrays.add("f4", part.mesh.points @ part.matrix.T + part.place)
+            stands = np.array_equal(part.matrix, UNTURNED) and not part.place.any()
+            arrays.add("f4", part.mesh.points if stands else part.mesh.points @ part.matrix.T + part.place)
             if part.values is not None:
-                arrays.shades(contour.colors(looks, part.values, scene.value_range)[:, :3])
+                arrays.add("u1", contour.shades(looks, part.values, scene.value_range))
         balls, threads = scene.balls, scene.threads
         loose = np.array([[*center, radius] for center, radius, _, _ in scene.spheres]).reshape(-1, 4)
         arrays.add("f4", np.concatenate([np.column_stack([balls.centers, balls.radii]), loose]))

@@ -207,7 +207,7 @@ class MeshBodies:
 
     def __init__(self, mbs: Any) -> None:
         self.mbs = mbs
-        self._known: dict[int, tuple[Item, IntArray, IntArray]] = {}  # triangles and edges of the item as it is
+        self._known: dict[int, tuple[IntArray, IntArray, IntArray]] = {}  # what was given, triangles and edges
 
     def draw(self, pen: Pen, colors: Contour, number: int, item: Item) -> None:
         """Draw the triangles of the mesh, deformed; its nodes if there are no triangles."""
@@ -237,10 +237,11 @@ class MeshBodies:
 
     def _faces(self, number: int, item: Item) -> tuple[IntArray, IntArray]:
         """Return the triangles of a mesh, and their edges."""
-        if number not in self._known or self._known[number][0] is not item:
-            triangles = np.asarray(item.get("VtriangleMesh", []), int).reshape(-1, 3)
+        given = np.asarray(item.get("VtriangleMesh", []))
+        if number not in self._known or not np.array_equal(self._known[number][0], given):
+            triangles = given.astype(int).reshape(-1, 3)
             sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-            self._known[number] = item, triangles, np.unique(np.sort(sides, axis=1), axis=0)
+            self._known[number] = given, triangles, np.unique(np.sort(sides, axis=1), axis=0)
         return self._known[number][1:]
 
     def _points(self, pen: Pen, number: int, item: Item) -> FloatArray | None:

@@ -21,6 +21,7 @@ class Trees:
     def __init__(self, mbs: Any) -> None:
         self.mbs = mbs
         self._shapes: dict[int, list[list[graphics_data.Shape]]] = {}
+        self._ends: dict[int, list[tuple[int, FloatArray]]] | None = None  # by tree: link and place of markers
 
     def shapes(self, pen: Pen, number: int, name: str) -> list[list[graphics_data.Shape]]:
         """Return the shapes of each link; none at all if there are no graphics data."""
@@ -35,11 +36,24 @@ class Trees:
 
     def draw(self, pen: Pen, number: int, item: Item) -> None:
         """Draw links, as their graphics data or as rods between the joints; joints where there are no graphics data."""
-        draw(pen, item, self.shapes(pen, number, item["name"]))
+        draw(pen, item, self.shapes(pen, number, item["name"]), self._ends_of(number))
+
+    def _ends_of(self, tree: int) -> list[tuple[int, FloatArray]]:
+        """Return the links that markers are on, and where, in the frames of the links."""
+        if self._ends is None:
+            self._ends = {}
+            for marker in range(self.mbs.systemData.NumberOfMarkers()):
+                item = self.mbs.GetMarker(marker)
+                if item["markerType"] == "KinematicTreeRigid":
+                    end = int(item["linkNumber"]), np.asarray(item["localPosition"], float)
+                    self._ends.setdefault(int(item["objectNumber"]), []).append(end)
+        return self._ends.get(tree, [])
 
 
-def draw(pen: Pen, item: Item, data: list[list[graphics_data.Shape]]) -> None:
-    """Draw the links and joints of a tree."""
+def draw(
+    pen: Pen, item: Item, data: list[list[graphics_data.Shape]], ends: list[tuple[int, FloatArray]] | None = None
+) -> None:
+    """Draw the links and joints of a tree; links without graphics data reach to these ends, too."""
     frames = link_frames(pen, item)
     color, joint = pen.looks.color(item, "bodies.defaultColor"), rgba(pen.looks.setting("connectors.defaultColor"))
     thick, size = 0.008 * pen.looks.size, pen.looks.length("connectors.jointAxesLength", 0.04)
@@ -52,6 +66,8 @@ def draw(pen: Pen, item: Item, data: list[list[graphics_data.Shape]]) -> None:
             pen.cylinder(frames[parent][0] if parent >= 0 else base, place, thick, color)
             if link not in item["linkParents"]:  # the last of its chain: to its center of mass
                 pen.cylinder(place, place + rotation @ np.asarray(item["linkCOMs"][link], float), thick, color)
+            for _, end in (end for end in ends or [] if end[0] == link):
+                pen.cylinder(place, place + rotation @ end, thick, color)
         if item["VshowJoints"] and not data:
             half = 0.5 * size * rotation[:, _axis(item, link)]
             pen.cylinder(place - half, place + half, 1.6 * thick, joint)

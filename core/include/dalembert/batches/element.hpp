@@ -87,7 +87,14 @@ class ElementBatch : public Term {
   }
   // What the rest of the motion takes is not computed where all of it is inlined.
   [[gnu::flatten]] void poses(int first, int count, const Evaluation& evaluation, double* rows) const override {
-    if constexpr (requires { typename E::Kernel; }) {
+    if constexpr (moves_in_packs) {
+      const auto begin = static_cast<std::size_t>(first), end = begin + static_cast<std::size_t>(count);
+      each_group(begin, end, [&]<int L>(const Group<L>& group) {
+        const auto q = gathered<n>(group.each([&](std::size_t i) { return evaluation.q + entries_[i].dofs[0]; }));  // which follow each other
+        const auto m = E::OwnRotation::template motion<Numbers<L>>({q, {}, {}});
+        store_numbers(pose_numbers(m.position, m.rotation), group.each([&](std::size_t i) { return rows + 12 * (i - begin); }));
+      });
+    } else if constexpr (requires { typename E::Kernel; }) {
       const Evaluation e = evaluation;  // which rows, being numbers as well, cannot change
       for (int i = first; i < first + count; ++i, rows += 12) {
         const Entry& entry = entries_[static_cast<std::size_t>(i)];
@@ -119,6 +126,10 @@ class ElementBatch : public Term {
   std::vector<Entry> entries_;
 
  private:
+  static constexpr bool moves_in_packs = [] {
+    if constexpr (requires { typename E::OwnRotation; }) return NodeInPacks<typename E::OwnRotation>;
+    else return false;
+  }();
   template <class S>
   static Context context(const EvaluationOf<S>& evaluation, const Entry& e) {
     return Context::of(evaluation, e.item);

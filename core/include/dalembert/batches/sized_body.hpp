@@ -102,8 +102,8 @@ class SizedBodyBatch final : public Term {
     }
     return 0;
   }
-  bool mesh_output(int entry, int node, OutputVariableType variable, const Evaluation& evaluation, std::vector<double>& values) const override {
-    if constexpr (B::mesh == Mesh::own) return own_mesh_output(entries_[entry], node, variable, evaluation, values);
+  bool mesh_outputs(int entry, int first, int count, OutputVariableType variable, const Evaluation& evaluation, std::vector<double>& values) const override {
+    if constexpr (B::mesh == Mesh::own) return own_mesh_outputs(entries_[entry], first, count, variable, evaluation, values);
     return false;
   }
 
@@ -156,36 +156,50 @@ class SizedBodyBatch final : public Term {
       for (std::size_t i = 0; i < n; ++i) std::copy_n(r[i].d.begin(), count, block.begin() + static_cast<std::ptrdiff_t>(i * n) + first);
     });
   }
-  static bool own_mesh_output(const Entry& e, int node, OutputVariableType variable, const Evaluation& evaluation, std::vector<double>& values) {
-    Work work = own_work(e, evaluation);
-    const auto x = work.vectors.values();
-    if (B::mesh_output(*e.parameters, x, node, variable, values)) return true;
-    const FramePlace place = mesh_node(*e.parameters, node, x.count);
-    const auto give = [&](const Vec3<double>& v) {
-      values.assign(v.x.begin(), v.x.end());
+  static bool own_mesh_outputs(const Entry& e, int first, int count, OutputVariableType variable, const Evaluation& evaluation,
+                               std::vector<double>& values) {
+    const typename B::Parameters& p = *e.parameters;
+    GatheredVectors vectors;
+    vectors.make_room(e.law.dofs().size());
+    vectors.gather(evaluation, e.law.dofs());
+    const SizedCoordinates<double> x = vectors.values();
+    values.clear();
+    if (count > 0 && B::mesh_output(p, x, first, variable, values)) {
+      for (int node = first + 1; node < first + count; ++node) B::mesh_output(p, x, node, variable, values);
+      return true;
+    }
+    const auto give = [&](const auto& row) {
+      values.reserve(3 * static_cast<std::size_t>(count));
+      for (int node = first; node < first + count; ++node) {
+        const Vec3<double> v = row(node);
+        values.insert(values.end(), v.x.begin(), v.x.end());
+      }
       return true;
     };
-    const Motion<double> m = place.motion<Frame>(x);
+    const auto combined = [&](const SizedVector<double>& of, int node) {
+      Vec3<double> sum{};
+      B::each_shape(p, node, [&](int i, const Vec3<double>& by) { sum += of[frame_size<B> + i] * by; });
+      return sum;
+    };
+    const auto deformed = [&](int node) { return B::rest(p, node) + combined(x.u, node); };
+    const Motion<double> frame = frame_motion<Frame>(x);
+    const auto motion = [&](int node) { return motion_in(frame, deformed(node), combined(x.v, node), combined(x.a, node)); };
+    const auto position = [&](int node) { return frame.position + frame.rotation * deformed(node); };
     switch (variable) {
-      case OutputVariableType::Position: return give(m.position);
-      case OutputVariableType::Velocity: return give(m.velocity);
-      case OutputVariableType::Acceleration: return give(m.acceleration);
-      case OutputVariableType::DisplacementLocal: return give(x.combined(x.u, place.translation, 0));
-      case OutputVariableType::VelocityLocal: return give(x.combined(x.v, place.translation, 0));
-      case OutputVariableType::Displacement:
-        work.vectors.rest_at(e.reference);
-        return give(m.position - place.motion<Frame>(work.vectors.values()).position);
+      case OutputVariableType::Position: return give(position);
+      case OutputVariableType::Velocity: return give([&](int node) { return motion(node).velocity; });
+      case OutputVariableType::Acceleration: return give([&](int node) { return motion(node).acceleration; });
+      case OutputVariableType::DisplacementLocal: return give([&](int node) { return combined(x.u, node); });
+      case OutputVariableType::VelocityLocal: return give([&](int node) { return combined(x.v, node); });
+      case OutputVariableType::Displacement: {
+        GatheredVectors reference;
+        reference.make_room(e.reference.size());
+        reference.rest_at(e.reference);
+        const Motion<double> rest = frame_motion<Frame>(reference.values());
+        return give([&](int node) { return position(node) - (rest.position + rest.rotation * B::rest(p, node)); });
+      }
       default: return false;
     }
-  }
-  static FramePlace mesh_node(const typename B::Parameters& p, int node, int coordinates) {
-    const auto n = static_cast<std::size_t>(coordinates);
-    FramePlace place{.rest = B::rest(p, node), .translation = std::vector<double>(3 * n)};
-    for (int i = frame_size<B>; i < coordinates; ++i) {
-      const Vec3<double> by = B::shape(p, node, i - frame_size<B>);
-      for (int axis = 0; axis < 3; ++axis) place.translation[static_cast<std::size_t>(axis) * n + static_cast<std::size_t>(i)] = by[axis];
-    }
-    return place;
   }
 
   std::vector<Entry> entries_;

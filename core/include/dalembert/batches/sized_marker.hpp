@@ -63,7 +63,7 @@ struct MeshSeat {
     for (const int number : mean_.nodes) {
       const auto node = static_cast<int>(nodes_.rest.size());
       nodes_.rest.push_back(B::rest(p, number));
-      for (int i = frame_size<B>; i < coordinates_; ++i) nodes_.shapes.push_back({node, i, B::shape(p, number, i - frame_size<B>)});
+      B::each_shape(p, number, [&](int i, const Vec3<double>& by) { nodes_.shapes.push_back({node, frame_size<B> + i, by}); });
     }
   }
 

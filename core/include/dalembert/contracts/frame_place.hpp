@@ -33,6 +33,23 @@ Mat3<S> rotation_vector_tangent(const Vec3<S>& rotation) {
   return t;
 }
 
+// That of the body; without a frame, global axes.
+template <class Frame, class S>
+Motion<S> frame_motion(const SizedCoordinates<S>& x) {
+  if constexpr (Frame::size > 0) return Frame::template motion<S>(x.template of_first<Frame>());
+  return {};
+}
+
+// Of what stands at y in a frame, and moves there by y_t and y_tt, all in its axes.
+template <class S>
+Motion<S> motion_in(const Motion<S>& frame, const Vec3<S>& y, const Vec3<S>& y_t, const Vec3<S>& y_tt) {
+  const Vec3<S> rate_0 = frame.rotation * y_t;
+  Motion<S> m = moved(frame, frame.rotation * y);
+  m.velocity += rate_0;
+  m.acceleration += frame.rotation * y_tt + 2.0 * cross(frame.angular_velocity, rate_0);
+  return m;
+}
+
 struct FramePlace {
   double scale = 1;                           // of the force on the frame as a whole
   Vec3<double> rest{};                        // in the frame
@@ -44,16 +61,12 @@ struct FramePlace {
   template <class Frame, class S>
   Motion<S> motion(const SizedCoordinates<S>& x) const {
     const Motion<S> frame = frame_motion<Frame>(x);
-    const Mat3<S>& A_0F = frame.rotation;
-    const Vec3<S> rate_0 = A_0F * by(translation, x.v);
-    Motion<S> m = moved(frame, A_0F * (rest + by(translation, x.u)));
-    m.velocity += rate_0;
-    m.acceleration += A_0F * by(translation, x.a) + 2.0 * cross(frame.angular_velocity, rate_0);
+    Motion<S> m = motion_in(frame, rest + by(translation, x.u), by(translation, x.v), by(translation, x.a));
     if (rotation.empty()) return m;
     const Vec3<S> angle = by(rotation, x.u);
     Vec3<S> turning = by(rotation, x.v);
     if (exact_rate) turning = rotation_vector_tangent(angle) * turning;
-    m.rotation = A_0F * (exponential_map ? rotation_vector_rotation(angle) : identity<S>() + skew(angle));
+    m.rotation = frame.rotation * (exponential_map ? rotation_vector_rotation(angle) : identity<S>() + skew(angle));
     m.angular_velocity += m.rotation * turning;
     return m;
   }
@@ -78,11 +91,6 @@ struct FramePlace {
   }
 
  private:
-  template <class Frame, class S>
-  static Motion<S> frame_motion(const SizedCoordinates<S>& x) {
-    if constexpr (Frame::size > 0) return Frame::template motion<S>(x.template of_first<Frame>());
-    return {};
-  }
   template <class S>
   Vec3<S> lifted_force(const Vec3<double>& f) const {
     return {S(scale * f[0]), S(scale * f[1]), S(scale * f[2])};

@@ -95,13 +95,14 @@ template <class B>
 concept StatesFrame = !is_framed<B> || (NodeKernel<typename B::Frame> && requires(const typename B::Parameters& p) {
   { B::whole_mass(p) } -> std::same_as<FramePlace>;
 });
-// Mesh nodes of its own: where they rest in the frame, how coordinate `i` behind those of the frame moves them, and outputs of them.
+// Mesh nodes of its own: where they rest in the frame, shape(i, by) for each coordinate `i` behind those of the frame that moves them, and
+// outputs that it adds to values.
 template <class B>
 concept StatesMesh =
     B::mesh != Mesh::own || requires(const typename B::Parameters& p, const SizedCoordinates<double>& x, std::vector<double>& values) {
       { B::mesh_nodes(p) } -> std::same_as<int>;
       { B::rest(p, 0) } -> std::same_as<Vec3<double>>;
-      { B::shape(p, 0, 0) } -> std::same_as<Vec3<double>>;
+      { B::each_shape(p, 0, [](int, const Vec3<double>&) {}) } -> std::same_as<void>;
       { B::mesh_output(p, x, 0, OutputVariableType::Position, values) } -> std::same_as<bool>;
     };
 // Parameters that Assemble finds.

@@ -225,7 +225,7 @@ class System {
   };
   void poses(ItemKind kind, ConfigurationType configuration, Poses& poses) const;
   // An output variable of all mesh nodes of a super element, one after the other; returns how many nodes, 0: they do not have it.
-  int mesh_output(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const;
+  int mesh_outputs(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const;
   void load_values(int load, double time, Values& values);
   void sensor_values(int sensor, ConfigurationType configuration, Values& values);
   // While one lives, outputs of several items share the frames of markers, until the state may have changed.

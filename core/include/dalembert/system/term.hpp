@@ -177,9 +177,9 @@ class Term : public Batch {
                       std::vector<double>&) const {
     return false;
   }
-  // Mesh nodes that are no nodes of the system: how many, and their outputs.
+  // Mesh nodes that are no nodes of the system: how many, and outputs of so many from the first on, row by row.
   virtual int mesh_nodes(int /*entry*/) const { return 0; }
-  virtual bool mesh_output(int /*entry*/, int /*mesh node*/, OutputVariableType, const Evaluation&, std::vector<double>&) const { return false; }
+  virtual bool mesh_outputs(int /*entry*/, int /*first*/, int /*count*/, OutputVariableType, const Evaluation&, std::vector<double>&) const { return false; }
 };
 
 // Nodes whose rotations have derivatives in closed form: what is on them shares their motion, and sums up its forces there.

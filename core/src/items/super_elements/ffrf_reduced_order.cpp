@@ -2,6 +2,7 @@
 #include "dalembert/items/super_elements/ffrf_reduced_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "dalembert/batches/sized_law.hpp"
@@ -121,9 +122,11 @@ bool ObjectFFRFreducedOrder::mesh_output(const Parameters& p, const SizedCoordin
                                          std::vector<double>& values) {
   if (variable != p.outputVariableTypeModeBasis || variable == OutputVariableType::_None) return false;
   constexpr int components = 6;
-  const int columns = p.outputVariableModeBasis.columns, first = x.count - columns / components;
-  values.assign(components, 0.0);
-  for (int i = 0; i < columns; ++i) values[static_cast<std::size_t>(i % components)] += p.outputVariableModeBasis(node, i) * x.u[first + i / components];
+  const int modes = p.outputVariableModeBasis.columns / components, first = x.count - modes;
+  std::array<double, components> sums{};
+  for (int mode = 0; mode < modes; ++mode)
+    for (int i = 0; i < components; ++i) sums[static_cast<std::size_t>(i)] += p.outputVariableModeBasis(node, components * mode + i) * x.u[first + mode];
+  values.insert(values.end(), sums.begin(), sums.end());
   return true;
 }
 

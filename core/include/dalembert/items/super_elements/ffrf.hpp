@@ -46,8 +46,9 @@ struct ObjectFFRF {
 
   static int mesh_nodes(const Parameters& p) { return static_cast<int>(p.nodeNumbers.size()) - 1; }
   static Vec3<double> rest(const Parameters& p, int node) { return load<double, 3>(p.referencePositions.data() + 3 * node); }
-  static Vec3<double> shape(const Parameters&, int node, int coordinate) {
-    return vector_of<3>([&](int axis) { return coordinate == 3 * node + axis ? 1.0 : 0.0; });
+  template <class Shape>
+  static void each_shape(const Parameters&, int node, const Shape& shape) {
+    for (int axis = 0; axis < 3; ++axis) shape(3 * node + axis, vector_of<3>([&](int i) { return i == axis ? 1.0 : 0.0; }));
   }
   static bool mesh_output(const Parameters&, const SizedCoordinates<double>&, int, OutputVariableType, std::vector<double>&) { return false; }
 

@@ -52,8 +52,9 @@ struct ObjectFFRFreducedOrder {
 
   static int mesh_nodes(const Parameters& p) { return static_cast<int>(p.referencePositions.size() / 3); }
   static Vec3<double> rest(const Parameters& p, int node) { return load<double, 3>(p.referencePositions.data() + 3 * node); }
-  static Vec3<double> shape(const Parameters& p, int node, int mode) {
-    return vector_of<3>([&](int axis) { return p.modeBasis(3 * node + axis, mode); });
+  template <class Shape>
+  static void each_shape(const Parameters& p, int node, const Shape& shape) {
+    for (int mode = 0; mode < p.modeBasis.columns; ++mode) shape(mode, vector_of<3>([&](int axis) { return p.modeBasis(3 * node + axis, mode); }));
   }
   // The variable of outputVariableModeBasis: linear in the modal coordinates, which come last.
   static bool mesh_output(const Parameters& p, const SizedCoordinates<double>& x, int node, OutputVariableType variable,
