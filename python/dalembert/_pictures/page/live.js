@@ -125,7 +125,7 @@ export class Live extends View {
     this.last = new Map();
     const first = this.number === undefined || !this.objects.length;
     const made = head.meshes.map((entry) => [entry, mesh(entry, arrays)]);
-    const balls = spheres(head.spheres, arrays);
+    const balls = spheres(head.spheres, arrays, this.drawnBy);
     const shades = arrays[head.lines.colors], colors = head.lines.items.map((_, i) => shades.subarray(3 * i, 3 * i + 3));
     const drawn = lines(colors, head.lines.items);
     const picked = this.picked == null ? null : JSON.stringify(this.items[this.picked]);

@@ -26,8 +26,8 @@ function moving(entry, arrays) {
   }];
 }
 
-function balls(entry, arrays) {
-  const made = spheres(entry, arrays);
+function balls(entry, arrays, drawnBy) {
+  const made = spheres(entry, arrays, drawnBy);
   if (!made.length) return [made, () => {}];
   const now = gathered(entry.places, 4, arrays, new Float32Array(4 * entry.items.length));
   return [made, (number) => made[0].userData.put(now(number))];
@@ -51,7 +51,7 @@ export class Motion extends View {
   constructor(place, head, arrays) {
     super(place);
     Object.assign(this, { head, frame: 0, playing: head.plays, speed: 1, since: 0 });
-    const parts = [...head.meshes.map((entry) => moving(entry, arrays)), balls(head.spheres, arrays), curves(head.lines, arrays)];
+    const parts = [...head.meshes.map((entry) => moving(entry, arrays)), balls(head.spheres, arrays, this.drawnBy), curves(head.lines, arrays)];
     this.movers = parts.map(([, go]) => go);
     this.replace(parts.flatMap(([made]) => made), head.items);
     this.paint(head.background);

@@ -15,9 +15,13 @@ function material(color, colored, flat) {
 }
 
 // Bytes as three.js computes with them; `stride` bytes for each color.
+const LINEAR = Float32Array.from({ length: 256 }, (_, byte) => SPOTS.setRGB(byte / 255, 0, 0, "srgb").r);
+
 function linear(bytes, stride, result = new Float32Array((3 * bytes.length) / stride)) {
-  for (let i = 0; i < result.length / 3; ++i) {
-    SPOTS.setRGB(bytes[stride * i] / 255, bytes[stride * i + 1] / 255, bytes[stride * i + 2] / 255, "srgb").toArray(result, 3 * i);
+  for (let i = 0, from = 0; i < result.length; i += 3, from += stride) {
+    result[i] = LINEAR[bytes[from]];
+    result[i + 1] = LINEAR[bytes[from + 1]];
+    result[i + 2] = LINEAR[bytes[from + 2]];
   }
   return result;
 }
@@ -101,11 +105,18 @@ function deformed(entry, arrays) {
   return [made, edges(entry, arrays, position)];
 }
 
+// Parts of the circles of spheres, of which there are so many: they may have so many triangles together.
+const TRIANGLES = { graphics: 6e6, processor: 3e5 };
+
+export function parts(count, drawnBy) {
+  return Math.min(Math.max(Math.round(Math.sqrt(TRIANGLES[drawnBy] / 2 / count)), 4), 24);
+}
+
 // Each is four numbers: center and radius.
-export function spheres(entry, arrays) {
+export function spheres(entry, arrays, drawnBy) {
   const count = entry.items.length, matrix = new Matrix4();
   if (count === 0) return [];
-  const fine = count < 500 ? 24 : 10;
+  const fine = parts(count, drawnBy);
   const made = new InstancedMesh(new SphereGeometry(1, fine, fine), material([1, 1, 1, 1], false, false), count);
   const colors = linear(arrays[entry.colors], 3);
   for (let i = 0; i < count; ++i) made.setColorAt(i, SPOTS.fromArray(colors, 3 * i));

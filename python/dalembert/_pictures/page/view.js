@@ -45,11 +45,19 @@ export function planes(x, y, z, distance) {
   return length ? [new Plane(normal.divideScalar(-length), distance)] : [];
 }
 
+// What draws: a graphics card, or the processor in its place.
+function drawnBy(gl) {
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  return /llvmpipe|softpipe|swiftshader|software|basic render/i.test(name) ? "processor" : "graphics";
+}
+
 export class View {
   constructor(place) {
     Object.assign(this, { place, objects: [], items: [], marks: true, drawn: 0, background: [1, 1, 1], picked: null, ends: [], panes: [] });
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(window.devicePixelRatio);
+    this.drawnBy = drawnBy(this.renderer.getContext());
     this.canvas = this.renderer.domElement;
     place.appendChild(this.canvas);
     this.scene = new Scene();
