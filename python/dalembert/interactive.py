@@ -201,8 +201,8 @@ def AnimateModes(
 ) -> None:
     """Show the modes of a node with modal coordinates, or eigenvectors (columns) of the system if nodeNumber is None.
 
-    Notebooks, and browsers where there is a display, show all modes one after the other, each for one oscillation of
-    stepsPerPeriod images, `period` seconds apart. Elsewhere the first mode, with a small amplitude, becomes the
+    Notebooks, browsers where there is a display, and otherwise the live page that is open show all modes one after the
+    other, each for one oscillation of stepsPerPeriod images, `period` seconds apart. Elsewhere the first mode, with a small amplitude, becomes the
     visualized state. ValueError without modes.
     """
     check_type("AnimateModes: systemContainer", systemContainer, _core.SystemContainer)
@@ -281,10 +281,10 @@ def SolutionViewer(
 ) -> None:
     """Look through a solution (of LoadSolutionFile), or through that of the last simulation if solution is None.
 
-    Notebooks show it as a page that plays; elsewhere, where there is a display, the browser does. Without one, the
-    first row becomes the visualized state. `rowIncrement` leaves rows out, `timeout` is the time (s) between those that
-    are shown, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2 again and again. ValueError if there is no
-    solution.
+    Notebooks show it as a page that plays; elsewhere, where there is a display, the browser does, and without one, the
+    live page, if it is open. Otherwise the first row becomes the visualized state. `rowIncrement` leaves rows out,
+    `timeout` is the time (s) between those that are shown, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2
+    again and again. ValueError if there is no solution.
     """
     check_type("SolutionViewer: mainSystem", mainSystem, _core.MainSystem)
     check_type("SolutionViewer: title", title, str)

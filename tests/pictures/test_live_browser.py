@@ -72,6 +72,24 @@ def solving(mbs: Any) -> threading.Thread:
     return thread
 
 
+def test_solutions_are_looked_through_in_front_of_it(model: Any, tab: Tab, viewer: Viewer) -> None:
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps = 100
+    settings.timeIntegration.verboseMode = 0
+    model.SolveDynamic(settings)
+    model.SolutionViewer(runOnStart=False)
+    tab.wait("page.motion && page.motion.drawn > 0")
+    tab.press("End")
+    assert tab.value("page.motion.time.textContent") == "t = 1.000 s"
+    tab.press(" ")  # plays again, and is none of the live page's
+    assert tab.value("page.motion.playing") and tab.value("page.motion.frame") < 100
+    tab.press("Escape")
+    tab.wait("page.motion === null && document.querySelector('.replay') === null")
+    assert not viewer._paused and not model.GetRenderEngineStopFlag()
+    tab.press("n")
+    tab.wait("page.items.every(([kind]) => kind !== 'Node')")
+
+
 def test_it_follows_the_solver_until_it_is_stopped(model: Any, tab: Tab) -> None:
     thread = solving(model)
     frames = tab.value("page.frames")

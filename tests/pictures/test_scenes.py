@@ -378,6 +378,18 @@ def test_coordinates_that_lengthen_a_rope_are_not_where_it_runs(SC: Any, mbs: An
     assert columns.max() - 512 == pytest.approx(0.5 * scale, abs=2)
 
 
+def test_ground_keeps_its_colors(SC: Any, mbs: Any) -> None:
+    """It is not part of what moves, and would widen the range of the colors."""
+    mbs.CreateGround(graphicsDataList=[graphics.CheckerBoard(size=20)])
+    brick = [graphics.Brick(size=[0.2, 0.2, 0.2])]
+    mbs.CreateRigidBody(referencePosition=[1, 0, 0], inertia=InertiaCuboid(1, [1, 1, 1]), graphicsDataList=brick)
+    mbs.Assemble()
+    SC.visualizationSettings.contour.outputVariable = Variable.Position
+    SC.visualizationSettings.contour.outputVariableComponent = 0
+    scene = Studio(SC).scene()
+    assert scene.value_range == pytest.approx((0.9, 1.1))
+
+
 @pytest.mark.parametrize("limits", [(0.0, 1.0), (-3.0, 5.0), (20.0, 20.001)])
 def test_colors_of_many_numbers_are_those_of_each(limits: tuple[float, float]) -> None:
     looks, (low, high) = Looks(exu.VisualizationSettings()), limits

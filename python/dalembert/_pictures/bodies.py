@@ -57,7 +57,8 @@ class Bodies:
         if not callable(item.get("VgraphicsDataUserFunction")):
             pen.stick("Object", number)
         if shapes := self.shapes(pen, number, item):
-            graphics_data.draw(pen, shapes, place, rotation, contour.of_body(pen, colors, number))
+            values = None if item["objectType"] == "Ground" else contour.of_body(pen, colors, number)
+            graphics_data.draw(pen, shapes, place, rotation, values)
         elif item["objectType"] != "Ground":
             self._draw_bare(pen, number, item)
 

@@ -44,12 +44,17 @@ def page(motion: Motion | Still, words: dict[str, Any]) -> str:
 
     Texts of the model are in its data, packed; none becomes a part of the page.
     """
-    from dalembert._pictures.replay import pack
-
     folder = Path(__file__).parent / "page"
     text = (folder / "page.html").read_text("utf-8").replace("@STYLE@", (folder / "style.css").read_text("utf-8"))
     code = gzip.compress((folder / "bundle.js").read_bytes(), 9, mtime=0)
-    return text.replace("@DATA@", _base64(pack(motion, words))).replace("@CODE@", _base64(code))
+    return text.replace("@DATA@", data(motion, words)).replace("@CODE@", _base64(code))
+
+
+def data(motion: Motion | Still, words: dict[str, Any]) -> str:
+    """Return the motion itself, as the page has it."""
+    from dalembert._pictures.replay import pack
+
+    return _base64(pack(motion, words))
 
 
 def _base64(data: bytes) -> str:

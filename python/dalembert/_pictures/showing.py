@@ -22,22 +22,32 @@ def show_solution(
 ) -> bool:
     """Show the rows of a solution one after the other, `pause` seconds apart; False if there is nowhere to show it.
 
+    It is a page of its own where one can be opened, and otherwise in front of the live page that somebody has open.
     Captions stand instead of the times of the rows.
     """
-    notebook = in_notebook()
-    if not notebook and not has_display():
+    notebook, display = in_notebook(), has_display()
+    viewer = None if notebook or display else _open_viewer(mbs.GetSystemContainer())
+    if not (notebook or display or viewer):
         return False
-    from dalembert._pictures.html import page
+    from dalembert._pictures import html
     from dalembert._pictures.motion import Motion
 
     motion = Motion(mbs, "SolutionViewer", solution, 1 / max(pause, 1e-3), 1.0, None, (1024, 768), every_row=True)
     words = {"title": title, "plays": plays, "again": mode > 0} | ({"captions": captions} if captions else {})
-    text = page(motion, words)
     if notebook:
-        _show_in_notebook(text)
+        _show_in_notebook(html.page(motion, words))
+    elif viewer is None:
+        _open_in_browser(html.page(motion, words))
     else:
-        _open_in_browser(text)
+        viewer.tell({"kind": "motion", "data": html.data(motion, words)})
     return True
+
+
+def _open_viewer(container: Any) -> Any:
+    """Return the viewer of a container if somebody has its page open."""
+    module = sys.modules.get("dalembert._live.viewer")
+    viewer = None if module is None else module.viewer_of(container)
+    return viewer if viewer is not None and viewer.server.pages else None
 
 
 def in_notebook() -> bool:

@@ -1,4 +1,6 @@
 // The live page: it shows what the viewer sends, tells when it has drawn it, and passes on keys, choices and views.
+import { read } from "./data.js";
+import { Motion } from "./motion.js";
 import { Pane } from "./panes.js";
 import { Panels } from "./panels.js";
 import { lines, mesh, spheres } from "./shapes.js";
@@ -35,6 +37,7 @@ export class Live extends View {
 
   end() {
     clearInterval(this.reports);
+    this.close();
     super.end();
   }
 
@@ -81,6 +84,21 @@ export class Live extends View {
   sides() {
     const now = this.looking();
     return [1, 3, 2].map((plane, i) => ({ number: i + 1, camera: { ...now, rotation: rows(plane) }, clip: this.clip ?? [0, 0, 0, 0] }));
+  }
+
+  // A solution that the reader looks through, in front of what is live.
+  async replay(data) {
+    this.close();
+    const { head, arrays } = await read(data);
+    const place = element(this.place, "div", { className: "page replay" });
+    this.motion = new Motion(place, head, arrays);
+    element(this.motion.bar, "button", { textContent: "live", title: "back to the live view (Escape)", onclick: () => this.close() });
+  }
+
+  close() {
+    this.motion?.end();
+    this.motion?.place.remove();
+    this.motion = null;
   }
 
   opened() {
@@ -164,6 +182,7 @@ export class Live extends View {
       settings: () => this.panels.settings(words.rows),
       controls: () => this.panels.controls(words),
       plots: () => this.panels.plot(words.curves),
+      motion: () => this.replay(words.data),
     };
     actions[words.kind]?.();
   }
@@ -224,6 +243,7 @@ export class Live extends View {
   }
 
   key(event) {
+    if (this.motion) return event.key === "Escape" ? this.close() : undefined; // it has keys of its own
     if (/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) || event.metaKey) return;
     if (event.ctrlKey && /^[c]$/i.test(event.key) && String(getSelection())) return; // a text is copied
     const { key, ctrlKey: control, shiftKey: shift, altKey: alt } = event, down = event.type === "keydown";

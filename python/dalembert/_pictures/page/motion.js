@@ -59,7 +59,13 @@ export class Motion extends View {
     this.tools();
     this.look(head.camera);
     this.show(0);
-    window.addEventListener("keydown", (event) => this.key(event));
+    this.pressed = (event) => this.key(event);
+    window.addEventListener("keydown", this.pressed);
+  }
+
+  end() {
+    window.removeEventListener("keydown", this.pressed);
+    super.end();
   }
 
   tools() {
