@@ -202,8 +202,8 @@ def AnimateModes(
     """Show the modes of a node with modal coordinates, or eigenvectors (columns) of the system if nodeNumber is None.
 
     Notebooks, browsers where there is a display, and otherwise the live page that is open show all modes one after the
-    other, each for one oscillation of stepsPerPeriod images, `period` seconds apart. Elsewhere the first mode, with a small amplitude, becomes the
-    visualized state. ValueError without modes.
+    other, each for one oscillation of stepsPerPeriod images, `period` seconds apart. Elsewhere the first mode, with a
+    small amplitude, becomes the visualized state. ValueError without modes.
     """
     check_type("AnimateModes: systemContainer", systemContainer, _core.SystemContainer)
     check_type("AnimateModes: mainSystem", mainSystem, _core.MainSystem)

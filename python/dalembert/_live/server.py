@@ -110,6 +110,8 @@ class PageServer:
             self._failure = error
         finally:
             self._started.set()
+            if rest := asyncio.all_tasks(self._loop):  # of connections that are being closed
+                self._loop.run_until_complete(asyncio.wait(rest, timeout=1.0))
             self._loop.close()
 
     async def _serve(self, port: int) -> None:
