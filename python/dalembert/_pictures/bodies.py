@@ -30,8 +30,8 @@ class Bodies:
         default = pen.looks.default_color("bodies.defaultColor")
         if default != self._default:  # which meshes without colors have
             self._default, self._shapes, self._known = default, {}, graphics_data.Known()
-        if number in self._shapes and not callable(item.get("VgraphicsDataUserFunction")):
-            return self._shapes[number]
+        if not callable(item.get("VgraphicsDataUserFunction")) and (known := self._shapes.get(number)) is not None:
+            return known
         owner = f"object {number} '{item['name']}'"
         if number not in self._shapes:
             data = self.mbs.GetObject(number, True)
@@ -43,9 +43,9 @@ class Bodies:
         if callable(item.get("VgraphicsDataUserFunction")):
             return None
         shapes = self.shapes(pen, number, item)
-        if not shapes and self._markers_of(number):
-            return None
-        return None if any(kind != "mesh" for kind, *_ in shapes) else [what for _, what, _ in shapes]
+        if not shapes:
+            return None if self._markers_of(number) else []
+        return [what for _, what, _ in shapes] if all(shape[0] == "mesh" for shape in shapes) else None
 
     def draw(self, pen: Pen, colors: Contour, number: int, item: Item) -> None:
         """Draw a body in its frame."""

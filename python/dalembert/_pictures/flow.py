@@ -7,6 +7,9 @@ where their frames are, times where they stand in them: _MovingParts finds all o
 
 from __future__ import annotations
 
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -71,7 +74,11 @@ class Flow:
     def _begin(self, configuration: ConfigurationType) -> Scene:
         """Draw everything, and note what sticks to what."""
         self.forget()
-        scene, pen = self._maker.draw(configuration)
+        with _without_collection():
+            return self._drawn(configuration)
+
+    def _drawn(self, configuration: ConfigurationType) -> Scene:
+        scene, pen = self._maker.draw(configuration, crowded=True)
         if pen is None or pen.places.source is None or not len(pen.frames):
             return scene
         kinds = {kind: number for number, kind in enumerate(_core._MovingParts.kinds)}
@@ -105,7 +112,10 @@ class Flow:
         for part, frame in zip(scene.instances, stuck.instances, strict=True):
             if part.item not in loose:
                 groups.setdefault((id(part.mesh), part.color), []).append((frame, part))
-        self._herds = []
+        self._herds = [
+            (herd.mesh, herd.color, herd.items, add(frames, herd.rows))
+            for herd, frames in zip(scene.herds, stuck.herds, strict=True)
+        ]
         for members in groups.values():
             parts = np.empty((len(members), 3, 4))
             parts[:, :, :3] = [part.matrix for _, part in members]
@@ -114,11 +124,15 @@ class Flow:
             self._herds.append((first.mesh, first.color, items, add([frame for frame, _ in members], parts)))
 
         kept = [(s, f) for s, f in zip(scene.spheres, stuck.spheres, strict=True) if s[3] not in loose]
+        balls = scene.balls
         self._balls = (
-            np.array([s[1] for s, _ in kept], float),
-            np.array([s[2] for s, _ in kept], float).reshape(-1, 4),
-            np.array([s[3] for s, _ in kept], int),
-            add([f for _, f in kept], _points([s[0] for s, _ in kept])),
+            np.concatenate([balls.radii, np.array([s[1] for s, _ in kept], float)]),
+            np.concatenate([balls.colors, np.array([s[2] for s, _ in kept], float).reshape(-1, 4)]),
+            np.concatenate([balls.items, np.array([s[3] for s, _ in kept], int)]),
+            add(
+                [*stuck.balls, *(f for _, f in kept)],
+                np.concatenate([_points(balls.centers), _points([s[0] for s, _ in kept])]),
+            ),
         )
         lines = [(line, f) for line, f in zip(scene.lines, stuck.lines, strict=True) if line[3] not in loose]
         counts = np.array([len(line[0]) for line, _ in lines], int)
@@ -148,6 +162,18 @@ class Flow:
         loose = scene.instances or scene.spheres or scene.lines or len(scene.labels) > len(texts)
         self._complete = not (loose or self._loose or scene.value_name or self._maker.has_traces())
         return scene
+
+
+@contextmanager
+def _without_collection() -> Iterator[None]:
+    """Look for no garbage while much is made that stays: each time, all of it would be looked through."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
 
 
 def _square(rows: FloatArray) -> FloatArray:

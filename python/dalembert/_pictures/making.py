@@ -12,6 +12,7 @@ from dalembert._core import ConfigurationType
 from dalembert._pictures import connectors, contacts, flexible, symbols, traces
 from dalembert._pictures.bodies import Bodies
 from dalembert._pictures.contour import Contour
+from dalembert._pictures.crowds import RIGID, Crowd
 from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.meshes import Mesh, edges_of_box, extremes
 from dalembert._pictures.pen import Pen
@@ -21,7 +22,6 @@ from dalembert._pictures.trees import Trees
 
 TINY = 1e-9  # m, of symbols while the size of the scene is found
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
-RIGID = ("Ground", "RigidBody", "RigidBody2D", "MassPoint", "MassPoint2D", "Mass1D", "RotationalMass1D")
 # What has no place in space: its coordinates are those of a controller, a hydraulic circuit or a field.
 WITHOUT_PLACE = {
     "ObjectGenericODE1": "equations of first order have no shape",
@@ -83,8 +83,11 @@ class SceneMaker:
             self._changes += 1
         return self._changes
 
-    def draw(self, configuration: ConfigurationType | None) -> tuple[Scene, Pen | None]:
-        """Return a scene, and the pen that knows what sticks to what; None if that is of no use."""
+    def draw(self, configuration: ConfigurationType | None, crowded: bool = False) -> tuple[Scene, Pen | None]:
+        """Return a scene, and the pen that knows what sticks to what; None if that is of no use.
+
+        `crowded`: what looks alike may be in the scene as arrays.
+        """
         assembled = self.is_assembled()
         if configuration is None:
             configuration = ConfigurationType.Visualization
@@ -97,8 +100,11 @@ class SceneMaker:
         self.looks.crowd = self._count("Object")
         scene = Scene()
         pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
+        crowd = Crowd(pen, self.bodies) if crowded and assembled and not self._is_unusual(colors) else None
         for kind in KINDS:
-            self._draw_kind(pen, colors, kind)
+            self._draw_kind(pen, colors, kind, crowd)
+        if crowd is not None:
+            crowd.draw()
         for item in contacts.drawn_items(self.mbs, self.looks):
             pen.take(item)
             contacts.draw(pen, item)
@@ -107,6 +113,12 @@ class SceneMaker:
         self._finish(pen, colors)
         whole = add_normals(pen) or add_box(pen)
         return scene, None if self._highlights() and highlight(scene, self.looks) or whole else pen
+
+    def _is_unusual(self, colors: Contour) -> bool:
+        """Return whether settings make bodies or nodes look as they usually do not."""
+        nodes, gl = self.looks.setting("nodes"), self.looks.setting("openGL")
+        several = nodes.showBasis or nodes.showNodalSlopes or gl.drawFaceNormals or gl.drawVertexNormals
+        return bool(colors.active or several or int(self.looks.setting("interactive.highlightItemIndex")) >= 0)
 
     def _highlights(self) -> bool:
         return int(self.looks.setting("interactive.highlightMbsNumber")) == self.number
@@ -182,7 +194,7 @@ class SceneMaker:
     def _count(self, kind: str) -> int:
         return int(getattr(self.mbs.systemData, f"NumberOf{kind}s")())
 
-    def _draw_kind(self, pen: Pen, colors: Contour, kind: str) -> None:
+    def _draw_kind(self, pen: Pen, colors: Contour, kind: str, crowd: Crowd | None) -> None:
         """Draw all items of a kind, as far as they and their group of settings are shown."""
         flags: dict[str, tuple[bool, bool]] = {}  # by group: whether items, and their numbers, are shown
         name_of_type = f"{kind.lower()}Type"
@@ -196,6 +208,8 @@ class SceneMaker:
             if not shown or not item.get("Vshow", True):
                 continue
             pen.take(DrawnItem(kind, number, item[name_of_type], item["name"]))
+            if crowd is not None and not numbered and crowd.takes(kind, number, item):
+                continue
             self._draw(pen, colors, kind, number, item)
             if numbered:
                 self._number(pen, kind, number, item)

@@ -29,6 +29,8 @@ class Stuck:
     spheres: list[int] = field(default_factory=list)
     lines: list[int] = field(default_factory=list)
     labels: list[tuple[int, int]] = field(default_factory=list)  # of which item, and the frame
+    herds: list[list[int]] = field(default_factory=list)
+    balls: list[int] = field(default_factory=list)
 
 
 class Pen:
@@ -58,6 +60,15 @@ class Pen:
     def _frame(self) -> int:
         """Return the number of the frame to which things stick now."""
         return -1 if self._key is None else self.frames.setdefault(self._key, len(self.frames))
+
+    def frames_of(self, kind: str, numbers: list[int]) -> list[int]:
+        """Return the numbers of the frames of items that turn."""
+        return [self.frames.setdefault((kind, number, -1), len(self.frames)) for number in numbers]
+
+    @property
+    def item(self) -> int:
+        """Return in whose name it draws: the position of an item in the scene."""
+        return self._item
 
     def take(self, item: DrawnItem) -> None:
         """Draw from now on in the name of this item."""
