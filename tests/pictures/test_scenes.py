@@ -378,6 +378,16 @@ def test_coordinates_that_lengthen_a_rope_are_not_where_it_runs(SC: Any, mbs: An
     assert columns.max() - 512 == pytest.approx(0.5 * scale, abs=2)
 
 
+def test_balls_of_many_nodes_are_small_beside_what_they_are_apart(SC: Any, mbs: Any) -> None:
+    apart, side = 0.3, 8
+    for place in np.ndindex(side, side, side):
+        mbs.CreateMassPoint(referencePosition=apart * np.array(place), physicsMass=1)
+    mbs.Assemble()
+    SC.visualizationSettings.bodies.show = False
+    (radius,) = {sphere[1] for sphere in Studio(SC).scene().spheres}
+    assert 0.1 * apart < 2 * radius < 0.25 * apart
+
+
 def test_ground_keeps_its_colors(SC: Any, mbs: Any) -> None:
     """It is not part of what moves, and would widen the range of the colors."""
     mbs.CreateGround(graphicsDataList=[graphics.CheckerBoard(size=20)])

@@ -8,7 +8,6 @@ import numpy as np
 
 from dalembert._pictures import contour, graphics_data
 from dalembert._pictures.contour import Contour
-from dalembert._pictures.looks import rgba
 from dalembert._pictures.meshes import Mesh, Rgba
 from dalembert._pictures.pen import Pen
 
@@ -65,7 +64,8 @@ class Bodies:
     def _draw_bare(self, pen: Pen, number: int, item: Item) -> None:
         """Draw rods from the reference point to the markers of a body; a ball for a mass."""
         place = pen.places.body(number)
-        color, thick = rgba(pen.looks.setting("bodies.defaultColor")), 0.007 * pen.looks.size
+        color = pen.looks.default_color("bodies.defaultColor")
+        thick = pen.looks.crowded(0.007) * pen.looks.size
         if place is None:
             return
         ends = [pen.places.marker(marker) for marker in self._markers_of(number)]

@@ -47,7 +47,7 @@ class Crowd:
         color = looks.color(item, "nodes.defaultColor")
         if color[3] < 1 or not self._pen.places.turns("Node", number):
             return False
-        radius = 0.5 * looks.draw_size(item, "nodes.defaultSize", 0.02)
+        radius = 0.5 * looks.node_size(item)
         if radius > 0:
             self._nodes.append((number, self._pen.item, radius, color))
         return True

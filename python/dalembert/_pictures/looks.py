@@ -90,6 +90,14 @@ class Looks:
         value = float(item.get("VdrawSize", -1.0))
         return value if value >= 0 else self.length(path, part)
 
+    def crowded(self, part: float) -> float:
+        """Return the part of the scene that a ball takes: a smaller one where many could hide each other."""
+        return float(part * min(1.0, 7 / max(self.crowd, 1) ** (1 / 3)))
+
+    def node_size(self, item: dict[str, Any]) -> float:
+        """Return the diameter of a node."""
+        return self.draw_size(item, "nodes.defaultSize", self.crowded(0.02))
+
     def color(self, item: dict[str, Any], path: str, name: str = "Vcolor") -> Rgba:
         """Return the color of an item, or the default color of its kind."""
         value = item.get(name, (-1.0,))

@@ -20,7 +20,7 @@ def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
     """A ball, and the axes of the node if they are wanted."""
     if (place := pen.places.node(number)) is None:
         return
-    radius = 0.5 * pen.looks.draw_size(item, "nodes.defaultSize", 0.02)
+    radius = 0.5 * pen.looks.node_size(item)
     color = pen.looks.color(item, "nodes.defaultColor")
     pen.stick("Node", number)
     value = pen.places.node_output(number, colors.variable) if colors.active else None
