@@ -71,6 +71,21 @@ std::vector<std::string> describe_equations(const System& system, std::span<cons
   return lines;
 }
 
+// Long lists end with how many more there are.
+void shorten(std::vector<std::string>& lines) {
+  if (lines.size() <= most_items) return;
+  const std::size_t more = lines.size() - most_items;
+  lines.resize(most_items);
+  lines.push_back("and " + std::to_string(more) + " more");
+}
+
+std::string indented(std::vector<std::string> lines) {
+  shorten(lines);
+  std::string text;
+  for (const std::string& line : lines) text += "\n  " + line;
+  return text;
+}
+
 }  // namespace
 
 Diagnosis& Solver::diagnose(FailureReason reason) {
@@ -124,11 +139,14 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
 }
 
 [[gnu::noinline]] void Solver::warn_of_free_motion(std::span<const int> rows) {
-  std::string text = name() + ": other states are in balance as well, as nothing resists a motion of:";
-  const std::vector<std::string> lines = describe_equations(system(), rows);
-  for (const std::string& line : std::span(lines).first(std::min(lines.size(), most_items))) text += "\n  " + line;
-  if (lines.size() > most_items) text += "\n  and " + std::to_string(lines.size() - most_items) + " more";
-  warn(text + "\n  Hold it by a constraint or a weak spring, unless any of these states will do.");
+  warn(name() + ": other states are in balance as well, as nothing resists a motion of:" + indented(describe_equations(system(), rows)) +
+       "\n  Hold it by a constraint or a weak spring, unless any of these states will do.");
+}
+
+[[gnu::noinline]] void Solver::warn_of_velocities(std::span<const int> rows, double largest_force) {
+  warn(name() + ": velocities are not zero, and what answers them (damping, inertia) is part of this balance, with up to " +
+       number(largest_force) + " in:" + indented(describe_equations(system(), rows)) +
+       "\n  For an equilibrium at rest, begin without velocities (initialVelocities, mbs.systemData.SetODE2Coordinates_t).");
 }
 
 [[gnu::noinline]] void Solver::diagnose_open_gaps() {
@@ -172,10 +190,7 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
       lines.push_back(system().describe(owner) + ", equation " + std::to_string(worst - owner.first) + ": " +
                       format_number(misfit[static_cast<std::size_t>(worst)]));
   }
-  std::string text = name() + ": redundant constraints contradict each other; what the closest fit leaves open:";
-  for (const std::string& line : std::span(lines).first(std::min(lines.size(), most_items))) text += "\n  " + line;
-  if (lines.size() > most_items) text += "\n  and " + std::to_string(lines.size() - most_items) + " more";
-  warn(text);
+  warn(name() + ": redundant constraints contradict each other; what the closest fit leaves open:" + indented(std::move(lines)));
 }
 
 // Where round-off has hidden which constraints are redundant, it is what has grown.
@@ -184,10 +199,9 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
   if (constraints.certain()) return;
   Diagnosis& d = diagnosis_;
   if (d.dependent.empty()) {
-    const auto items = constraints.items(system());
-    for (const auto& item : std::span(items).first(std::min(items.size(), most_items)))
+    for (const auto& item : constraints.items(system()))
       d.dependent.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out");
-    if (items.size() > most_items) d.dependent.push_back("and " + std::to_string(items.size() - most_items) + " more items");
+    shorten(d.dependent);
   }
   d.advice.insert(d.advice.begin(),
                   "some constraint equations are hardly independent of others (by " + number(constraints.weakest()) +

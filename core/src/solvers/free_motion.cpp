@@ -51,6 +51,7 @@ std::vector<double> softest_direction(std::size_t ode2, std::size_t total, const
 }  // namespace
 
 void StaticSolver::look_back() {
+  look_for_motion();
   if (sizes_.ode2 > 0 && it.newtonJacobiCount > 0) {
     const std::vector<double> last = jacobian_;  // which users may ask for
     if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) warn_of_free_motion(rows);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "arc_length.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
@@ -10,6 +11,7 @@ namespace dalembert {
 
 // Differences of times below this part of the whole duration are round-off.
 constexpr double time_tolerance = 1e-10;
+constexpr double negligible_share = 1e-3;  // of the largest force of velocities
 
 double StaticSolver::load_factor() const {
   return (it.currentTime - it.startTime) / settings().staticSolver.loadStepDuration;
@@ -72,6 +74,29 @@ void StaticSolver::compute_mass_matrix() {
   const TimedPart time(timer, timer.massMatrix);
   mass_.resize(jacobian_.size());
   system().mass_matrix(current(), pattern(), mass_);
+}
+
+// Velocities stay as they are: where damping or inertia answers them, this is the balance of a moving system.
+void StaticSolver::look_for_motion() {
+  State& now = current();
+  if (std::ranges::all_of(now.v, [](double rate) { return rate == 0; })) return;
+  compute_residual();
+  const std::vector<double> moving = residual_;
+  std::vector<double> velocities(now.v.size());
+  velocities.swap(now.v);
+  compute_residual();
+  velocities.swap(now.v);
+  std::vector<double> forces = std::exchange(residual_, moving);
+  double largest = 0;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    forces[i] = moving[i] - forces[i];
+    largest = std::max(largest, std::abs(forces[i]));
+  }
+  if (norm_of(forces) <= std::max(newton_settings.relativeTolerance * initial_residual_, newton_settings.absoluteTolerance)) return;
+  std::vector<int> rows;
+  for (int i = 0; i < sizes_.first_ae(); ++i)
+    if (std::abs(forces[static_cast<std::size_t>(i)]) > negligible_share * largest) rows.push_back(i);
+  warn_of_velocities(rows, largest);
 }
 
 // In statics, multipliers count with the opposite sign: applied forces + G^T lambda = 0.

@@ -54,6 +54,7 @@ class StaticSolver : public NewtonSolver {
   void move(std::span<const double> step);
   void set_quasi_time(double time);
   void compute_jacobian(double load_dependencies);
+  void look_for_motion();
   // Coordinates that move where nothing resists (free_motion.cpp); `last` is the matrix of the factors at hand.
   std::vector<int> free_coordinates(std::span<const double> last);
   std::vector<int> free_of_resistance() const;
