@@ -40,7 +40,9 @@ def solve(mbs: Any, node: int) -> float:
 
 
 @pytest.mark.parametrize("velocity", [0.5, -2.0])
-def test_damping_of_velocities_is_part_of_the_balance_and_named(velocity: float, capfd: pytest.CaptureFixture[str]) -> None:
+def test_damping_of_velocities_is_part_of_the_balance_and_named(
+    velocity: float, capfd: pytest.CaptureFixture[str]
+) -> None:
     mbs, node = oscillator(velocity, damping=10)
     assert solve(mbs, node) == pytest.approx((FORCE - 10 * velocity) / STIFFNESS, rel=1e-12)  # one linear equation
     printed = capfd.readouterr().out
@@ -48,7 +50,9 @@ def test_damping_of_velocities_is_part_of_the_balance_and_named(velocity: float,
 
 
 @pytest.mark.parametrize(("velocity", "damping"), [(0.0, 10.0), (0.5, 0.0)], ids=["at rest", "undamped"])
-def test_velocities_without_effect_are_no_matter(velocity: float, damping: float, capfd: pytest.CaptureFixture[str]) -> None:
+def test_velocities_without_effect_are_no_matter(
+    velocity: float, damping: float, capfd: pytest.CaptureFixture[str]
+) -> None:
     mbs, node = oscillator(velocity, damping)
     assert solve(mbs, node) == pytest.approx(FORCE / STIFFNESS, rel=1e-12)
     assert WORDS not in capfd.readouterr().out
