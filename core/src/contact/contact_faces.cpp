@@ -1,5 +1,6 @@
 // Spheres on faces of triangles that rest, four at once; what is left are those at edges and corners, at several triangles, and at what moves.
 #include <algorithm>
+#include <cstddef>
 
 #include "dalembert/contact/general_contact.hpp"
 #include "dalembert/math/pack.hpp"
@@ -10,7 +11,10 @@ namespace {
 
 using P = Pack<4>;
 constexpr std::size_t lanes = 4;
-static_assert(sizeof(Facet) == 18 * sizeof(double));  // corner, normal, three directions inward, and where the edges are
+// Where the numbers of a facet begin, which are read four at a time.
+constexpr std::size_t normal_of_facet = offsetof(Facet, normal) / sizeof(double), inward_of_facet = offsetof(Facet, inward) / sizeof(double),
+                      at_edge_of_facet = offsetof(Facet, at_edge) / sizeof(double);
+static_assert(offsetof(Facet, corner) == 0 && normal_of_facet == 3 && inward_of_facet == 6 && at_edge_of_facet == 15 && sizeof(Facet) == 18 * sizeof(double));
 
 DALEMBERT_INLINE inline std::array<P, 4> gather(const std::array<const double*, lanes>& from, std::size_t first = 0) {
   return gather_fours<4>({from[0] + first, from[1] + first, from[2] + first, from[3] + first});
@@ -38,7 +42,7 @@ struct GeneralContact::Heights {
       frame[lane] = contact.carriers_now_[static_cast<std::size_t>(contact.carriers_of_triangles_[t])].position.x.data();
     }
     const std::array<P, 4> s = gather(at), corner = gather(facet);
-    behind_normal = gather(facet, 4);
+    behind_normal = gather(facet, normal_of_facet + 1);
     const auto take_frame = [&](const auto& number) DALEMBERT_INLINE {
       for (std::size_t i = 0; i < 9; ++i) rotation.x[i] = number(6 + i);
       centre = transposed_times(rotation, Vec3<P>{s[0] - number(0), s[1] - number(1), s[2] - number(2)});
@@ -52,7 +56,7 @@ struct GeneralContact::Heights {
     radius = s[3];
   }
   DALEMBERT_INLINE P within_edges() const {
-    const std::array<P, 4> f8 = gather(facet, 8), f12 = gather(facet, 12), f14 = gather(facet, 14);
+    const std::array<P, 4> f8 = gather(facet, inward_of_facet + 2), f12 = gather(facet, inward_of_facet + 6), f14 = gather(facet, at_edge_of_facet - 1);
     const P first = dot(Vec3<P>{behind_normal[2], behind_normal[3], f8[0]}, centre) - f14[1], second = dot(Vec3<P>{f8[1], f8[2], f8[3]}, centre) - f14[2],
             third = dot(first_three(f12), centre) - f14[3];
     return smaller(first, smaller(second, third));
@@ -111,7 +115,6 @@ void GeneralContact::sift_triangles(Chunk& chunk) const {
 // As add_on_triangles has it.
 template <bool rubs>
 DALEMBERT_INLINE inline void GeneralContact::push_from_faces(std::span<const Chunk::Near> all) const {
-  const double zone = set_->proportional_zone;
   for (std::size_t k = 0; k < all.size(); k += lanes) {
     std::array<Chunk::Near, lanes> pair;
     std::array<const double*, lanes> velocities, spins;
@@ -123,23 +126,18 @@ DALEMBERT_INLINE inline void GeneralContact::push_from_faces(std::span<const Chu
       if constexpr (rubs) spins[lane] = &pairs_.spin[i].x;
       pairings[lane] = pairs_.pairing_with(*set_, pair[lane].sphere, carriers_of_triangles_[static_cast<std::size_t>(pair[lane].triangle)]);
     }
-    const auto of_pairing = [&](double ContactPairing::*number) DALEMBERT_INLINE {
-      return P(P::Register{pairings[0].*number, pairings[1].*number, pairings[2].*number, pairings[3].*number});
-    };
+    const ContactPairingOf<P> pairing = side_by_side(pairings);
     const int count = static_cast<int>(std::min(lanes, all.size() - k));
     const Heights at(*this, pair);
     const Vec3<P> normal = -(at.rotation * at.normal);
     Vec3<P> velocity = -first_three(gather(velocities));
     if constexpr (rubs) velocity -= cross(first_three(gather(spins)), at.height * normal);
     const P away = dot(normal, velocity);
-    P pressure = -(of_pairing(&ContactPairing::stiffness) * (at.height - at.radius)) - of_pairing(&ContactPairing::damping) * away;
+    P pressure = pairing.pressure(at.height - at.radius, away);
     pressure = P(pressure.x > 0.0 ? pressure.x : P::Register{});
     Vec3<P> force = (-pressure) * normal;
     if constexpr (rubs) {
-      const Vec3<P> slip = velocity - away * normal;
-      const P square = dot(slip, slip), fast = 1.0 / sqrt(one_for_zero(square));
-      const P factor(square.x < zone * zone ? P(1 / zone).x : fast.x);
-      const Vec3<P> drag = (of_pairing(&ContactPairing::friction) * pressure) * (factor * slip), moment = at.height * cross(normal, drag);
+      const Vec3<P> drag = pairing.drag(pressure, velocity - away * normal, set_->proportional_zone), moment = at.height * cross(normal, drag);
       force = force + drag;
       each_row<4>({moment[0], moment[1], moment[2], P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
         row.add_to(&pairs_.moment[static_cast<std::size_t>(pair[static_cast<std::size_t>(lane)].sphere)].x);

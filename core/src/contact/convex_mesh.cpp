@@ -22,8 +22,6 @@ struct Side {
   std::size_t edge = 0;
 };
 
-Vec3<double> unit(const Vec3<double>& v) { return (1 / norm(v)) * v; }
-
 }  // namespace
 
 void ConvexMesh::build(const std::vector<int>& members, const std::vector<Triangle>& all, const std::vector<Facet>& facets) {
@@ -44,7 +42,7 @@ void ConvexMesh::build(const std::vector<int>& members, const std::vector<Triang
     const std::size_t last = around.size() == 2 ? 1 : 0;
     // The other triangle falls away from the plane of the first one.
     if (last == 1 && !(dot(facet(0).normal, facet(1).inward[around[1].edge]) < -blunt)) continue;
-    Edge edge{a, unit(b - a), norm(b - a), {facet(0).inward[around[0].edge], facet(last).inward[around[last].edge]}, {facet(0).normal, facet(last).normal}};
+    Edge edge{a, direction(b - a), norm(b - a), {facet(0).inward[around[0].edge], facet(last).inward[around[last].edge]}, {facet(0).normal, facet(last).normal}};
     owners.emplace_back(around[0].triangle, static_cast<int>(edges_.size()));
     edges_.push_back(edge);
     ends[ab.first].push_back(edge.along);
@@ -72,14 +70,14 @@ void ConvexMesh::build(const std::vector<int>& members, const std::vector<Triang
       auto [at, is_new] = around.try_emplace(place_of(corners[k]), t, Corner{corners[k], {}, {}});
       at->second.first = std::min(at->second.first, t);
       at->second.second.normal += facets[static_cast<std::size_t>(t)].normal;
-      at->second.second.edges.push_back(unit(corners[(k + 1) % 3] - corners[k]));
-      at->second.second.edges.push_back(unit(corners[(k + 2) % 3] - corners[k]));
+      at->second.second.edges.push_back(direction(corners[(k + 1) % 3] - corners[k]));
+      at->second.second.edges.push_back(direction(corners[(k + 2) % 3] - corners[k]));
     }
   for (const auto& [place, corner] : around) {
     if (norm(corner.second.normal) < blunt) continue;
     owners.emplace_back(corner.first, static_cast<int>(corners_.size()));
     corners_.push_back(corner.second);
-    corners_.back().normal = unit(corner.second.normal);
+    corners_.back().normal = direction(corner.second.normal);
   }
   list(first_corner_, corner_list_);
 }
@@ -112,11 +110,11 @@ void ConvexMesh::on_edge(const ConvexNow& shape, const Edge& edge, int number, s
     const Vec3<double> along = (1 / length) * (end - begin);
     const LinePair lines = nearest_of_lines(begin, along, edge.begin, edge.along);
     if (!(lines.sine > 1e-6) || !(lines.s > 0 && lines.s < length && lines.t > 0 && lines.t < edge.length)) continue;
-    Vec3<double> up = unit(cross(along, edge.along));
+    Vec3<double> up = direction(cross(along, edge.along));
     if (dot(up, edge.normal[0] + edge.normal[1]) < 0) up = -up;
     const double gap = dot(up, begin + lines.s * along - (edge.begin + lines.t * edge.along));
     if (!(gap < 0) || gap < -deepest || dot(up, edge.inward[0]) > slack || dot(up, edge.inward[1]) > slack) continue;
-    const Vec3<double> left = unit(cross(shape.normals[static_cast<std::size_t>(e.left)], along)), right = unit(cross(along, shape.normals[static_cast<std::size_t>(e.right)]));
+    const Vec3<double> left = direction(cross(shape.normals[static_cast<std::size_t>(e.left)], along)), right = direction(cross(along, shape.normals[static_cast<std::size_t>(e.right)]));
     if (dot(-up, left) > slack || dot(-up, right) > slack) continue;
     ConvexTouch t;
     t.kind = Kind::lines;
@@ -141,17 +139,7 @@ void ConvexMesh::rims_on_edge(const ConvexNow& shape, const Edge& edge, int numb
       const Vec3<double> place = rim.centre + rim.radius * rim.reach(u).out - edge.begin;
       const double depth = dot(u, place), along = dot(place, edge.along);
       if (!(dot(u, rim.axis) > 0 && depth > 0 && depth <= deepest && along > 0 && along < edge.length)) return;
-      ConvexTouch t;
-      t.kind = Kind::rim_line;
-      t.at0 = shape.shape->corners[static_cast<std::size_t>(end)];
-      t.along0 = shape.inward(rim.axis);
-      t.radius0 = rim.radius;
-      t.at1 = edge.begin;
-      t.along1 = edge.along;
-      t.nearby = shape.inward(u);
-      t.share = shape.shape->lone;
-      t.key = edge_key(number) + 3 + end;
-      found.push_back(t);
+      found.push_back(rim_touch(shape, end, edge.begin, edge.along, 0, u, shape.shape->lone, edge_key(number) + 3 + end));
     });
   }
 }

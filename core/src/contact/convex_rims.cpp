@@ -66,9 +66,9 @@ Vec3<double> between_rims(const Rim<double>& a, const Rim<double>& b) {
     Vec3<double> step = at.is_least() ? at.step(gs, gt) : (-1 / steepest) * (gs * at.s + gt * at.t);
     const double length = norm(step);
     if (!(length > rim_normals::rounding)) break;
-    if (length > rim_normals::longest_step) step = (rim_normals::longest_step / length) * step;
+    step = rim_normals::not_longer(step, length);
     bool falls = false;
-    for (int half = 0; half < most_halves && !falls; ++half, step = 0.5 * step) falls = take_if_less(rim_normals::unit(u + step));
+    for (int half = 0; half < most_halves && !falls; ++half, step = 0.5 * step) falls = take_if_less(direction(u + step));
     if (!falls) break;
   }
   return normal_of_rims(a, b, u);
@@ -76,20 +76,16 @@ Vec3<double> between_rims(const Rim<double>& a, const Rim<double>& b) {
 
 }  // namespace
 
+ConvexTouch rim_touch(const ConvexNow& cylinder, int end, const Vec3<double>& at1, const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share,
+                      std::int64_t key) {
+  ConvexTouch t = round_touch(Kind::rim_line, cylinder.shape->corners[static_cast<std::size_t>(end)], cylinder.shape->radius, at1, along1, radius1, share, key);
+  t.along0 = cylinder.inward(rim_of(cylinder, end).axis);
+  t.nearby = cylinder.inward(normal);
+  return t;
+}
 ConvexTouch rim_touch(const ConvexNow& cylinder, int end, const ConvexNow& other, const Vec3<double>& at, const Vec3<double>& along, double radius,
                       const Vec3<double>& normal) {
-  ConvexTouch t;
-  t.kind = Kind::rim_line;
-  t.at0 = cylinder.shape->corners[static_cast<std::size_t>(end)];
-  t.along0 = cylinder.inward(rim_of(cylinder, end).axis);
-  t.radius0 = cylinder.shape->radius;
-  t.at1 = other.into(at);
-  t.along1 = other.inward(along);
-  t.radius1 = radius;
-  t.nearby = cylinder.inward(normal);
-  t.share = share_of_edges(cylinder, other);
-  t.key = convex_keys::rim + end;
-  return t;
+  return rim_touch(cylinder, end, other.into(at), other.inward(along), radius, normal, share_of_edges(cylinder, other), convex_keys::rim + end);
 }
 
 void ConvexPairs::cylinder_and_polytope(const ConvexNow& cylinder, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) {
@@ -136,8 +132,8 @@ void ConvexPairs::cylinder_and_polytope(const ConvexNow& cylinder, const ConvexN
   if (overlaps.apart()) return;
   const RoundOverlap at = is_near_face(of_faces.normal, least.normal) ? of_faces : least;
   const std::size_t before = found.size();
-  if (at.other == OtherFeature::face) faces(other, at.number, cylinder, swapped, found);
-  else if (at.own == RoundFeature::cap) faces(cylinder, cap_face(cylinder, at.end), other, !swapped, found);
+  if (at.other == OtherFeature::face) faces(other, at.other_number, cylinder, swapped, found);
+  else if (at.own == RoundFeature::cap) faces(cylinder, cap_face(cylinder, at.own_end), other, !swapped, found);
   else if (at.own == RoundFeature::mantle) {
     mantle_on_edges(cylinder, other, swapped, found);
     mantle_on_corners(cylinder, other, swapped, found);
@@ -145,21 +141,21 @@ void ConvexPairs::cylinder_and_polytope(const ConvexNow& cylinder, const ConvexN
   }
   if (is_as_deep(found, before, swapped ? other : cylinder, swapped ? cylinder : other, least.depth)) return;
   found.resize(before);
-  if (least.other == OtherFeature::face) return lowest_on_face(other, least.number, cylinder, swapped, found);
-  if (least.own == RoundFeature::cap) return lowest_on_face(cylinder, cap_face(cylinder, least.end), other, !swapped, found);
+  if (least.other == OtherFeature::face) return lowest_on_face(other, least.other_number, cylinder, swapped, found);
+  if (least.own == RoundFeature::cap) return lowest_on_face(cylinder, cap_face(cylinder, least.own_end), other, !swapped, found);
   const double r = cylinder.shape->radius, share = share_of_edges(cylinder, other);
   if (least.other == OtherFeature::corner) {
-    const auto c = static_cast<std::size_t>(least.number);
-    found.push_back(round_touch(Kind::point_line, other.shape->corners[c], 0, cylinder.shape->corners[0], cylinder.inward(cylinder.axis), r, share, convex_keys::on_mantle + least.number));
+    const auto c = static_cast<std::size_t>(least.other_number);
+    found.push_back(round_touch(Kind::point_line, other.shape->corners[c], 0, cylinder.shape->corners[0], cylinder.inward(cylinder.axis), r, share, convex_keys::on_mantle + least.other_number));
     found.back().swapped = !swapped;
     return;
   }
-  const Edge edge = edge_of(static_cast<std::size_t>(least.number));
+  const Edge edge = edge_of(static_cast<std::size_t>(least.other_number));
   if (least.own == RoundFeature::rim) {
-    found.push_back(rim_touch(cylinder, least.end, other, edge.begin, edge.along, 0, least.normal));
-    found.back().key += 2 * std::int64_t{least.number};
+    found.push_back(rim_touch(cylinder, least.own_end, other, edge.begin, edge.along, 0, least.normal));
+    found.back().key += 2 * std::int64_t{least.other_number};
   } else {
-    found.push_back(line_touch(cylinder, cylinder.corners[0], cylinder.axis, r, other, edge.begin, edge.along, 0, least.normal, share, convex_keys::mantle + 3 * std::int64_t{least.number} + 1));
+    found.push_back(line_touch(cylinder, cylinder.corners[0], cylinder.axis, r, other, edge.begin, edge.along, 0, least.normal, share, convex_keys::mantle + 3 * std::int64_t{least.other_number} + 1));
   }
   found.back().swapped = swapped;
 }
@@ -196,30 +192,30 @@ void ConvexPairs::cylinders(const ConvexNow& a, const ConvexNow& b, std::vector<
   if (overlaps.apart()) return;
   const bool on_face = is_near_face(of_faces.normal, least.normal);
   const std::size_t before = found.size();
-  if (on_face && &of_faces == &of_a) faces(a, cap_face(a, of_a.end), b, true, found);
-  else if (on_face) faces(b, cap_face(b, of_b.number), a, false, found);
+  if (on_face && &of_faces == &of_a) faces(a, cap_face(a, of_a.own_end), b, true, found);
+  else if (on_face) faces(b, cap_face(b, of_b.other_number), a, false, found);
   else if (sine <= parallel || (least.own == RoundFeature::mantle && least.other == OtherFeature::mantle)) {
     mantles(a, b, found);
     if (found.size() > before) return;
   }
   if (is_as_deep(found, before, a, b, least.depth)) return;
   found.resize(before);
-  if (least.own == RoundFeature::cap) return lowest_on_face(a, cap_face(a, least.end), b, true, found);
-  if (least.other == OtherFeature::cap) return lowest_on_face(b, cap_face(b, least.number), a, false, found);
+  if (least.own == RoundFeature::cap) return lowest_on_face(a, cap_face(a, least.own_end), b, true, found);
+  if (least.other == OtherFeature::cap) return lowest_on_face(b, cap_face(b, least.other_number), a, false, found);
   const double ra = a.shape->radius, rb = b.shape->radius;
   if (least.own == RoundFeature::mantle && least.other == OtherFeature::mantle) {
     found.push_back(line_touch(a, a.corners[0], a.axis, ra, b, b.corners[0], b.axis, rb, least.normal, share_of_edges(a, b), convex_keys::mantle));
   } else if (least.other == OtherFeature::mantle) {
-    found.push_back(rim_touch(a, least.end, b, b.corners[0], b.axis, rb, least.normal));
+    found.push_back(rim_touch(a, least.own_end, b, b.corners[0], b.axis, rb, least.normal));
   } else if (least.own == RoundFeature::mantle) {
-    found.push_back(rim_touch(b, least.number, a, a.corners[0], a.axis, ra, -least.normal));
+    found.push_back(rim_touch(b, least.other_number, a, a.corners[0], a.axis, ra, -least.normal));
     found.back().swapped = true;
     found.back().key += 2;
   } else {
-    const Rim<double> rim_b = rim_of(b, least.number);
-    found.push_back(rim_touch(a, least.end, b, rim_b.centre, rim_b.axis, rb, least.normal));
+    const Rim<double> rim_b = rim_of(b, least.other_number);
+    found.push_back(rim_touch(a, least.own_end, b, rim_b.centre, rim_b.axis, rb, least.normal));
     found.back().kind = Kind::rims;
-    found.back().key += 4 + 2 * least.number;
+    found.back().key += 4 + 2 * least.other_number;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dalembert/contact/contact_law.hpp"
 #include "dalembert/contact/convex_shape.hpp"
 #include "dalembert/math/triangle.hpp"
 #include "dalembert/model/term_source.hpp"
@@ -54,18 +55,6 @@ struct ContactPlane {
 struct ContactBristles {
   double stiffness = 0, damping = 0, holding = 1;
   bool grow() const { return stiffness > 0; }
-};
-
-// All that two surfaces make together.
-struct ContactPairing {
-  double stiffness, damping, friction;
-
-  // What presses two things together; negative where their damping would pull.
-  template <class S>
-  S pressure(const S& gap, const S& away) const {
-    return -(stiffness * gap) - damping * away;
-  }
-  ContactPairing part(double share) const { return {share * stiffness, share * damping, friction}; }
 };
 
 class ContactSet final : public SystemTermSource {

@@ -74,7 +74,7 @@ class ConvexPairs {
     Vec3<double> normal;  // from the cylinder to the other
     RoundFeature own = RoundFeature::cap;
     OtherFeature other = OtherFeature::corner;
-    int end = 0, number = 0;  // of the cylinder's axis; of the other's axis, or its face, edge or corner
+    int own_end = 0, other_number = 0;  // the end of the cylinder's axis; that of the other's axis, or its face, edge or corner
   };
   // How far feet of a shape are from a plane, of those that are not below it.
   double clearance(const ConvexNow& shape, const Vec3<double>& normal, const Vec3<double>& point);
@@ -155,7 +155,10 @@ ConvexTouch round_touch(ConvexTouch::Kind kind, const Vec3<double>& at, double r
 // Both are parts of lines, in global axes: of a cylinder its axis, of a polytope an edge.
 ConvexTouch line_touch(const ConvexNow& a, const Vec3<double>& at0, const Vec3<double>& along0, double radius0, const ConvexNow& b, const Vec3<double>& at1,
                        const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share, std::int64_t key);
-// As a touch of the first thing; `at` and `along` of the line in global axes.
+// As a touch of the first thing, with a line of another, in its own axes; the normal in global ones.
+ConvexTouch rim_touch(const ConvexNow& cylinder, int end, const Vec3<double>& at1, const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share,
+                      std::int64_t key);
+// The same with a line of a convex shape, in global axes.
 ConvexTouch rim_touch(const ConvexNow& cylinder, int end, const ConvexNow& other, const Vec3<double>& at, const Vec3<double>& along, double radius,
                       const Vec3<double>& normal);
 

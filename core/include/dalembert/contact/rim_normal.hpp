@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dalembert/math/dual.hpp"
-#include "dalembert/math/fixed.hpp"
+#include "dalembert/math/direction.hpp"
 
 namespace dalembert {
 
@@ -44,7 +43,6 @@ template <class S>
 Rim<double> value_of_rim(const Rim<S>& rim) {
   return {value_of_vector(rim.centre), value_of_vector(rim.axis), rim.radius};
 }
-inline Vec3<double> unit(const Vec3<double>& v) { return (1 / norm(v)) * v; }
 
 // How F grows along `t`, across u, and the part of its curvature there that the circle is the cause of.
 template <class S>
@@ -80,7 +78,7 @@ struct Newton2 {
 };
 inline Newton2 between_rims(const Rim<double>& a, const Rim<double>& b, const Vec3<double>& w, const Vec3<double>& u) {
   const Rim<double>::Reach ra = a.reach(u), rb = b.reach(u);
-  Newton2 n{unit(cross(a.axis, u)), {}, {}, 0};
+  Newton2 n{direction(cross(a.axis, u)), {}, {}, 0};
   n.t = cross(u, n.s);
   const double level = dot(w, u) + a.radius * ra.sine + b.radius * rb.sine;
   const auto both = [&](const Vec3<double>& x, const Vec3<double>& y) { return bend(a, ra, x, y) + bend(b, rb, x, y); };
@@ -91,6 +89,14 @@ inline Newton2 between_rims(const Rim<double>& a, const Rim<double>& b, const Ve
   return n;
 }
 
+// From u, where both are as there.
+template <class S>
+Vec3<S> step_between(const Newton2& at, const Rim<S>& a, const Rim<S>& b, const Vec3<S>& u) {
+  const Vec3<S> pull = a.centre - b.centre + a.radius * a.reach(u).out + b.radius * b.reach(u).out;
+  return at.step(dot(at.s, pull), dot(at.t, pull));
+}
+inline Vec3<double> not_longer(const Vec3<double>& step, double length) { return length > longest_step ? (longest_step / length) * step : step; }
+
 }  // namespace rim_normals
 
 // From the rim to the line, and across it; `point` is any one of the line. What is added to the line changes nothing.
@@ -99,14 +105,14 @@ Vec3<S> normal_of_rim_and_line(const Rim<S>& rim, const Vec3<S>& point, const Ve
   using namespace rim_normals;
   const Rim<double> now = value_of_rim(rim);
   const Vec3<double> d = value_of_vector(along), w = now.centre - value_of_vector(point);
-  Vec3<double> u = unit(nearby - dot(nearby, d) * d);
+  Vec3<double> u = direction(nearby - dot(nearby, d) * d);
   double curvature = 0, step = longest_step;
   for (int k = 0; k < most_steps && std::abs(step) > rounding; ++k) {
     const Newton1 at = across_line(now, w, d, u);
     curvature = at.curvature;
     if (!(curvature > 0)) break;
     step = std::clamp(-at.slope / curvature, -longest_step, longest_step);
-    u = unit(u + step * cross(d, u));
+    u = direction(u + step * cross(d, u));
   }
   const Vec3<S> across = u - dot(u, along) * along, t = cross(along, across);
   if (!(curvature > 0 && std::abs(step) < converged)) return across;
@@ -119,25 +125,19 @@ Vec3<S> normal_of_rims(const Rim<S>& a, const Rim<S>& b, const Vec3<double>& nea
   using namespace rim_normals;
   const Rim<double> now_a = value_of_rim(a), now_b = value_of_rim(b);
   const Vec3<double> w = now_a.centre - now_b.centre;
-  Vec3<double> u = unit(nearby);
-  const auto step_of = [](const auto& first, const auto& second, const auto& between, const Newton2& at, const auto& direction) {
-    const auto ra = first.reach(direction), rb = second.reach(direction);
-    const auto pull = between + first.radius * ra.out + second.radius * rb.out;
-    return at.step(dot(at.s, pull), dot(at.t, pull));
-  };
+  Vec3<double> u = direction(nearby);
   double length = longest_step;
   for (int k = 0; k < most_steps && length > rounding; ++k) {
     const Newton2 at = between_rims(now_a, now_b, w, u);
     length = longest_step;
     if (!at.is_least()) break;
-    Vec3<double> step = step_of(now_a, now_b, w, at, u);
+    const Vec3<double> step = step_between(at, now_a, now_b, u);
     length = norm(step);
-    if (length > longest_step) step = (longest_step / length) * step;
-    u = unit(u + step);
+    u = direction(u + not_longer(step, length));
   }
   const Vec3<S> fixed = vector_of<3>([&](int i) { return S(u[i]); });
   if (!(length < converged)) return fixed;
-  return fixed + step_of(a, b, a.centre - b.centre, between_rims(now_a, now_b, w, u), fixed);
+  return fixed + step_between(between_rims(now_a, now_b, w, u), a, b, fixed);
 }
 
 }  // namespace dalembert

@@ -8,19 +8,10 @@
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/laws/impact.hpp"
-#include "dalembert/math/dual.hpp"
+#include "dalembert/math/direction.hpp"
 #include "dalembert/system/term.hpp"
 
 namespace dalembert {
-
-// A unit vector, or zero if there is no direction.
-template <class S, int N>
-Vec<S, N> direction(const Vec<S, N>& v) {
-  const S square = dot(v, v);
-  if (value_of(square) == 0) return {};
-  using std::sqrt;
-  return (1.0 / sqrt(square)) * v;
-}
 
 // Where two surfaces are closest, and how they move there.
 template <class S>

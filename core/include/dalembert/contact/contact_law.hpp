@@ -1,0 +1,54 @@
+// The law of contact, of single numbers, of duals, and of several contacts at once: pressure by stiffness and damping, and friction that grows
+// with the slip in a proportional zone.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "dalembert/math/dual.hpp"
+#include "dalembert/math/fixed.hpp"
+#include "dalembert/math/pack.hpp"
+
+namespace dalembert {
+
+// The slip is divided by its length, or by the length of the zone while it is in there; whether it is may be given.
+template <class S>
+S one_over_slip(const S& square, double zone, std::optional<bool> sticks = {}) {
+  const bool sticking = sticks ? *sticks : value_of(square) < zone * zone;
+  using std::sqrt;
+  return sticking ? S(1 / zone) : value_of(square) > 0 ? S(1.0 / sqrt(square)) : S(0);
+}
+template <int N>
+DALEMBERT_INLINE inline Pack<N> one_over_slip(const Pack<N>& square, double zone) {
+  const Pack<N> in_zone(1 / zone), beyond = 1.0 / sqrt(one_for_zero(square));
+  return square.x < zone * zone ? in_zone.x : beyond.x;
+}
+
+// All that two surfaces make together.
+template <class K>
+struct ContactPairingOf {
+  K stiffness, damping, friction;
+
+  // What presses two things together; negative where their damping would pull.
+  template <class S>
+  DALEMBERT_INLINE S pressure(const S& gap, const S& away) const {
+    return -(stiffness * gap) - damping * away;
+  }
+  // What the second thing, which slips against the first, drags this along with.
+  template <class S, class... Sticks>
+  DALEMBERT_INLINE Vec3<S> drag(const S& pressure, const Vec3<S>& slip, double zone, const Sticks&... sticks) const {
+    return (friction * pressure * one_over_slip(dot(slip, slip), zone, sticks...)) * slip;
+  }
+  ContactPairingOf part(double share) const { return {share * stiffness, share * damping, friction}; }
+};
+using ContactPairing = ContactPairingOf<double>;
+
+DALEMBERT_INLINE inline ContactPairingOf<Pack<4>> side_by_side(const std::array<ContactPairing, 4>& all) {
+  const auto numbers = [&all](double ContactPairing::*number) DALEMBERT_INLINE {
+    return Pack<4>(Pack<4>::Register{all[0].*number, all[1].*number, all[2].*number, all[3].*number});
+  };
+  return {numbers(&ContactPairing::stiffness), numbers(&ContactPairing::damping), numbers(&ContactPairing::friction)};
+}
+
+}  // namespace dalembert
