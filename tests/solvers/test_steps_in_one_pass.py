@@ -84,6 +84,22 @@ def test_accelerations_are_those_at_the_start_of_the_last_step() -> None:
     )
 
 
+@pytest.mark.parametrize("steps", [1, 2, 5])
+def test_views_show_the_configuration_that_they_were_asked_for(steps: int) -> None:
+    """States change places at each step only where nobody looks at them."""
+    mbs, alone = points(10), points(10)
+    data, current, start = mbs.systemData, exu.ConfigurationType.Current, exu.ConfigurationType.StartOfStep
+    views = [data.GetODE2Coordinates(current, copy=False), data.GetODE2Coordinates_t(current, copy=False)]
+    before = data.GetODE2Coordinates(start, copy=False)
+    assert motion(mbs, steps=steps) == motion(alone, steps=steps)
+    assert tuple(view.tobytes() for view in views) == (
+        data.GetODE2Coordinates().tobytes(),
+        data.GetODE2Coordinates_t().tobytes(),
+    )
+    assert before.tobytes() == alone.systemData.GetODE2Coordinates(start).tobytes()
+    assert steps == 1 or before.tobytes() != views[0].tobytes()
+
+
 def test_an_energy_that_grows_is_seen() -> None:
     """Without damping, explicit Euler multiplies energies by 1 + (h omega)^2 at each step."""
     mbs = points(10)

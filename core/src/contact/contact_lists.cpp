@@ -12,6 +12,7 @@ namespace dalembert {
 namespace {
 // Small ones are enough work for a thread; of large ones, fewer pairs lie astride of two, and their spheres still lie in a cache.
 constexpr int smallest_chunk = 1000, largest_chunk = 4000, some_threads = 16;
+constexpr double farthest = 1 + 1e-9;  // from a plane, in reaches: what is farther away is not within reach of anything there
 constexpr double unknown = std::numeric_limits<double>::infinity();  // of ways from or to places that are not finite
 }  // namespace
 
@@ -140,7 +141,7 @@ void GeneralContact::renew_lists() const {
   else neighbours_.clear(n);
   std::vector<int> begins{0};
   for (const Chunk& chunk : chunks_) begins.push_back(chunk.end);
-  pairs_.list(neighbours_, begins);
+  pairs_.list(neighbours_, begins, workers_);
   each_chunk([&](Chunk& chunk) { list_triangles(chunk); });
   first_triangle_.assign(1, 0);
   near_triangles_.clear();
@@ -165,6 +166,7 @@ void GeneralContact::list_triangles(Chunk& chunk) const {
       const Vec3<double> centre = into(carriers_at_list_[c], {s.x, s.y, s.z});
       const double reach = s.radius + skin_;
       trees_[c].each_near(centre, reach, [&](int t) {
+        if (std::abs(facets_[static_cast<std::size_t>(t)].height(centre)) > farthest * reach) return;
         const Vec3<double> nearest = nearest_point(local_[static_cast<std::size_t>(t)], nearest_feature(local_[static_cast<std::size_t>(t)], centre), centre);
         if (dot(nearest - centre, nearest - centre) <= reach * reach) near.push_back(t);
       });

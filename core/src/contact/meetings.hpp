@@ -49,12 +49,7 @@ inline void scatter(const Ports& ports, int marker, int offset, int total, int f
 
 template <class F>
 void GeneralContact::each_chunk(const F& f) const {
-  const int count = static_cast<int>(chunks_.size());
-  if (workers_ != nullptr && count > 1) {
-    workers_->run(count, [&](int c) { f(chunks_[static_cast<std::size_t>(c)]); });
-  } else {
-    for (Chunk& chunk : chunks_) f(chunk);
-  }
+  share_tasks(workers_, static_cast<int>(chunks_.size()), [&](int c) { f(chunks_[static_cast<std::size_t>(c)]); });
 }
 
 template <class F>
@@ -102,13 +97,7 @@ Vec3<S> GeneralContact::force(const ContactPairing& pairing, const Meeting<S>& a
   const S pressure = pairing.pressure(at.gap, away);
   if (!(pressure > 0.0)) return {};
   if (pairing.friction == 0) return -pressure * at.normal;
-  const Vec3<S> slip = velocity - away * at.normal;
-  const double zone = set_->proportional_zone;
-  const S square = dot(slip, slip);
-  const bool sticking = sticks ? *sticks : value_of(square) < zone * zone;
-  using std::sqrt;
-  const S factor = sticking ? S(1 / zone) : value_of(square) > 0 ? S(1.0 / sqrt(square)) : S(0);
-  return (pairing.friction * pressure) * (factor * slip) - pressure * at.normal;
+  return pairing.drag(pressure, velocity - away * at.normal, set_->proportional_zone, sticks) - pressure * at.normal;
 }
 
 template <class S>

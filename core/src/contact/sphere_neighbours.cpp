@@ -4,123 +4,220 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "dalembert/math/pack.hpp"
+#include "dalembert/math/wide_registers.hpp"
 
 namespace dalembert {
-
 namespace {
-constexpr int cells_around = 27, own_cell = 13;  // its number among them
+
+using P = Pack<4>;
+constexpr std::size_t lanes = 4;
 constexpr int spheres_to_share = 2000, stretches_of_threads = 64;
-}  // namespace
+constexpr double farthest_cell = 1e6;
 
-// Spheres of similar size in cells that are as large as what they reach; cells are found by a hash, so that space has no bounds.
-// Sorted by cells: what lies in one cell lies side by side in memory.
-struct SphereNeighbours::Grid {
-  struct Entry {
-    SphereAt at;
-    std::uint64_t cell;
-    int sphere;
-  };
-  double size = 0;
-  std::vector<Entry> entries;
-  std::vector<std::uint32_t> begins;
-  int shift = 0;
+// Spheres in cells of one size, sorted by cells: a row of cells lies side by side in memory, and whoever goes through all cells in order goes through
+// the rows around them in order as well. Cells are counted in no more memory than there are spheres, so that space has no bounds.
+class SortedCells {
+ public:
+  std::vector<std::uint64_t> cells;
+  std::vector<int> spheres;
+  std::vector<double> x, y, z, radius;  // and some more to read
 
-  using Place = std::array<std::int64_t, 3>;
-  // So far away that whole numbers end, cells become larger: the outermost one has all that is beyond.
-  std::int64_t index(double x) const { return static_cast<std::int64_t>(std::clamp(std::floor(x / size), -1e6, 1e6)) + (1 << 20); }
-  Place place(const SphereAt& s) const { return {index(s.x), index(s.y), index(s.z)}; }
-  static std::uint64_t number(const Place& p) {
-    return (static_cast<std::uint64_t>(p[0]) << 42) | (static_cast<std::uint64_t>(p[1]) << 21) | static_cast<std::uint64_t>(p[2]);
+  // Cells that spheres between two corners lie in.
+  SortedCells(double size, const SphereAt& lower, const SphereAt& upper)
+      : per_length_(1 / (size * (1 + 1e-9))), lowest_{index(lower.x) - 1, index(lower.y) - 1, index(lower.z) - 1} {
+    const auto bits = [](std::int64_t from, std::int64_t to) { return std::bit_width(static_cast<std::uint64_t>(to + 1 - from)); };
+    bits_of_z_ = bits(lowest_[2], index(upper.z));
+    bits_of_y_ = bits(lowest_[1], index(upper.y));
+    bits_ = bits_of_z_ + bits_of_y_ + bits(lowest_[0], index(upper.x));
   }
-  std::size_t bucket(std::uint64_t cell) const { return static_cast<std::size_t>((cell * 0x9E3779B97F4A7C15ull) >> shift); }
+  // The way from a cell to another one in these directions.
+  std::int64_t way(int along_x, int along_y) const { return ((std::int64_t{along_x} << bits_of_y_) + along_y) << bits_of_z_; }
 
-  void fill(std::span<const SphereAt> spheres, std::span<const int> members) {
-    const std::size_t n = members.size(), buckets = std::bit_ceil(2 * n + 2);
-    shift = 64 - std::countr_zero(buckets);
-    begins.assign(buckets + 1, 0);
-    std::vector<std::uint64_t> cells(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      cells[i] = number(place(spheres[static_cast<std::size_t>(members[i])]));
-      ++begins[bucket(cells[i]) + 1];
+  void fill(std::span<const SphereAt> all, std::span<const int> members) {
+    spheres.assign(members.begin(), members.end());
+    cells.resize(members.size());
+    for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = cell_of(all[static_cast<std::size_t>(members[k])]);
+    sort();
+    for (std::vector<double>* numbers : {&x, &y, &z, &radius}) numbers->resize(members.size() + lanes);
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+      const SphereAt& s = all[static_cast<std::size_t>(spheres[k])];
+      x[k] = s.x;
+      y[k] = s.y;
+      z[k] = s.z;
+      radius[k] = s.radius;
     }
-    for (std::size_t b = 1; b < begins.size(); ++b) begins[b] += begins[b - 1];
-    entries.resize(n);
-    std::vector<std::uint32_t> next(begins.begin(), begins.end() - 1);
-    for (std::size_t i = 0; i < n; ++i)
-      entries[next[bucket(cells[i])]++] = {spheres[static_cast<std::size_t>(members[i])], cells[i], members[i]};
   }
+
+ private:
+  // So far away that whole numbers end, cells become larger: the outermost one has all that is beyond, and what is no number.
+  std::int64_t index(double x) const {
+    const double cell = std::floor(x * per_length_);
+    return static_cast<std::int64_t>(cell > -farthest_cell ? std::min(cell, farthest_cell) : -farthest_cell);
+  }
+  std::uint64_t cell_of(const SphereAt& s) const {
+    const auto of = [&](double x, std::size_t axis) { return static_cast<std::uint64_t>(index(x) - lowest_[axis]); };
+    return (((of(s.x, 0) << bits_of_y_) | of(s.y, 1)) << bits_of_z_) | of(s.z, 2);
+  }
+  // Digit by digit.
+  void sort() {
+    constexpr int digit = 11;
+    std::vector<std::uint64_t> other_cells(cells.size());
+    std::vector<int> other_spheres(cells.size());
+    for (int shift = 0; shift < bits_; shift += digit) {
+      std::array<std::uint32_t, (1 << digit) + 1> begins{};
+      const auto digit_of = [shift](std::uint64_t cell) { return (cell >> shift) & ((1 << digit) - 1); };
+      for (const std::uint64_t cell : cells) ++begins[digit_of(cell) + 1];
+      std::partial_sum(begins.begin(), begins.end(), begins.begin());
+      for (std::size_t k = 0; k < cells.size(); ++k) {
+        const std::uint32_t to = begins[digit_of(cells[k])]++;
+        other_cells[to] = cells[k];
+        other_spheres[to] = spheres[k];
+      }
+      cells.swap(other_cells);
+      spheres.swap(other_spheres);
+    }
+  }
+
+  double per_length_;
+  std::array<std::int64_t, 3> lowest_;  // there is a cell before the first one, and after the last one
+  int bits_of_z_ = 0, bits_of_y_ = 0, bits_ = 0;
 };
+
+// Pairs of some that follow each other with what lies in the rows around them.
+class Search {
+ public:
+  // Both are in the same cells.
+  Search(const SortedCells& seekers, const SortedCells& among, double margin) : seekers_(seekers), among_(among), margin_(margin), same_(&seekers == &among) {}
+
+  template <class Pair>
+  DALEMBERT_INLINE void operator()(std::size_t begin, std::size_t end, std::vector<Pair>& found) const {
+    if (begin == end) return;
+    std::array<Row, 9> rows;
+    std::size_t count = 0;  // of the same spheres, those behind find those before
+    for (int row = same_ ? own_row : 0; row < 9; ++row) rows[count++] = row_at(among_.way(row / 3 - 1, row % 3 - 1), seekers_.cells[begin]);
+    std::size_t pairs = found.size();
+    for (std::size_t k = begin; k < end; ++k) {
+      std::size_t most = pairs + lanes;
+      for (std::size_t r = 0; r < count; ++r) {
+        rows[r].go_to(seekers_.cells[k], among_.cells);
+        most += rows[r].end - rows[r].begin;
+      }
+      if (found.size() < most) found.resize(2 * most);
+      for (std::size_t r = 0; r < count; ++r) pairs = look(k, same_ && r == 0 ? k + 1 : rows[r].begin, rows[r].end, found.data(), pairs);
+    }
+    found.resize(pairs);
+  }
+
+ private:
+  static constexpr int own_row = 4;
+  // Where three cells in a row lie.
+  struct Row {
+    std::uint64_t way;
+    std::size_t begin, end;
+    DALEMBERT_INLINE void go_to(std::uint64_t cell, const std::vector<std::uint64_t>& cells) {
+      const std::uint64_t middle = cell + way;
+      while (begin < cells.size() && cells[begin] + 1 < middle) ++begin;
+      end = std::max(end, begin);
+      while (end < cells.size() && cells[end] <= middle + 1) ++end;
+    }
+  };
+  Row row_at(std::int64_t way, std::uint64_t cell) const {
+    const std::uint64_t middle = cell + static_cast<std::uint64_t>(way);
+    const auto at = static_cast<std::size_t>(std::ranges::lower_bound(among_.cells, middle - 1) - among_.cells.begin());
+    return {static_cast<std::uint64_t>(way), at, at};
+  }
+  template <class Pair>
+  DALEMBERT_INLINE std::size_t look(std::size_t k, std::size_t first, std::size_t last, Pair* found, std::size_t pairs) const {
+    const int sphere = seekers_.spheres[k];
+    const P x(seekers_.x[k]), y(seekers_.y[k]), z(seekers_.z[k]), reach(seekers_.radius[k] + margin_);
+    for (std::size_t i = first; i < last; i += lanes) {
+      const auto in = [i](const std::vector<double>& numbers) DALEMBERT_INLINE { return P::load(numbers.data() + i); };
+      const P dx = in(among_.x) - x, dy = in(among_.y) - y, dz = in(among_.z) - z, least = in(among_.radius) + reach;
+      const P::Mask near = (dx * dx + dy * dy + dz * dz).x <= (least * least).x;
+      for (std::size_t lane = 0; lane < std::min(lanes, last - i); ++lane) {
+        const int other = among_.spheres[i + lane];
+        found[pairs] = {std::min(sphere, other), std::max(sphere, other)};
+        pairs += near[lane] != 0 ? 1 : 0;
+      }
+    }
+    return pairs;
+  }
+
+  const SortedCells &seekers_, &among_;
+  double margin_;
+  bool same_;
+};
+
+// The corners of a box around all; what is no number is as far away as can be.
+std::pair<SphereAt, SphereAt> corners(std::span<const SphereAt> spheres) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  SphereAt lower{far, far, far, 0}, upper{-far, -far, -far, 0};
+  for (const SphereAt& s : spheres)
+    for (const auto axis : {&SphereAt::x, &SphereAt::y, &SphereAt::z}) {
+      lower.*axis = std::isnan(s.*axis) ? -far : std::min(lower.*axis, s.*axis);
+      upper.*axis = std::max(upper.*axis, s.*axis);
+    }
+  return {lower, upper};
+}
+
+}  // namespace
 
 void SphereNeighbours::clear(std::size_t spheres) {
   first_.assign(spheres + 1, 0);
   seconds_.clear();
 }
 
-// Each sphere looks for others of its own grid, in its cell and in one half of the cells around, and of grids with larger spheres.
+// Spheres of similar size look for others of their own cells, and for larger ones in the cells of these.
 void SphereNeighbours::build(std::span<const SphereAt> spheres, double margin, Workers* workers) {
   const int n = static_cast<int>(spheres.size());
   clear(spheres.size());
   if (n < 2) return;
   double smallest = spheres[0].radius;
   for (const SphereAt& s : spheres) smallest = std::min(smallest, s.radius);
-  const auto level_of = [&](double radius) { return std::min(40, std::ilogb(radius / smallest)); };
-  std::vector<std::vector<int>> members;
-  for (int i = 0; i < n; ++i) {
-    const auto level = static_cast<std::size_t>(level_of(spheres[static_cast<std::size_t>(i)].radius));
-    if (level >= members.size()) members.resize(level + 1);
-    members[level].push_back(i);
-  }
-  std::vector<Grid> grids(members.size());
-  for (std::size_t level = 0; level < members.size(); ++level) {
-    double largest = 0;
-    for (const int i : members[level]) largest = std::max(largest, spheres[static_cast<std::size_t>(i)].radius);
-    grids[level].size = 2 * largest + margin;
-    if (!members[level].empty()) grids[level].fill(spheres, members[level]);
-  }
-  const auto look = [&](const Grid& grid, const SphereAt& a, int sphere, std::uint64_t cell, bool own, std::vector<Pair>& found) {
-    const std::size_t b = grid.bucket(cell);
-    for (std::uint32_t k = grid.begins[b]; k < grid.begins[b + 1]; ++k) {
-      const Grid::Entry& other = grid.entries[k];
-      if (other.cell != cell || (own && other.sphere <= sphere)) continue;
-      const double dx = other.at.x - a.x, dy = other.at.y - a.y, dz = other.at.z - a.z, reach = a.radius + other.at.radius + margin;
-      if (dx * dx + dy * dy + dz * dz <= reach * reach) found.push_back({std::min(sphere, other.sphere), std::max(sphere, other.sphere)});
-    }
-  };
-  const int stretches = workers == nullptr || n < spheres_to_share ? 1 : stretches_of_threads;
+  std::map<int, std::vector<int>> levels;
+  for (int i = 0; i < n; ++i) levels[std::min(40, std::ilogb(spheres[static_cast<std::size_t>(i)].radius / smallest))].push_back(i);
+  const int stretches = n < spheres_to_share ? 1 : stretches_of_threads;
   found_.resize(static_cast<std::size_t>(stretches));
-  auto search = [&](int stretch) {
-    std::vector<Pair>& found = found_[static_cast<std::size_t>(stretch)];
-    found.clear();
-    for (std::size_t level = 0; level < grids.size(); ++level) {
-      const std::vector<Grid::Entry>& all = grids[level].entries;
-      const auto bound = [&](int s) { return all.size() * static_cast<std::size_t>(s) / static_cast<std::size_t>(stretches); };
-      for (std::size_t other = level; other < grids.size(); ++other) {
-        const Grid& grid = grids[other];
-        if (grid.entries.empty()) continue;
-        for (std::size_t e = bound(stretch); e < bound(stretch + 1); ++e) {
-          const Grid::Entry& entry = all[e];
-          const Grid::Place centre = grid.place(entry.at);
-          for (int around = other == level ? own_cell : 0; around < cells_around; ++around) {
-            const Grid::Place place{centre[0] + around / 9 - 1, centre[1] + around / 3 % 3 - 1, centre[2] + around % 3 - 1};
-            look(grid, entry.at, entry.sphere, Grid::number(place), other == level && around == own_cell, found);
-          }
-        }
-      }
+  for (std::vector<Pair>& found : found_) found.clear();
+  const auto [lower, upper] = corners(spheres);
+  for (auto other = levels.begin(); other != levels.end(); ++other) {
+    double largest = 0;
+    for (const int i : other->second) largest = std::max(largest, spheres[static_cast<std::size_t>(i)].radius);
+    SortedCells among(2 * largest + margin, lower, upper), seekers = among;
+    among.fill(spheres, other->second);
+    for (auto level = levels.begin(); level != std::next(other); ++level) {
+      if (level != other) seekers.fill(spheres, level->second);
+      const Search search(level == other ? among : seekers, among, margin);
+      share_tasks(workers, stretches, [&](int stretch) {
+        const auto bound = [&](int s) { return level->second.size() * static_cast<std::size_t>(s) / static_cast<std::size_t>(stretches); };
+        in_registers_of_four([&, begin = bound(stretch), end = bound(stretch + 1)] { search(begin, end, found_[static_cast<std::size_t>(stretch)]); });
+      });
     }
-  };
-  if (stretches == 1) search(0);
-  else workers->run(stretches, search);
+  }
+  sort_pairs(n, workers);
+}
+
+// By the first sphere, and then by the second one.
+void SphereNeighbours::sort_pairs(int spheres, Workers* workers) {
   for (const std::vector<Pair>& found : found_)
     for (const Pair& pair : found) ++first_[static_cast<std::size_t>(pair.first) + 1];
-  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
   seconds_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   for (const std::vector<Pair>& found : found_)
     for (const Pair& pair : found) seconds_[next[static_cast<std::size_t>(pair.first)]++] = pair.second;
-  for (int i = 0; i < n; ++i) {
-    int* const begin = seconds_.data() + first_[static_cast<std::size_t>(i)];
-    std::sort(begin, seconds_.data() + first_[static_cast<std::size_t>(i) + 1]);
-  }
+  const int stretches = static_cast<int>(found_.size());
+  share_tasks(workers, stretches, [&](int stretch) {
+    const auto bound = [&](int s) { return static_cast<std::size_t>(std::int64_t{spheres} * s / stretches); };
+    for (std::size_t i = bound(stretch); i < bound(stretch + 1); ++i)
+      std::sort(seconds_.begin() + static_cast<std::ptrdiff_t>(first_[i]), seconds_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]));
+  });
 }
 
 }  // namespace dalembert

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <type_traits>
 
@@ -16,23 +17,12 @@ namespace {
 constexpr std::size_t most_pairings = 1024;  // that are kept
 using P = Pack<4>;
 
-struct PackedVector {
-  P x, y, z;
-  DALEMBERT_INLINE friend P dot(const PackedVector& a, const PackedVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-  DALEMBERT_INLINE friend PackedVector operator-(const PackedVector& a, const PackedVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  DALEMBERT_INLINE friend PackedVector operator+(const PackedVector& a, const PackedVector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  DALEMBERT_INLINE friend PackedVector operator*(const P& a, const PackedVector& b) { return {a * b.x, a * b.y, a * b.z}; }
-  DALEMBERT_INLINE friend PackedVector cross(const PackedVector& a, const PackedVector& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  }
-};
-
 constexpr std::uint32_t numbers = 4;  // of each sphere: pairs say where they begin
 
 DALEMBERT_INLINE inline std::array<P, 4> fours(const double* all, const std::uint32_t* which) {
   return gather_fours<4>({all + which[0], all + which[1], all + which[2], all + which[3]});
 }
-DALEMBERT_INLINE inline PackedVector vector_in(const std::array<P, 4>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+DALEMBERT_INLINE inline Vec3<P> vector_in(const std::array<P, 4>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 }  // namespace
 
 void SpherePairs::take(const ContactSet& set) {
@@ -60,41 +50,52 @@ void SpherePairs::take(const ContactSet& set) {
       for (const ContactCarrier& c : set.carriers) with_carriers_.push_back(set.pairing(a, c.surface));
 }
 
-void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> begins) {
+void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> begins, Workers* workers) {
   begins_.assign(begins.begin(), begins.end());
   const std::size_t chunks = begins.size() - 1;
-  firsts_.clear();
-  seconds_.clear();
-  targets_.clear();
+  const auto each_chunk = [&](const auto& f) { share_tasks(workers, static_cast<int>(chunks), [&](int c) { f(static_cast<std::size_t>(c), begins[c], begins[c + 1]); }); };
   first_pair_.assign(1, 0);
-  first_waiting_.assign(1, count_);
-  std::vector<std::size_t> waiting(chunks + 1, 0);
-  std::size_t places = count_;
-  for (std::size_t c = 0; c < chunks; ++c) {
-    for (int i = begins[c]; i < begins[c + 1]; ++i)
+  for (std::size_t c = 0; c < chunks; ++c) first_pair_.push_back(first_pair_.back() + neighbours.behind(begins[c], begins[c + 1]).size());
+  for (std::vector<std::uint32_t>* all : {&firsts_, &seconds_, &targets_}) all->resize(first_pair_.back());
+  first_waiting_.assign(chunks + 1, 0);
+  each_chunk([&](std::size_t c, int begin, int end) {
+    const auto all = neighbours.behind(begin, end);
+    first_waiting_[c + 1] = static_cast<std::size_t>(std::ranges::count_if(all, [end](int j) { return j >= end; }));
+  });
+  first_waiting_[0] = count_;
+  std::partial_sum(first_waiting_.begin(), first_waiting_.end(), first_waiting_.begin());
+  each_chunk([&](std::size_t c, int begin, int end) {
+    std::size_t p = first_pair_[c], place = first_waiting_[c];
+    for (int i = begin; i < end; ++i)
       for (const int j : neighbours.behind(i)) {
-        firsts_.push_back(numbers * static_cast<std::uint32_t>(i));
-        seconds_.push_back(numbers * static_cast<std::uint32_t>(j));
-        targets_.push_back(j < begins[c + 1] ? seconds_.back() : numbers * static_cast<std::uint32_t>(places++));
+        firsts_[p] = numbers * static_cast<std::uint32_t>(i);
+        seconds_[p] = numbers * static_cast<std::uint32_t>(j);
+        targets_[p++] = j < end ? numbers * static_cast<std::uint32_t>(j) : numbers * static_cast<std::uint32_t>(place++);
       }
-    first_pair_.push_back(firsts_.size());
-    first_waiting_.push_back(places);
-  }
+  });
+  const std::size_t places = first_waiting_.back();
   force.resize(places);
   moment.resize(places);
+  list_collected(places);
+}
+
+// By the chunks that collect.
+void SpherePairs::list_collected(std::size_t places) {
+  const std::size_t chunks = begins_.size() - 1;
   const auto second = [&](std::size_t pair) { return static_cast<int>(seconds_[pair] / numbers); };
   const auto chunk_of = [&](int sphere) { return static_cast<std::size_t>(std::ranges::upper_bound(begins_, sphere) - begins_.begin()) - 1; };
+  std::vector<std::size_t> waiting(chunks + 1, 0);
   for (std::size_t p = 0; p < firsts_.size(); ++p)
     if (targets_[p] != seconds_[p]) ++waiting[chunk_of(second(p)) + 1];
-  for (std::size_t c = 0; c < chunks; ++c) waiting[c + 1] += waiting[c];
+  std::partial_sum(waiting.begin(), waiting.end(), waiting.begin());
   first_collected_ = waiting;
   collected_.resize(places - count_);
   for (std::size_t p = 0; p < firsts_.size(); ++p)
     if (targets_[p] != seconds_[p]) collected_[waiting[chunk_of(second(p))]++] = {second(p), static_cast<int>(place_of_second(p))};
 }
 
-ContactPairing SpherePairs::pairing(const ContactSet& set, int first, int second) const {
-  const auto a = static_cast<std::size_t>(kinds_[static_cast<std::size_t>(first)]), b = static_cast<std::size_t>(kinds_[static_cast<std::size_t>(second)]);
+ContactPairing SpherePairs::pairing_of(const ContactSet& set, std::uint32_t first, std::uint32_t second) const {
+  const auto a = static_cast<std::size_t>(kinds_[first / numbers]), b = static_cast<std::size_t>(kinds_[second / numbers]);
   return pairings_.empty() ? set.pairing(surfaces_[a], surfaces_[b]) : pairings_[a * surfaces_.size() + b];
 }
 
@@ -102,49 +103,41 @@ ContactPairing SpherePairs::pairing(const ContactSet& set, int first, int second
 template <bool rubs, bool alike>
 double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const ContactSet& set) {
   const double zone = set.proportional_zone;
-  const ContactPairing same = pairing(set, 0, 0);
+  const ContactPairing same = pairing_of(set, 0, 0);
   P least(std::numeric_limits<double>::infinity());
   const double *const places = &at.data()->x, *const velocities = &velocity.data()->x, *const spins = &spin.data()->x;
   double *const forces = &force.data()->x, *const moments = &moment.data()->x;
   const auto four = [&](const std::uint32_t* first, const std::uint32_t* second, const std::uint32_t* target, auto count) DALEMBERT_INLINE {
     const std::array<P, 4> at0 = fours(places, first), at1 = fours(places, second);
-    const PackedVector span = vector_in(at1) - vector_in(at0);
+    const Vec3<P> span = vector_in(at1) - vector_in(at0);
     const P square = dot(span, span), reach = at0[3] + at1[3];
     least = P(square.x < least.x ? square.x : least.x);
     if (is_zero(P(square.x < (reach * reach).x ? 1.0 - P::Register{} : P::Register{}))) return;
-    const PackedVector approach = vector_in(fours(velocities, second)) - vector_in(fours(velocities, first));
+    const Vec3<P> approach = vector_in(fours(velocities, second)) - vector_in(fours(velocities, first));
     const P distance = sqrt(one_for_zero(square));
-    const PackedVector normal = (1.0 / distance) * span;
+    const Vec3<P> normal = (1.0 / distance) * span;
     const P away = dot(normal, approach);
-    P stiffness(same.stiffness), damping(same.damping), friction(same.friction);
-    if constexpr (!alike) {
-      ContactPairing of[4];
-      for (int lane = 0; lane < 4; ++lane) of[lane] = pairing(set, static_cast<int>(first[lane] / numbers), static_cast<int>(second[lane] / numbers));
-      stiffness = P::of_each([&](int lane) { return of[lane].stiffness; });
-      damping = P::of_each([&](int lane) { return of[lane].damping; });
-      friction = P::of_each([&](int lane) { return of[lane].friction; });
-    }
-    P pressure = stiffness * (reach - distance) - damping * away;
+    ContactPairingOf<P> law{same.stiffness, same.damping, same.friction};
+    const auto of = [&](int lane) DALEMBERT_INLINE { return pairing_of(set, first[lane], second[lane]); };
+    if constexpr (!alike) law = side_by_side({of(0), of(1), of(2), of(3)});
+    P pressure = law.pressure(distance - reach, away);
     pressure = P(((square.x < (reach * reach).x) & (pressure.x > 0.0)) ? pressure.x : P::Register{});
     if (is_zero(pressure)) return;
-    PackedVector on_first = (-pressure) * normal;
+    Vec3<P> on_first = (-pressure) * normal;
     if constexpr (rubs) {
       const P half = 0.5 * (distance - reach), arm0 = at0[3] + half, arm1 = at1[3] + half;
-      const PackedVector turn = arm0 * vector_in(fours(spins, first)) + arm1 * vector_in(fours(spins, second));
-      const PackedVector slip = approach - cross(turn, normal) - away * normal;
-      const P speed_square = dot(slip, slip);
-      const P fast = 1.0 / sqrt(one_for_zero(speed_square));
-      const P factor(speed_square.x < zone * zone ? P(1 / zone).x : fast.x);
-      const PackedVector drag = (friction * pressure * factor) * slip, torque = cross(normal, drag);
+      const Vec3<P> turn = arm0 * vector_in(fours(spins, first)) + arm1 * vector_in(fours(spins, second));
+      const Vec3<P> slip = approach - cross(turn, normal) - away * normal;
+      const Vec3<P> drag = law.drag(pressure, slip, zone), torque = cross(normal, drag);
       on_first = on_first + drag;
-      const PackedVector moment0 = arm0 * torque, moment1 = arm1 * torque;
-      const std::array<P, 4> on_second = rows_from<4>({moment1.x, moment1.y, moment1.z, P()});
-      each_row<4>({moment0.x, moment0.y, moment0.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order
+      const Vec3<P> moment0 = arm0 * torque, moment1 = arm1 * torque;
+      const std::array<P, 4> on_second = rows_from<4>({moment1[0], moment1[1], moment1[2], P()});
+      each_row<4>({moment0[0], moment0[1], moment0[2], P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order
         row.add_to(moments + first[lane]);
         on_second[static_cast<std::size_t>(lane)].add_to(moments + target[lane]);
       });
     }
-    each_row<4>({on_first.x, on_first.y, on_first.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
+    each_row<4>({on_first[0], on_first[1], on_first[2], P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
       row.add_to(forces + first[lane]);
       row.subtract_from(forces + target[lane]);
     });

@@ -230,6 +230,7 @@ std::vector<NamedValue> Solver::not_finite(const State& state) const {
   std::vector<NamedValue> found;
   for (const Part& part : parts) {
     const std::vector<double>& numbers = state.*part.vector;
+    if (all_finite(numbers)) continue;
     for (std::size_t i = 0; i < numbers.size() && found.size() < most_named; ++i) {
       if (std::isfinite(numbers[i])) continue;
       const int index = static_cast<int>(i);

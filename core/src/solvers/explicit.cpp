@@ -80,9 +80,13 @@ void ExplicitSolver::initialize_data() {
   Solver::initialize_data();
   const auto n = static_cast<std::size_t>(sizes_.ode2), n1 = static_cast<std::size_t>(sizes_.ode1);
   const auto stages = static_cast<std::size_t>(method_.stages);
-  stage_q_.assign(stages, Vector(n));
-  stage_v_.assign(stages, Vector(n));
-  stage_y_.assign(stages, Vector(n1));
+  const auto make_room = [stages](std::vector<Vector>& of_stages, std::size_t size, std::size_t first = 0) {
+    of_stages.resize(stages);
+    for (std::size_t s = first; s < stages; ++s) of_stages[s].assign(size, 0.0);
+  };
+  make_room(stage_q_, n, 1);  // the first one has the velocities at the start
+  make_room(stage_v_, n);
+  make_room(stage_y_, n1);
   const bool compares = controls_step_size(),
              evaluates_end = !verlet_ && settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations;
   second_q_.assign(compares ? n : 0, 0.0);

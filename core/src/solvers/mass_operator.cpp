@@ -29,12 +29,15 @@ void MassOperator::prepare(System& system, LinearSolverType type, const LinearSo
     inverse_[i] = 1;
   }
   for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
-    if (row >= size_ || column >= size_) return;
-    if (row == column) {
-      diagonal_[row] = slot;
-    } else {
-      entries_.push_back({row, column, slot});
-    }
+    if (row == column && row < size_) diagonal_[row] = slot;
+  });
+}
+
+// Calls f(entry) for all that are off the diagonal.
+template <class F>
+void MassOperator::each_coupling(F&& f) const {
+  for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+    if (row != column && row < size_ && column < size_) f(Entry{row, column, slot});
   });
 }
 
@@ -46,13 +49,13 @@ int MassOperator::root(int i) {
 // Blocks only grow: an entry that is zero now may return.
 bool MassOperator::join_blocks() {
   bool joined = false;
-  for (const Entry& e : entries_) {
-    if (values_[e.slot] == 0) continue;
+  each_coupling([&](const Entry& e) {
+    if (values_[e.slot] == 0) return;
     const int a = root(e.row), b = root(e.column);
-    if (a == b) continue;
+    if (a == b) return;
     parent_[std::max(a, b)] = std::min(a, b);
     joined = true;
-  }
+  });
   return joined;
 }
 
@@ -74,9 +77,9 @@ void MassOperator::build_blocks() {
     block.coordinates.push_back(i);
   }
   std::vector<std::vector<Entry>> entries(blocks_.size());
-  for (const Entry& e : entries_) {
+  each_coupling([&](const Entry& e) {
     if (block_of[e.row] >= 0 && block_of[e.row] == block_of[e.column]) entries[block_of[e.row]].push_back(e);
-  }
+  });
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     Block& block = blocks_[k];
     const int n = static_cast<int>(block.coordinates.size());

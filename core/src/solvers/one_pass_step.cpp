@@ -1,6 +1,7 @@
 // Steps of methods with one stage: what comes after the forces is one pass over memory, which bounds the speed of large systems.
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "dalembert/math/pack.hpp"
 #include "dalembert/solvers/explicit.hpp"
@@ -11,7 +12,8 @@ namespace {
 
 struct Motion {
   const double *negative_force, *factor;  // by what forces are multiplied
-  double *q, *v, *a, *start_q, *start_v, *start_a;
+  const double *start_q, *start_v;
+  double *q, *v, *a;
   double step;
 };
 
@@ -20,7 +22,7 @@ struct Squares {
   double of_v = 0, of_a = 0;
 };
 
-// Keeps the start, and moves on from there; positions that do not simply add up are left alone.
+// From the start; positions that do not simply add up are left alone.
 template <bool drifts>
 Squares move(const Motion& motion, std::size_t begin, std::size_t end) {
   using P = Pack<4>;
@@ -32,11 +34,8 @@ Squares move(const Motion& motion, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < whole; i += wide)
       for (std::size_t half = 0; half < 2; ++half) {
         const std::size_t k = i + 4 * half;
-        const P q = P::load(m.q + k), v = P::load(m.v + k), a = -P::load(m.negative_force + k) * P::load(m.factor + k);
-        q.store(m.start_q + k);
-        v.store(m.start_v + k);
-        P::load(m.a + k).store(m.start_a + k);
-        if constexpr (drifts) (q + m.step * v).store(m.q + k);
+        const P v = P::load(m.start_v + k), a = -P::load(m.negative_force + k) * P::load(m.factor + k);
+        if constexpr (drifts) (P::load(m.start_q + k) + m.step * v).store(m.q + k);
         const P next = v + m.step * a;
         next.store(m.v + k);
         a.store(m.a + k);
@@ -49,11 +48,8 @@ Squares move(const Motion& motion, std::size_t begin, std::size_t end) {
     }
   });
   for (std::size_t i = whole; i < end; ++i) {
-    const double v = motion.v[i], a = -motion.negative_force[i] * motion.factor[i];
-    motion.start_q[i] = motion.q[i];
-    motion.start_v[i] = v;
-    motion.start_a[i] = motion.a[i];
-    if constexpr (drifts) motion.q[i] += motion.step * v;
+    const double v = motion.start_v[i], a = -motion.negative_force[i] * motion.factor[i];
+    if constexpr (drifts) motion.q[i] = motion.start_q[i] + motion.step * v;
     motion.v[i] = v + motion.step * a;
     motion.a[i] = a;
     of_v[i - whole] += motion.v[i] * motion.v[i];
@@ -104,11 +100,15 @@ void ExplicitSolver::step_at_once() {
   now.time = it.currentTime;
 }
 
+// What was now is the start: vectors change places, unless somebody holds them where they are.
 void ExplicitSolver::move_by_forces(std::span<const double> negative) {
   const TimedPart time(timer, timer.newtonIncrement);
   State &now = current(), &start = start_of_step();
-  const Motion motion{negative.data(), mass_.factors(), now.q.data(),   now.v.data(),       now.a.data(),
-                      start.q.data(),  start.v.data(),  start.a.data(), it.currentStepSize};
+  const bool held = system().hold_states().use_count() > 2;  // by others than the system and this line
+  if (held) keep_motion();
+  else
+    for (const auto part : {&State::q, &State::v, &State::a}) std::swap(now.*part, start.*part);
+  const Motion motion{negative.data(), mass_.factors(), start.q.data(), start.v.data(), now.q.data(), now.v.data(), now.a.data(), it.currentStepSize};
   const Squares squares = all_on_group_ ? move_all<false>(system(), motion, now.v.size()) : move_all<true>(system(), motion, now.v.size());
   sum_of_v_ = squares.of_v;
   sum_of_a_ = squares.of_a;

@@ -79,7 +79,9 @@ const Pattern& System::pattern(bool dense) {
 void SystemParts::find_masses_without_matrix() {
   struct Counter final : BlockVisitor {
     explicit Counter(int coordinates) : users(static_cast<std::size_t>(coordinates), nullptr) {}
-    void entry(int row, int) override {
+    void entry(int row, int) override { use(row); }
+    void block(std::span<const int> rows, std::span<const int>) override { std::ranges::for_each(rows, [this](int row) { use(row); }); }
+    void use(int row) {
       const Term*& user = users[static_cast<std::size_t>(row)];
       if (user != nullptr && user != now) shared.push_back({user, now});
       user = now;

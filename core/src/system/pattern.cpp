@@ -20,6 +20,7 @@ void Couplings::add(std::span<const int> rows, std::span<const int> columns) {
 }
 
 void Couplings::add(int row, int column) {
+  if (row == column) return;  // the diagonal is there in any case
   if (!open_ || unknowns_[blocks_.back().rows] != row) {
     blocks_.push_back({unknowns_.size(), unknowns_.size() + 1});
     unknowns_.push_back(row);

@@ -56,7 +56,14 @@ Workers* System::workers() const { return parts_->workers.get(); }
 bool System::assembled() const { return assembled_; }
 
 bool System::calls_user_functions() const {
-  const auto calls = [](const auto& place) { return has_user_function(*place.type, place.record.get()); };
+  const ItemType* without = nullptr;  // items mostly follow others of their type
+  const auto calls = [&without](const auto& place) {
+    if (place.type == without) return false;
+    const bool takes = std::ranges::any_of(place.type->rows, [](const Row& row) { return row.storage == Storage::user_function; });
+    if (takes) return has_user_function(*place.type, place.record.get());
+    without = place.type;
+    return false;
+  };
   return std::ranges::any_of(parts_->nodes, calls) || std::ranges::any_of(parts_->objects, calls) || std::ranges::any_of(parts_->loads, calls);
 }
 

@@ -10,6 +10,13 @@
 
 namespace dalembert {
 
+// Calls task(i) for all i below `tasks`; without workers, one after the other.
+template <class Task>
+void share_tasks(Workers* workers, int tasks, Task&& task) {
+  if (workers != nullptr && tasks > 1) return workers->run(tasks, task);
+  for (int i = 0; i < tasks; ++i) task(i);
+}
+
 struct alignas(32) SphereAt {
   double x, y, z, radius;
 };
@@ -19,21 +26,24 @@ class SphereNeighbours {
   // Pairs with a gap of up to `margin`, for these places. Threads share the search; what is found does not depend on them.
   void build(std::span<const SphereAt> spheres, double margin, Workers* workers);
   // Those of a sphere with larger numbers, ascending.
-  std::span<const int> behind(int sphere) const {
-    const std::size_t first = first_[static_cast<std::size_t>(sphere)];
-    return {seconds_.data() + first, first_[static_cast<std::size_t>(sphere) + 1] - first};
+  std::span<const int> behind(int sphere) const { return behind(sphere, sphere + 1); }
+  // Those of the spheres from `begin` to `end`, one after the other.
+  std::span<const int> behind(int begin, int end) const {
+    const std::size_t first = first_[static_cast<std::size_t>(begin)];
+    return {seconds_.data() + first, first_[static_cast<std::size_t>(end)] - first};
   }
   std::size_t pairs() const { return seconds_.size(); }
   void clear(std::size_t spheres);
 
  private:
-  struct Grid;
   struct Pair {
     int first, second;
   };
+  void sort_pairs(int spheres, Workers* workers);
+
   std::vector<std::size_t> first_;
   std::vector<int> seconds_;
-  std::vector<std::vector<Pair>> found_;  // by stretches of spheres in the order of cells
+  std::vector<std::vector<Pair>> found_;  // by stretches of spheres
 };
 
 }  // namespace dalembert

@@ -35,7 +35,7 @@ class SpherePairs {
     return with_carriers_[static_cast<std::size_t>(kinds_[i]) * set.carriers.size() + c];
   }
   // Pairs to look at from now on; chunk c has spheres from begins[c] to begins[c + 1].
-  void list(const SphereNeighbours& neighbours, std::span<const int> begins);
+  void list(const SphereNeighbours& neighbours, std::span<const int> begins, Workers* workers);
   // What friction does: nothing, what is computed here, or what others add.
   enum class Friction { none, of_slip, of_others };
   // Sets forces and moments of the spheres of a chunk to those of its pairs, and tells the square of the smallest distance of centres.
@@ -49,7 +49,8 @@ class SpherePairs {
  private:
   template <bool rubs, bool alike>
   double compute_pairs(std::size_t begin, std::size_t end, const ContactSet& set);
-  ContactPairing pairing(const ContactSet& set, int first, int second) const;
+  ContactPairing pairing_of(const ContactSet& set, std::uint32_t first, std::uint32_t second) const;  // by where they begin in numbers
+  void list_collected(std::size_t places);
 
   std::size_t count_ = 0;
   std::vector<int> kinds_;               // of surfaces, by sphere

@@ -44,6 +44,8 @@ class MassOperator {
     std::unique_ptr<LinearSolver> solver;
     std::vector<double> values, x;
   };
+  template <class F>
+  void each_coupling(F&& f) const;
   int root(int i);
   bool join_blocks();
   void build_blocks();
@@ -55,7 +57,6 @@ class MassOperator {
   int size_ = 0, without_matrix_ = 0;  // numbers of coordinates
   std::vector<double> values_, inverse_;   // inverse_: of coordinates that stand alone, otherwise 0
   std::vector<std::size_t> diagonal_;
-  std::vector<Entry> entries_;             // off the diagonal
   std::vector<int> parent_;                // union-find over coordinates
   std::vector<char> alone_;
   std::vector<Block> blocks_;
