@@ -24,10 +24,8 @@ void take(const System& system, const std::vector<double>& from, std::vector<dou
 }
 
 DALEMBERT_INLINE inline void take_all_but_motion(const System& system, const State& from, State& to) {
-  take(system, from.y, to.y);
-  take(system, from.y_t, to.y_t);
-  take(system, from.lambda, to.lambda);
-  take(system, from.data, to.data);
+  for (const auto part : {&State::y, &State::y_t, &State::lambda, &State::data})  // most systems have few of these
+    if (!(from.*part).empty()) take(system, from.*part, to.*part);
   to.time = from.time;
 }
 

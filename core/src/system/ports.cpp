@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dalembert/system/room_of_forces.hpp"
+
 namespace dalembert {
 
 void Ports::append(int value_count, int force_count, std::span<const int> coordinate_dofs, int translations) {
@@ -19,7 +21,7 @@ void Ports::append(int value_count, int force_count, std::span<const int> coordi
   p.translations = translations;
   ports.push_back(p);
   values.resize(values.size() + static_cast<std::size_t>(p.values));
-  forces.resize(forces.size() + static_cast<std::size_t>(p.forces == 3 ? 4 : p.forces));  // a register is added to three
+  forces.resize(forces.size() + static_cast<std::size_t>(room_of_forces(p.forces)));
   dofs.insert(dofs.end(), coordinate_dofs.begin(), coordinate_dofs.end());
 }
 

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "dalembert/batches/element_parameters.hpp"
+#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/system/physics.hpp"
+#include "dalembert/system/room_of_forces.hpp"
 
 namespace dalembert {
 
@@ -167,8 +169,11 @@ class FrameMarkerBatch : public MarkerBatch {
       for (const Run& run : runs_) {
         const S *q = evaluation.q + run.dof, *v = evaluation.v + run.dof;
         S* to = ports.values.data() + run.value;
-        for (int k = 0; k < run.count; ++k, q += n, v += n, to += Shape::values)
-          for (int i = 0; i < n; ++i) to[i] = q[i], to[n + i] = v[i];
+        for (int k = 0; k < run.count; ++k, q += n, v += n, to += Shape::values) {
+          keep_loop();
+          const Vec<S, n> at = load<S, n>(q), rate = load<S, n>(v);
+          for (int i = 0; i < n; ++i) to[i] = at[i], to[n + i] = rate[i];
+        }
       }
     else if constexpr (Shape::values > 0)
       for (const Entry& e : entries_) {
@@ -191,8 +196,11 @@ class FrameMarkerBatch : public MarkerBatch {
       for (const Run& run : runs_) {
         const S* force = ports.forces.data() + run.force;
         S* to = r + run.dof;
-        for (int k = 0; k < run.count; ++k, to += n, force += force_room)
-          for (int i = 0; i < n; ++i) to[i] -= force[i];
+        for (int k = 0; k < run.count; ++k, to += n, force += room_of_forces(n)) {
+          keep_loop();
+          const Vec<S, n> changed = load<S, n>(to) - load<S, n>(force);
+          for (int i = 0; i < n; ++i) to[i] = changed[i];
+        }
       }
     else if constexpr (n > 0)
       for (const Entry& e : entries_) {
@@ -219,7 +227,6 @@ class FrameMarkerBatch : public MarkerBatch {
   // They are the frame themselves, and its forces theirs. Markers whose numbers all lie side by side are a run: large systems are as fast as
   // memory is, and this is all they read of their markers.
   static constexpr bool passes_on = is_at_node<E> && only_translates && n == Shape::forces && 2 * n == Shape::values;
-  static constexpr int force_room = n == 3 ? 4 : n;  // from one to the next, as ports have it
   struct Run {
     int dof, value, force, count;
   };
@@ -227,7 +234,7 @@ class FrameMarkerBatch : public MarkerBatch {
     const Run* last = runs_.empty() ? nullptr : &runs_.back();
     const auto follows = [&](int first, int size, int next) { return first + size * last->count == next; };
     const bool goes_on = last != nullptr && follows(last->dof, n, e.dofs[0]) && follows(last->value, Shape::values, e.port.value) &&
-                         follows(last->force, force_room, e.port.force);
+                         follows(last->force, room_of_forces(n), e.port.force);
     goes_on ? void(++runs_.back().count) : runs_.push_back({e.dofs[0], e.port.value, e.port.force, 1});
   }
   static constexpr bool has_geometric = [] {

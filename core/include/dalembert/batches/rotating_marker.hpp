@@ -54,28 +54,40 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
   static constexpr int turns = Node::size - 3;
 
  public:
+  void add(const void* local, const Placement& placement, const Ports& ports) override {
+    Base::add(local, placement, ports);
+    add_to_runs(entries_.size() - 1);
+  }
+  void refresh(int entry, const void* local) override {
+    const Entry& e = entries_[static_cast<std::size_t>(entry)];
+    const bool was_at_node = is_at_node_itself(e);
+    Base::refresh(entry, local);
+    if (is_at_node_itself(e) == was_at_node) return;
+    runs_.clear();
+    for (std::size_t i = 0; i < entries_.size(); ++i) add_to_runs(i);
+  }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
     if (apart()) Base::visit(visitor, ports);
   }
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
     if (apart()) return Base::evaluate(evaluation, ports);
-    if constexpr (Shape::values > 0)
-      in_wide_registers([&] {
-        for (const Entry& e : entries_) {
-          const NodeMotion& m = ports.node_motions[static_cast<std::size_t>(e.node)];
-          auto& frame = *reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
-          frame.position = load<double, 3>(evaluation.q + e.dofs[0]);
-          frame.velocity = load<double, 3>(evaluation.v + e.dofs[0]);
-          if (!is_zero(e.local)) {
-            frame.position += m.rotation * e.local;
-            frame.velocity += m.rotation * cross(m.spin, e.local);
-          }
-          if constexpr (Shape::forces == 6) {
-            frame.rotation = m.rotation;
-            frame.angular_velocity = m.angular_velocity;
-          }
+    if constexpr (Shape::values > 0) {
+      const auto find = [&](const Place& at, const Entry* beside) DALEMBERT_INLINE {
+        const NodeMotion& m = ports.node_motions[static_cast<std::size_t>(at.node)];
+        auto& frame = *reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + at.value);
+        frame.position = load<double, 3>(evaluation.q + at.dof);
+        frame.velocity = load<double, 3>(evaluation.v + at.dof);
+        if (beside != nullptr) {
+          frame.position += m.rotation * beside->local;
+          frame.velocity += m.rotation * cross(m.spin, beside->local);
         }
-      });
+        if constexpr (Shape::forces == 6) {
+          frame.rotation = m.rotation;
+          frame.angular_velocity = m.angular_velocity;
+        }
+      };
+      in_wide_registers([&] { each_place(find); });
+    }
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     if (apart()) return Base::evaluate_tangent(evaluation, weights, ports);
@@ -91,16 +103,15 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
   }
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     if (apart()) return Base::pull_back(evaluation, ports, r);
-    in_wide_registers([&] {
-      for (const Entry& e : entries_) {
-        const double* f = ports.forces.data() + e.port.force;
-        const Vec3<double>& point = Shape::point(this->parameters(e), e.local);
-        const Vec3<double> force = Shape::scale(this->parameters(e)) * load<double, 3>(f);
-        Vec3<double> moment{};
-        if constexpr (Shape::forces == 6) moment = load<double, 3>(f + 3);
-        ports.add_load(e.node, point, force, moment);
-      }
-    });
+    const auto leave = [&](const Place& at, const Entry* beside) DALEMBERT_INLINE {
+      const double* f = ports.forces.data() + at.force;
+      const Vec3<double> force = load<double, 3>(f);
+      Vec3<double> moment{};
+      if constexpr (Shape::forces == 6) moment = load<double, 3>(f + 3);
+      if (beside == nullptr) return ports.node_loads[static_cast<std::size_t>(at.node)].add_at_node(force, moment);
+      ports.add_load(at.node, Shape::point(this->parameters(*beside), beside->local), Shape::scale(this->parameters(*beside)) * force, moment);
+    };
+    in_wide_registers([&] { each_place(leave); });
   }
   // Forces at the node itself do not turn with it.
   bool constant_pull_back(bool of_moments) const override {
@@ -113,6 +124,50 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
   }
 
  private:
+  // Markers at the node itself whose numbers all lie side by side are a run, which is all that is read of them; what lies beside it is one by
+  // itself.
+  struct Place {
+    int node, dof, value, force;
+    bool operator==(const Place&) const = default;
+  };
+  struct Run {
+    Place first;
+    std::size_t entry;
+    int count;
+    bool at_node;
+  };
+  static bool is_at_node_itself(const Entry& e) { return Shape::values > 0 && is_zero(e.local); }
+  static Place place_behind(const Place& p, int count) {
+    return {p.node + count, p.dof + count * Node::size, p.value + count * Shape::values, p.force + count * room_of_forces(Shape::forces)};
+  }
+  void add_to_runs(std::size_t number) {
+    const Entry& e = entries_[number];
+    const Place here{e.node, e.dofs[0], e.port.value, e.port.force};
+    const bool at_node = is_at_node_itself(e);
+    if (!runs_.empty() && runs_.back().at_node && at_node) {
+      Run& last = runs_.back();
+      const Place next = place_behind(last.first, last.count);
+      if (next == here) return void(++last.count);
+    }
+    runs_.push_back({here, number, 1, at_node});
+  }
+  // Calls f(place, entry) for all; at the node itself nobody needs the entry, and it is null.
+  template <class F>
+  DALEMBERT_INLINE void each_place(const F& f) const {
+    for (const Run& run : runs_) {
+      if (!run.at_node) {
+        f(run.first, &entries_[run.entry]);
+        continue;
+      }
+      Place at = run.first;
+      for (int k = 0; k < run.count; ++k, at = place_behind(at, 1)) {
+        keep_loop();
+        f(at, nullptr);
+      }
+    }
+  }
+  std::vector<Run> runs_;
+
   // Markers inside of others keep to themselves.
   bool apart() const { return entries_.empty() || entries_.front().node < 0; }
 };
