@@ -30,7 +30,9 @@ constexpr SystemFunctionWords system_functions[] = {
     {"PreNewtonResidual", "Set the function f(mbs, t, newtonIteration, discontinuousIteration) that implicit solvers call before they compute a residual."},
     {"SystemJacobian", "Set the function f(mbs, t, factorODE2, factorODE2_t, factorODE1) that returns a MatrixContainer, which is added to the system matrix."},
     {"Events", "Set the function f(mbs, t) whose values have zeros at events: a list with a number per event, or with pairs of the number and a direction."},
-    {"EventAction", "Set the function f(mbs, t, event, direction) that acts when an event has happened; it returns True to go on, False to stop."}};
+    {"EventAction", "Set the function f(mbs, t, event, direction) that acts when an event has happened; it returns True to go on, False to stop."},
+    {"ItemEventAction", "Set the function f(mbs, t, item, event, direction) that acts when an item has switched, with events.ofItems: the number of the object (in GeneralContact: "
+                        "the name of the sphere or shape), 'contact', 'friction', 'stop' or the like, and 1 if that begins, -1 if it ends; it returns True to go on, False to stop."}};
 
 constexpr const char* list_key(ItemKind kind) {
   constexpr const char* keys[] = {"nodeList", "objectList", "markerList", "loadList", "sensorList"};

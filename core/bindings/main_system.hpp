@@ -30,7 +30,7 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   Excerpts excerpts;  // of the model, as long as it is not assembled
 
   py::dict variables, sys;  // free for the user; kept for utilities
-  std::map<std::string, py::object> user_functions;  // PreStep, PostStep, PostNewton, PreNewtonResidual, SystemJacobian, Events, EventAction
+  std::map<std::string, py::object> user_functions;  // PreStep, PostStep, PostNewton, PreNewtonResidual, SystemJacobian, Events, EventAction, ItemEventAction
   SensorStorage sensor_storage;                      // sensors with storeInternal
   bool interactive = false;
   std::atomic<bool> stop_requested = false, jacobian_update_requested = false;  // also by other threads than the solver's

@@ -38,7 +38,7 @@ class SystemFunction {
   auto call(Read&& read, double time, Arguments... arguments) const {
     const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
     const auto main = main_.lock();
-    const std::array objects{py::cast(main), py::cast(time), py::cast(arguments)...};
+    const std::array objects{object_of(main), object_of(time), object_of(arguments)...};
     std::array<PyObject*, std::tuple_size_v<decltype(objects)>> passed;
     std::ranges::transform(objects, passed.begin(), [](const py::object& object) { return object.ptr(); });
     const RunningFunction known(main_, RunningFunction::Place::between_evaluations, &words, this);
@@ -51,6 +51,12 @@ class SystemFunction {
     } catch (const py::cast_error&) {
       refuse_result(result, time);
     }
+  }
+
+  template <class T>
+  static py::object object_of(const T& x) {
+    if constexpr (std::is_same_v<T, py::object>) return x;
+    else return py::cast(x);
   }
 
   [[noreturn]] void refuse_result(const py::object& result, double time) const {
@@ -88,19 +94,23 @@ std::function<Result(Parameters...)> c_function(const MainSystem& main, const ch
   };
 }
 
+// True or False, as the function returns it; nothing is neither.
+template <class... Arguments>
+bool ask_whether_to_go_on(const SystemFunction& function, double time, Arguments... arguments) {
+  return function.call(
+      [&](const py::object& result) {
+        if (result.is_none()) function.refuse_result(result, time);
+        return result.cast<bool>();
+      },
+      time, arguments...);
+}
+
 std::function<bool(double)> step_function(const std::shared_ptr<MainSystem>& main, const char* name) {
   if (main->user_function(name).is_none()) return nullptr;
   if (auto function = c_function<std::int64_t, double>(*main, name))
     return [function = std::move(function)](double time) { return function(time) != 0; };
   const auto function = std::make_shared<SystemFunction>(main, name);
-  return [function](double time) {
-    return function->call(
-        [&](const py::object& result) {
-          if (result.is_none()) function->refuse_result(result, time);
-          return result.cast<bool>();
-        },
-        time);
-  };
+  return [function](double time) { return ask_whether_to_go_on(*function, time); };
 }
 
 std::vector<MatrixEntry> read_entries(const py::object& result) {
@@ -137,15 +147,17 @@ std::vector<EventValue> read_events(const py::object& result) {
   return values;
 }
 
-std::function<bool(double, int, int)> event_action(const std::shared_ptr<MainSystem>& main) {
-  if (main->user_function("EventAction").is_none()) return nullptr;
-  return [function = std::make_shared<SystemFunction>(main, "EventAction")](double time, int event, int direction) {
-    return function->call(
-        [&](const py::object& result) {
-          if (result.is_none()) function->refuse_result(result, time);
-          return result.cast<bool>();
-        },
-        time, event, direction);
+void add_event_actions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
+  if (hooks.events && !main->user_function("EventAction").is_none()) {
+    hooks.event_action = [function = std::make_shared<SystemFunction>(main, "EventAction")](double time, int event, int direction) {
+      return ask_whether_to_go_on(*function, time, event, direction);
+    };
+  }
+  if (main->user_function("ItemEventAction").is_none()) return;
+  hooks.item_event_action = [function = std::make_shared<SystemFunction>(main, "ItemEventAction")](double time, const SolverHooks::ItemEvent& event) {
+    const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
+    const py::object item = event.part.empty() ? py::object(py::int_(event.object)) : py::object(py::str(event.part));
+    return ask_whether_to_go_on(*function, time, item, event.what, event.direction);
   };
 }
 
@@ -171,8 +183,8 @@ void add_user_functions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& m
   }
   if (!main->user_function("Events").is_none()) {
     hooks.events = [function = std::make_shared<SystemFunction>(main, "Events")](double time) { return function->call(&read_events, time); };
-    hooks.event_action = event_action(main);
   }
+  add_event_actions(hooks, main);
   if (!main->user_function("SystemJacobian").is_none()) {
     hooks.system_jacobian = [function = std::make_shared<SystemFunction>(main, "SystemJacobian")](
                                 double time, double q, double v, double y) {

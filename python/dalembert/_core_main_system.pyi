@@ -41,6 +41,8 @@ _PreNewtonResidualFunction = Callable[[MainSystem, float, int, int], Any]
 # Values whose changes of sign are events, perhaps with a direction; what is done then, with number and direction.
 _EventsFunction = Callable[[MainSystem, float], ArrayLike | Sequence[float | tuple[float, int]]]
 _EventActionFunction = Callable[[MainSystem, float, int, int], bool]
+# With the number of the object, or the name of a part of GeneralContact; "contact", "friction", ...; 1: begins, -1: ends.
+_ItemEventActionFunction = Callable[[MainSystem, float, int | str, str, int], bool]
 _SystemJacobianFunction = Callable[[MainSystem, float, float, float, float], MatrixLike]
 
 # The first argument of what is written in Python is called mbs.
@@ -67,6 +69,10 @@ class MainSystem(_Bound):
     def GetEventsUserFunction(self, asDict: bool = False) -> Any: ...
     def SetEventActionUserFunction(self, value: _EventActionFunction | dict[str, Any] | Literal[0] | None) -> None: ...
     def GetEventActionUserFunction(self, asDict: bool = False) -> Any: ...
+    def SetItemEventActionUserFunction(
+        self, value: _ItemEventActionFunction | dict[str, Any] | Literal[0] | None
+    ) -> None: ...
+    def GetItemEventActionUserFunction(self, asDict: bool = False) -> Any: ...
     def SetSystemJacobianUserFunction(
         self, value: _SystemJacobianFunction | dict[str, Any] | Literal[0] | None
     ) -> None: ...

@@ -283,7 +283,10 @@ def test_system_functions(mbs: exu.MainSystem) -> None:
     def before_step(mbs: exu.MainSystem, t: float) -> bool:
         return True
 
-    for name in ("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian", "Events", "EventAction"):
+    for name in (
+        *("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian"),
+        *("Events", "EventAction", "ItemEventAction"),
+    ):
         get, put = getattr(mbs, f"Get{name}UserFunction"), getattr(mbs, f"Set{name}UserFunction")
         assert get() == 0
         put(before_step)

@@ -59,7 +59,10 @@ def test_enumerations_tell_what_values_mean() -> None:
 
 
 def test_methods_of_systems_tell_what_they_take_and_give() -> None:
-    for name in ("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian", "Events", "EventAction"):
+    for name in (
+        *("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian"),
+        *("Events", "EventAction", "ItemEventAction"),
+    ):
         assert "Set the function f(mbs, t" in getattr(exu.MainSystem, f"Set{name}UserFunction").__doc__
     assert "given by its index or name" in exu.MainSystem.SetObjectParameter.__doc__
     for name in dir(exu.MainSystem):

@@ -224,3 +224,53 @@ def test_blows_act_on_the_whole_mechanism(solver: Any) -> None:
     energy = (before - np.cos(np.pi / 6)) ** 2 / 2 - gravity * np.sin(np.pi / 3)
     # Second order: (omega h)^2 / 12 of 4 rad/s in steps of 1 ms is 1e-6 of 10 J.
     assert velocity @ velocity / 2 + gravity * position[1] == pytest.approx(energy, abs=1e-4)
+
+
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43])
+def test_a_lock_that_an_action_closes_is_a_plastic_impact(solver: Any) -> None:
+    """Two free masses of 1 and 3 kg, at 4 and 0 m/s, couple where the first has come to one meter: together they go on at 1 m/s."""
+    mbs = exu.SystemContainer().AddSystem()
+    nodes = [mbs.AddNode(exu.Node1D(initialVelocities=[v])) for v in (4.0, 0.0)]
+    for node, physics_mass in zip(nodes, (1, 3), strict=True):
+        mbs.AddObject(exu.Mass1D(nodeNumber=node, physicsMass=physics_mass))
+    markers = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=0)) for node in nodes]
+    lock = mbs.AddObject(exu.CoordinateConstraint(markerNumbers=markers, offset=-1, activeConnector=False))
+    mbs.Assemble()
+
+    def close(mbs: Any, t: float, event: int, direction: int) -> bool:
+        mbs.SetObjectParameter(lock, "activeConnector", True)
+        return True
+
+    mbs.SetEventsUserFunction(lambda mbs, t: [(mbs.systemData.GetODE2Coordinates()[0] - 1, 1)])
+    mbs.SetEventActionUserFunction(close)
+    settings = dynamic_settings(1.25, 7)
+    settings.timeIntegration.automaticStepSize = False
+    assert mbs.SolveDynamic(settings, solverType=solver)
+    np.testing.assert_allclose(mbs.systemData.GetODE2Coordinates(), [2, 1], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(mbs.systemData.GetODE2Coordinates_t(), [1, 1], rtol=0, atol=1e-9)
+
+
+def test_blows_against_joints_that_cannot_be_mended_are_told(capsys: pytest.CaptureFixture[str]) -> None:
+    """A free coordinate without mass leaves no metric in which the smallest change could be found."""
+    mbs = exu.SystemContainer().AddSystem()
+    nodes = [mbs.AddNode(exu.Node1D(initialVelocities=[0.0])) for _ in range(2)]
+    mbs.AddObject(exu.Mass1D(nodeNumber=nodes[0], physicsMass=1))
+    mbs.AddObject(exu.Mass1D(nodeNumber=nodes[1], physicsMass=0))
+    rest, *markers = (
+        mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+        for node in (mbs.AddNode(exu.NodePointGround()), *nodes)
+    )
+    mbs.AddObject(exu.CoordinateConstraint(name="rail", markerNumbers=[rest, markers[0]]))
+    mbs.AddObject(exu.CoordinateSpringDamper(markerNumbers=[rest, markers[1]], stiffness=10, damping=1))
+    mbs.Assemble()
+
+    def blow(mbs: Any, t: float, event: int, direction: int) -> bool:
+        mbs.systemData.SetODE2Coordinates_t([1, 0])
+        return True
+
+    mbs.SetEventsUserFunction(lambda mbs, t: [(t - 0.5, 1)])
+    mbs.SetEventActionUserFunction(blow)
+    mbs.SolveDynamic(dynamic_settings(1, 10))
+    told = "".join(capsys.readouterr())
+    assert told.count("the action of an event contradicts 1 constraint equation") == 1
+    assert "'rail'" in told and "mass matrix and constraints are singular at unknown 1" in told

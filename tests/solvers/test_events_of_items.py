@@ -602,3 +602,87 @@ def test_wrong_data_at_the_start_are_settled() -> None:
     it = solve(mbs, 0.3, 30)
     assert it.eventsCount == 0
     assert height(mbs, ball) == pytest.approx(HEIGHT - GRAVITY * 0.3**2 / 2, abs=1e-10)
+
+
+# ---- actions ---------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("build", [on_sphere, on_plane, in_general_contact])
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43])
+def test_impacts_by_a_law_where_items_touch(build: Callable[[], Any], solver: Any) -> None:
+    """Each impact leaves 0.8 of the speed, so that forces of the contact have no time: parabolas, which all methods solve exactly."""
+    mbs, ball = build()
+    restitution, events = 0.8, []
+
+    def bounce(mbs: Any, t: float, item: Any, event: str, direction: int) -> bool:
+        events.append((t, item, event, direction))
+        if event == "contact" and direction == 1:
+            velocities = mbs.systemData.GetODE2Coordinates_t()
+            velocities[2] *= -restitution
+            mbs.systemData.SetODE2Coordinates_t(velocities)
+        return True
+
+    mbs.SetItemEventActionUserFunction(bounce)
+    mbs.Assemble()
+    solve(mbs, 1.5, 15, solver, automaticStepSize=False)
+    fall = np.sqrt(2 * HEIGHT / GRAVITY)
+    impacts = fall * (1 + np.array([0, 2 * restitution, 2 * restitution + 2 * restitution**2]))
+    closing = [(t, item) for t, item, event, direction in events if (event, direction) == ("contact", 1)]
+    # Steps end 1e-11 of their size beyond; the contact acts for as long as the ball takes to leave that.
+    np.testing.assert_allclose([t for t, _ in closing], impacts, rtol=0, atol=1e-8)
+    objects = [mbs.GetObject(i)["objectType"] for i in range(mbs.systemData.NumberOfObjects())]
+    contacts = [i for i, name in enumerate(objects) if "Contact" in name]
+    assert all(item in contacts or str(item).startswith("sphere ") for _, item in closing)
+    speed, after = restitution**3 * GRAVITY * fall, 1.5 - impacts[-1]
+    assert height(mbs, ball) == pytest.approx(speed * after - GRAVITY * after**2 / 2, abs=1e-7)
+
+
+def test_the_end_where_a_stop_is_met() -> None:
+    """Half a meter at 1 m/s; the stop is met, not left."""
+    model = mass(position=0.5, speed=-1)
+    stop = friction_or_stop(
+        model, useLimitStops=True, limitStopsLower=0.0, limitStopsUpper=10.0, limitStopsStiffness=1e4
+    )
+    events: list[Any] = []
+
+    def end(mbs: Any, t: float, item: int, event: str, direction: int) -> bool:
+        events.append((t, item, event, direction))
+        return False
+
+    model.mbs.SetItemEventActionUserFunction(end)
+    model.mbs.Assemble()
+    it = solve(model.mbs, 1, 7)
+    assert events == [(pytest.approx(0.5, abs=1e-10), stop, "stop", 1)]
+    assert it.currentTime == events[0][0] and model.position == pytest.approx(0, abs=1e-10)
+    assert model.mbs.sys["dynamicSolver"].output.simulationStoppedByUserFunction
+
+
+def test_the_end_where_friction_holds() -> None:
+    """A mass that a force of 3 N drives slides against 5 N until it stands, after m v / (5 N - 3 N)."""
+    drive, friction, speed = 3.0, 5.0, 2.0
+    model = mass(position=0.0, speed=speed)
+    model.load(drive)
+    item = friction_or_stop(model, 1, stiffness=0.0, fDynamicFriction=friction, stickingStiffness=1e4)
+    events: list[Any] = []
+
+    def end(mbs: Any, t: float, number: int, event: str, direction: int) -> bool:
+        events.append((t, number, event, direction))
+        return False
+
+    model.mbs.SetItemEventActionUserFunction(end)
+    model.mbs.Assemble()
+    stands = MASS * speed / (friction - drive)
+    it = solve(model.mbs, 2 * stands, 30)
+    # Constant forces are exact in steps of any size; the place is found to 1e-11 of them.
+    assert events == [(pytest.approx(stands, abs=1e-9), item, "friction", -1)]
+    assert it.currentTime == events[0][0] and model.position == pytest.approx(speed * stands / 2, abs=1e-9)
+
+
+def test_actions_without_events_of_items_say_so(capsys: pytest.CaptureFixture[str]) -> None:
+    mbs, _ = on_sphere()
+    mbs.SetItemEventActionUserFunction(lambda mbs, t, item, event, direction: True)
+    mbs.Assemble()
+    solve(mbs, 0.1, 10, located=False)
+    assert "mbs.ItemEventActionUserFunction has no effect: events of items are not looked for" in "".join(
+        capsys.readouterr()
+    )

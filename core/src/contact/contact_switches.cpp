@@ -118,8 +118,9 @@ void GeneralContact::find_switches(const Evaluation& e, const Ports& ports, Swit
   if (verges_before_.empty()) verges_before_ = verges_;
   for (std::size_t i = 0; i < verges_.size(); ++i) {
     switches.of_part(*this, static_cast<int>(i));
-    switches.holds("contact", verges_[i].contact(verges_before_[i]));
-    switches.holds("friction", verges_[i].friction(verges_before_[i]));
+    const Verge &now = verges_[i], &before = verges_before_[i];
+    switches.holds("contact", now.touching < before.touching, now.contact(before));
+    switches.holds("friction", now.sticking > before.sticking, now.friction(before));
   }
 }
 

@@ -261,10 +261,8 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
 // Accelerations do not depend on which of the redundant equations hold a body; multipliers become the smallest ones. What eps leaves
 // open is closed by a second solution.
 void ConstrainedMotion::solve(std::span<double> x) {
-  factors_->solve(x);
-  if (!redundant_.in_use()) return;
-  kept_.assign(x.size() - static_cast<std::size_t>(first_ae_), 0.0);
-  close_what_eps_leaves(1 + take_off_idle_solution(x), x);
+  begin_iterations();
+  solve_increment(x);
 }
 
 void ConstrainedMotion::solve_increment(std::span<double> x) {

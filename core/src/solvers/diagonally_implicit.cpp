@@ -117,14 +117,19 @@ void DiagonallyImplicitSolver::save_start_of_step() {
   misfit_at_start_ = misfit_at_end_;
 }
 
-// Accelerations, rates and multipliers of the current state, not as the end of a step has left them.
-void DiagonallyImplicitSolver::find_accelerations() {
-  State& state = current();
+ConstrainedMotion* DiagonallyImplicitSolver::motion_under_constraints() {
   if (!std::exchange(masses_ready_, true)) {
     const auto& l = settings().linearSolverSettings;
     masses_.prepare(system(), linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
                     settings().redundantConstraints);
   }
+  return &masses_;
+}
+
+// Accelerations, rates and multipliers of the current state, not as the end of a step has left them.
+void DiagonallyImplicitSolver::find_accelerations() {
+  State& state = current();
+  motion_under_constraints();
   if (masses_.is_examined() && masses_.to_be_examined(state)) masses_.examine(system(), state, conditions_);
   const int row = masses_.factorize(system(), state, conditions_);
   system().right_hand_sides(state, conditions_, state.a, state.y_t);

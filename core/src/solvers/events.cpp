@@ -14,6 +14,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/model.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
+#include "dalembert/solvers/open_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/system_term.hpp"
 
@@ -166,18 +167,28 @@ const std::vector<WatchedValue>& Solver::event_values() {
   return values;
 }
 
+void Solver::warn_of_missing_switches(bool located) {
+  const bool wanted = settings_->events.ofItems;
+  if (located || !(wanted || hooks().item_event_action)) return;
+  const std::string who = hooks().item_event_action ? "mbs.ItemEventActionUserFunction" : "events.ofItems";
+  warn(who + " has no effect: " + (!wanted ? "events of items are not looked for (simulationSettings.events.ofItems=False)"
+                                  : is_static() ? "static solvers have no events" : "no item of this model has events of its own"));
+}
+
 void Solver::begin_to_watch_events() {
   watch_.reset();
   const bool locates = settings_->events.ofItems && !is_static() && system_->has_switches();
-  if (settings_->events.ofItems && !locates) {
-    warn(std::string("events.ofItems has no effect: ") + (is_static() ? "static solvers have no events" : "no item of this model has events of its own"));
-  }
+  warn_of_missing_switches(locates);
   iterates_without_ = locates ? System::Updates::without_switches : System::Updates::all;
   if (!hooks().events && !hooks().schedule && !locates) return;
   watch_ = std::make_unique<EventWatch>();
   look_ = std::make_unique<EventLook>();
   system_->forget_switches();
-  if (locates && !continues()) settle_switches();
+  const auto wrong = [](const WatchedValue& value) { return value.holds && value.value < 0; };
+  if (locates && !continues() && std::ranges::any_of(event_values(), wrong)) {  // data coordinates are not those of the initial state
+    settle_switches();
+    renew_accelerations();
+  }
   watch_->begin(event_values());
   if (!hooks().schedule) return;
   hooks().schedule->begin(current(), is_static());
@@ -214,17 +225,13 @@ void Solver::act_as_scheduled() {
 
 // ---- switches of items ---------------------------------------------------------------------------------------------------
 
-// Data coordinates of items that are not those of the initial state.
+// One item that switches may make others do so.
 void Solver::settle_switches() {
-  const auto unsettled = [](const WatchedValue& value) { return value.holds && value.value < 0; };
-  bool settles = false;
-  for (int i = 0; i < most_rounds && std::ranges::any_of(event_values(), unsettled); ++i) {
-    switch_over();
-    settles = true;
-  }
-  if (!settles) return;
+  const auto unsettled = [](const WatchedValue& value) { return value.holds && value.value < -value.noise; };
+  int rounds = 0;
+  do switch_over();
+  while (++rounds < most_rounds && std::ranges::any_of(event_values(), unsettled));
   if (system_->searches()) search();
-  renew_accelerations();
 }
 
 // At the end of a step: items go on with what they have come to, those that switch and those that do not.
@@ -360,6 +367,17 @@ bool Solver::event_reached() const {
   return !watch_->events.empty() || (hooks().schedule && it.currentTime >= hooks().schedule->next());
 }
 
+namespace {
+
+// Whether items have to switch because of what an action has done, in which their functions do not pass zero.
+bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedValue>& before) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i].holds && values[i].value < std::min(before[i].value, -values[i].noise)) return true;
+  return false;
+}
+
+}  // namespace
+
 // At the end of a step, which has been written: actions of the user, and a new start from the state that they leave.
 [[gnu::noinline]] void Solver::act_on_events() {
   EventWatch& watch = *watch_;
@@ -368,34 +386,78 @@ bool Solver::event_reached() const {
   if (watch.events.empty()) return;
   it.eventsCount += static_cast<StepCount>(watch.events.size());
   const int repeated = watch.count_repeated(time);
-  const std::vector<double> velocities = hooks().event_action ? current().v : std::vector<double>();
+  const bool acts = hooks().event_action || hooks().item_event_action, settles = acts && locates_switches();
+  const std::vector<double> gaps = acts ? gaps_and_rates() : std::vector<double>();
+  const std::vector<double> positions = acts ? current().q : std::vector<double>();
+  const std::vector<Switch> switches = switches_;
+  const std::vector<WatchedValue> before = settles ? event_values() : std::vector<WatchedValue>();
+  switches_ = switches;  // as they were when it happened
   for (const EventWatch::Event& event : watch.events) {
     if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + position_text() + "\n");
-    if (!hooks().event_action || event.number >= static_cast<int>(*watch.users)) continue;
-    const TimedPart part(timer, timer.python);
-    if (hooks().event_action(time, event.number, event.direction)) continue;
-    say(1, "EventActionUserFunction returned False: the solver stops\n");
-    stop_ = output.simulationStoppedByUserFunction = true;
+    if (!let_user_act(event.number, event.direction)) stop_ = output.simulationStoppedByUserFunction = true;
   }
-  if (hooks().event_action || locates_switches()) {
+  if (acts || locates_switches()) {
     conv.jacobianUpdateRequested = true;
     if (system_->searches()) search();
-    if (hooks().event_action && current().v != velocities) end_velocities_against_constraints();
+    if (acts && gaps_and_rates() != gaps) end_velocities_against_constraints(current().q == positions);
+    if (settles && jumps(event_values(), before)) {
+      start_of_step() = current();
+      settle_switches();
+    }
     renew_accelerations();
   }
   if (repeated >= 0) diagnose_chatter(repeated);
   watch.events_over(event_values());
 }
 
+// False: the solver stops.
+bool Solver::let_user_act(int event, int direction) {
+  const bool of_user = event < static_cast<int>(*watch_->users);
+  if (of_user ? !hooks().event_action : !hooks().item_event_action) return true;
+  const TimedPart part(timer, timer.python);
+  bool goes_on = true;
+  if (of_user) {
+    goes_on = hooks().event_action(current().time, event, direction);
+  } else {
+    const Switch& at = switches_[static_cast<std::size_t>(event) - *watch_->users];
+    goes_on = hooks().item_event_action(current().time, {at.item, at.owner == nullptr ? "" : at.owner->name_of_part(at.part), at.what, at.kink ? direction : at.direction});
+  }
+  if (!goes_on) say(1, std::string(of_user ? "EventAction" : "ItemEventAction") + "UserFunction returned False: the solver stops\n");
+  return goes_on;
+}
+
+std::vector<double> Solver::gaps_and_rates() {
+  const auto n = static_cast<std::size_t>(sizes_.ae);
+  std::vector<double> gaps(2 * n);
+  if (n == 0) return gaps;
+  State still = current();
+  std::ranges::fill(still.lambda, 0.0);
+  Conditions conditions = conditions_;
+  for (const bool of_rates : {false, true}) {
+    conditions.rate_level = of_rates;
+    system_->gaps(still, conditions, std::span(gaps).subspan(of_rates ? n : 0, n));
+  }
+  return gaps;
+}
+
 // That an action has left, as a plastic impact of the joints does: by the smallest change in the metric of the masses.
-[[gnu::noinline]] void Solver::end_velocities_against_constraints() {
+[[gnu::noinline]] void Solver::end_velocities_against_constraints(bool keeps_positions) {
   if (sizes_.ae == 0 || is_static() || !enforces_constraints()) return;
-  const auto& l = settings_->linearSolverSettings;
   State moved = current();
-  ConstrainedMotion motion;
-  motion.prepare(*system_, linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian}, settings_->redundantConstraints);
-  if (motion.factorize(*system_, moved, conditions_) != LinearSolver::success) return;
-  if (motion.project(*system_, moved, conditions_)) std::ranges::copy(moved.v, current().v.begin());  // in place: there are views of them
+  ConstrainedMotion own, *motion = motion_under_constraints();
+  if (motion == nullptr) {
+    const auto& l = settings_->linearSolverSettings;
+    own.prepare(*system_, linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian}, settings_->redundantConstraints);
+    motion = &own;
+  } else if (motion->is_examined()) {
+    motion->examine(*system_, moved, conditions_);  // actions switch constraints on and off
+  }
+  const int row = motion->factorize(*system_, moved, conditions_);
+  if (row == LinearSolver::success && motion->project(*system_, moved, conditions_)) {
+    std::ranges::copy(moved.v, current().v.begin());  // in place: there are views of them
+    if (!keeps_positions) std::ranges::copy(moved.q, current().q.begin());
+  }
+  warn_of_actions_against_constraints(row);
 }
 
 std::string Solver::describe_event(int event) const {

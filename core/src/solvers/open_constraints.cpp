@@ -160,6 +160,19 @@ void Solver::check_constraints() {
   else warn(text);
 }
 
+// After an action of an event, and what could be mended of it.
+[[gnu::noinline]] void Solver::warn_of_actions_against_constraints(int singular_row) {
+  const auto& s = settings_->initialConditions;
+  if (!s.checkConstraints || warned_of_actions_) return;
+  const auto open = open_constraints(*system_, current(), conditions_, {s.positionTolerance, s.velocityTolerance, true});
+  if (open.empty()) return;
+  warned_of_actions_ = true;
+  std::string text = name() + ": the action of an event contradicts " + listed(open, *system_) + "\n  That cannot be mended at once";
+  if (singular_row != LinearSolver::success)
+    text += ", as mass matrix and constraints are singular at unknown " + std::to_string(singular_row) + " (" + system_->describe_row(singular_row) + ")";
+  warn(text + ", and leads to large velocities and forces in the next step: let the action leave positions and velocities that fulfil all constraints.");
+}
+
 void Solver::look_back() {
   const auto steps = [](StepCount n) { return std::to_string(n) + (n == 1 ? " step" : " steps"); };
   if (it.stepsAboveTolerance > 0) {

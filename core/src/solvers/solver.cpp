@@ -130,7 +130,7 @@ void Solver::initialize_data() {
   it = SolverIterationData();
   singular_position_step_ = aside_step_ = -2;
   passing_steps_ = steps_above_tolerance_ = 0;
-  warned_minimum_ = warned_of_contradiction_ = warned_of_undecided_start_ = false;
+  warned_minimum_ = warned_of_contradiction_ = warned_of_undecided_start_ = warned_of_actions_ = false;
   largest_misfit_ = 0;
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;

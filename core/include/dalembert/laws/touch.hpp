@@ -62,11 +62,15 @@ constexpr int touch_switches = 3;
 template <class Parameters>
 void find_touch_switches(const Parameters& p, const Touch<double>& touch, const double* data, double pull_margin, Switches& switches) {
   const bool touches = data[TouchData::gap] < 0;
-  switches.holds("contact", touches ? -touch.gap : touch.gap);
+  switches.holds("contact", touches, touches ? -touch.gap : touch.gap);
   if (!touches) return switches.none(touch_switches - 1);
   const double excess = norm(touch.slip) - p.frictionProportionalZone;
-  if (p.frictionProportionalZone == 0 || p.dynamicFriction == 0) switches.none();
-  else switches.holds("friction", data[TouchData::speed] < p.frictionProportionalZone ? -excess : excess);
+  if (p.frictionProportionalZone == 0 || p.dynamicFriction == 0) {
+    switches.none();
+  } else {
+    const bool slides = !(data[TouchData::speed] < p.frictionProportionalZone);
+    switches.holds("friction", slides, slides ? excess : -excess);
+  }
   switches.kink("pull", pull_margin);
 }
 

@@ -42,6 +42,7 @@ class DiagonallyImplicitSolver : public Solver {
     find_accelerations();
     after_jump_ = true;
   }
+  ConstrainedMotion* motion_under_constraints() override;
   KnownDerivatives complete_ends() override { return {true, true}; }
 
  private:

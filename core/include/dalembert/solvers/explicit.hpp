@@ -43,6 +43,7 @@ class ExplicitSolver : public Solver {
   }
   void forget() override;
   void renew_accelerations() override;
+  ConstrainedMotion* motion_under_constraints() override { return constrained_ ? &motion_ : nullptr; }
   KnownDerivatives complete_ends() override;
   void advise_on_growth() override;
 

@@ -41,6 +41,14 @@ struct SolverHooks {
   std::function<std::vector<EventValue>(double time)> events;
   // At an event, with its number, and 1 if its function rises or -1 if it falls. False: stop.
   std::function<bool(double time, int event, int direction)> event_action;
+  // The same of an object, with what happens to it; or of the part of a term that is no item, by its name.
+  struct ItemEvent {
+    int object;
+    std::string part;
+    const char* what;
+    int direction;  // 1: it begins, or its function rises; -1: it ends, or its function falls; 0: one takes the place of another
+  };
+  std::function<bool(double time, const ItemEvent& event)> item_event_action;
   // Null: nothing acts at times that are known beforehand. Otherwise there is a pre_step, which may do nothing.
   std::shared_ptr<Schedule> schedule;
   // Not empty: there is a post_step, which may do nothing.

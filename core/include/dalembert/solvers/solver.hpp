@@ -25,6 +25,7 @@ namespace dalembert {
 struct EventLook;
 class EventWatch;
 struct WatchedValue;
+class ConstrainedMotion;
 class Model;
 class RedundantConstraints;
 class StepInterpolation;
@@ -165,6 +166,8 @@ class Solver {
   StepCount singular_position_step_ = -2;  // the last one that passed it
   // The state has jumped: forces and accelerations have to be found anew.
   virtual void renew_accelerations() {}
+  // Around the masses, where the solver keeps it anyway; null: it does not.
+  virtual ConstrainedMotion* motion_under_constraints() { return nullptr; }
   // After a restart file has been written: nothing that follows may depend on what is not in it.
   virtual void forget() {}
   // At most the recommended step size, or the current one times `factor` if there is no recommendation.
@@ -211,7 +214,7 @@ class Solver {
   bool hold_at_minimum();
   virtual void diagnose_error_control();
   int steps_above_tolerance_ = 0;  // in a row
-  bool warned_of_contradiction_ = false, warned_of_undecided_start_ = false;
+  bool warned_of_contradiction_ = false, warned_of_undecided_start_ = false, warned_of_actions_ = false;
   double largest_misfit_ = 0;
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
@@ -240,11 +243,15 @@ class Solver {
   void write_between(double period, Write&& write);
   // ---- events (events.cpp) -----------------------------------------------------------------------------------------
   void begin_to_watch_events();
+  void warn_of_missing_switches(bool located);
   void settle_switches();
   void switch_over();
   const std::vector<WatchedValue>& event_values();
   bool locates_switches() const { return iterates_without_ != System::Updates::all; }
-  void end_velocities_against_constraints();
+  bool let_user_act(int event, int direction);
+  std::vector<double> gaps_and_rates();
+  void end_velocities_against_constraints(bool keeps_positions);
+  void warn_of_actions_against_constraints(int singular_row);
   void diagnose_chatter(int event);
   std::string describe_event(int event) const;
   double look_into_step(double& before);

@@ -15,6 +15,7 @@ struct Switch {
   double value = 1;
   bool kink = false;   // forces have one where it changes its sign, either way, and data coordinates stay as they are
   double noise = 0;    // numbers of this size say nothing just after the item has switched
+  int direction = 0;   // 1: contact, friction that slides, or the like begins there; -1: it ends
   int item = -1;       // object
   const SystemTerm* owner = nullptr;  // in its place: a term that is no item,
   int part = -1;                      // and which of its parts
@@ -32,8 +33,11 @@ class Switches {
     owner_ = &owner;
     part_ = part;
   }
-  void holds(const char* what, double value, double noise = 0) { found_.push_back({what, value, false, noise, item_, owner_, part_}); }
-  void kink(const char* what, double value) { found_.push_back({what, value, true, 0, item_, owner_, part_}); }
+  // `now`: it touches or slides, as long as the value is not negative; or it does not.
+  void holds(const char* what, bool now, double value, double noise = 0) { found_.push_back({what, value, false, noise, now ? -1 : 1, item_, owner_, part_}); }
+  // To another one of its kind.
+  void passes(const char* what, double value, double noise = 0) { found_.push_back({what, value, false, noise, 0, item_, owner_, part_}); }
+  void kink(const char* what, double value) { found_.push_back({what, value, true, 0, 0, item_, owner_, part_}); }
   // In the place of those that cannot come.
   void none(int count = 1) { found_.insert(found_.end(), static_cast<std::size_t>(count), {.what = "", .item = item_}); }
 

@@ -50,16 +50,16 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
     const Difference<double> d(p, m0, m1);
     const double bound = p.fDynamicFriction + p.fStaticFrictionOffset;
     if (has_bristles(p) && c.data != nullptr) {
-      if (c.data[friction] == 0) switches.holds("friction", bound - std::abs(sticking(p, d, c.data[stick])), rounding * bound);
-      else switches.holds("friction", c.data[friction] < 0 ? -d.rate : d.rate);
+      if (c.data[friction] == 0) switches.holds("friction", false, bound - std::abs(sticking(p, d, c.data[stick])), rounding * bound);
+      else switches.holds("friction", true, c.data[friction] < 0 ? -d.rate : d.rate);
     } else if (p.frictionProportionalZone != 0) {
       switches.kink("friction", std::abs(d.rate) - p.frictionProportionalZone);
     } else {
       switches.none();
     }
     if (!p.useLimitStops || c.data == nullptr) switches.none();
-    else if (c.data[stop] == 0) switches.holds("stop", std::min(p.limitStopsUpper - d.value, d.value - p.limitStopsLower));
-    else switches.holds("stop", c.data[stop] > 0 ? d.value - p.limitStopsUpper : p.limitStopsLower - d.value);
+    else if (c.data[stop] == 0) switches.holds("stop", false, std::min(p.limitStopsUpper - d.value, d.value - p.limitStopsLower));
+    else switches.holds("stop", true, c.data[stop] > 0 ? d.value - p.limitStopsUpper : p.limitStopsLower - d.value);
   }
   // Slip that ends where it stands still goes on as stick with the same force.
   static void switch_over(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, const double* before,

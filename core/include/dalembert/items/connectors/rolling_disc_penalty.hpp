@@ -73,13 +73,14 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
     const RollingContact<double> contact(p, m0, m1);
     const double now = dot(contact.arm, contact.normal);
     if (!(c.data[gap] < 0)) {
-      switches.holds("contact", now);
+      switches.holds("contact", false, now);
       return switches.none(2);
     }
-    switches.holds("contact", -now);
+    switches.holds("contact", true, -now);
     const double excess = norm(slip_of(contact)) - p.dryFrictionProportionalZone;
+    const bool slides = !sticks(p, norm(Slip<double>{c.data[lateral], c.data[forward]}));
     if (p.dryFrictionProportionalZone == 0 || (p.dryFriction[0] == 0 && p.dryFriction[1] == 0)) switches.none();
-    else switches.holds("friction", sticks(p, norm(Slip<double>{c.data[lateral], c.data[forward]})) ? -excess : excess);
+    else switches.holds("friction", slides, slides ? excess : -excess);
     switches.kink("pull", normal_force(p, contact));
   }
 

@@ -47,7 +47,7 @@ struct ObjectContactCircleCable2D : AllMarkersAct, NoAlgebraicEquations, Switche
     for (int i = 0; i < p.numberOfContactSegments; ++i) {
       const CircleOnCable<double> touch = nearest(p, x, i);
       const bool touches = !(c.data[i] > 0);
-      switches.holds("contact", touches ? -touch.gap : touch.gap);
+      switches.holds("contact", touches, touches ? -touch.gap : touch.gap);
       const double elastic = -p.contactStiffness * touch.gap;
       if (touches) switches.kink("pull", pull_margin(elastic - p.contactDamping * dot(touch.direction, touch.velocity), elastic));
       else switches.none();

@@ -44,7 +44,7 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
   static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
     const Touch<double> touch = lowest(p, x.frame<RigidPort>(ground), x.frame<RigidPort>(roll));
     const bool touches = c.data[gap] <= 0;
-    switches.holds("contact", touches ? -touch.gap : touch.gap);
+    switches.holds("contact", touches, touches ? -touch.gap : touch.gap);
     if (!touches) return switches.none(2);
     switches.kink("friction", norm(touch.slip) - p.frictionProportionalZone);
     const double elastic = -p.contactStiffness * touch.gap;

@@ -37,7 +37,8 @@ struct ObjectContactCoordinate : HasPairHistory, SwitchesByUpdate, AlwaysNeedsDa
 
   static int switch_count(const Parameters&) { return 1; }
   static void find_switches(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, Switches& switches) {
-    switches.holds("contact", c.data[0] > 0 ? gap(p, m0, m1) : -gap(p, m0, m1));
+    const bool touches = !(c.data[0] > 0);
+    switches.holds("contact", touches, touches ? -gap(p, m0, m1) : gap(p, m0, m1));
   }
 
  private:

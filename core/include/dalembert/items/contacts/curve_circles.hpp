@@ -68,15 +68,16 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
         if (circle == touched || touched < 0) pressed = touch.unclipped_pressure(p);
       }
       if (touched < 0) {
-        switches.holds("contact", std::max(nearest, -pressed));
+        switches.holds("contact", false, std::max(nearest, -pressed));
         switches.none(2);
         continue;
       }
       const double zone = p.frictionProportionalZone, excess = std::abs(slip) - zone;
-      switches.holds("contact", std::min(-own, pressed));
-      switches.holds("circle", nearest - own);
+      switches.holds("contact", true, std::min(-own, pressed));
+      switches.passes("circle", nearest - own);
+      const bool slides = !(at.speed() < zone);
       if (zone == 0 || p.dynamicFriction == 0) switches.none();
-      else switches.holds("friction", at.speed() < zone ? -excess : excess);
+      else switches.holds("friction", slides, slides ? excess : -excess);
     }
   }
 

@@ -62,11 +62,11 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     for (int i = 0; i < p.numberOfContactSegments; ++i) {
       const Touching<double> touch(p, x, i);
       if (c.data[i] > 0) {
-        switches.holds("contact", touch.gap);
+        switches.holds("contact", false, touch.gap);
         switches.none(3);
         continue;
       }
-      switches.holds("contact", -touch.gap);
+      switches.holds("contact", true, -touch.gap);
       const double elastic = -p.contactStiffness * touch.gap;
       switches.kink("pull", pull_margin(elastic - p.contactDamping * touch.away, elastic));
       find_friction_switches(p, c.data, i, touch, switches);
@@ -155,11 +155,11 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     const double state = data[p.numberOfContactSegments + i], limit = bound(p, touch), viscous = p.frictionVelocityPenalty * touch.along;
     if (state == undefined) return switches.none(2);
     const double held = p.frictionStiffness == 0 ? viscous : viscous + p.frictionStiffness * way_from(p, touch, data[2 * p.numberOfContactSegments + i]);
-    if (state == stick) switches.holds("friction", limit - std::abs(held), rounding * limit);
-    else if (p.frictionStiffness == 0) switches.holds("friction", std::abs(held) - limit, rounding * limit);
-    else switches.holds("friction", state * touch.along);
+    if (state == stick) switches.holds("friction", false, limit - std::abs(held), rounding * limit);
+    else if (p.frictionStiffness == 0) switches.holds("friction", true, std::abs(held) - limit, rounding * limit);
+    else switches.holds("friction", true, state * touch.along);
     if (state == stick || p.frictionStiffness == 0) switches.none();
-    else switches.holds("grip", state * held - limit, rounding * limit);
+    else switches.holds("grip", false, state * held - limit, rounding * limit);
   }
 
   // From the last sticking position, less whole turns.

@@ -43,7 +43,7 @@ struct AlongCable : SwitchesAndSettles {
     const int element = element_of(p, data);
     const double before = element > 0 ? place - offset(p, data) : length(x);
     const double behind = element + 1 < elements(p) ? offset(p, data) + length(x) - place : length(x);
-    switches.holds("element", std::min(before, behind), round_off * length(x));
+    switches.passes("element", std::min(before, behind), round_off * length(x));
   }
   // How far the body has left the cable.
   static PostNewton leave(const P& p, const Exchange<double>& x, double place, const double* data) {
