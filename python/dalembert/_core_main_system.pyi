@@ -41,7 +41,7 @@ _PreNewtonResidualFunction = Callable[[MainSystem, float, int, int], Any]
 # Values whose changes of sign are events, perhaps with a direction; what is done then, with number and direction.
 _EventsFunction = Callable[[MainSystem, float], ArrayLike | Sequence[float | tuple[float, int]]]
 _EventActionFunction = Callable[[MainSystem, float, int, int], bool]
-# With the number of the object, or the name of a part of GeneralContact; "contact", "friction", ...; 1: begins, -1: ends.
+# With the number of the object, or the name of a part of GeneralContact; what switches; 1: it begins, -1: it ends.
 _ItemEventActionFunction = Callable[[MainSystem, float, int | str, str, int], bool]
 _SystemJacobianFunction = Callable[[MainSystem, float, float, float, float], MatrixLike]
 
