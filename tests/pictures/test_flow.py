@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
+from collections.abc import Iterator
+from enum import Enum
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -11,6 +15,8 @@ from test_items import READY, run
 from test_live_page import messages, unpacked
 
 import dalembert as exu
+import dalembert.itemInterface
+import dalembert.robotics
 from dalembert import _core, graphics
 from dalembert._live.messages import Stage
 from dalembert._pictures.flow import Flow
@@ -127,6 +133,62 @@ def test_changes_of_items_are_seen(SC: Any, mbs: Any) -> None:
     mbs.SetNodeParameter(1, "Vshow", True)
     mbs.SetNodeParameter(1, "VdrawSize", 0.7)
     assert sorted(flow.scene().balls.radii)[-1] == pytest.approx(0.35)
+
+
+def test_rods_of_trees_follow_markers_that_are_moved(SC: Any, mbs: Any) -> None:
+    link = exu.robotics.RobotLink(mass=1, COM=[0.5, 0.1, 0], inertia=np.eye(3), preHT=np.eye(4))
+    robot = exu.robotics.Robot()
+    robot.AddLink(link)
+    robot.CreateKinematicTree(mbs)
+    tree = mbs.systemData.NumberOfObjects() - 1
+    mbs.SetObjectParameter(tree, "VgraphicsDataList", [])
+    marker = mbs.AddMarker(
+        exu.itemInterface.MarkerKinematicTreeRigid(objectNumber=tree, linkNumber=0, localPosition=[0, 0.5, 0])
+    )
+    mbs.Assemble()
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    flow = Flow(maker)
+    flow.scene(), maker.scene()
+    mbs.SetMarkerParameter(marker, "localPosition", [0, 0.9, 0])
+    for scene in (flow.scene(), maker.scene()):
+        ends = [i.place + i.matrix[:, 2] for i in scene.unbound().instances if scene.items[i.item].kind == "Object"]
+        assert any(end == pytest.approx([0, 0.9, 0], abs=1e-12) for end in ends)
+
+
+def settings_of(settings: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    """Paths and other values of settings that may be on or off, or count; of one view and one light."""
+    for name, value in settings.GetDictionary().items():
+        if re.fullmatch("(view|light)[123]", name):
+            continue
+        below = getattr(settings, name)
+        if isinstance(value, dict) and hasattr(below, "GetDictionary"):
+            yield from settings_of(below, f"{path}{name}.")
+        elif isinstance(value, bool):
+            yield path + name, not value
+        elif isinstance(value, int) and not isinstance(value, Enum):
+            yield path + name, max(value + 1, 0)
+
+
+OTHERS = {path: value for path, value in settings_of(exu.VisualizationSettings()) if "raytracer" not in path.lower()}
+
+
+def test_crowds_look_as_each_of_their_members_would(SC: Any, mbs: Any) -> None:
+    """With any setting, many bodies and nodes that are drawn as arrays are what they are when drawn one by one."""
+    bricks(mbs, 3)
+    mbs.AddNode(exu.itemInterface.NodePointSlope1(referenceCoordinates=[0, 0, 2, 1, 0, 0]))
+    mbs.Assemble()
+    move(mbs, 1)
+    defaults = exu.VisualizationSettings()
+    assert len(OTHERS) > 100
+    for path, value in OTHERS.items():
+        parent, _, name = path.rpartition(".")
+        setattr(attrgetter(parent)(SC.visualizationSettings), name, value)
+        maker = SceneMaker(mbs, SC.visualizationSettings)
+        try:
+            assert_same(Flow(maker).scene(), maker.scene(), maker.looks.size, turning=True)
+        except AssertionError as error:
+            raise AssertionError(path) from error
+        setattr(attrgetter(parent)(SC.visualizationSettings), name, attrgetter(path)(defaults))
 
 
 def test_boxes_are_those_of_drawn_scenes(SC: Any, mbs: Any) -> None:

@@ -73,7 +73,7 @@ def test_an_item_is_drawn_where_it_is_shown(item: Any) -> None:
 
 def test_every_type_has_a_drawing() -> None:
     """Also those that are planned: nobody forgets them when they come."""
-    known = {*connectors.DRAWINGS, *flexible.DRAWINGS, *flexible.MESH_BODIES, *RIGID, "KinematicTree"}
+    known = {*connectors.DRAWINGS, *flexible.DRAWINGS, *flexible.MESH_BODIES, *RIGID, "Ground", "KinematicTree"}
     objects = {item.name.removeprefix("Object") for item in SPECS if item.name.startswith("Object")}
     without = {name.removeprefix("Object") for name in WITHOUT_PLACE}
     assert objects - without == known

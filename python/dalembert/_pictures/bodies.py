@@ -78,6 +78,10 @@ class Bodies:
         if far:
             pen.sphere(place, thick, color)
 
+    def forget_markers(self) -> None:
+        """Look again which markers are on which body: items have changed."""
+        self._markers = None
+
     def _markers_of(self, body: int) -> list[int]:
         if self._markers is None:
             self._markers = {}

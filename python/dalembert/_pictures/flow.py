@@ -7,9 +7,6 @@ where their frames are, times where they stand in them: _MovingParts finds all o
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -74,15 +71,9 @@ class Flow:
     def _begin(self, configuration: ConfigurationType) -> Scene:
         """Draw everything, and note what sticks to what."""
         self.forget()
-        with _without_collection():
-            return self._drawn(configuration)
-
-    def _drawn(self, configuration: ConfigurationType) -> Scene:
         scene, pen = self._maker.draw(configuration, crowded=True)
-        if pen is None or pen.places.source is None or not len(pen.frames):
+        if pen is None or pen.places.source is None or not len(frames := pen.frames.rows()):
             return scene
-        kinds = {kind: number for number, kind in enumerate(_core._MovingParts.kinds)}
-        frames = np.array([(kinds[kind], *numbers) for kind, *numbers in pen.frames], np.int32)
         parts = _core._MovingParts(self._maker.mbs, frames)
         if not parts.find(configuration):
             return scene
@@ -162,18 +153,6 @@ class Flow:
         loose = scene.instances or scene.spheres or scene.lines or len(scene.labels) > len(texts)
         self._complete = not (loose or self._loose or scene.value_name or self._maker.has_traces())
         return scene
-
-
-@contextmanager
-def _without_collection() -> Iterator[None]:
-    """Look for no garbage while much is made that stays: each time, all of it would be looked through."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()
 
 
 def _square(rows: FloatArray) -> FloatArray:

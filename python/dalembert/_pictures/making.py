@@ -44,9 +44,8 @@ class SceneMaker:
         """`number`: that of the system in its container."""
         self.mbs, self.looks, self.number = mbs, Looks(settings), number
         self._range: tuple[float, float] | None = None  # of the colors of the last scene
-        self.bodies, self.meshes = Bodies(mbs), flexible.MeshBodies(mbs)
-        self.trees = Trees(mbs)
-        self.source: Any = None  # of the places of all items, once the system is assembled
+        self.bodies, self.meshes, self.trees = Bodies(mbs), flexible.MeshBodies(mbs), Trees(mbs)
+        self.source = _core._ScenePlaces(mbs)  # of the places of all items, once the system is assembled
         self._items: Parameters = {}  # as they have been since the last of the changes
         self._changes = 0
         self.stored: traces.Stored = mbs.GetSensorStoredData
@@ -67,8 +66,6 @@ class SceneMaker:
 
     def places(self, configuration: ConfigurationType) -> Places:
         """Return where everything is, in an assembled system."""
-        if self.source is None:
-            self.source = _core._ScenePlaces(self.mbs)
         return Places(self.mbs, configuration, self.source)
 
     def places_again(self, configuration: ConfigurationType) -> Places:
@@ -77,10 +74,12 @@ class SceneMaker:
         return Places(self.mbs, configuration, self.source, self._items)
 
     def changes(self) -> int:
-        """Return how often items of the assembled system have come, gone or got other parameters."""
-        if self.source is not None and self.source.changed():
-            self._items = {}
+        """Return how often items have come, gone or got other parameters."""
+        if self.source.changed():
             self._changes += 1
+            self._items = {}
+            self.bodies.forget_markers()
+            self.trees.forget_markers()
         return self._changes
 
     def draw(self, configuration: ConfigurationType | None, crowded: bool = False) -> tuple[Scene, Pen | None]:
@@ -88,6 +87,7 @@ class SceneMaker:
 
         `crowded`: what looks alike may be in the scene as arrays.
         """
+        self.changes()
         assembled = self.is_assembled()
         if configuration is None:
             configuration = ConfigurationType.Visualization
@@ -100,7 +100,7 @@ class SceneMaker:
         self.looks.crowd = self._count("Object")
         scene = Scene()
         pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
-        crowd = Crowd(pen, self.bodies) if crowded and assembled and not self._is_unusual(colors) else None
+        crowd = Crowd(pen, self.bodies) if crowded and assembled and not colors.active else None
         for kind in KINDS:
             self._draw_kind(pen, colors, kind, crowd)
         if crowd is not None:
@@ -111,17 +111,12 @@ class SceneMaker:
         self._trace = len(scene.items)
         pen.take(DrawnItem("Trace", 0, "", ""))
         self._finish(pen, colors)
-        whole = add_normals(pen) or add_box(pen)
-        return scene, None if self._highlights() and highlight(scene, self.looks) or whole else pen
+        whole = [change for change in (add_normals, add_box, self._highlight) if change(pen)]
+        return pen.scene, None if whole else pen
 
-    def _is_unusual(self, colors: Contour) -> bool:
-        """Return whether settings make bodies or nodes look as they usually do not."""
-        nodes, gl = self.looks.setting("nodes"), self.looks.setting("openGL")
-        several = nodes.showBasis or nodes.showNodalSlopes or gl.drawFaceNormals or gl.drawVertexNormals
-        return bool(colors.active or several or int(self.looks.setting("interactive.highlightItemIndex")) >= 0)
-
-    def _highlights(self) -> bool:
-        return int(self.looks.setting("interactive.highlightMbsNumber")) == self.number
+    def _highlight(self, pen: Pen) -> bool:
+        own = int(self.looks.setting("interactive.highlightMbsNumber")) == self.number
+        return own and highlight(pen)
 
     def draw_again(self, scene: Scene, places: Places, chosen: list[int]) -> None:
         """Draw some items of a scene whose list of items is there, and what is drawn anew in each scene."""
@@ -165,7 +160,7 @@ class SceneMaker:
             name = item["objectType"]
             if not item.get("Vshow", True):
                 continue
-            is_plain = name in RIGID and name != "Ground" and places.turns("Object", number)
+            is_plain = name in RIGID and places.turns("Object", number)
             if is_plain and (found := self.bodies.meshes(pen, number, item)) is not None:
                 for mesh in found:
                     alike.setdefault(id(mesh), (mesh, []))[1].append(number)
@@ -209,6 +204,7 @@ class SceneMaker:
                 continue
             pen.take(DrawnItem(kind, number, item[name_of_type], item["name"]))
             if crowd is not None and not numbered and crowd.takes(kind, number, item):
+                pen.places.forget(kind, number)
                 continue
             self._draw(pen, colors, kind, number, item)
             if numbered:
@@ -270,7 +266,7 @@ class SceneMaker:
 
     def _draw_body(self, pen: Pen, colors: Contour, number: int, item: dict[str, Any]) -> None:
         name = item["objectType"]
-        if name in RIGID:
+        if name in RIGID or name == "Ground":
             self.bodies.draw(pen, colors, number, item)
         elif name in flexible.DRAWINGS:
             flexible.DRAWINGS[name](pen, colors, number, item)
@@ -284,8 +280,10 @@ def add_normals(pen: Pen) -> bool:
     """Draw normals of faces and at their corners, as openGL.drawFaceNormals and drawVertexNormals say."""
     gl = pen.looks.setting("openGL")
     length = pen.looks.length("openGL.drawNormalsLength", 0.03)
-    parts = list(pen.scene.instances) if gl.drawFaceNormals or gl.drawVertexNormals else []
-    for part in parts:
+    if not (gl.drawFaceNormals or gl.drawVertexNormals):
+        return False
+    pen.scene = pen.scene.unbound()
+    for part in pen.scene.instances:
         points = part.mesh.points @ part.matrix.T + part.place
         a, b, c = (points[part.mesh.triangles[:, k]] for k in range(3))
         normals = np.cross(b - a, c - a)
@@ -301,7 +299,7 @@ def add_normals(pen: Pen) -> bool:
                 turned = turned / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-300)
                 for point, normal in zip(corner, turned, strict=True):
                     pen.line([point, point + length * normal], rgba(gl.advanced.vertexNormalsColor))
-    return bool(parts)
+    return True
 
 
 def add_box(pen: Pen) -> bool:
@@ -315,11 +313,12 @@ def add_box(pen: Pen) -> bool:
     return True
 
 
-def highlight(scene: Scene, looks: Looks) -> bool:
+def highlight(pen: Pen) -> bool:
     """Give the item that interactive.highlightItemIndex names its color, and all others that of the others.
 
     Return whether it names one.
     """
+    scene, looks = pen.scene, pen.looks
     number = int(looks.setting("interactive.highlightItemIndex"))
     kind = looks.setting("interactive.highlightItemType").name
     chosen = [i for i, item in enumerate(scene.items) if item.kind == kind and item.number == number]
@@ -328,10 +327,10 @@ def highlight(scene: Scene, looks: Looks) -> bool:
     bright = rgba(looks.setting("interactive.advanced.highlightColor"))
     others = rgba(looks.setting("interactive.advanced.highlightOtherColor"))
     pick = dict.fromkeys(chosen, (*bright[:3], 1.0))
+    scene = pen.scene = scene.unbound()
     scene.instances = [Instance(i.mesh, i.matrix, i.place, pick.get(i.item, others), i.item) for i in scene.instances]
-    faint = Pen(scene, Places(None, ConfigurationType.Reference), looks)
     spheres, scene.spheres = scene.spheres, []
     for center, radius, _, item in spheres:
-        faint.go_on(item)
-        faint.sphere(center, radius, pick.get(item, others))
+        pen.go_on(item)
+        pen.sphere(center, radius, pick.get(item, others))
     return True

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray
+from dalembert import _core
+from dalembert._checks import FloatArray, IntArray
 from dalembert._pictures import meshes
 from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.meshes import Mesh, Rgba
@@ -21,6 +22,39 @@ CROWD = (100, 500, 2000)
 QUALITY = ((16, 8), (12, 5), (8, 3))
 
 
+FRAMES = {kind: number for number, kind in enumerate(_core._MovingParts.kinds)}
+
+
+class Frames:
+    """To which parts stick: kind, number, and the second marker of a span; -1 for the others."""
+
+    def __init__(self) -> None:
+        self._known: dict[tuple[str, int, int], int] = {}
+        self._rows: list[IntArray] = []
+        self._count = 0
+
+    def number(self, kind: str, number: int, other: int) -> int:
+        """Return the number of a frame."""
+        key = (kind, number, other)
+        if key not in self._known:
+            self._known[key] = self._take(np.array([[FRAMES[kind], number, other]]))
+        return self._known[key]
+
+    def numbers(self, kind: str, numbers: IntArray) -> IntArray:
+        """Return the numbers of the frames of many items."""
+        first = self._take(np.stack(np.broadcast_arrays(FRAMES[kind], numbers, -1), axis=1))
+        return np.arange(first, self._count)
+
+    def rows(self) -> IntArray:
+        """Return all frames (n x 3), with the numbers of their kinds."""
+        return np.concatenate([np.empty((0, 3), int), *self._rows])
+
+    def _take(self, rows: IntArray) -> int:
+        self._rows.append(rows)
+        self._count += len(rows)
+        return self._count - len(rows)
+
+
 @dataclass
 class Stuck:
     """To which frames the parts of a scene stick, in their order; -1: none."""
@@ -29,8 +63,8 @@ class Stuck:
     spheres: list[int] = field(default_factory=list)
     lines: list[int] = field(default_factory=list)
     labels: list[tuple[int, int]] = field(default_factory=list)  # of which item, and the frame
-    herds: list[list[int]] = field(default_factory=list)
-    balls: list[int] = field(default_factory=list)
+    herds: list[IntArray] = field(default_factory=list)
+    balls: IntArray = field(default_factory=lambda: np.empty(0, int))
 
 
 class Pen:
@@ -41,7 +75,7 @@ class Pen:
         self.tiles = max(int(looks.setting("general.cylinderTiling")), 3)
         self._item = -1
         self._key: tuple[str, int, int] | None = None
-        self.frames: dict[tuple[str, int, int], int] = {}  # to which parts stick, and their numbers
+        self.frames = Frames()
         self.stuck = Stuck()
 
     def stick(self, kind: str = "", number: int = -1, turns: bool = True) -> None:
@@ -59,11 +93,7 @@ class Pen:
 
     def _frame(self) -> int:
         """Return the number of the frame to which things stick now."""
-        return -1 if self._key is None else self.frames.setdefault(self._key, len(self.frames))
-
-    def frames_of(self, kind: str, numbers: list[int]) -> list[int]:
-        """Return the numbers of the frames of items that turn."""
-        return [self.frames.setdefault((kind, number, -1), len(self.frames)) for number in numbers]
+        return -1 if self._key is None else self.frames.number(*self._key)
 
     @property
     def item(self) -> int:

@@ -72,6 +72,10 @@ class Places:
             self.items[key] = getattr(self.mbs, f"Get{kind}")(int(number))
         return self.items[key]
 
+    def forget(self, kind: str, number: int) -> None:
+        """Keep the parameters of an item no longer: of very many, they would fill the memory."""
+        self.items.pop((kind, number), None)
+
     def _asked(self, method: str, number: int, variable: Any, *arguments: Any) -> FloatArray | None:
         try:
             value = getattr(self.mbs, method)(int(number), variable, *arguments, self.configuration)

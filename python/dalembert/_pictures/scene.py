@@ -14,7 +14,7 @@ from dalembert._pictures.meshes import Mesh, Rgba, extremes, sharp_edges
 WIDE = 3.0  # ground that is larger than all the rest by this factor is a floor to stand on
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class DrawnItem:
     """What a part of a picture belongs to."""
 
@@ -25,7 +25,7 @@ class DrawnItem:
     system: int = 0  # its number in the container
 
 
-@dataclass
+@dataclass(slots=True)
 class Instance:
     """A mesh where it stands: x = matrix @ point + place. Values are numbers per point, to be shown as colors."""
 
@@ -37,7 +37,7 @@ class Instance:
     values: FloatArray | None = None
 
 
-@dataclass
+@dataclass(slots=True)
 class Label:
     """A text at a point; size in pixels, 0 for the usual one; shift in parts of its size."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import frame_along
 
 Item = dict[str, Any]
+Drawing = Callable[[Pen, int, Item, FloatArray], None]
 
 
 def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
@@ -29,11 +31,26 @@ def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
         pen.mesh(ball, place, radius * np.eye(3), None, np.full(len(ball.points), colors.number(value)))
     else:
         pen.sphere(place, radius, color)
-    if pen.looks.setting("nodes.showNodalSlopes") and "Slope" in item["nodeType"]:
-        _slopes(pen, number, item, place)
-    if pen.looks.setting("nodes.showBasis"):
-        rotation = pen.places.node_rotation(number)
-        pen.frame(place, np.eye(3) if rotation is None else rotation, pen.looks.length("nodes.basisSize", 0.1))
+    for draw in besides_ball(pen, item):
+        draw(pen, number, item, place)
+
+
+def besides_ball(pen: Pen, item: Item) -> list[Drawing]:
+    """Return what draws more of a node than a ball: number, parameters and place are given to it."""
+    nodes = pen.looks.setting("nodes")
+    drawn: list[Drawing] = []
+    if nodes.showNodalSlopes and "Slope" in item["nodeType"]:
+        drawn.append(_slopes)
+    if nodes.showBasis:
+        drawn.append(_basis)
+    return drawn
+
+
+def _basis(pen: Pen, number: int, item: Item, place: FloatArray) -> None:
+    """Draw the axes of a node."""
+    rotation = pen.places.node_rotation(number)
+    pen.stick("Node", number)
+    pen.frame(place, np.eye(3) if rotation is None else rotation, pen.looks.length("nodes.basisSize", 0.1))
 
 
 def _slopes(pen: Pen, number: int, item: Item, place: FloatArray) -> None:

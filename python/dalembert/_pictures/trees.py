@@ -34,6 +34,10 @@ class Trees:
             ]
         return self._shapes[number]
 
+    def forget_markers(self) -> None:
+        """Look again which markers are on which tree: items have changed."""
+        self._ends = None
+
     def draw(self, pen: Pen, number: int, item: Item) -> None:
         """Draw links, as their graphics data or as rods between the joints; joints where there are no graphics data."""
         draw(pen, item, self.shapes(pen, number, item["name"]), self._ends_of(number))
