@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "conversion.hpp"
+#include "dalembert/pictures/contour.hpp"
 #include "item_arguments.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
@@ -29,16 +31,29 @@ class ScenePlaces {
   }
   // None: the object has no mesh nodes of its own, or they do not have this output.
   py::object mesh(int object, const py::object& variable, const py::object& configuration) {
-    if (object < 0 || object >= main_->model.count(ItemKind::object)) throw py::index_error("_ScenePlaces.mesh(...): there is no such object");
-    const auto asked = static_cast<OutputVariableType>(Enumeration::number(variable.ptr()));
-    const int count = system("mesh").mesh_outputs(object, asked, read(configuration), poses_.totals, values_);
+    const int count = find_mesh("mesh", object, variable, configuration);
     if (count == 0) return py::none();
     return new_array({count, static_cast<py::ssize_t>(values_.size()) / count}, values_.data());
+  }
+  // One number for each mesh node, see contour_numbers. None: as mesh().
+  py::object mesh_numbers(int object, const py::object& variable, int component, const py::object& configuration) {
+    const int count = find_mesh("mesh_numbers", object, variable, configuration);
+    if (count == 0) return py::none();
+    py::array_t<double> result(count);
+    contour_numbers(values_, values_.size() / static_cast<std::size_t>(count), component, result.mutable_data());
+    return result;
   }
   // Whether items have come, gone or other parameters since the last call.
   bool changed() { return watch_.look(main_->model); }
 
  private:
+  // Puts an output of all mesh nodes in values_; returns how many nodes have it.
+  int find_mesh(const char* method, int object, const py::object& variable, const py::object& configuration) {
+    if (object < 0 || object >= main_->model.count(ItemKind::object))
+      throw py::index_error("_ScenePlaces." + std::string(method) + "(...): there is no such object");
+    const auto asked = static_cast<OutputVariableType>(Enumeration::number(variable.ptr()));
+    return system(method).mesh_outputs(object, asked, read(configuration), poses_.totals, values_);
+  }
   System& system(const char* method) { return main_->assembled(method); }
   ConfigurationType read(const py::object& value) {
     const ConfigurationType configuration = configuration_argument(value, [] { return std::string("_ScenePlaces(...)"); });
@@ -61,6 +76,8 @@ void register_scene_places(py::module_& module) {
            "Rotation and position (n x 3 x 4) of all nodes (0), objects (1) or markers (2); nan where there is none.")
       .def("mesh", &ScenePlaces::mesh, py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration"),
            "An output of all mesh nodes of a super element, row by row; None if it has none of its own.")
+      .def("mesh_numbers", &ScenePlaces::mesh_numbers, py::arg("objectNumber"), py::arg("variableType"), py::arg("component"), py::arg("configuration"),
+           "One number for each of these mesh nodes: a component of the output, or its length (-1).")
       .def("changed", &ScenePlaces::changed, "Whether items have other parameters than at the last call.");
 }
 

@@ -102,6 +102,7 @@ void register_system_container(py::module_& module) {
   register_shadow(module);
   register_scene_places(module);
   register_moving_parts(module);
+  register_contour(module);
   ContainerClass container(module, "SystemContainer", "The systems of a script and what they share.");
   container.def(py::init(&new_container));
   container.def(

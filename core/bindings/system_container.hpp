@@ -37,5 +37,6 @@ void register_renderer(py::module_& module);
 void register_ray_tracer(py::module_& module);
 void register_scene_places(py::module_& module);
 void register_moving_parts(py::module_& module);
+void register_contour(py::module_& module);
 
 }  // namespace dalembert

@@ -342,6 +342,17 @@ def test_stresses_are_linear_in_the_modes(mbs: Any) -> None:
         system.Assemble()
         expected = zeta @ stresses[5].reshape(2, 6)
         assert system.GetSensorValues(sensor) == pytest.approx(expected)
+        together, shown = exu._core._ScenePlaces(system), exu.ConfigurationType.Visualization
+        all_nodes = np.einsum("m,nmi->ni", zeta, stresses.reshape(8, 2, 6))
+        assert together.mesh(body, variable, shown) == pytest.approx(all_nodes)
+        for component, numbers in (
+            (0, all_nodes[:, 0]),
+            (5, all_nodes[:, 5]),
+            (6, np.zeros(8)),
+            (-1, np.hypot.reduce(all_nodes, axis=1)),
+        ):
+            assert together.mesh_numbers(body, variable, component, shown) == pytest.approx(numbers), component
+        assert together.mesh_numbers(body, Variable.Rotation, 0, shown) is None
         with pytest.raises(ValueError, match="mesh nodes have no output variable Rotation"):
             system.GetObjectOutputSuperElement(body, Variable.Rotation, 0)
         with pytest.raises(ValueError, match="a mesh node from 0 to 7"):

@@ -310,6 +310,40 @@ def test_settings_have_their_effect(SC: Any, mbs: Any) -> None:
     assert np.abs(SC.renderer.RedrawAndGetImage(useRaytracer=True).astype(int) - foggy).max() > 8
 
 
+def others(value: Any) -> list[Any]:
+    """Other values of a setting of a material."""
+    if isinstance(value, list):
+        return [[1 - part for part in value], [0.5 * part + 0.3 for part in value]]
+    return [0.5 * value + 0.7, 0.2 * value, 3 * value + 0.5]
+
+
+@pytest.mark.parametrize("number", range(10))
+def test_each_setting_of_each_material_has_its_effect(SC: Any, mbs: Any, number: int) -> None:
+    """A ball of the material, which can be seen through, in front of a checkerboard."""
+    board = graphics.CheckerBoard(
+        point=[0, 0, -1.5], size=4, nTiles=5, color=[0.9, 0.2, 0.2, 1], alternatingColor=[0.1, 0.3, 0.9, 1]
+    )
+    ball = graphics.Sphere(radius=1, color=[-1, 0, 0, graphics.material.indexBase + number], nTiles=24)
+    mbs.CreateGround(graphicsDataList=[board, ball])
+    mbs.Assemble()
+    settings = SC.visualizationSettings
+    settings.view0.window.renderWindowSize = [90, 80]
+    SC.renderer.SetModelView(1.5, [0, 0, 0])
+    material = getattr(settings.raytracer, f"material{number}")
+    material.alpha, material.emission = min(material.alpha, 0.6), [0.1, 0.1, 0.1]  # nothing is as bright as it can be
+    usual = material.GetDictionary()
+    before = SC.renderer.RedrawAndGetImage(useRaytracer=True)
+    assert set(usual) == {"name", "baseColor", "specular", "emission", "shininess", "reflectivity", "alpha", "ior"}
+    for name in sorted(set(usual) - {"name"}):
+        changes = []
+        for value in others(usual[name]):
+            setattr(material, name, value)
+            changes.append(np.abs(SC.renderer.RedrawAndGetImage(useRaytracer=True).astype(int) - before).max())
+        assert max(changes) > 2, name
+        setattr(material, name, usual[name])
+    np.testing.assert_array_equal(SC.renderer.RedrawAndGetImage(useRaytracer=True), before)
+
+
 def test_lights_have_a_size(SC: Any, mbs: Any) -> None:
     settings = scene(SC, mbs)
     settings.openGL.light0.lightRadius, settings.raytracer.lightRadiusVariations = 2.0, 9

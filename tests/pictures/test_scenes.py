@@ -407,6 +407,9 @@ def test_colors_of_many_numbers_are_those_of_each(limits: tuple[float, float]) -
     exact = 255 * contour.colors(looks, values, limits)[:, :3]
     off = np.abs(contour.shades(looks, values, limits) - exact)
     assert 0.1 < off.max() < 1.01  # half a step of the table, where colors change by 4 * 255 / 1024, and half a byte
+    below, above = (contour.shades(looks, np.array([x]), limits) for x in (low - (high - low), high + (high - low)))
+    assert (contour.shades(looks, np.array([np.nan, -np.inf]), limits) == below).all()
+    assert (contour.shades(looks, np.array([np.inf]), limits) == above).all() and (below != above).any()
 
 
 def test_links_of_a_tree_reach_to_their_center_of_mass_and_markers(SC: Any, mbs: Any) -> None:

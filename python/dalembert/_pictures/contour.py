@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import OutputVariableType
 from dalembert._pictures.looks import Looks
@@ -36,12 +38,6 @@ class Contour:
             return float(np.linalg.norm(output))
         return float(output[self.component]) if self.component < len(output) else 0.0
 
-    def numbers(self, outputs: FloatArray) -> FloatArray:
-        """Return the number of each row of outputs."""
-        if self.component < 0:
-            return np.linalg.norm(outputs, axis=1)
-        return outputs[:, self.component] if self.component < outputs.shape[1] else np.zeros(len(outputs))
-
     def range(self, values: FloatArray) -> tuple[float, float]:
         """Return the smallest and the largest number on the bar of colors."""
         if not self.looks.setting("contour.automaticRange") or len(values) == 0:
@@ -50,19 +46,32 @@ class Contour:
         return (low, high) if high > low else (low, low + max(abs(low), 1.0) * 1e-6)
 
 
+KEYS = (*(f"contourColor{i}" for i in range(5)), "contourColorMin", "contourColorMax")
+Shade = tuple[float, ...]
+
+
+def _keys(looks: Looks) -> tuple[Shade, ...]:
+    """Return the colors in equal parts of the range, and those below and above it."""
+    advanced = looks.setting("contour.advanced")
+    return tuple(tuple(map(float, getattr(advanced, key))) for key in KEYS)
+
+
 def colors(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> FloatArray:
     """Return a color (RGBA) for each number: five of them in equal parts of the range, others beyond it."""
-    advanced = looks.setting("contour.advanced")
-    table = np.array([getattr(advanced, f"contourColor{i}") for i in range(5)], float)
     low, high = limits
-    part = (np.asarray(values, float) - low) / (high - low)
+    result = _colored((np.asarray(values, float) - low) / (high - low), _keys(looks))
+    result[:, 3] = float(looks.setting("contour.alphaTransparency"))
+    return result
+
+
+def _colored(part: FloatArray, keys: tuple[Shade, ...]) -> FloatArray:
+    """Return colors for parts of the range, numbers from 0 to 1."""
+    table = np.array(keys)
     place = np.clip(part, 0, 1) * 4
     index = np.minimum(place.astype(int), 3)
     rest = (place - index)[:, None]
-    result = (1 - rest) * table[index] + rest * table[index + 1]
-    result[part < -1e-9] = np.array(advanced.contourColorMin, float)
-    result[part > 1 + 1e-9] = np.array(advanced.contourColorMax, float)
-    result[:, 3] = float(looks.setting("contour.alphaTransparency"))
+    result: FloatArray = (1 - rest) * table[index] + rest * table[index + 1]
+    result[part < -1e-9], result[part > 1 + 1e-9] = table[5], table[6]
     return result
 
 
@@ -71,15 +80,14 @@ STEPS = 1024  # of the range, for many numbers
 
 def shades(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> npt.NDArray[np.uint8]:
     """Return the same as bytes (RGB), by a table: as close as bytes can tell."""
-    low, high = limits
-    step = (high - low) / STEPS
-    places: FloatArray = low + step * np.arange(-1.0, STEPS + 2)  # the first and the last one are beyond the range
-    table = np.round(255 * np.clip(colors(looks, places, limits)[:, :3], 0, 1)).astype(np.uint8)
-    part = (np.asarray(values, float) - low) / step
-    index = np.rint(np.clip(part, 0, STEPS)).astype(np.int32) + 1
-    index[part < -1e-9 * STEPS] = 0
-    index[part > (1 + 1e-9) * STEPS] = STEPS + 2
-    return table[index]
+    return _core._shades(values, *limits, _table(_keys(looks)))
+
+
+@lru_cache(maxsize=4)
+def _table(keys: tuple[Shade, ...]) -> npt.NDArray[np.uint8]:
+    """Return a color for what is below the range, colors of steps in it, and one for what is above."""
+    parts: FloatArray = np.arange(-1.0, STEPS + 2) / STEPS
+    return np.round(255 * np.clip(_colored(parts, keys)[:, :3], 0, 1)).astype(np.uint8)
 
 
 def of_body(pen: Any, contour: Contour, number: int) -> Any:

@@ -238,7 +238,8 @@ class MeshBodies:
     def _faces(self, number: int, item: Item) -> tuple[IntArray, IntArray]:
         """Return the triangles of a mesh, and their edges."""
         given = np.asarray(item.get("VtriangleMesh", []))
-        if number not in self._known or not np.array_equal(self._known[number][0], given):
+        known = self._known.get(number)
+        if known is None or (known[0] is not given and not np.array_equal(known[0], given)):
             triangles = given.astype(int).reshape(-1, 3)
             sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
             self._known[number] = given, triangles, np.unique(np.sort(sides, axis=1), axis=0)
@@ -270,9 +271,9 @@ class MeshBodies:
     def _values(self, pen: Pen, colors: Contour, number: int, count: int) -> FloatArray | None:
         if not colors.active:
             return None
-        known = pen.places.mesh_outputs(number, colors.variable)
+        known = pen.places.mesh_numbers(number, colors.variable, colors.component)
         if known is not None and len(known) == count:
-            return colors.numbers(known)
+            return known
         return np.array([colors.number(pen.places.mesh_output(number, colors.variable, node)) for node in range(count)])
 
 

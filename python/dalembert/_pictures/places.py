@@ -127,6 +127,12 @@ class Places:
         found = self.source.mesh(int(number), variable, self.configuration)
         return None if found is None else np.asarray(found)
 
+    def mesh_numbers(self, number: int, variable: Any, component: int) -> FloatArray | None:
+        """Return one number for each of them: a component of the output, or its length (-1)."""
+        if self.source is None:
+            return None
+        return self.source.mesh_numbers(int(number), variable, component, self.configuration)
+
     def node_output(self, number: int, variable: Any) -> FloatArray | None:
         """Return any output of a node."""
         return self._asked("GetNodeOutput", number, variable)

@@ -163,17 +163,11 @@ class SizedBodyBatch final : public Term {
     vectors.make_room(e.law.dofs().size());
     vectors.gather(evaluation, e.law.dofs());
     const SizedCoordinates<double> x = vectors.values();
-    values.clear();
-    if (count > 0 && B::mesh_output(p, x, first, variable, values)) {
-      for (int node = first + 1; node < first + count; ++node) B::mesh_output(p, x, node, variable, values);
-      return true;
-    }
+    if (B::mesh_outputs(p, x, first, count, variable, values)) return true;
     const auto give = [&](const auto& row) {
-      values.reserve(3 * static_cast<std::size_t>(count));
-      for (int node = first; node < first + count; ++node) {
-        const Vec3<double> v = row(node);
-        values.insert(values.end(), v.x.begin(), v.x.end());
-      }
+      values.resize(3 * static_cast<std::size_t>(count));
+      double* to = values.data();
+      for (int node = first; node < first + count; ++node) to = std::ranges::copy(row(node).x, to).out;
       return true;
     };
     const auto combined = [&](const SizedVector<double>& of, int node) {

@@ -96,14 +96,14 @@ concept StatesFrame = !is_framed<B> || (NodeKernel<typename B::Frame> && require
   { B::whole_mass(p) } -> std::same_as<FramePlace>;
 });
 // Mesh nodes of its own: where they rest in the frame, shape(i, by) for each coordinate `i` behind those of the frame that moves them, and
-// outputs that it adds to values.
+// outputs of many of them, one after the other.
 template <class B>
 concept StatesMesh =
     B::mesh != Mesh::own || requires(const typename B::Parameters& p, const SizedCoordinates<double>& x, std::vector<double>& values) {
       { B::mesh_nodes(p) } -> std::same_as<int>;
       { B::rest(p, 0) } -> std::same_as<Vec3<double>>;
       { B::each_shape(p, 0, [](int, const Vec3<double>&) {}) } -> std::same_as<void>;
-      { B::mesh_output(p, x, 0, OutputVariableType::Position, values) } -> std::same_as<bool>;
+      { B::mesh_outputs(p, x, 0, 1, OutputVariableType::Position, values) } -> std::same_as<bool>;
     };
 // Parameters that Assemble finds.
 template <class B>

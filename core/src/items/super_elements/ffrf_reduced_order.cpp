@@ -118,15 +118,20 @@ ModalInertia ObjectFFRFreducedOrder::prepare(const Parameters& p) {
   return k;
 }
 
-bool ObjectFFRFreducedOrder::mesh_output(const Parameters& p, const SizedCoordinates<double>& x, int node, OutputVariableType variable,
-                                         std::vector<double>& values) {
+bool ObjectFFRFreducedOrder::mesh_outputs(const Parameters& p, const SizedCoordinates<double>& x, int first, int count, OutputVariableType variable,
+                                          std::vector<double>& values) {
   if (variable != p.outputVariableTypeModeBasis || variable == OutputVariableType::_None) return false;
-  constexpr int components = 6;
-  const int modes = p.outputVariableModeBasis.columns / components, first = x.count - modes;
-  std::array<double, components> sums{};
-  for (int mode = 0; mode < modes; ++mode)
-    for (int i = 0; i < components; ++i) sums[static_cast<std::size_t>(i)] += p.outputVariableModeBasis(node, components * mode + i) * x.u[first + mode];
-  values.insert(values.end(), sums.begin(), sums.end());
+  constexpr std::size_t components = 6;
+  const std::size_t columns = static_cast<std::size_t>(p.outputVariableModeBasis.columns), modes = columns / components;
+  const double* const zeta = x.u.values + x.count - modes;
+  const double* row = p.outputVariableModeBasis.values.data() + static_cast<std::size_t>(first) * columns;
+  values.resize(components * static_cast<std::size_t>(count));
+  for (double* to = values.data(); to != values.data() + values.size(); to += components, row += columns) {
+    std::array<double, components> sums{};
+    for (std::size_t mode = 0; mode < modes; ++mode)
+      for (std::size_t i = 0; i < components; ++i) sums[i] += row[components * mode + i] * zeta[mode];
+    std::ranges::copy(sums, to);
+  }
   return true;
 }
 

@@ -50,7 +50,7 @@ struct ObjectFFRF {
   static void each_shape(const Parameters&, int node, const Shape& shape) {
     for (int axis = 0; axis < 3; ++axis) shape(3 * node + axis, vector_of<3>([&](int i) { return i == axis ? 1.0 : 0.0; }));
   }
-  static bool mesh_output(const Parameters&, const SizedCoordinates<double>&, int, OutputVariableType, std::vector<double>&) { return false; }
+  static bool mesh_outputs(const Parameters&, const SizedCoordinates<double>&, int, int, OutputVariableType, std::vector<double>&) { return false; }
 
   template <class Node>
   struct On;

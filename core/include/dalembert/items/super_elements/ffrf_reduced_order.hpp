@@ -54,11 +54,13 @@ struct ObjectFFRFreducedOrder {
   static Vec3<double> rest(const Parameters& p, int node) { return load<double, 3>(p.referencePositions.data() + 3 * node); }
   template <class Shape>
   static void each_shape(const Parameters& p, int node, const Shape& shape) {
-    for (int mode = 0; mode < p.modeBasis.columns; ++mode) shape(mode, vector_of<3>([&](int axis) { return p.modeBasis(3 * node + axis, mode); }));
+    const int modes = p.modeBasis.columns;
+    const double* const rows = p.modeBasis.values.data() + static_cast<std::ptrdiff_t>(3 * node) * modes;
+    for (int mode = 0; mode < modes; ++mode) shape(mode, Vec3<double>{rows[mode], rows[modes + mode], rows[2 * modes + mode]});
   }
   // The variable of outputVariableModeBasis: linear in the modal coordinates, which come last.
-  static bool mesh_output(const Parameters& p, const SizedCoordinates<double>& x, int node, OutputVariableType variable,
-                          std::vector<double>& values);
+  static bool mesh_outputs(const Parameters& p, const SizedCoordinates<double>& x, int first, int count, OutputVariableType variable,
+                           std::vector<double>& values);
 
   template <class Node>
   struct On;
