@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import base64
 import threading
 import time
 from collections.abc import Iterator
+from io import BytesIO
 from typing import Any
 
 import numpy as np
 import pytest
 from browser import Browser, Tab, running
+from PIL import Image
 
 import dalembert as exu
 from dalembert import graphics
@@ -194,6 +197,27 @@ def test_measuring_and_cutting(tab: Tab) -> None:
     assert tab.value(f"page.hit({x}, {y}) !== null")
     tab.value("page.cut(1, 0, 0, 1.0)")
     assert tab.value(f"page.hit({x}, {y}) === null")
+
+
+def test_a_picture_that_is_saved_is_what_is_seen(SC: Any, viewer: Viewer, tab: Tab) -> None:
+    """With the texts, the bar of colors and the other views in front of the scene, but without buttons."""
+    SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.Position
+    viewer.redraw()
+    tab.wait("document.querySelectorAll('.contour i').length > 0")
+    tab.value("page.split(page.sides())")
+    tab.value("HTMLAnchorElement.prototype.click = function () { window.saved = [this.download, this.href]; }")
+    tab.wait("!page.wanted")
+    tab.value("page.bar.querySelector('[title=\"save a picture\"]').click()")
+    name, data = tab.value("window.saved")
+    saved = np.asarray(Image.open(BytesIO(base64.b64decode(data.partition(",")[2]))).convert("RGB"), float)
+    seen = np.asarray(Image.open(BytesIO(tab.picture())).convert("RGB"), float)
+    assert name == "picture.png" and saved.shape == seen.shape
+    for part in (".time", ".contour", ".pane", ".axes"):
+        left, top, width, height = tab.value(
+            f"((box) => [box.x, box.y, box.width, box.height].map(Math.round))(document.querySelector('{part}').getBoundingClientRect())"
+        )
+        ink = [(image[top : top + height, left : left + width].mean(axis=2) < 230).mean() for image in (saved, seen)]
+        assert 0.005 < ink[1] == pytest.approx(ink[0], rel=0.25), part  # letters are not on the same pixels
 
 
 def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> None:

@@ -26,7 +26,7 @@ export class Live extends View {
   // `link` reaches the viewer, `keys` is what they are taken from, `first` is called before the first picture.
   constructor(place, link, { keys = window, first = () => {} } = {}) {
     super(place);
-    Object.assign(this, { link, first, frames: 0, number: -1, steps: [0.1, 5, 1.15], lost: false });
+    Object.assign(this, { link, first, frames: 0, number: -1, steps: [0.1, 5, 1.15] });
     this.panels = new Panels(place, (kind, words) => this.send(kind, words));
     this.tools();
     this.controls.addEventListener("change", () => (this.turned ||= !this.led));
@@ -106,7 +106,6 @@ export class Live extends View {
   }
 
   closed(words) {
-    this.lost = true;
     this.state.textContent = this.stopped ? "closed" : words;
   }
 
@@ -141,7 +140,7 @@ export class Live extends View {
     if (!this.frames) this.first();
     this.number = head.scene;
     this.last = new Map();
-    const first = this.number === undefined || !this.objects.length;
+    const first = !this.objects.length;
     const made = head.meshes.map((entry) => [entry, mesh(entry, arrays)]);
     const balls = spheres(head.spheres, arrays, this.drawnBy);
     const shades = arrays[head.lines.colors], colors = head.lines.items.map((_, i) => shades.subarray(3 * i, 3 * i + 3));
@@ -157,7 +156,6 @@ export class Live extends View {
     this.replace([...made.flatMap(([, objects]) => objects), ...balls, ...drawn], head.items);
     this.steps = head.steps;
     this.paint(head.background);
-    this.range = null;
     this.contour(head.contour);
     this.allEdges = head.edges;
     this.showEdges();
@@ -169,7 +167,6 @@ export class Live extends View {
   take(words) {
     const actions = {
       state: () => {
-        this.lost = false;
         this.state.textContent = words.text;
         this.pause.textContent = words.text && words.text !== "solving" ? "▶" : "❚❚";
       },
@@ -263,7 +260,7 @@ export class Live extends View {
     if (axis) return this.turn(axis[0], axis[1] * turn * small), true;
     const factor = { ".": 1 / zoom, NumpadAdd: 1 / zoom, ",": zoom, NumpadSubtract: zoom }[code === "NumpadAdd" || code === "NumpadSubtract" ? code : key];
     if (factor) return this.look({ ...this.looking(), zoom: this.looking().zoom * factor ** small }), true;
-    const actions = { a: () => this.home(), v: () => this.send("settings"), o: () => {} };
+    const actions = { a: () => this.home(), v: () => this.send("settings") };
     if (control || alt || !actions[key.toLowerCase()]) return false;
     actions[key.toLowerCase()]();
     return true;

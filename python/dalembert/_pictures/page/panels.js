@@ -62,14 +62,11 @@ export class Panels {
   // A plane across one axis; what is beyond it is left out.
   cut(apply, { center, size }) {
     const panel = this.panel("cut", "cut");
-    let axis = 0, sign = 1;
     const choice = element(panel, "select");
     for (const name of ["x", "y", "z", "-x", "-y", "-z"]) element(choice, "option", { textContent: name, value: name });
     const slider = element(panel, "input", { type: "range", min: -1, max: 1, step: 0.005, value: 0 });
     const go = () => {
-      axis = "xyz".indexOf(choice.value.at(-1));
-      sign = choice.value.length > 1 ? -1 : 1;
-      const normal = [0, 0, 0];
+      const axis = "xyz".indexOf(choice.value.at(-1)), sign = choice.value.length > 1 ? -1 : 1, normal = [0, 0, 0];
       normal[axis] = sign;
       apply([...normal, sign * (center[axis] + Number(slider.value) * size)]);
     };

@@ -6,6 +6,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { axes } from "./axes.js";
+import { flat } from "./picture.js";
 
 export const FIELD = 30; // degrees, of the camera
 const HALF = Math.tan((FIELD / 2) * (Math.PI / 180));
@@ -126,6 +127,7 @@ export class View {
 
   contour(contour, range) {
     this.scale.replaceChildren();
+    this.range = null;
     if (!contour) return;
     element(this.scale, "div", { textContent: contour.name });
     const values = [];
@@ -170,17 +172,18 @@ export class View {
   }
 
   save() {
-    this.renderer.render(this.scene, this.camera);
-    Object.assign(document.createElement("a"), { href: this.canvas.toDataURL(), download: "picture.png" }).click();
+    this.render();
+    const href = flat(this.place, this.canvas).toDataURL();
+    Object.assign(document.createElement("a"), { href, download: "picture.png" }).click();
   }
 
   // What is at a place of the window: number of the item, point, distance; null if there is nothing. `pane`: as it is seen there.
   hit(x, y, pane) {
     const box = (pane?.window ?? this.canvas).getBoundingClientRect(), ray = new Raycaster();
     ray.setFromCamera(new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2), (pane ?? this).camera);
-    const planes = pane ? pane.clip : this.renderer.clippingPlanes;
+    const cuts = pane ? pane.clip : this.renderer.clippingPlanes;
     const hits = ray.intersectObjects(this.objects.filter((object) => object.isMesh && object.material.visible), false);
-    const found = hits.find(({ point }) => planes.every((plane) => plane.distanceToPoint(point) >= 0));
+    const found = hits.find(({ point }) => cuts.every((plane) => plane.distanceToPoint(point) >= 0));
     if (!found) return null;
     const { object, instanceId, point, distance } = found;
     return { number: object.userData.items[instanceId ?? 0], point, distance };
@@ -314,10 +317,14 @@ export class View {
     this.step(now);
     if (!this.wanted) return;
     this.wanted = false;
+    this.render();
+    this.drawn += 1;
+  }
+
+  render() {
     this.renderer.render(this.scene, this.camera);
     for (const pane of this.panes) pane.render();
     this.axes(this.camera);
     this.placeLabels();
-    this.drawn += 1;
   }
 }
