@@ -6,6 +6,7 @@
 
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/open_constraints.hpp"
+#include "number_sequence.hpp"
 
 namespace dalembert {
 
@@ -18,6 +19,7 @@ constexpr Weights along_velocities{.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0};
 // constraints may contradict each other.
 constexpr double closed = 1e-13, accepted = 1e-9;
 constexpr int most_projections = 10;
+constexpr double at_rest = 1e-10;  // speed
 
 // Columns of ODE1 coordinates and of multipliers leave these out of the solution.
 void leave_out_ode1(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
@@ -249,13 +251,68 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   system.reactions_are_known(redundant_.equations());
   std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
   system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
-  const bool passing = redundant_.count() == 0;
-  if (passing) knowledge_ = Knowledge::passing;
-  redundant_.use(passing ? RedundantConstraints::passing_eps : redundant_.eps_for_gaps(gaps, true, *pattern_, matrix_, *factors));
+  if (redundant_.count() == 0) return pass(singular);
+  redundant_.use(redundant_.eps_for_gaps(gaps, true, *pattern_, matrix_, *factors));
+  const std::vector<double> plain = matrix_;
   redundant_.regularize(*pattern_, matrix_, 1);
   factors_ = at_once ? std::move(factors) : make_linear_solver(*pattern_, type_, redundant_.options(options_));
   singular = at_once && redundant_.eps() == eps ? LinearSolver::success : factors_->factorize(matrix_);
+  if (singular != LinearSolver::success || !looks_beside_ || !fewer_follow_beside(system, state, conditions)) return true;
+  matrix_ = plain;
+  redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1);  // none of the combinations lasts
+  return pass(singular);
+}
+
+bool ConstrainedMotion::pass(int& singular) {
+  knowledge_ = Knowledge::passing;
+  redundant_.use(RedundantConstraints::passing_eps);
+  redundant_.regularize(*pattern_, matrix_, 1);
+  factors_ = make_linear_solver(*pattern_, type_, redundant_.options(options_));
+  singular = factors_->factorize(matrix_);
   return true;
+}
+
+// What counts as beside a position: far enough that what is singular there shows, and so close that constraints are left open by little.
+constexpr double little = 1e-4;
+
+namespace {
+
+// Of a motion: so much, relative to the size of the model or to a radian.
+void add_part(const System& system, double part, std::span<const double> direction, std::span<double> step) {
+  const std::vector<CoordinateUnit> units = system.coordinate_units();
+  const double extent = system.extent();
+  double size = 0;
+  for (std::size_t i = 0; i < direction.size(); ++i) size = std::max(size, std::abs(direction[i]) / (units[i] == CoordinateUnit::meter ? extent : 1));
+  if (!(size > at_rest)) return;
+  for (std::size_t i = 0; i < direction.size(); ++i) step[i] += part * direction[i] / size;
+}
+
+}  // namespace
+
+// The factors at a state beside another one.
+bool ConstrainedMotion::is_regular_beside(const ConstrainedMotion& other, System& system, const State& at, const Conditions& conditions,
+                                          std::span<const double> step) {
+  State moved = at;
+  move_positions(system, step, moved.q);
+  prepare(system, other.type_, other.options_, other.settings_);
+  looks_beside_ = false;
+  return factorize(system, moved, conditions) == LinearSolver::success && knowledge_ != Knowledge::passing;
+}
+
+// Redundancy that lasts is also there a little further on, along the velocities and where any forces would lead: off the constraints by the square
+// of that, equations are independent by its fourth power, beside a singular position by its square.
+bool ConstrainedMotion::fewer_follow_beside(System& system, const State& at, const Conditions& conditions) {
+  const auto n = static_cast<std::size_t>(ode2_);
+  NumberSequence random;
+  std::vector<double> x(x_.size(), 0.0), step(n);
+  for (std::size_t i = 0; i < n; ++i) x[i] = matrix_[static_cast<std::size_t>(pattern_->slot(static_cast<int>(i), static_cast<int>(i)))] * random();
+  solve(x);
+  add_part(system, little, std::span<const double>(x).first(n), step);
+  add_part(system, little, at.v, step);
+  ConstrainedMotion beside;
+  const bool regular = beside.is_regular_beside(*this, system, at, conditions, step);
+  system.reactions_are_known(redundant_.equations());
+  return regular && beside.redundant_.count() < redundant_.count();
 }
 
 // Accelerations do not depend on which of the redundant equations hold a body; multipliers become the smallest ones. What eps leaves
@@ -412,11 +469,10 @@ bool ConstrainedMotion::accelerations_after(double time, System& system, const S
 
 namespace {
 
-constexpr double at_rest = 1e-10;  // speed
 // A start in a singular position is looked at after moments in which the motion covers this part of the size of the model ...
 constexpr double part_of_motion = 1e-3;
-// ... and velocities do not change by more than this part of them. What is redundant shows much sooner.
-constexpr double change_of_velocity = 0.03, first_look = 0.1;
+// ... and velocities do not change by more than this part of them.
+constexpr double change_of_velocity = 0.03;
 // By how much accelerations at three moments may be off a straight line, relative to their size.
 constexpr double smooth = 1e-2;
 
@@ -439,27 +495,20 @@ bool is_smooth(const std::vector<double>* x) {
 
 }  // namespace
 
-bool ConstrainedMotion::is_more_regular_than(const ConstrainedMotion& other) const {
-  return knowledge_ != Knowledge::passing && (other.knowledge_ == Knowledge::passing || redundant_.count() < other.redundant_.count());
-}
-
 // From three moments after the start, by a parabola.
 bool ConstrainedMotion::leave_singular_position(System& system, const State& start, Conditions conditions, std::span<double> a,
                                                 std::span<double> lambda) {
   constexpr std::size_t moments = 3;
-  if (!redundant_.in_use() || !(largest(start.v) > at_rest)) return true;
+  if (knowledge_ != Knowledge::passing) return true;
+  if (!(largest(start.v) > at_rest)) return false;
   const double moment = moment_after(start, a);
   conditions.inertia = true;
   conditions.rate_level = false;
-  State moved = start;
-  std::vector<double> step = start.v;
-  for (double& x : step) x *= first_look * moment;
-  move_positions(system, step, moved.q);
+  std::vector<double> step(start.v.size());
+  add_part(system, little, start.v, step);
   ConstrainedMotion beside;
-  beside.prepare(system, type_, options_, settings_);
-  const bool regular = beside.factorize(system, moved, conditions) == LinearSolver::success, singular = regular && beside.is_more_regular_than(*this);
+  bool leaves = beside.is_regular_beside(*this, system, start, conditions, step);
   std::vector<double> accelerations[moments], multipliers[moments];
-  bool leaves = singular;
   for (std::size_t i = 0; i < moments && leaves; ++i) {
     accelerations[i] = i > 0 ? accelerations[i - 1] : std::vector<double>(a.begin(), a.end());
     multipliers[i] = i > 0 ? multipliers[i - 1] : std::vector<double>(lambda.begin(), lambda.end());
@@ -467,7 +516,7 @@ bool ConstrainedMotion::leave_singular_position(System& system, const State& sta
   }
   if (!leaves || !is_smooth(accelerations)) {
     system.reactions_are_known(redundant_.equations());
-    return !singular;
+    return false;
   }
   extrapolate(accelerations, a);
   extrapolate(multipliers, lambda);
@@ -549,10 +598,11 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
   const double of_velocities = close(true, std::max(1.0, largest(still.v)), [&](std::span<const double> step) {
     for (std::size_t i = 0; i < still.v.size(); ++i) still.v[i] += step[i];
   });
-  if (redundant_.in_use()) largest_misfit_ = std::max(largest_misfit_, of_positions);
+  const bool lasts = redundant_.in_use() && knowledge_ != Knowledge::passing;
+  if (lasts) largest_misfit_ = std::max(largest_misfit_, of_positions);
   state.q = still.q;  // in place: Python and other threads have views of these numbers
   state.v = still.v;
-  const double limit = redundant_.in_use() ? std::max(accepted, settings_.largestMisfit) : accepted;
+  const double limit = lasts ? std::max(accepted, settings_.largestMisfit) : accepted;
   return std::max(of_positions, of_velocities) <= limit;
 }
 

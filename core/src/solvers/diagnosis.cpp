@@ -157,6 +157,7 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
     const std::vector<double> misfit = constraints.misfit(gaps);
     if (2 * constraints.largest(misfit) > constraints.largest(gaps)) return diagnose_contradiction(misfit);
   }
+  if (has_weak_constraints()) return diagnose_singular_position();
   Diagnosis& d = diagnose(FailureReason::newton);
   add_largest(d.values, gaps, "equation", sizes_.first_ae());
   d.advice = {"the step leaves gaps that cannot be closed: use smaller steps (timeIntegration.numberOfSteps, minimumStepSize)",

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/newton.hpp"
 
 namespace dalembert {
@@ -116,17 +117,28 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   if (factors && (redundant_.count() > 0 || conv.linearSolverFailed)) begin_treatment(*factors);
 }
 
+// Where fewer equations follow from others a little further on.
+bool NewtonSolver::is_in_singular_position() {
+  if (is_static()) return false;
+  ConstrainedMotion motion;
+  motion.prepare(system(), linear_type(), linear_options(), settings().redundantConstraints);
+  Conditions conditions = conditions_;
+  conditions.rate_level = false;
+  return motion.factorize(system(), start_of_step(), conditions) == LinearSolver::success && motion.in_singular_position();
+}
+
 void NewtonSolver::begin_treatment(LinearSolver& factors) {
-  treatment_ = redundant_.count() > 0 ? Treatment::lasting : Treatment::passing;
+  system().reactions_are_known(redundant_.equations());
+  treatment_ = redundant_.count() > 0 && !is_in_singular_position() ? Treatment::lasting : Treatment::passing;
   double eps = RedundantConstraints::passing_eps;
   if (treatment_ == Treatment::lasting) {
     const auto gaps = std::span<const double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
     eps = redundant_.eps_for_gaps(gaps, conditions_.rate_level, *pattern_, jacobian_, factors);
-    system().reactions_are_known(redundant_.equations());
     announce_redundancy();
   } else {
     passing_singular_position();
     plain_ = std::move(linear_);
+    measure_redundancy();  // no combination lasts
   }
   treated_since_ = it.currentStepIndex;
   redundant_.use(eps);
@@ -172,7 +184,7 @@ void NewtonSolver::factorize_anew() {
 // The next matrix is looked at again.
 void NewtonSolver::end_treatment() {
   treatment_ = Treatment::none;
-  redundant_.use(0);
+  redundant_ = RedundantConstraints();
   linear_ = std::move(plain_);
   looks_at_next_ = true;
   conv.jacobianUpdateRequested = true;
@@ -214,8 +226,10 @@ bool NewtonSolver::treat_from_start_of_step() {
 }
 
 // What the increment would leave open shows in its multipliers. The part that no motion closes would make them larger in each
-// iteration; it is kept as misfit, which residuals do without. A matrix that has to serve many steps turns round-off into more.
+// iteration; it is kept as misfit, which residuals do without. A matrix that has to serve many steps turns round-off into more. Beside a singular
+// position, motions close all gaps.
 [[gnu::noinline]] void NewtonSolver::take_off_misfit() {
+  if (treatment_ == Treatment::passing) return;
   const auto multipliers = std::span<double>(increment_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
   const bool open = !full_newton_ || std::ranges::any_of(redundant_.rows(), [&](int k) {
     return std::abs(redundant_.left_open(k, multipliers[static_cast<std::size_t>(k)])) > RedundantConstraints::round_off_of_gaps * redundant_.unit(k);

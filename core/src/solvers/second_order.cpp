@@ -148,7 +148,7 @@ bool SecondOrderSolver::find_accelerations() {
   if (!found.decided) warn_of_undecided_start();
   now.a = found.a;  // in place: views stay valid
   now.lambda = found.lambda;
-  constraints_are_known(std::move(found.redundant));
+  if (found.decided) constraints_are_known(std::move(found.redundant));
   return true;
 }
 

@@ -19,6 +19,7 @@ class ConstrainedMotion {
   // once again after something has been found, or singular matrices have been passed.
   bool to_be_examined(const State& start_of_step) const;
   bool is_examined() const { return knowledge_ != Knowledge::none; }
+  bool in_singular_position() const { return knowledge_ == Knowledge::passing; }
   // Whether factors at hand serve no longer.
   bool examine(System& system, const State& start_of_step, const Conditions& conditions);
   // The factors at this state; success, or the unknown without a pivot. The first state is examined.
@@ -58,7 +59,8 @@ class ConstrainedMotion {
 
  private:
   // Of redundant constraints. `first`: as the first state has shown, which may be a singular position; `beside`: that was one, and a moment later
-  // has shown; `confirmed`: another start of a step has shown the same; `passing`: a matrix was singular although no redundancy is known.
+  // has shown; `confirmed`: another start of a step has shown the same; `passing`: a matrix was singular, and nothing is redundant beside
+  // this position that is not everywhere.
   enum class Knowledge { none, first, beside, confirmed, passing };
 
   int factorize_filled(System& system, const State& state, const Conditions& conditions);
@@ -69,7 +71,9 @@ class ConstrainedMotion {
   int examine_filled(System& system, const State& state, const Conditions& conditions);
   bool look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
   int pass_singular_matrix(System& system, int singular);
-  bool is_more_regular_than(const ConstrainedMotion& other) const;
+  bool pass(int& singular);
+  bool is_regular_beside(const ConstrainedMotion& other, System& system, const State& at, const Conditions& conditions, std::span<const double> step);
+  bool fewer_follow_beside(System& system, const State& at, const Conditions& conditions);
   bool accelerations_after(double time, System& system, const State& start, const Conditions& conditions, std::vector<double>& a,
                            std::vector<double>& lambda);
   void weigh_again(System& system);
@@ -85,7 +89,7 @@ class ConstrainedMotion {
   RedundantConstraintsSettings settings_;
   const Pattern* pattern_ = nullptr;
   int ode2_ = 0, first_ae_ = 0;
-  bool treats_redundancy_ = false, is_driven_ = false;
+  bool treats_redundancy_ = false, is_driven_ = false, looks_beside_ = true;
   Knowledge knowledge_ = Knowledge::none;
   double examined_at_ = 0;  // time
   double largest_misfit_ = 0;

@@ -84,6 +84,7 @@ class NewtonSolver : public Solver {
   bool treat_from_start_of_step();
   bool treats_redundancy() const;
   bool measure_redundancy();
+  bool is_in_singular_position();
   void begin_announced_treatment();
   bool weigh_again();
   void regularize();
