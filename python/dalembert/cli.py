@@ -310,11 +310,15 @@ def _slider_crank(endTime: float) -> tuple[Any, list[Any], Any]:
 
 
 def _demo(arguments: argparse.Namespace) -> int:
-    """Simulate a slider-crank; write a picture of it, beside plots of its motion, and a page in which it moves."""
+    """Simulate a slider-crank; write a picture of it, beside plots of its motion, and show a page in which it moves."""
+    import webbrowser
+
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+
+    from dalembert._pictures.showing import has_display
 
     SC, (tip, slider, velocity), recorded = _slider_crank(endTime=1.1)
     mbs, settings = SC.GetSystem(0), SC.visualizationSettings
@@ -341,7 +345,10 @@ def _demo(arguments: argparse.Namespace) -> int:
     moving = target.with_suffix(".html")
     mbs.SaveHTML(moving, solution=recorded, framesPerSecond=50, view="axonometric", title="slider-crank")
     print(f"slider-crank simulated, picture and plots written to {target}")
-    print(f"it moves in {moving}: open it in a browser")
+    if has_display() and webbrowser.open(moving.as_uri()):
+        print(f"it moves in the browser: {moving}")
+    else:
+        print(f"it moves in {moving}: open it in a browser")
     return 0
 
 
@@ -372,7 +379,7 @@ def _parser() -> argparse.ArgumentParser:
     items.set_defaults(function=_items)
 
     demo = commands.add_parser(
-        "demo", help="simulate a slider-crank; write a picture with plots, and a page that moves"
+        "demo", help="simulate a slider-crank; write a picture with plots, and show a page that moves"
     )
     demo.add_argument("-o", "--output", default="slider_crank.png", help="the PNG file to write")
     demo.set_defaults(function=_demo)

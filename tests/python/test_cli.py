@@ -127,6 +127,18 @@ def test_demo_writes_a_plot(tmp_path, capsys):
     assert target.read_bytes().startswith(b"\x89PNG")
 
 
+def test_demo_opens_its_page_where_there_is_a_display(tmp_path, capsys, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or True)
+    monkeypatch.setattr("dalembert._pictures.showing.has_display", lambda: False)
+    assert cli.main(["demo", "--output", str(tmp_path / "demo.png")]) == 0
+    assert opened == [] and "open it in a browser" in capsys.readouterr().out
+    monkeypatch.setattr("dalembert._pictures.showing.has_display", lambda: True)
+    assert cli.main(["demo", "--output", str(tmp_path / "demo.png")]) == 0
+    assert opened == [(tmp_path / "demo.html").as_uri()] and (tmp_path / "demo.html").is_file()
+    assert "it moves in the browser" in capsys.readouterr().out
+
+
 def test_a_command_is_needed(capsys):
     with pytest.raises(SystemExit):
         cli.main([])
