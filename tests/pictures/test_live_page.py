@@ -540,6 +540,21 @@ def test_space_pauses_a_solver(swinging: Any, viewer: Viewer) -> None:
     assert not thread.is_alive() and viewer_of(viewer.container) is None
 
 
+def test_space_pauses_no_solver_if_it_is_not_wanted(swinging: Any, viewer: Viewer) -> None:
+    viewer.settings.interactive.advanced.pauseWithSpacebar = False
+    reader = Reader(viewer)
+    reader.message("scene")
+    thread = solving(swinging)
+    reader.press(" ")
+    reader.press("n")
+    reader.until(lambda: not viewer.settings.nodes.show)  # keys are obeyed one after the other
+    now = viewer.shadows[0].system.systemData.GetTime(exu.ConfigurationType.Visualization)
+    reader.until(lambda: viewer.shadows[0].system.systemData.GetTime(exu.ConfigurationType.Visualization) > now + 0.01)
+    reader.press("q")
+    thread.join(10)
+    assert not thread.is_alive()
+
+
 def test_keys_show_and_hide(viewer: Viewer) -> None:
     reader = Reader(viewer)
     groups = {"n": "nodes", "c": "connectors", "b": "bodies", "m": "markers", "l": "loads", "s": "sensors"}
@@ -677,6 +692,10 @@ def test_selection(SC: Any, viewer: Viewer) -> None:
     assert SC.renderer.GetItemSelection(False) == (0, int(exu.ItemType.Object), 1, 2.5)
     assert SC.renderer.GetItemSelection() == (0, int(exu.ItemType.Object), 1, 2.5)
     assert SC.renderer.GetItemSelection()[0] == -1
+    viewer.settings.interactive.advanced.selectionRightMouseGraphicsData = True
+    reader.send("select", item=brick, scene=head["scene"], depth=2.5)
+    while "VgraphicsData" not in dict(reader.message("details")["parameters"]):
+        pass
     viewer.settings.interactive.advanced.selectionLeftMouseItemTypes = 1
     reader.send("select", item=brick, scene=head["scene"], depth=2.5)
     reader.press("n")

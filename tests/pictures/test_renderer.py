@@ -61,6 +61,9 @@ def test_saved_images_are_numbered(SC: Any, pendulum: Any) -> None:
     export.saveImageSingleFile, export.saveImageFileName = True, "only"
     SC.renderer.RedrawAndSaveImage()
     assert Path("only.png").exists()
+    export.widthAlignment, export.heightAlignment = 50, 30
+    SC.renderer.RedrawAndSaveImage()
+    assert Image.open("only.png").size == (300, 180)
     export.saveImageFormat = "TGA"
     with pytest.raises(ValueError, match="saveImageFormat: expected 'PNG', received 'TGA'"):
         SC.renderer.RedrawAndSaveImage()
