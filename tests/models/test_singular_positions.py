@@ -152,6 +152,27 @@ def test_slow_starts_in_the_flat_position_do_not_contradict(solver: Any, rate: f
     assert error < 1e-4 or not solved.output.trusted or "starts in a singular position" in told
 
 
+@pytest.mark.parametrize(
+    ("solver", "loops", "rate", "steps"),
+    [
+        (Solver.GeneralizedAlpha, 1, 1e-3, 3000),
+        (Solver.ESDIRK43, 2, -1e-3, 300),
+        (Solver.ESDIRK43, 5, -1e-3, None),
+    ],
+)
+def test_branches_that_round_off_decides_are_told(solver: Any, loops: int, rate: float, steps: Any, capfd: Any) -> None:
+    """Weight turns velocities within 0.1 ms, in which they lead 1e-7 rad away from the flat position: its square is round-off."""
+    bars, s = Bars(loops, angle=0, rate=rate), by_tolerance(1e-4)
+    s.timeIntegration.endTime = 0.3
+    s.timeIntegration.automaticStepSize = steps is None
+    s.timeIntegration.numberOfSteps = steps or 30
+    try:
+        assert bars.mbs.SolveDynamic(s, solverType=solver)
+    except SolverError as error:
+        assert error.reason == "singularPosition"
+    assert capfd.readouterr().out.count("starts in a singular position") == 1
+
+
 class SliderCrank:
     """Crank and rod of one meter, upright together, where the slider may pass or stay: the crank turns on at 2 rad/s and takes it along."""
 
@@ -214,3 +235,23 @@ def test_a_slider_crank_that_starts_in_its_dead_centre(solver: Any, capfd: Any) 
     s.timeIntegration.automaticStepSize = False
     SliderCrank(1e6).mbs.SolveDynamic(s, solverType=solver)
     assert capfd.readouterr().out.count("starts in a singular position") == 1
+
+
+@pytest.mark.parametrize("stiffness", [1e6, 1e7, 1e8])
+@pytest.mark.parametrize("steps", [20, 200, 2000])
+@pytest.mark.parametrize("solver", [Solver.DOPRI5, Solver.DOP853, Solver.ESDIRK43])
+def test_stiff_springs_in_the_dead_centre_lead_nowhere_else_without_a_word(
+    solver: Any, steps: int, stiffness: float, capfd: Any
+) -> None:
+    """The slider swings, by twice the rate over the square root of 0.6 times the stiffness; on the other branch it stays where it is."""
+    model, s = SliderCrank(stiffness), settings(0.01, steps)
+    s.timeIntegration.automaticStepSize = False
+    try:
+        model.mbs.SolveDynamic(s, solverType=solver)
+    except SolverError as error:
+        assert error.reason in ("singularPosition", "newton")
+        return
+    told = capfd.readouterr().out
+    assert "contradict" not in told
+    swing = 2 * model.rate / np.sqrt(0.6 * stiffness)
+    assert abs(model.place() - model.reference(stiffness, 0.01)) < swing / 5 or "starts in a singular position" in told

@@ -495,7 +495,7 @@ bool is_smooth(const std::vector<double>* x) {
 
 }  // namespace
 
-// From three moments after the start, by a parabola.
+// From three moments after the start, by a parabola. While constraints are still dependent to round-off, the motion could well be another one.
 bool ConstrainedMotion::leave_singular_position(System& system, const State& start, Conditions conditions, std::span<double> a,
                                                 std::span<double> lambda) {
   constexpr std::size_t moments = 3;
@@ -504,10 +504,12 @@ bool ConstrainedMotion::leave_singular_position(System& system, const State& sta
   const double moment = moment_after(start, a);
   conditions.inertia = true;
   conditions.rate_level = false;
-  std::vector<double> step(start.v.size());
+  std::vector<double> step(start.v.size()), first_step = start.v;
   add_part(system, little, start.v, step);
-  ConstrainedMotion beside;
+  for (double& x : first_step) x *= moment;
+  ConstrainedMotion beside, soon;
   bool leaves = beside.is_regular_beside(*this, system, start, conditions, step);
+  const bool leaves_soon = leaves && soon.is_regular_beside(*this, system, start, conditions, first_step) && soon.redundant_.count() == beside.redundant_.count();
   std::vector<double> accelerations[moments], multipliers[moments];
   for (std::size_t i = 0; i < moments && leaves; ++i) {
     accelerations[i] = i > 0 ? accelerations[i - 1] : std::vector<double>(a.begin(), a.end());
@@ -522,8 +524,9 @@ bool ConstrainedMotion::leave_singular_position(System& system, const State& sta
   extrapolate(multipliers, lambda);
   redundant_ = std::move(beside.redundant_);
   factors_ = std::move(beside.factors_);
+  system.reactions_are_known(redundant_.equations());
   knowledge_ = Knowledge::beside;
-  return true;
+  return leaves_soon;
 }
 
 // User functions are asked at a few times: one that is constant there does not drive.

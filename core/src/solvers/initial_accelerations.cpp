@@ -60,8 +60,7 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   result.a.assign(x.begin(), x.begin() + s.ode2);
   result.lambda.assign(x.begin() + s.first_ae(), x.end());
   if (std::ranges::none_of(jumping, [](char jumps) { return jumps != 0; }))
-    motion.leave_singular_position(system, still, position, result.a, result.lambda);
-  result.decided = !motion.in_singular_position();
+    result.decided = motion.leave_singular_position(system, still, position, result.a, result.lambda);
   result.redundant = motion.redundant();
   for (int i = 0; i < s.ae; ++i)
     if (!system.constrains_motion(i)) result.lambda[i] = 0;  // what has moved within the step
