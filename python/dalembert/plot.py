@@ -17,6 +17,7 @@ from dalembert._io.result_files import FileStripSpaces, ParseOutputFileHeader
 from dalembert._plots.images import LoadImage, PlotImage, save_figure, show_figure
 from dalembert._plots.phase_and_spectrum import PlotPhase, PlotSensorFFT
 from dalembert._plots.sensor_curves import (
+    TIME,
     Of,
     componentNorm,
     coordinates,
@@ -50,7 +51,7 @@ listMarkerStylesFilled = list("x+*.dDsXPv^<>ophH")
 listMarkerStyles = [style + " " for style in listMarkerStylesFilled]
 
 _ORIGINAL_DEFAULTS: dict[str, Any] = {
-    "xLabel": "time (s)", "yLabel": None, "fontSize": 16, "colors": [], "lineStyles": [], "lineWidths": [],
+    "xLabel": TIME, "yLabel": None, "fontSize": 16, "colors": [], "lineStyles": [], "lineWidths": [],
     "markerStyles": [], "markerSizes": [], "markerDensity": 0.08, "majorTicksX": 10, "majorTicksY": 10,
     "sizeInches": [6.4, 4.8],
 }  # fmt: skip
@@ -152,7 +153,7 @@ def PlotSensor(
     mbs: Any,
     sensorNumbers: Any = [],
     components: Any = 0,
-    xLabel: str = "time (s)",
+    xLabel: str = TIME,
     yLabel: str | None = None,
     labels: str | Sequence[str] = [],
     colorCodeOffset: int = 0,
@@ -203,8 +204,8 @@ def PlotSensor(
         kwargs: minorTicksXon, minorTicksYon, logScaleX, logScaleY (bool), fileCommentChar, fileDelimiterChar (of
             files; default '#' and ','), continuousAngles (True: rotations go on beyond pi instead of jumping).
 
-    Several systems are compared if mbs is a list: PlotSensor([mbs, other], 'tip'). The y-axis shows the unit of what
-    sensors measure, unless factors change it.
+    Several systems are compared if mbs is a list: PlotSensor([mbs, other], 'tip'). The axes show the units of what
+    sensors measure, unless factors change that of y.
     """
     import matplotlib.pyplot as plt
 
@@ -261,7 +262,8 @@ def PlotSensor(
             label=curve.label if names[i] is None else names[i],
             **_marker_style(marker_styles[i], style["markerDensity"], len(x)),
         )
-    ax.set_xlabel(style["xLabel"])
+    across = ", ".join(dict.fromkeys(curve.title_x for curve in curves))
+    ax.set_xlabel(across if style["xLabel"] == TIME else style["xLabel"])
     scaled = any(np.ndim(factor) or factor != 1 for factor in scales)  # then the unit is another one
     with_units = {curve.variable for curve in curves if curve.unit}  # files tell none
     variables = [

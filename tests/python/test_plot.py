@@ -86,6 +86,20 @@ def test_factors_offsets_and_other_x(mbs: Any) -> None:
     np.testing.assert_array_equal(curves(axes)[0][1], 0)
 
 
+def test_axes_say_what_is_on_them(mbs: Any) -> None:
+    """Also where that is not time: on the x-axis, and, for component -1, on the y-axis."""
+    for arguments, expected in (
+        ({"components": 1, "componentsX": 0}, ("PositionX", "Position")),
+        ({"components": -1, "componentsX": 2}, ("PositionZ", "time (s)")),
+        ({"components": [1, 2], "componentsX": [0, -1]}, ("PositionX, time (s)", "Position")),
+        ({"components": 1, "componentsX": 0, "useXYZcomponents": False}, ("Position0", "Position")),
+        ({"components": 1, "componentsX": 0, "xLabel": "a", "yLabel": "b"}, ("a", "b")),
+        ({"sensorNumbers": 2, "components": 1, "componentsX": 0}, ("ForceX (N)", "Force (N)")),
+    ):
+        axes = plot.PlotSensor(mbs, **{"sensorNumbers": 0} | arguments)[2]
+        assert (axes.get_xlabel(), axes.get_ylabel()) == expected
+
+
 def test_styles_and_axes(mbs: Any) -> None:
     axes = plot.PlotSensor(
         mbs, [DATA] * 2, components=[0, 1], colors=["r", "b"], lineStyles=["--", ":"], lineWidths=2.5,

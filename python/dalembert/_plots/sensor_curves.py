@@ -23,6 +23,9 @@ from dalembert._tools.sensor_facts import component_name, continuous, unit_of, v
 componentNorm = -2
 
 
+TIME = "time (s)"  # on axes
+
+
 @dataclass
 class Curve:
     """What one curve of PlotSensor shows."""
@@ -34,11 +37,20 @@ class Curve:
     component: int
     component_x: int
     unit: str = ""
+    name_x: str = ""  # of the variable and its component on the x-axis
 
     @property
     def title(self) -> str:
-        """The variable with its unit, for an axis."""
-        return f"{self.variable} ({self.unit})" if self.unit else self.variable
+        """The variable with its unit, for the y-axis."""
+        return TIME if self.component == -1 else self._with_unit(self.variable)
+
+    @property
+    def title_x(self) -> str:
+        """The same for the x-axis, with the component."""
+        return TIME if self.component_x == -1 else self._with_unit(self.name_x)
+
+    def _with_unit(self, name: str) -> str:
+        return f"{name} ({self.unit})" if self.unit else name
 
 
 class Of(NamedTuple):
@@ -190,10 +202,14 @@ def make_curves(
                 )
         if continuousAngles:
             data = np.hstack((data[:, :1], continuous(variable, data[:, 1:])))
-        written = component_name(variable, component, data.shape[1] - 1) if useXYZcomponents else str(component)
-        which = f"{variable}{'norm' if component == componentNorm else written}"
+
+        def named(column: int, size: int = data.shape[1] - 1, variable: str = variable) -> str:
+            written = component_name(variable, column, size) if useXYZcomponents else str(column)
+            return f"{variable}{'norm' if column == componentNorm else written}"
+
+        which = named(component)
         label = f"{name}, {which}" if name else which if len(matched) > 1 else ""  # an array has no name
-        curves.append(Curve(title, label, variable, data, component, component_x, unit))
+        curves.append(Curve(title, label, variable, data, component, component_x, unit, named(component_x)))
     return curves
 
 
