@@ -169,6 +169,25 @@ def test_sensors_tell_of_reactions_that_are_not_unique(solver: Any) -> None:
         mbs.GetObjectOutput(door.door, Variable.NonUniqueReactions)
 
 
+@pytest.mark.parametrize("solver", [Solver.DOPRI5, Solver.ESDIRK43])
+def test_hinges_that_actions_open_leave_nothing_redundant(solver: Any) -> None:
+    """The second hinge opens on the way: from there on, the first one carries all of the weight along their axis, and nobody else could."""
+    door = Door()
+    mbs, second = door.mbs, door.hinges[1]
+
+    def release(mbs: Any, t: float, event: int, direction: int) -> bool:
+        mbs.SetObjectParameter(second, "activeConnector", False)
+        return True
+
+    mbs.SetEventsUserFunction(lambda mbs, t: [(t - 0.251, 1)])
+    mbs.SetEventActionUserFunction(release)
+    s = settings(0.5, 50)
+    s.timeIntegration.automaticStepSize = False
+    assert mbs.SolveDynamic(s, solverType=solver)
+    assert door.axial_forces() == pytest.approx([MASS * 9.81 * np.cos(LEAN), 0], abs=1e-6)
+    assert redundancy(mbs)["count"] == 0 and not_unique(mbs, door.hinges) == [0, 0]
+
+
 def test_without_treatment_a_door_is_singular() -> None:
     s = settings(0.1, 10)
     s.redundantConstraints.treat = False

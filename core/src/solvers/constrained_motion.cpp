@@ -169,7 +169,7 @@ int ConstrainedMotion::factorize_filled(System& system, const State& state, cons
 
 bool ConstrainedMotion::to_be_examined(const State& start_of_step) const {
   if (!treats_redundancy_) return false;
-  if (knowledge_ == Knowledge::none || knowledge_ == Knowledge::passing) return true;
+  if (examines_anew_ || knowledge_ == Knowledge::none || knowledge_ == Knowledge::passing) return true;
   return redundant_.in_use() && knowledge_ != Knowledge::confirmed && start_of_step.time != examined_at_;
 }
 
@@ -180,7 +180,7 @@ bool ConstrainedMotion::examine(System& system, const State& start_of_step, cons
     for (int j = 0; j < ode2_; ++j)
       if (double& mass = matrix_[static_cast<std::size_t>(pattern_->slot(j, j))]; !(mass > 0)) mass = 1;
   };
-  const bool treated = redundant_.in_use(), again = treated && knowledge_ != Knowledge::passing;
+  const bool anew = std::exchange(examines_anew_, false), treated = redundant_.in_use(), again = treated && !anew && knowledge_ != Knowledge::passing;
   fill_with_masses();
   if (again) {
     knowledge_ = Knowledge::confirmed;

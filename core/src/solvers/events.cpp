@@ -147,7 +147,7 @@ void EventWatch::take_numbers(std::span<const double> numbers, const std::string
 // ---- steps -------------------------------------------------------------------------------------------------------------
 
 // Of the user, then those of items; until they are asked for again.
-const std::vector<WatchedValue>& Solver::event_values() {
+const std::vector<WatchedValue>& Solver::event_values(std::vector<Switch>& of_items) {
   std::vector<WatchedValue>& values = look_->values;
   values.clear();
   if (hooks().events) {
@@ -161,9 +161,9 @@ const std::vector<WatchedValue>& Solver::event_values() {
                                            std::to_string(*users) + ", as at the start. Return one value per event, always");
   }
   if (!locates_switches()) return values;
-  switches_.clear();
-  system_->find_switches(current(), conditions_, switches_);
-  for (const Switch& at : switches_) values.push_back({{at.value, at.kink ? 0 : -1}, !at.kink, at.noise});
+  of_items.clear();
+  system_->find_switches(current(), conditions_, of_items);
+  for (const Switch& at : of_items) values.push_back({{at.value, at.kink ? 0 : -1}, !at.kink, at.noise});
   return values;
 }
 
@@ -389,9 +389,8 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
   const bool acts = hooks().event_action || hooks().item_event_action, settles = acts && locates_switches();
   const std::vector<double> gaps = acts ? gaps_and_rates() : std::vector<double>();
   const std::vector<double> positions = acts ? current().q : std::vector<double>();
-  const std::vector<Switch> switches = switches_;
-  const std::vector<WatchedValue> before = settles ? event_values() : std::vector<WatchedValue>();
-  switches_ = switches;  // as they were when it happened
+  std::vector<Switch> at_end;  // those of the events are as they were when it happened
+  const std::vector<WatchedValue> before = settles ? event_values(at_end) : std::vector<WatchedValue>();
   for (const EventWatch::Event& event : watch.events) {
     if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + position_text() + "\n");
     if (!let_user_act(event.number, event.direction)) stop_ = output.simulationStoppedByUserFunction = true;
@@ -399,6 +398,7 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
   if (acts || locates_switches()) {
     conv.jacobianUpdateRequested = true;
     if (system_->searches()) search();
+    if (acts) examine_constraints_anew();
     if (acts && gaps_and_rates() != gaps) end_velocities_against_constraints(current().q == positions);
     if (settles && jumps(event_values(), before)) {
       start_of_step() = current();

@@ -18,6 +18,8 @@ class ConstrainedMotion {
   // Which constraints are redundant shows where they hold: at starts of steps, and not in what is tried from there. At the first of them, and
   // once again after something has been found, or singular matrices have been passed.
   bool to_be_examined(const State& start_of_step) const;
+  // Actions of the user may have switched constraints on or off.
+  void examine_anew() { examines_anew_ = is_examined(); }
   bool is_examined() const { return knowledge_ != Knowledge::none; }
   bool in_singular_position() const { return knowledge_ == Knowledge::passing; }
   // Whether factors at hand serve no longer.
@@ -59,8 +61,8 @@ class ConstrainedMotion {
 
  private:
   // Of redundant constraints. `first`: as the first state has shown, which may be a singular position; `beside`: that was one, and a moment later
-  // has shown; `confirmed`: another start of a step has shown the same; `passing`: a matrix was singular, and nothing is redundant beside
-  // this position that is not everywhere.
+  // has shown; `confirmed`: another start of a step has shown the same; `passing`: a matrix was singular, and is not beside
+  // this position.
   enum class Knowledge { none, first, beside, confirmed, passing };
 
   int factorize_filled(System& system, const State& state, const Conditions& conditions);
@@ -89,7 +91,7 @@ class ConstrainedMotion {
   RedundantConstraintsSettings settings_;
   const Pattern* pattern_ = nullptr;
   int ode2_ = 0, first_ae_ = 0;
-  bool treats_redundancy_ = false, is_driven_ = false, looks_beside_ = true;
+  bool treats_redundancy_ = false, is_driven_ = false, looks_beside_ = true, examines_anew_ = false;
   Knowledge knowledge_ = Knowledge::none;
   double examined_at_ = 0;  // time
   double largest_misfit_ = 0;

@@ -43,6 +43,10 @@ class DiagonallyImplicitSolver : public Solver {
     after_jump_ = true;
   }
   ConstrainedMotion* motion_under_constraints() override;
+  void examine_constraints_anew() override {
+    motion_.examine_anew();
+    masses_.examine_anew();
+  }
   KnownDerivatives complete_ends() override { return {true, true}; }
 
  private:

@@ -43,6 +43,7 @@ class ExplicitSolver : public Solver {
   }
   void forget() override;
   void renew_accelerations() override;
+  void examine_constraints_anew() override { motion_.examine_anew(); }
   ConstrainedMotion* motion_under_constraints() override { return constrained_ ? &motion_ : nullptr; }
   KnownDerivatives complete_ends() override;
   void advise_on_growth() override;
@@ -134,7 +135,8 @@ class ExplicitSolver : public Solver {
   ConstrainedMotion motion_;
   MassOperator mass_;
   std::vector<int> eliminated_;
-  std::vector<Vector> stage_q_, stage_v_, stage_y_;  // derivatives at the stages
+  // Derivatives at the stages; those of positions at the first are the velocities at the start of the step, which are not copied.
+  std::vector<Vector> stage_q_, stage_v_, stage_y_;
   Vector second_q_, second_v_, second_y_;
   Vector end_a_, end_y_t_;
 };

@@ -168,6 +168,8 @@ class Solver {
   virtual void renew_accelerations() {}
   // Around the masses, where the solver keeps it anyway; null: it does not.
   virtual ConstrainedMotion* motion_under_constraints() { return nullptr; }
+  // After actions of the user, which may have switched constraints on or off.
+  virtual void examine_constraints_anew() {}
   // After a restart file has been written: nothing that follows may depend on what is not in it.
   virtual void forget() {}
   // At most the recommended step size, or the current one times `factor` if there is no recommendation.
@@ -246,7 +248,8 @@ class Solver {
   void warn_of_missing_switches(bool located);
   void settle_switches();
   void switch_over();
-  const std::vector<WatchedValue>& event_values();
+  const std::vector<WatchedValue>& event_values() { return event_values(switches_); }
+  const std::vector<WatchedValue>& event_values(std::vector<Switch>& of_items);
   bool locates_switches() const { return iterates_without_ != System::Updates::all; }
   bool let_user_act(int event, int direction);
   std::vector<double> gaps_and_rates();
@@ -325,7 +328,7 @@ class Solver {
   std::unique_ptr<StepInterpolation> between_;
   std::unique_ptr<EventWatch> watch_;  // null: there are no events
   std::unique_ptr<EventLook> look_;    // with it
-  std::vector<Switch> switches_;       // of items, as far as they have been asked
+  std::vector<Switch> switches_;       // of items, of the last solution that they have been asked about
   System::Updates iterates_without_ = System::Updates::all;  // items whose switches are events
   std::exception_ptr unwritten_;  // the first FileError of the run
   // The clock is read every (look_mask_ + 1)-th step only, as seldom as a few milliseconds allow.
