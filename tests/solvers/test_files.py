@@ -159,7 +159,7 @@ def test_going_on_from_a_restart_file(solver: Any, tolerance: float) -> None:
     ("text", "error", "message"),
     [
         ("something else\n", ValueError, "line 1: expected"),
-        ("#dalembert restart file 4\n", ValueError, "line 2"),
+        ("#dalembert restart file 5\n", ValueError, "line 2"),
         (None, FileNotFoundError, "restart file cannot be opened: No such file or directory: 'restart.txt'"),
         ("folder", IsADirectoryError, "restart file cannot be read"),
     ],

@@ -16,7 +16,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr const char* title = "#dalembert restart file 4";
+constexpr const char* title = "#dalembert restart file 5";
 constexpr const char* purpose = "restart file";
 constexpr const char* backup_ending = ".bck";
 constexpr std::string_view checksum_word = "checksum ", solver_word = "solver ";

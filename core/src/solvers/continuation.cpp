@@ -16,11 +16,16 @@ namespace dalembert {
 
 namespace {
 
-// What the loop over steps has to know, in the order of the numbers in the file. Those of the solver follow.
+// What the loop over steps has to know, in the order of the numbers in the file. Those of the solver follow, then what has been counted, and where
+// angles of trees have locked.
 enum RunNumber : std::size_t {
   start_time, step_index, last_step_size, equal_start, equal_step_size, equal_time, equal_before, solution_written, sensors_written,
-  image_recorded, steps_since_reduction, largest_misfit, count
+  image_recorded, steps_since_reduction, steps_above_tolerance, singular_position_step, passing_steps, largest_misfit, smallest_step_size,
+  largest_step_size, count
 };
+constexpr std::size_t numbers_per_lock = 4;
+
+double as_number(StepCount n) { return static_cast<double>(n); }
 
 }  // namespace
 
@@ -44,9 +49,10 @@ void Solver::take_continuation() {
   const std::string& name = settings_->continuation.restartFileName;
   const RestartData& data = *continuation_;
   require_fitting(data, current(), name);
-  if (data.run.size() != RunNumber::count + restart_numbers().size()) {
+  const std::size_t without_locks = RunNumber::count + restart_numbers().size() + SolverIterationData::counts.size();
+  if (data.run.size() < without_locks || (data.run.size() - without_locks) % numbers_per_lock != 0) {
     throw ModelError(ErrorKind::value, "restart file '" + name + "': received " + std::to_string(data.run.size()) +
-                                           " numbers about the run; expected " + std::to_string(RunNumber::count + restart_numbers().size()));
+                                           " numbers about the run; expected " + std::to_string(without_locks));
   }
   if (data.run[start_time] != it.startTime) {
     throw ModelError(ErrorKind::value, "continuation.restartFileName: the solution in '" + name + "' has begun at time " +
@@ -72,7 +78,13 @@ void Solver::continue_steps() {
   output.lastSensorsWritten = run[sensors_written];
   output.lastImageRecorded = run[image_recorded];
   steps_since_reduction_ = static_cast<StepCount>(run[RunNumber::steps_since_reduction]);
+  steps_above_tolerance_ = static_cast<int>(run[RunNumber::steps_above_tolerance]);
+  singular_position_step_ = static_cast<StepCount>(run[RunNumber::singular_position_step]);
+  passing_steps_ = static_cast<int>(run[RunNumber::passing_steps]);
   largest_misfit_ = run[RunNumber::largest_misfit];
+  it.smallestStepSize = run[smallest_step_size];
+  it.largestStepSize = run[largest_step_size];
+  take_counts(run);
   if (!watch_ && !continuation_->events.empty()) watch_ = std::make_unique<EventWatch>();  // which there should be
   if (watch_) {
     const std::span<const double> numbers(continuation_->events);
@@ -85,18 +97,30 @@ void Solver::continue_steps() {
   end_reached_ = ends_here();
 }
 
+void Solver::take_counts(std::span<const double> run) {
+  std::size_t next = RunNumber::count + restart_numbers().size();
+  for (const auto counter : SolverIterationData::counts) it.*counter = static_cast<StepCount>(run[next++]);
+  output.lastNewtonStepsCount = it.newtonStepsCount;
+  output.lastNewtonJacobiCount = it.newtonJacobiCount;
+  output.lastDiscontinuousIterationsCount = it.discontinuousIterationsCount;
+  for (; next < run.size(); next += numbers_per_lock)
+    locks_.push_back({static_cast<std::size_t>(run[next]), static_cast<StepCount>(run[next + 1]), run[next + 2], run[next + 3]});
+}
+
 RestartData Solver::restart_data() {
-  const auto as_number = [](StepCount n) { return static_cast<double>(n); };
   const std::array<double, RunNumber::count> run{it.startTime, as_number(it.currentStepIndex), it.lastStepSize, equal_steps_.start,
                                                  equal_steps_.step_size, equal_steps_.time, as_number(equal_steps_.before),
                                                  output.lastSolutionWritten, output.lastSensorsWritten, output.lastImageRecorded,
-                                                 as_number(steps_since_reduction_), largest_misfit_};
+                                                 as_number(steps_since_reduction_), as_number(steps_above_tolerance_), as_number(singular_position_step_),
+                                                 as_number(passing_steps_), largest_misfit_, it.smallestStepSize, it.largestStepSize};
   const std::span<const double> values = restart_values();
   RestartData data{.solver = name(), .state = current(), .algorithmic_accelerations = {values.begin(), values.end()},
                    .step_size = it.currentStepSize, .run = {run.begin(), run.end()}, .events = {}, .history = system_->history(), .files = {solution_file_.length()}};
   if (watch_) data.events = watch_->numbers();
   if (hooks().schedule) std::ranges::copy(hooks().schedule->numbers(), std::back_inserter(data.events));
   std::ranges::copy(restart_numbers(), std::back_inserter(data.run));
+  for (const auto counter : SolverIterationData::counts) data.run.push_back(as_number(it.*counter));
+  for (const Lock& lock : locks_) data.run.insert(data.run.end(), {static_cast<double>(lock.first), as_number(lock.steps), lock.time, lock.second_angle});
   std::ranges::copy(sensors_.lengths(), std::back_inserter(data.files));
   return data;
 }

@@ -78,8 +78,7 @@ void DiagonallyImplicitSolver::post_initialize() {
   State& now = current();
   if (continues()) {
     misfit_at_end_ = continued_number(0);
-    steps_above_tolerance_ = static_cast<int>(continued_number(1));
-    after_jump_ = continued_number(2) != 0;
+    after_jump_ = continued_number(1) != 0;
   } else {
     after_jump_ = true;
     std::ranges::fill(now.lambda, 0.0);
@@ -108,7 +107,10 @@ void DiagonallyImplicitSolver::prepare_factors() {
 }
 
 // Factors remember the pivots of earlier matrices.
-void DiagonallyImplicitSolver::forget() { prepare_factors(); }
+void DiagonallyImplicitSolver::forget() {
+  Solver::forget();
+  prepare_factors();
+}
 
 void DiagonallyImplicitSolver::pattern_revised() { prepare_factors(); }
 

@@ -115,19 +115,25 @@ void ExplicitSolver::post_initialize() {
   begin_to_watch();
   if (continues()) {
     growth_limit_ = continued_number(0);
-    steps_above_tolerance_ = static_cast<int>(continued_number(1));
-    stiff_signs_ = static_cast<int>(continued_number(2));
-    calm_signs_ = static_cast<int>(continued_number(3));
-    told_stiff_ = continued_number(4) != 0;
+    stiff_signs_ = static_cast<int>(continued_number(1));
+    calm_signs_ = static_cast<int>(continued_number(2));
+    told_stiff_ = continued_number(3) != 0;
   }
   start_of_step() = now;
 }
 
-bool ExplicitSolver::prepare_factors() {
+LinearSolverOptions ExplicitSolver::factor_options() const {
   const auto& l = settings().linearSolverSettings;
-  const LinearSolverOptions options{.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian};
-  if (constrained_) motion_.prepare(system(), linear_type(), options, settings().redundantConstraints);
-  mass_.prepare(system(), linear_type(), options);
+  return {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian};
+}
+
+void ExplicitSolver::prepare_motion() {
+  if (constrained_) motion_.prepare(system(), linear_type(), factor_options(), settings().redundantConstraints);
+}
+
+bool ExplicitSolver::prepare_factors() {
+  prepare_motion();
+  mass_.prepare(system(), linear_type(), factor_options());
   renewed_objects_ = system().renewed_objects();
   constant_mass_ = !constrained_ && system().constant_mass_matrix() && settings().timeIntegration.reuseConstantMassMatrix;
   return !constant_mass_ || update_masses();
@@ -142,6 +148,7 @@ bool ExplicitSolver::update_masses() {
 
 // Factors remember the pivots of earlier matrices.
 void ExplicitSolver::forget() {
+  Solver::forget();
   first_stage_known_ = end_known_ = false;
   prepare_factors();
 }

@@ -38,7 +38,7 @@ void Solver::watch_locking_turns() {
     // Error control has seen to it that what turns far does so rightly, but not what it has jumped over.
     if (!goes_beyond && (it.automaticStepSize || !turns_far)) continue;
     const auto known = std::ranges::find(locks_, turns.first, &Lock::first);
-    if (known == locks_.end()) locks_.push_back({turns.first, 1, it.currentTime, text_of(turns, angle)});
+    if (known == locks_.end()) locks_.push_back({turns.first, 1, it.currentTime, angle});
     else ++known->steps;
   }
 }
@@ -46,7 +46,8 @@ void Solver::watch_locking_turns() {
 void Solver::doubt_locking_turns() {
   const std::string steps = it.automaticStepSize ? "smaller tolerances" : "more steps there, error control (exu.DynamicSolverType.DOPRI5)";
   for (const Lock& lock : locks_) {
-    doubts_.push_back(lock.text + " at time " + format_number(lock.time) + "; " + std::to_string(lock.steps) +
+    const LockingTurns& turns = *std::ranges::find(hooks().locking_turns, lock.first, &LockingTurns::first);
+    doubts_.push_back(text_of(turns, lock.second_angle) + " at time " + format_number(lock.time) + "; " + std::to_string(lock.steps) +
                       (lock.steps == 1 ? " step was" : " steps were") + " too large for it: use " + steps + ", or " + remedy);
     if (!verbose(1)) warn(doubts_.back());
   }
@@ -61,7 +62,7 @@ void Solver::advise_on_locking_turns() {
     const double angle = reference[turns.first + 1] + last.q[turns.first + 1];
     const auto known = std::ranges::find(locks_, turns.first, &Lock::first);
     if (known == locks_.end() && std::abs(std::cos(angle)) > close_to_lock) continue;
-    const std::string text = known != locks_.end() ? known->text + " at time " + format_number(known->time) : text_of(turns, angle);
+    const std::string text = known != locks_.end() ? text_of(turns, known->second_angle) + " at time " + format_number(known->time) : text_of(turns, angle);
     advice.insert(advice.begin(), text + ": use smaller steps, or " + remedy);
   }
 }

@@ -34,9 +34,7 @@ constexpr int first_jacobians = 8;
 }  // namespace
 
 void NewtonSolver::initialize_data() {
-  system().forget_searches();
   Solver::initialize_data();
-  if (continues()) system().forget_searches();  // that of the initial values was not the last one
   system().complete_pattern();
   full_newton_ = !newton_settings.useModifiedNewton;
   forget_redundancy();
@@ -49,16 +47,14 @@ void NewtonSolver::initialize_data() {
 
 // Factors remember the pivots of earlier matrices.
 void NewtonSolver::forget() {
-  system().forget_searches();
+  Solver::forget();
   full_newton_ = !newton_settings.useModifiedNewton;
   forget_redundancy();
   take_pattern();
   conv.jacobianUpdateRequested = true;
 }
 
-// Dense patterns are never revised.
 void NewtonSolver::pattern_revised() {
-  if (pattern_->is_dense()) return;
   take_pattern();
   conv.jacobianUpdateRequested = true;
 }

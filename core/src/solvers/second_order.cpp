@@ -110,9 +110,7 @@ void SecondOrderSolver::initial_conditions() {
   if (continues()) {
     algorithmic_ = continued_values();
     accepted_step_size_ = continued_number(0);
-    steps_above_tolerance_ = static_cast<int>(continued_number(1));
-    singular_position_step_ = static_cast<StepCount>(continued_number(2));
-    renewed_after_ = static_cast<StepCount>(continued_number(3));
+    renewed_after_ = static_cast<StepCount>(continued_number(1));
     return;
   }
   std::fill(now.lambda.begin(), now.lambda.end(), 0.0);

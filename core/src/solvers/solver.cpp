@@ -134,10 +134,12 @@ void Solver::initialize_data() {
   largest_misfit_ = 0;
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
+  system_->forget_searches();
   if (system_->searches()) {
     system_->begin_history();
     system_->search(initial(), conditions_);
   }
+  if (continues()) system_->forget_searches();  // that of the initial values was not the last one
   static const int cores = static_cast<int>(std::thread::hardware_concurrency());  // it takes a look into files
   system_->use_threads(std::min(settings_->parallel.numberOfThreads, cores));
   output.numberOfThreadsUsed = system_->threads();
@@ -441,8 +443,9 @@ void Solver::accept_newton() {
              ", tolerance = " + number(discontinuous.iterationTolerance) + "\n");
 }
 
+// Dense patterns are never revised.
 void Solver::search() {
-  if (system_->search(current(), conditions_)) pattern_revised();
+  if (system_->search(current(), conditions_) && !dense()) pattern_revised();
 }
 
 double Solver::post_newton() {

@@ -230,6 +230,8 @@ void Solver::write_sensors() {
   sensors_.record(*system_, t);
 }
 
+void Solver::forget() { system_->forget_searches(); }
+
 void Solver::write_restart() {
   const double t = current().time;
   const bool last = std::abs(t - it.endTime) <= same_time();

@@ -1,6 +1,7 @@
 // Counters, flags and times of a solver, with the names under which users read them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -30,6 +31,14 @@ struct SolverIterationData {
   StepCount unsettledSteps = 0;       // accepted although contact or friction had not settled
   StepCount singularPositionSteps = 0;  // that passed a singular position
   double startTime = 0;
+
+  // What a run has counted, and goes on to count when it is continued; the index of the step is known besides.
+  static constexpr std::array counts{
+      &SolverIterationData::discontinuousIterationsCount, &SolverIterationData::eventsCount, &SolverIterationData::eventSolutions,
+      &SolverIterationData::newtonJacobiCount, &SolverIterationData::newtonStepsCount, &SolverIterationData::rejectedAutomaticStepSizeSteps,
+      &SolverIterationData::rejectedModifiedNewtonSteps, &SolverIterationData::rejectedDiscontinuousSteps, &SolverIterationData::rejectedNewtonSteps,
+      &SolverIterationData::stepsAtMaximumStepSize, &SolverIterationData::stagnatedNewtonSteps, &SolverIterationData::stepsAboveTolerance,
+      &SolverIterationData::unsettledSteps, &SolverIterationData::singularPositionSteps};
 
   std::string to_string() const;  // the statistics shown by displayStatistics
 };

@@ -34,7 +34,7 @@ class DiagonallyImplicitSolver : public Solver {
  protected:
   void save_start_of_step() override;
   std::vector<double> restart_numbers() const override { 
-    return {misfit_at_end_, static_cast<double>(steps_above_tolerance_), static_cast<double>(after_jump_)};
+    return {misfit_at_end_, static_cast<double>(after_jump_)};
   }
   void forget() override;
   void pattern_revised() override;

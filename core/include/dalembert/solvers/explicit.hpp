@@ -38,10 +38,10 @@ class ExplicitSolver : public Solver {
  protected:
   void save_start_of_step() override;
   std::vector<double> restart_numbers() const override { 
-    return {growth_limit_, static_cast<double>(steps_above_tolerance_), static_cast<double>(stiff_signs_), static_cast<double>(calm_signs_),
-            static_cast<double>(told_stiff_)};
+    return {growth_limit_, static_cast<double>(stiff_signs_), static_cast<double>(calm_signs_), static_cast<double>(told_stiff_)};
   }
   void forget() override;
+  void pattern_revised() override { prepare_motion(); }
   void renew_accelerations() override;
   void examine_constraints_anew() override { motion_.examine_anew(); }
   ConstrainedMotion* motion_under_constraints() override { return constrained_ ? &motion_ : nullptr; }
@@ -81,6 +81,8 @@ class ExplicitSolver : public Solver {
   void eliminate(Vector& x) const;
   void find_eliminated_coordinates();
   bool mass_couples(const std::vector<int>& coordinates);
+  LinearSolverOptions factor_options() const;
+  void prepare_motion();
   bool prepare_factors();
   // ---- constraints that are no fixed coordinates (explicit_constraints.cpp) ----------------------------------------
   bool constrained_accelerations(Vector& a, std::span<double> y_t);

@@ -46,8 +46,7 @@ class SecondOrderSolver : public NewtonSolver {
   void save_start_of_step() override;
   std::span<const double> restart_values() const override { return algorithmic_; }
   std::vector<double> restart_numbers() const override {
-    return {accepted_step_size_, static_cast<double>(steps_above_tolerance_), static_cast<double>(singular_position_step_),
-            static_cast<double>(renewed_after_)};
+    return {accepted_step_size_, static_cast<double>(renewed_after_)};
   }
   void forget() override;
   KnownDerivatives complete_ends() override {

@@ -171,7 +171,7 @@ class Solver {
   // After actions of the user, which may have switched constraints on or off.
   virtual void examine_constraints_anew() {}
   // After a restart file has been written: nothing that follows may depend on what is not in it.
-  virtual void forget() {}
+  virtual void forget();
   // At most the recommended step size, or the current one times `factor` if there is no recommendation.
   double reduced_step_size(double factor) const;
   // Times that are closer to each other are the same.
@@ -238,6 +238,7 @@ class Solver {
   void take_continuation();
   void continue_steps();
   RestartData restart_data();
+  void take_counts(std::span<const double> run);
   // ---- output at requested times -----------------------------------------------------------------------------------
   void write_requested();
   double requested(double time, double period) const;
@@ -271,9 +272,8 @@ class Solver {
   void advise_on_weak_constraints();
   struct Lock {
     std::size_t first;  // coordinate
-    StepCount steps;    // that were too large, and the time of the first of them
-    double time;
-    std::string text;
+    StepCount steps;    // that were too large; the first of them, and the second angle there
+    double time, second_angle;
   };
   std::vector<Lock> locks_;
   // ---- the parts of solve_steps ------------------------------------------------------------------------------------
