@@ -134,3 +134,31 @@ def test_gaps_that_cannot_be_closed() -> None:
     mbs.Assemble()
     with pytest.raises(SolverError):
         mbs.SolveDynamic(settings(1, 10), solverType=Solver.RK44)
+
+
+NODE_TYPES = [
+    exu.NodeType.RotationEulerParameters,
+    exu.NodeType.RotationRxyz,
+    exu.NodeType.RotationRotationVector,
+]
+
+
+@pytest.mark.parametrize("method", [Solver.ExplicitMidpoint, Solver.RK44])
+@pytest.mark.parametrize("node", NODE_TYPES, ids=lambda node: node.name)
+def test_long_steps_of_a_pendulum(node: Any, method: Any) -> None:
+    """Steps of 10 ms, in which it turns by up to 0.07 rad: it keeps its energy as far as the order of the method goes."""
+    mbs = new_system()
+    body = mbs.CreateRigidBody(
+        referencePosition=[0.5, 0, 0],
+        inertia=exu.utilities.InertiaCuboid(1000, [0.1, 0.1, 0.1]),
+        gravity=[0, -9.81, 0],
+        nodeType=node,
+    )
+    mbs.CreateRevoluteJoint(bodyNumbers=[mbs.CreateGround(), body], position=[0, 0, 0], axis=[0, 0, 1])
+    mbs.Assemble()
+    assert mbs.SolveDynamic(settings(1, 100), solverType=method) is True
+    spin = mbs.GetObjectOutputBody(body, Variable.AngularVelocity)[2]
+    height = mbs.GetObjectOutputBody(body, Variable.Position)[1]
+    inertia = 0.5**2 + 0.1**2 / 6  # by the mass
+    assert abs(0.5 * inertia * spin**2 + 9.81 * height) < {Solver.ExplicitMidpoint: 7e-3, Solver.RK44: 4e-6}[method]
+    assert largest_gap(mbs) < 1e-12

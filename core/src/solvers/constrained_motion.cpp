@@ -581,17 +581,18 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
   State still = without_multipliers(state);
   find_driven(system, still, conditions);
   std::vector<double> gaps(n);
-  // As long as gaps become smaller; what is left of them, in units of `size`.
+  // As long as gaps become smaller; what is left of them, in units of `size`. Where Euler parameters get their length back, gaps of joints open
+  // by as much, and the next one closes them: two steps are compared.
   const auto close = [&](bool of_rates, double size, auto&& apply) {
-    double left = 0;
+    double left = 0, before = 0;
     for (int i = 0; i < most_projections; ++i) {
       if (of_rates && is_driven_) gaps = constraint_rates(system, still, at_level(conditions, false)).rates;
       else system.gaps(still, at_level(conditions, of_rates), gaps);
       for (std::size_t k = 0; k < n; ++k)
         if (!system.constrains_motion(static_cast<int>(k)) || (!of_rates && of_velocities_[k])) gaps[k] = 0;
       const double open = largest(gaps) / size;
-      const bool settled = i > 0 && !(open < 0.5 * left);
-      left = open;
+      const bool settled = i > 1 && !(open < 0.5 * before);
+      before = std::exchange(left, open);
       if (settled || left <= closed) break;
       apply(move(gaps));
     }
