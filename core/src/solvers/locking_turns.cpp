@@ -45,10 +45,11 @@ void Solver::watch_locking_turns() {
 
 void Solver::doubt_locking_turns() {
   const std::string steps = it.automaticStepSize ? "smaller tolerances" : "more steps there, error control (exu.DynamicSolverType.DOPRI5)";
-  for (const Lock& lock : locks_) {
-    const LockingTurns& turns = *std::ranges::find(hooks().locking_turns, lock.first, &LockingTurns::first);
-    doubts_.push_back(text_of(turns, lock.second_angle) + " at time " + format_number(lock.time) + "; " + std::to_string(lock.steps) +
-                      (lock.steps == 1 ? " step was" : " steps were") + " too large for it: use " + steps + ", or " + remedy);
+  for (const LockingTurns& turns : hooks().locking_turns) {
+    const auto lock = std::ranges::find(locks_, turns.first, &Lock::first);
+    if (lock == locks_.end()) continue;
+    doubts_.push_back(text_of(turns, lock->second_angle) + " at time " + format_number(lock->time) + "; " + std::to_string(lock->steps) +
+                      (lock->steps == 1 ? " step was" : " steps were") + " too large for it: use " + steps + ", or " + remedy);
     if (!verbose(1)) warn(doubts_.back());
   }
 }
