@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import socket
 import threading
 import time
@@ -15,6 +16,7 @@ import test_live_page
 from test_live_page import Reader, settings
 
 from dalembert import graphics
+from dalembert._live.server import PageServer
 from dalembert._live.viewer import Viewer
 from dalembert.utilities import InertiaCuboid
 
@@ -142,3 +144,34 @@ def test_a_slow_line_delays_neither_the_solver_nor_other_pages(swinging: Any, vi
     assert not solution.is_alive()
     assert count["far"] >= 2  # it goes on
     assert count["near"] > 2 * count["far"]
+
+
+def test_pictures_and_words_stay_whole_when_the_page_reads_late() -> None:
+    """Larger than what the system takes at once, while words are sent from another thread."""
+    from websockets.sync.client import connect
+
+    server = PageServer(lambda page, message: None)
+    origin, address = f"http://127.0.0.1:{server.port}", f"ws://127.0.0.1:{server.port}/socket"
+    pictures = [bytes([number]) * (9_000_000 + number) for number in range(1, 6)]
+    with connect(address, origin=origin, proxy=None, max_size=None, compression=None) as page:  # type: ignore[arg-type]
+        page.send(json.dumps({"kind": "hello", "token": server.token}))
+        while not server.pages:
+            time.sleep(0.001)
+        words = []
+        for data in pictures:
+            server.publish(1, lambda data=data: data, data)  # type: ignore[misc]
+            for _ in range(10):
+                server.tell({"kind": "state", "text": str(len(words))})
+                words.append(str(len(words)))
+            time.sleep(0.05)  # it waits in the line
+            told = []
+            while not isinstance(found := page.recv(timeout=20), bytes):
+                told.append(json.loads(found)["text"])
+            assert found == data
+            while len(told) < 10:
+                told.append(json.loads(page.recv(timeout=20))["text"])
+            assert told == words[-10:]
+            page.send('{"kind":"shown"}')
+            while not server.wanted:
+                time.sleep(0.001)
+    server.stop()

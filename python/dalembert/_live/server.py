@@ -13,6 +13,7 @@ import secrets
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from http import HTTPStatus
 from pathlib import Path
 from typing import Any
@@ -21,7 +22,8 @@ from websockets.asyncio.server import Server, ServerConnection, serve
 from websockets.datastructures import Headers
 from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
-from websockets.protocol import State
+
+from dalembert._live.connection import PageConnection
 
 HOST = "127.0.0.1"
 LONGEST = 1 << 20  # bytes of a message from a page
@@ -38,7 +40,7 @@ class Page:
     """A browser that shows the page; `ready`: it has drawn what it was sent last."""
 
     number: int
-    connection: ServerConnection
+    connection: PageConnection
     ready: bool = True
     scene: int = -1
     picture: int = 0  # the last that it was sent
@@ -56,6 +58,7 @@ class PageServer:
         self.port = 0
         self._receive, self._pages, self._count, self._open = receive, dict[int, Page](), 0, 0
         self._newest: tuple[int, int, Callable[[], bytes], bytes] = (0, -1, bytes, b"")
+        self._lock = threading.RLock()  # of what pages have been sent
         self._loop = asyncio.new_event_loop()
         self._started: threading.Event = threading.Event()
         self._failure: Exception | None = None
@@ -86,7 +89,10 @@ class PageServer:
 
     def publish(self, scene_number: int, scene: Callable[[], bytes], frame: bytes) -> None:
         """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
-        self._do(self._publish, scene_number, scene, frame)
+        with self._lock:
+            self._newest = (self._newest[0] + 1, scene_number, scene, frame)
+            for page in list(self._pages.values()):
+                self._show(page)
 
     def tell(self, message: dict[str, Any], page: int | None = None) -> None:
         """Send a message to one page, or to all."""
@@ -117,7 +123,8 @@ class PageServer:
     async def _serve(self, port: int) -> None:
         self._end = asyncio.Event()
         options: dict[str, Any] = {"compression": None, "max_size": LONGEST, "process_request": self._answer}
-        async with serve(self._talk, HOST, port, close_timeout=1, server_header=None, **options) as server:
+        options |= {"close_timeout": 1, "server_header": None, "create_connection": PageConnection}
+        async with serve(self._talk, HOST, port, **options) as server:
             self.port = _port(server)
             self._hosts = {f"{HOST}:{self.port}", f"localhost:{self.port}"}
             self._started.set()
@@ -159,6 +166,7 @@ class PageServer:
         return Response(HTTPStatus.OK, "OK", headers, data)
 
     async def _talk(self, connection: ServerConnection) -> None:
+        assert isinstance(connection, PageConnection)
         if self._open >= PAGES:
             await connection.close(1013, "too many pages")
             return
@@ -170,6 +178,7 @@ class PageServer:
                 return
             self._count += 1
             page = self._pages[self._count] = Page(self._count, connection)
+            connection.on_shown = partial(self._shown, page)
             self._receive(page.number, {"kind": "opened"})
             async for text in connection:
                 self._take(page, text)
@@ -177,6 +186,7 @@ class PageServer:
             pass
         finally:
             self._open -= 1
+            connection.end_pictures()
             if page is not None:
                 del self._pages[page.number]
                 self._receive(page.number, {"kind": "closed"})
@@ -192,22 +202,22 @@ class PageServer:
     def _take(self, page: Page, text: str | bytes) -> None:
         message = _message(text)
         if message.get("kind") == "shown":
-            page.ready = True
-            self._show(page)
+            self._shown(page)
         elif message:
             self._receive(page.number, message)
 
-    def _publish(self, scene_number: int, scene: Callable[[], bytes], frame: bytes) -> None:
-        self._newest = (self._newest[0] + 1, scene_number, scene, frame)
-        for page in self._pages.values():
+    def _shown(self, page: Page) -> None:
+        with self._lock:
+            page.ready = True
             self._show(page)
 
     def _show(self, page: Page) -> None:
-        """Send the newest picture to a page that is ready and has not got it."""
+        """Send the newest picture to a page that is ready and has not got it; by whoever has the lock."""
         picture, scene_number, scene, frame = self._newest
         if page.ready and page.picture < picture:
-            _write(page.connection, frame if page.scene == scene_number else scene())
+            data = frame if page.scene == scene_number else scene()
             page.ready, page.picture, page.scene = False, picture, scene_number
+            page.connection.send_picture(data)
 
     def _tell(self, text: str, number: int | None) -> None:
         for page in list(self._pages.values()):
@@ -227,19 +237,6 @@ class PageServer:
             pass
         finally:
             page.waiting -= 1
-
-
-def _write(connection: ServerConnection, data: bytes) -> None:
-    """Send a binary message at once, without a task that waits: pages are sent one picture after the other."""
-    if connection.state is State.OPEN and not connection.transport.is_closing():
-        size = len(data)
-        if size < 126:
-            connection.transport.write(bytes([0x82, size]) + data)
-        elif size < 1 << 16:
-            connection.transport.write(b"\x82\x7e" + size.to_bytes(2, "big") + data)
-        else:  # not joined with its head, which would copy it
-            connection.transport.write(b"\x82\x7f" + size.to_bytes(8, "big"))
-            connection.transport.write(data)
 
 
 def _style() -> str:

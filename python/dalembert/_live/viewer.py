@@ -87,6 +87,7 @@ class Viewer:
         self._known_settings: dict[str, Any] = {}
         self._interval = self._wanted_interval()
         self._complaint = ""
+        self._told: dict[str, Any] = {}  # of the state
         self._words: dict[str, dict[str, Any]] = {}  # which pages are told of the settings, by name of what is colored
         self._seen = time.monotonic() + PATIENCE["browser"] - RETURN  # when a page was there, or is expected
         self.at_end: Callable[[], object] = lambda: None
@@ -198,7 +199,8 @@ class Viewer:
             except Exception as error:  # of a function of the user, or of graphics data
                 self._complain(error)
             spent, used = time.monotonic() - begin, time.thread_time() - used
-            self._stopped.wait(max(min(interval, SHORTEST) - spent, used / SHARE - used, 0.001))
+            pause = max(min(interval, SHORTEST) - spent, used / SHARE - used, 0.001)
+            time.sleep(pause) if pause < 2 * SHORTEST else self._stopped.wait(pause)
             if not self.server.pages:
                 self._wake.wait(1.0)
                 self._wake.clear()
@@ -307,10 +309,11 @@ class Viewer:
         known = self.settings.GetDictionary()
         if known != self._known_settings:
             self._known_settings, self._dirty = known, True
+            self._interval = self._wanted_interval()
         if self.selection is not None and self._knows_states():
             self._tell_details(*self.selection[:3])
-        self._interval = self._wanted_interval()
-        self._tell_state()
+        if self._state() != self._told:
+            self._tell_state()
 
     # ---- messages of pages
 
@@ -448,10 +451,16 @@ class Viewer:
         """Close all pages at the wish of a reader."""
         self.stop()
 
-    def _tell_state(self, page: int | None = None) -> None:
+    def _state(self) -> dict[str, Any]:
         solving = any(shadow.solving for shadow in self.shadows)
         words = "waits: press space to continue" if self._waits else "paused" if self._paused else ""
-        self.server.tell({"kind": "state", "solving": solving, "text": words or ("solving" if solving else "")}, page)
+        return {"kind": "state", "solving": solving, "text": words or ("solving" if solving else "")}
+
+    def _tell_state(self, page: int | None = None) -> None:
+        state = self._state()
+        if page is None:
+            self._told = state
+        self.server.tell(state, page)
 
     def _tell_details(self, system: int, kind: str, number: int) -> None:
         mbs = self.shadows[system].system
