@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "conversion.hpp"
 #include "dalembert/pictures/contour.hpp"
 #include "item_arguments.hpp"
 #include "main_system.hpp"
+#include "modal_mesh.hpp"
+#include "picture_arrays.hpp"
 #include "python_errors.hpp"
 #include "record_watch.hpp"
 #include "system_container.hpp"
@@ -37,10 +40,23 @@ class ScenePlaces {
   }
   // One number for each mesh node, see contour_numbers. None: as mesh().
   py::object mesh_numbers(int object, const py::object& variable, int component, const py::object& configuration) {
+    if (ModalMesh* const modal = modal_mesh(object, configuration); modal != nullptr && modal->has(asked(variable))) {
+      py::array_t<double> result(static_cast<py::ssize_t>(modal->nodes()));
+      modal->numbers(*main_, component, result.mutable_data());
+      return result;
+    }
     const int count = find_mesh("mesh_numbers", object, variable, configuration);
     if (count == 0) return py::none();
     py::array_t<double> result(count);
     contour_numbers(values_, values_.size() / static_cast<std::size_t>(count), component, result.mutable_data());
+    return result;
+  }
+  // Positions of mesh nodes in single precision; `rows`: rotation and position of the object. None: ask mesh().
+  py::object mesh_points(int object, const Numbers<double>& rows, const py::object& configuration) {
+    ModalMesh* const modal = modal_mesh(object, configuration);
+    if (modal == nullptr || rows.size() != 12) return py::none();
+    py::array_t<float> result({static_cast<py::ssize_t>(modal->nodes()), py::ssize_t{3}});
+    modal->points(*main_, std::span<const double, 12>(rows.data(), 12), result.mutable_data());
     return result;
   }
   // Whether items have come, gone or other parameters since the last call.
@@ -51,8 +67,15 @@ class ScenePlaces {
   int find_mesh(const char* method, int object, const py::object& variable, const py::object& configuration) {
     if (object < 0 || object >= main_->model.count(ItemKind::object))
       throw py::index_error("_ScenePlaces." + std::string(method) + "(...): there is no such object");
-    const auto asked = static_cast<OutputVariableType>(Enumeration::number(variable.ptr()));
-    return system(method).mesh_outputs(object, asked, read(configuration), poses_.totals, values_);
+    return system(method).mesh_outputs(object, asked(variable), read(configuration), poses_.totals, values_);
+  }
+  static OutputVariableType asked(const py::object& variable) { return static_cast<OutputVariableType>(Enumeration::number(variable.ptr())); }
+  // None for other objects, and other states than the visualized one.
+  ModalMesh* modal_mesh(int object, const py::object& configuration) {
+    const bool there = object >= 0 && object < main_->model.count(ItemKind::object) && main_->consistent();
+    if (!there || read(configuration) != ConfigurationType::Visualization) return nullptr;
+    ModalMesh& modal = modal_meshes_[object];
+    return modal.find(*main_, object) ? &modal : nullptr;
   }
   System& system(const char* method) { return main_->assembled(method); }
   ConfigurationType read(const py::object& value) {
@@ -64,6 +87,7 @@ class ScenePlaces {
   const std::shared_ptr<MainSystem> main_;
   System::Poses poses_;
   std::vector<double> values_;
+  std::unordered_map<int, ModalMesh> modal_meshes_;  // by object
   RecordWatch watch_;
 };
 
@@ -78,6 +102,8 @@ void register_scene_places(py::module_& module) {
            "An output of all mesh nodes of a super element, row by row; None if it has none of its own.")
       .def("mesh_numbers", &ScenePlaces::mesh_numbers, py::arg("objectNumber"), py::arg("variableType"), py::arg("component"), py::arg("configuration"),
            "One number for each of these mesh nodes: a component of the output, or its length (-1).")
+      .def("mesh_points", &ScenePlaces::mesh_points, py::arg("objectNumber"), py::arg("rows"), py::arg("configuration"),
+           "Positions of these mesh nodes in single precision, of an object that stands as rows of rotation and position tell; None: mesh() may have them.")
       .def("changed", &ScenePlaces::changed, "Whether items have other parameters than at the last call.");
 }
 

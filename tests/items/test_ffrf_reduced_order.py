@@ -359,6 +359,45 @@ def test_stresses_are_linear_in_the_modes(mbs: Any) -> None:
             system.GetObjectOutputSuperElement(body, variable, 8)
 
 
+def dense_mesh(mbs: Any, angle: float = 0.0, modes: Any = None) -> tuple[int, Any]:
+    """A bar along x with far more mesh nodes than coordinates, bent by two modes; returns its object and the modes."""
+    rng = np.random.default_rng(7)
+    points = rng.uniform([-1, -0.1, -0.2], [1, 0.1, 0.2], (700, 3))
+    masses = np.full(700, MASSES.sum() / 700)
+    modes = rng.normal(size=(2100, 2)) if modes is None else modes
+    frame = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[0, 0, 0, 0, 0, angle]))
+    nodes = [frame, add_modes(mbs, 2, np.array([0.02, -0.03]))]
+    body = mbs.AddObject(ObjectFFRFreducedOrder(nodeNumbers=nodes, **of_points(points, masses, modes)))
+    mbs.Assemble()
+    return body, modes
+
+
+def test_points_of_pages_are_those_of_the_mesh(mbs: Any) -> None:
+    """In single precision, of which rounding leaves 1e-6 of a size of some meters."""
+    body, modes = dense_mesh(mbs, 0.7)
+    places, shown = exu._core._ScenePlaces(mbs), exu.ConfigurationType.Visualization
+    for basis in (modes, 2 * modes):
+        mbs.SetObjectParameter(body, "modeBasis", basis)
+        mbs.Assemble()
+        for state in ([0.5, 0, 0, 0.1, 0.2, 0.3, 0.05, 0.01], np.zeros(8)):
+            mbs.systemData.SetODE2Coordinates(state, shown)
+            exact = places.mesh(body, Variable.Position, shown)
+            found = places.mesh_points(body, places.rows(1, shown)[body], shown)
+            assert found.dtype == np.float32 and found == pytest.approx(exact, abs=1e-6)
+    assert places.mesh_points(body, places.rows(1, shown)[body], exu.ConfigurationType.Current) is None
+
+
+def test_few_nodes_stand_for_the_size_of_a_mesh(mbs: Any) -> None:
+    """Those that lie farthest in 26 directions have a box that is as large as that of all, up to a tenth, however the body is turned."""
+    for angle in (0.0, 0.4, 2.0):
+        system = exu.SystemContainer().AddSystem()
+        body, _ = dense_mesh(system, angle, np.zeros((2100, 2)))
+        node = system.GetNodeOutput(0, Variable.Position)
+        points = np.vstack([exu._core._ScenePlaces(system).mesh(body, Variable.Position, exu.ConfigurationType.Current), node])
+        box = np.linalg.norm(np.ptp(points, axis=0))
+        assert 0.9 * box < exu._core.testing.extent(system) <= box * (1 + 1e-12)
+
+
 def test_user_functions_alone(mbs: Any) -> None:
     """Nothing but the functions acts if computeFFRFterms is False."""
     nodes = [add_frame(mbs, NodeRigidBodyRxyz), add_modes(mbs, 1, 0.1)]

@@ -61,14 +61,17 @@ def points(scene: Scene) -> dict[str, list[Any]]:
 
 
 def assert_same(moved: Scene, drawn: Scene, size: float, turning: bool) -> None:
+    """Points of meshes that bend are single numbers when they are drawn again: rounding leaves 1e-7 of the size, in a few sums."""
     a, b = points(moved), points(drawn)
     assert a.keys() == b.keys()
+    bent = {f"Object{moved.items[part.item].number}" for part in moved.instances if part.mesh.points.dtype == np.float32}
     for key, rows in a.items():
         if turning and key.startswith("Load"):
             continue  # an arrow around an axis begins anywhere
         assert len(rows) == len(b[key]), key
         for one, other in zip(rows, b[key], strict=True):
-            assert np.asarray(one) == pytest.approx(np.asarray(other), abs=1e-9 * size, rel=1e-9), key
+            part = 1e-6 if key in bent else 1e-9
+            assert np.asarray(one) == pytest.approx(np.asarray(other), abs=part * size, rel=part), key
 
 
 @pytest.mark.parametrize("item", READY, ids=lambda item: item.name)
@@ -238,7 +241,7 @@ def test_messages_of_moved_parts_are_those_of_drawn_scenes(item: Any) -> None:
         if moved is None or flow.moving() is None:
             return  # springs that become much longer, for one
         assert moved[0]() == told[0]
-        quick_head, quick_arrays = unpacked(moved[1])
+        quick_head, quick_arrays = unpacked(b"".join(moved[1]))
         assert quick_head == head
         for one, other in zip(quick_arrays, arrays, strict=True):
             assert (one is None) == (other is None)

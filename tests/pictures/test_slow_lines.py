@@ -157,9 +157,10 @@ def test_pictures_and_words_stay_whole_when_the_page_reads_late() -> None:
         page.send(json.dumps({"kind": "hello", "token": server.token}))
         while not server.pages:
             time.sleep(0.001)
+        next(iter(server._pages.values())).scene = 1  # so that it gets frames
         words = []
         for data in pictures:
-            server.publish(1, lambda data=data: data, data)  # type: ignore[misc]
+            server.publish(1, lambda data=data: data, [data[:100], memoryview(data)[100:]])  # type: ignore[misc]
             for _ in range(10):
                 server.tell({"kind": "state", "text": str(len(words))})
                 words.append(str(len(words)))

@@ -14,6 +14,36 @@ bool is_in_space(const NodePlace& node) { return node.ode2 >= 0 && node.translat
 // Points that are closer together (in m) than this are one point and round-off.
 constexpr double smallest_extent = 1e-12;
 
+// Meshes with more nodes than that for each of their coordinates: few nodes stand for all, as looking at all would take longer than a step.
+constexpr std::size_t many_nodes = 8;
+
+// Those that lie farthest in 26 directions, at rest: which they are must not depend on when they are asked for.
+const std::vector<int>& outermost_nodes(SystemParts& parts, ObjectPlace& object, int count) {
+  OutermostNodes& outermost = object.outermost;
+  if (outermost.record == object.record) return outermost.nodes;
+  outermost = {object.record, {}};
+  const std::vector<double> zero(parts.total.size());
+  Evaluation rest{};
+  rest.q = parts.state(ConfigurationType::Reference).q.data();
+  rest.u = rest.v = rest.a = zero.data();
+  std::vector<double> points;
+  if (!object.member.batch->mesh_outputs(object.member.entry, 0, count, OutputVariableType::Position, rest, points)) return outermost.nodes;
+  for (int direction = 0; direction < 27; ++direction) {
+    const Vec3<double> along{direction % 3 - 1.0, direction / 3 % 3 - 1.0, direction / 9 - 1.0};
+    int farthest = 0;
+    double most = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < count; ++i) {
+      const double far = dot(along, load<double, 3>(points.data() + 3 * i));
+      if (far > most) most = far, farthest = i;
+    }
+    outermost.nodes.push_back(farthest);
+  }
+  std::ranges::sort(outermost.nodes);
+  const auto rest_of_them = std::ranges::unique(outermost.nodes);
+  outermost.nodes.erase(rest_of_them.begin(), rest_of_them.end());
+  return outermost.nodes;
+}
+
 }  // namespace
 
 std::vector<CoordinateUnit> System::coordinate_units() const {
@@ -54,15 +84,21 @@ double System::extent() const {
     if (is_in_space(node)) include(parts.total.data() + node.ode2, node.translations);
   std::vector<int> coordinates;
   std::vector<double> points;
-  for (const ObjectPlace& object : parts.objects) {
+  for (ObjectPlace& object : parts.objects) {
     const auto& [batch, entry] = object.member;
     const int count = batch == nullptr ? 0 : batch->mesh_nodes(entry);
     if (count <= 0) continue;
     coordinates.clear();
     parts.list_coordinates(object, Coordinates::ode2, coordinates);
     const Evaluation now = parts.output_evaluation(parts.state(ConfigurationType::Current), coordinates);
-    if (batch->mesh_outputs(entry, 0, count, OutputVariableType::Position, now, points))
-      for (int i = 0; i < count; ++i) include(points.data() + 3 * i, 3);
+    const auto look = [&](int first, int number) {
+      if (batch->mesh_outputs(entry, first, number, OutputVariableType::Position, now, points))
+        for (int i = 0; i < number; ++i) include(points.data() + 3 * i, 3);
+    };
+    if (static_cast<std::size_t>(count) <= many_nodes * coordinates.size())
+      look(0, count);
+    else
+      for (const int node : outermost_nodes(parts, object, count)) look(node, 1);
   }
   const Vec3<double> span = high - low;
   const double diagonal = std::sqrt(dot(span, span));

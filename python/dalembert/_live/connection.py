@@ -7,14 +7,17 @@ from __future__ import annotations
 
 import socket
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from websockets.asyncio.server import ServerConnection
 from websockets.frames import Frame, Opcode
 from websockets.protocol import State
 
+from dalembert._live.messages import Piece
+
 SHOWN = b'{"kind":"shown"}'  # what pages say after each picture
+MOST_PIECES = 500  # of a message, in one call
 BINARY = 0x82  # first byte of the head of a message that is one piece
 
 
@@ -28,24 +31,30 @@ class PageConnection(ServerConnection):
         self._writing = threading.RLock()
         self._socket: socket.socket | None = None
         self._busy = True  # something may be waiting to be written in the thread of the server
-        self._rest: list[memoryview | bytes] = []  # of pictures, not written at once
+        self._rest: list[Piece] = []  # of pictures, not written at once
 
-    def send_picture(self, data: bytes) -> None:
+    def send_picture(self, pieces: Sequence[Piece]) -> None:
         """Send a binary message; in any thread. It does not wait: what cannot be written at once is written later."""
+        if len(pieces) > MOST_PIECES:
+            pieces = [b"".join(pieces)]
+        size = sum(map(len, pieces))
+        rest: list[Piece] = [_head(size), *pieces]
+        size += len(rest[0])
         with self._writing:
             if self.state is not State.OPEN or self.transport.is_closing():
                 return
-            head = _head(len(data))
             sent = 0
             if self._socket is not None and not self._busy and not self._rest:
                 try:
-                    sent = self._socket.sendmsg([head, data])
+                    sent = self._socket.sendmsg(rest)
                 except BlockingIOError:
                     pass
                 except OSError:
                     return  # it is lost, as the library will see
-            if sent < len(head) + len(data):
-                self._rest += [head[sent:], memoryview(data)[max(sent - len(head), 0) :]]
+            if sent < size:
+                while sent >= len(rest[0]):
+                    sent -= len(rest.pop(0))
+                self._rest += [memoryview(rest[0])[sent:], *rest[1:]]
                 self.loop.call_soon_threadsafe(self.send_data)
 
     def end_pictures(self) -> None:

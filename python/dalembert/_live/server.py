@@ -11,7 +11,7 @@ import hmac
 import json
 import secrets
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from http import HTTPStatus
@@ -24,6 +24,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
 
 from dalembert._live.connection import PageConnection
+from dalembert._live.messages import Piece
 
 HOST = "127.0.0.1"
 LONGEST = 1 << 20  # bytes of a message from a page
@@ -57,7 +58,7 @@ class PageServer:
         self.token = secrets.token_urlsafe(24)
         self.port = 0
         self._receive, self._pages, self._count, self._open = receive, dict[int, Page](), 0, 0
-        self._newest: tuple[int, int, Callable[[], bytes], bytes] = (0, -1, bytes, b"")
+        self._newest: tuple[int, int, Callable[[], bytes], Sequence[Piece]] = (0, -1, bytes, ())
         self._lock = threading.RLock()  # of what pages have been sent
         self._loop = asyncio.new_event_loop()
         self._started: threading.Event = threading.Event()
@@ -87,7 +88,7 @@ class PageServer:
         """Return whether pages can be heard now; by a thread of its own, always."""
         return True
 
-    def publish(self, scene_number: int, scene: Callable[[], bytes], frame: bytes) -> None:
+    def publish(self, scene_number: int, scene: Callable[[], bytes], frame: Sequence[Piece]) -> None:
         """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
         with self._lock:
             self._newest = (self._newest[0] + 1, scene_number, scene, frame)
@@ -215,9 +216,9 @@ class PageServer:
         """Send the newest picture to a page that is ready and has not got it; by whoever has the lock."""
         picture, scene_number, scene, frame = self._newest
         if page.ready and page.picture < picture:
-            data = frame if page.scene == scene_number else scene()
+            pieces = frame if page.scene == scene_number else [scene()]
             page.ready, page.picture, page.scene = False, picture, scene_number
-            page.connection.send_picture(data)
+            page.connection.send_picture(pieces)
 
     def _tell(self, text: str, number: int | None) -> None:
         for page in list(self._pages.values()):

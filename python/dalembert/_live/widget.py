@@ -9,11 +9,13 @@ from __future__ import annotations
 import contextvars
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from typing import Any
+
+from dalembert._live.messages import Piece
 
 FOLDER = Path(__file__).resolve().parent.parent / "_pictures" / "page"
 WORDS = "live view, while the kernel runs"
@@ -69,7 +71,7 @@ class WidgetLink:
         self.widget = widget
         self._receive, self._views, self._count = receive, dict[str, View](), 0
         self._unknown: View | None = None  # one that was displayed, and has not been heard of
-        self._newest: tuple[int, int, Callable[[], bytes], bytes] = (0, -1, bytes, b"")
+        self._newest: tuple[int, int, Callable[[], bytes], Sequence[Piece]] = (0, -1, bytes, ())
         self._lock, self._heard = threading.RLock(), threading.Event()
         self._context = contextvars.copy_context()
         widget.on_msg(self._take)
@@ -105,7 +107,7 @@ class WidgetLink:
         self.tell({"kind": "alive"})
         return self._heard.wait(ANSWER)
 
-    def publish(self, scene_number: int, scene: Callable[[], bytes], frame: bytes) -> None:
+    def publish(self, scene_number: int, scene: Callable[[], bytes], frame: Sequence[Piece]) -> None:
         """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
         with self._lock:
             self._newest = (self._newest[0] + 1, scene_number, scene, frame)
@@ -137,7 +139,7 @@ class WidgetLink:
         picture, scene_number, scene, frame = self._newest
         if view.picture >= picture or not self._waits(view):
             return
-        data = frame if view.scene == scene_number else scene()
+        data = b"".join(frame) if view.scene == scene_number else scene()
         view.ready, view.picture, view.free = False, picture, time.monotonic() + max(PACE, len(data) / SPEED)
         if view.name:
             view.scene = scene_number

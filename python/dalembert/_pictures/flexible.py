@@ -239,7 +239,9 @@ class MeshBodies:
         """Return the triangles of a mesh, and their edges."""
         given = np.asarray(item.get("VtriangleMesh", []))
         known = self._known.get(number)
-        if known is None or (known[0] is not given and not np.array_equal(known[0], given)):
+        if known is not None and known[0] is not given and np.array_equal(known[0], given):
+            known = self._known[number] = given, *known[1:]
+        if known is None or known[0] is not given:
             triangles = given.astype(int).reshape(-1, 3)
             sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
             self._known[number] = given, triangles, np.unique(np.sort(sides, axis=1), axis=0)
@@ -249,7 +251,7 @@ class MeshBodies:
         """Return the positions of the mesh nodes."""
         count = len(np.asarray(item.get("referencePositions", [])).ravel()) // 3 or len(item["nodeNumbers"])
         factor = float(pen.looks.setting("bodies.deformationScaleFactor"))
-        points = pen.places.mesh_outputs(number, OutputVariableType.Position)
+        points = pen.places.mesh_points(number)
         if points is not None:
             if factor != 1:
                 change = pen.places.mesh_outputs(number, OutputVariableType.Displacement)

@@ -69,9 +69,9 @@ class SceneMaker:
         return Places(self.mbs, configuration, self.source)
 
     def places_again(self, configuration: ConfigurationType) -> Places:
-        """Return the same, for few items that are drawn again and again: their parameters are kept."""
+        """Return the same, for few items that are drawn for pages again and again: their parameters are kept."""
         self.changes()
-        return Places(self.mbs, configuration, self.source, self._items)
+        return Places(self.mbs, configuration, self.source, self._items, coarse=True)
 
     def changes(self) -> int:
         """Return how often items have come, gone or got other parameters."""

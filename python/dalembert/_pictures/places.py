@@ -22,12 +22,19 @@ class Places:
     """Asks a system for outputs; None where an item has no place, or no orientation."""
 
     def __init__(
-        self, mbs: Any, configuration: ConfigurationType, source: Any = None, items: Parameters | None = None
+        self,
+        mbs: Any,
+        configuration: ConfigurationType,
+        source: Any = None,
+        items: Parameters | None = None,
+        coarse: bool = False,
     ) -> None:
         """`source`, a _ScenePlaces of an assembled system, tells where all items of a kind are at once.
 
-        `items` are parameters that are known already, and those that are asked for.
+        `items` are parameters that are known already, and those that are asked for. `coarse`: points of meshes may be
+        in single precision, as pages get them.
         """
+        self._coarse = coarse
         self.mbs, self.configuration, self.source = mbs, configuration, source
         self.items: Parameters = {} if items is None else items
         self._rows: dict[str, FloatArray] = {}
@@ -126,6 +133,14 @@ class Places:
             return None
         found = self.source.mesh(int(number), variable, self.configuration)
         return None if found is None else np.asarray(found)
+
+    def mesh_points(self, number: int) -> FloatArray | None:
+        """Return the positions of all mesh nodes of a super element."""
+        if self._coarse and self.turns("Object", number):
+            points = self.source.mesh_points(int(number), self._rows["Object"][number], self.configuration)
+            if points is not None:
+                return np.asarray(points)
+        return self.mesh_outputs(number, OutputVariableType.Position)
 
     def mesh_numbers(self, number: int, variable: Any, component: int) -> FloatArray | None:
         """Return one number for each of them: a component of the output, or its length (-1)."""

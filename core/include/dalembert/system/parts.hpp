@@ -54,12 +54,19 @@ inline void append_range(std::vector<int>& list, int first, int count) {
   for (int i = 0; i < count; ++i) list.push_back(first + i);
 }
 
+// Mesh nodes that stand for the size of all in space, of an object with a record.
+struct OutermostNodes {
+  std::shared_ptr<const void> record;
+  std::vector<int> nodes;
+};
+
 struct ObjectPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
   Membership<Term> member;
   Stretch nodes, markers;  // of SystemParts::references
   int first_ae = -1, equations = 0;  // algebraic ones, counted in the AE vector
+  OutermostNodes outermost{};
 };
 
 struct MarkerPlace {

@@ -1,0 +1,36 @@
+// Points and numbers of the mesh of an ObjectFFRFreducedOrder, for pictures that need not be exact to more than single precision.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "dalembert/pictures/mode_planes.hpp"
+#include "dalembert/super_elements/ffrf_reduced_order_parameters.hpp"
+#include "main_system.hpp"
+
+namespace dalembert {
+
+class ModalMesh {
+ public:
+  // Whether this is such an object; what is known of it is kept, as long as its parameters are the same.
+  bool find(const MainSystem& main, int object);
+  std::size_t nodes() const { return nodes_; }
+  // In the visualized state; `rows`: rotation and position of the object.
+  void points(const MainSystem& main, std::span<const double, 12> rows, float* to);
+  // Whether the variable is that of its mode basis; one component, or the length (-1).
+  bool has(OutputVariableType variable) const;
+  void numbers(const MainSystem& main, int component, double* to);
+
+ private:
+  const ObjectFFRFreducedOrderParameters& parameters() const;
+  std::span<const double> weights(const MainSystem& main) const;
+
+  std::shared_ptr<const void> record_;
+  std::size_t nodes_ = 0;
+  int coordinates_ = -1;  // the first modal one
+  std::optional<ModePlanes> points_, numbers_;
+  int component_ = 0;
+};
+
+}  // namespace dalembert
