@@ -23,7 +23,7 @@ NODES = [
     exu.NodeType.RotationRxyz,
     exu.NodeType.RotationRotationVector,
 ]
-LEAN = 0.2  # rad, of the axis of the door
+LEAN = 0.2  # rad, of the axis of the door, unless a test says otherwise
 MASS = 30.0
 
 
@@ -81,14 +81,20 @@ def not_unique(mbs: Any, joints: Sequence[Any]) -> list[float]:
 class Door:
     """30 kg, 0.9 m wide and 2 m high, on an axis that leans, with hinges at these heights, the second one misplaced."""
 
-    def __init__(self, heights: Sequence[float] = (0.3, 1.7), misplaced: float = 0, node: Any = NODES[0]) -> None:
+    def __init__(
+        self,
+        heights: Sequence[float] = (0.3, 1.7),
+        misplaced: float = 0,
+        node: Any = NODES[0],
+        lean: float = LEAN,
+    ) -> None:
         self.mbs = new_system()
         ground = self.mbs.CreateGround()
         size = np.array([0.9, 0.04, 2.0])
         self.door = self.mbs.CreateRigidBody(
             referencePosition=[0.45, 0, 1],
             inertia=InertiaCuboid(density=MASS / np.prod(size), sideLengths=size),
-            gravity=[0, 9.81 * np.sin(LEAN), -9.81 * np.cos(LEAN)],
+            gravity=[0, 9.81 * np.sin(lean), -9.81 * np.cos(lean)],
             nodeType=node,
         )
         self.hinges = [self.hinge(ground, i, z, misplaced if i == 1 else 0.0) for i, z in enumerate(heights)]
@@ -169,7 +175,85 @@ def test_sensors_tell_of_reactions_that_are_not_unique(solver: Any) -> None:
         mbs.GetObjectOutput(door.door, Variable.NonUniqueReactions)
 
 
-@pytest.mark.parametrize("solver", [Solver.DOPRI5, Solver.ESDIRK43])
+def falling(steps: int = 50) -> Any:
+    """By equal steps of this method, which makes no other; weights of moments as in `assert_smallest`."""
+    s = settings(0.5, steps)
+    s.timeIntegration.automaticStepSize = False
+    s.redundantConstraints.momentLength = 1.0
+    return s
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("linear", [Linear.EXUdense, Linear.EigenSparse])
+def test_reactions_of_a_falling_door_stay_the_smallest(linear: Any, node: Any) -> None:
+    """What is idle turns with the door. Ends of solutions are compared; sensors and functions of the user are told the same on the way there."""
+    told: list[Any] = []
+    ends = []
+    for steps in (25, 50):
+        door, s = Door(node=node), falling(steps)
+        s.timeIntegration.endTime = 0.01 * steps
+        mbs, hinges = door.mbs, door.hinges
+        sensors = [
+            mbs.AddSensor(exu.SensorObject(objectNumber=h, outputVariableType=Variable.ForceLocal, storeInternal=True))
+            for h in hinges
+        ]
+        mbs.Assemble()
+        told.clear()
+
+        def look(mbs: Any, t: float, hinges: Any = hinges) -> bool:
+            told.append([mbs.GetObjectOutput(hinge, Variable.ForceLocal) for hinge in hinges])
+            return True
+
+        mbs.SetPreStepUserFunction(look)
+        mbs.SetPostStepUserFunction(look)
+        s.linearSolverType = linear
+        assert mbs.SolveDynamic(s, solverType=Solver.ESDIRK43)
+        assert_smallest(mbs, 1.0)
+        ends.append([mbs.GetObjectOutput(hinge, Variable.ForceLocal) for hinge in hinges])
+    stored = np.array([mbs.GetSensorStoredData(sensor)[:, 1:] for sensor in sensors]).transpose(1, 0, 2)
+    np.testing.assert_array_equal(stored[[25, 50]], ends)
+    np.testing.assert_array_equal(stored, told[::2])  # after each step ...
+    np.testing.assert_array_equal(stored[:-1], told[1::2])  # ... and before the next one
+
+
+def test_output_has_no_influence_on_motions_with_redundant_reactions() -> None:
+    """To the last bit, at times of steps and between them."""
+    ends = []
+    for looks in (False, True):
+        door = Door()
+        s = falling(20)
+        if looks:
+            door.mbs.AddSensor(
+                exu.SensorObject(
+                    objectNumber=door.hinges[0], outputVariableType=Variable.ForceLocal, storeInternal=True
+                )
+            )
+            door.mbs.Assemble()
+            door.mbs.SetPostStepUserFunction(lambda mbs, t: True)
+            s.solutionSettings.sensorsWritePeriod = 0.004
+            s.denseOutput.atRequestedTimes = True
+        door.mbs.SolveDynamic(s, solverType=Solver.ESDIRK43)
+        data = door.mbs.systemData
+        ends.append(
+            [data.GetODE2Coordinates(), data.GetODE2Coordinates_t(), data.GetODE2Coordinates_tt()]
+            + [data.GetAECoordinates()]
+        )
+    for one, other in zip(*ends, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.ESDIRK43])
+def test_symmetric_hinges_of_a_falling_door_have_symmetric_reactions(solver: Any) -> None:
+    """The axis lies, the middle of the door between its hinges: each bears half. The third law's share of the middle one is another third."""
+    for heights in ((0.3, 1.7), (0.2, 1.0, 1.8)):
+        door = Door(heights, lean=np.pi / 2)
+        door.mbs.SolveDynamic(falling(), solverType=solver)
+        forces = [door.mbs.GetObjectOutput(hinge, Variable.ForceLocal) for hinge in door.hinges]
+        for force in forces[1:]:
+            assert force == pytest.approx(forces[0], abs=1e-6 * np.linalg.norm(forces[0]))
+
+
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.DOPRI5, Solver.ESDIRK43])
 def test_hinges_that_actions_open_leave_nothing_redundant(solver: Any) -> None:
     """The second hinge opens on the way: from there on, the first one carries all of the weight along their axis, and nobody else could."""
     door = Door()

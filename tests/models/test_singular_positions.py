@@ -126,6 +126,45 @@ def test_starts_in_the_flat_position_that_round_off_spoils_name_methods_that_do_
         np.testing.assert_allclose(bars.tip_output(Variable.Position), wanted, rtol=0, atol=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("solver", "loops", "angle", "rate", "steps", "tolerance"),
+    [
+        (Solver.GeneralizedAlpha, 1, 1e-5, 0, 3000, None),
+        (Solver.GeneralizedAlpha, 5, 1e-5, -1e-3, 30, 1e-8),
+        (Solver.GeneralizedAlpha, 5, 1e-12, 1e-4, 300, None),
+        (Solver.GeneralizedAlpha, 5, 0, -1e-6, 30, 1e-6),
+        (Solver.DOP853, 5, 1e-12, 1e-6, 30, 1e-8),
+        (Solver.ESDIRK43, 2, 1e-6, 1e-3, 300, None),
+    ],
+)
+def test_singular_positions_that_end_a_solution_are_named(
+    solver: Any, loops: int, angle: float, rate: float, steps: int, tolerance: float | None
+) -> None:
+    """Weight takes slow links through the flat position within a millisecond, a hundred thousandth of a radian from it: who gets through is right."""
+    bars, s = Bars(loops, angle=angle, rate=rate), by_tolerance(tolerance or 1e-6)
+    s.timeIntegration.automaticStepSize = tolerance is not None
+    s.timeIntegration.endTime, s.timeIntegration.numberOfSteps = 0.3, steps
+    with pytest.raises(SolverError) as refused:
+        bars.mbs.SolveDynamic(s, solverType=solver)
+    error = refused.value
+    assert error.reason == "singularPosition"
+    assert len(error.dependentEquations) > 2 * loops
+    assert all("follow from others" in text or "more" in text for text in error.dependentEquations)
+    assert "JointRevolute2D" in error.dependentEquations[0] and len(error.advice) > 1
+    names_positions = any("keep the constraints of positions" in text for text in error.advice)
+    assert names_positions == (solver != Solver.GeneralizedAlpha)
+
+
+def test_failures_elsewhere_are_not_those_of_singular_positions() -> None:
+    """One iteration does not do, upright, where no joint states what others do."""
+    bars, s = Bars(2), settings(0.1, 1)
+    s.timeIntegration.newton.maxIterations = 1
+    s.timeIntegration.adaptiveStep = False
+    with pytest.raises(SolverError) as refused:
+        bars.mbs.SolveDynamic(s)
+    assert refused.value.reason == "newton" and refused.value.dependentEquations == []
+
+
 @pytest.mark.parametrize("rate", [0, -1e-5, -1e-3, -1e-1])
 @pytest.mark.parametrize(
     "solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.DOPRI5, Solver.DOP853, Solver.ESDIRK43]

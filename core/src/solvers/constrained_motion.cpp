@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "dalembert/solvers/numerical_tangent.hpp"
@@ -174,12 +175,14 @@ bool ConstrainedMotion::to_be_examined(const State& start_of_step) const {
 }
 
 // In the metric of the masses, with ones where there are none.
+void ConstrainedMotion::fill_for_constraints(System& system, const State& state, const Conditions& conditions) {
+  fill(system, state, conditions);
+  for (int j = 0; j < ode2_; ++j)
+    if (double& mass = matrix_[static_cast<std::size_t>(pattern_->slot(j, j))]; !(mass > 0)) mass = 1;
+}
+
 bool ConstrainedMotion::examine(System& system, const State& start_of_step, const Conditions& conditions) {
-  const auto fill_with_masses = [&] {
-    fill(system, start_of_step, conditions);
-    for (int j = 0; j < ode2_; ++j)
-      if (double& mass = matrix_[static_cast<std::size_t>(pattern_->slot(j, j))]; !(mass > 0)) mass = 1;
-  };
+  const auto fill_with_masses = [&] { fill_for_constraints(system, start_of_step, conditions); };
   const bool anew = std::exchange(examines_anew_, false), treated = redundant_.in_use(), again = treated && !anew && knowledge_ != Knowledge::passing;
   fill_with_masses();
   if (again) {
@@ -299,16 +302,36 @@ bool ConstrainedMotion::is_regular_beside(const ConstrainedMotion& other, System
   return factorize(system, moved, conditions) == LinearSolver::success && knowledge_ != Knowledge::passing;
 }
 
+void ConstrainedMotion::add_free_motion(double part, const System& system, const State& at, std::span<double> step) {
+  const auto n = static_cast<std::size_t>(ode2_);
+  NumberSequence random;
+  std::vector<double> x(x_.size(), 0.0);
+  for (std::size_t i = 0; i < n; ++i) x[i] = matrix_[static_cast<std::size_t>(pattern_->slot(static_cast<int>(i), static_cast<int>(i)))] * random();
+  solve(x);
+  add_part(system, part, std::span<const double>(x).first(n), step);
+  if (std::inner_product(step.begin(), step.end(), at.v.begin(), 0.0) < 0)  // where there is one motion alone, they would cancel
+    for (double& s : step) s = -s;
+  add_part(system, part, at.v, step);
+}
+
+State ConstrainedMotion::moved_by(double part, System& system, const State& at, const Conditions& conditions) {
+  State moved = at;
+  std::vector<double> step(static_cast<std::size_t>(ode2_));
+  if (factorize(system, at, conditions) != LinearSolver::success) return moved;
+  add_free_motion(part, system, at, step);
+  ConstrainedMotion there;
+  if (there.is_regular_beside(*this, system, at, conditions, step)) {
+    move_positions(system, step, moved.q);
+    there.project(system, moved, conditions);
+  }
+  return moved;
+}
+
 // Redundancy that lasts is also there a little further on, along the velocities and where any forces would lead: off the constraints by the square
 // of that, equations are independent by its fourth power, beside a singular position by its square.
 bool ConstrainedMotion::fewer_follow_beside(System& system, const State& at, const Conditions& conditions) {
-  const auto n = static_cast<std::size_t>(ode2_);
-  NumberSequence random;
-  std::vector<double> x(x_.size(), 0.0), step(n);
-  for (std::size_t i = 0; i < n; ++i) x[i] = matrix_[static_cast<std::size_t>(pattern_->slot(static_cast<int>(i), static_cast<int>(i)))] * random();
-  solve(x);
-  add_part(system, little, std::span<const double>(x).first(n), step);
-  add_part(system, little, at.v, step);
+  std::vector<double> step(static_cast<std::size_t>(ode2_));
+  add_free_motion(little, system, at, step);
   ConstrainedMotion beside;
   const bool regular = beside.is_regular_beside(*this, system, at, conditions, step);
   system.reactions_are_known(redundant_.equations());
@@ -429,6 +452,18 @@ bool ConstrainedMotion::accelerations(System& system, const State& state, const 
   std::copy(x_.begin() + first_ae_, x_.end(), lambda.begin());
   const bool at_start = redundant_.in_use() && knowledge_ != Knowledge::confirmed && state.time == examined_at_;
   return !at_start || leave_singular_position(system, state, conditions, a, lambda);
+}
+
+void ConstrainedMotion::take_off_idle_part(const ConstrainedMotion& known, System& system, const State& state, const Conditions& conditions,
+                                           std::span<double> lambda) {
+  fill_for_constraints(system, state, conditions);
+  const int before = redundant_.count();
+  redundant_ = known.redundant_;
+  weigh_again(system);
+  if (!redundant_.in_use()) return;
+  if (redundant_.count() != before) factors_ = make_linear_solver(*pattern_, type_, redundant_.options(options_));
+  redundant_.regularize(*pattern_, matrix_, 1);
+  if (factors_->factorize(matrix_) == LinearSolver::success) redundant_.take_off_idle_part(*factors_, lambda);
 }
 
 // Of the motion with constant accelerations from the start on: beside a singular position, gaps open by their change of velocities as much as

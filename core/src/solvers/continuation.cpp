@@ -163,14 +163,14 @@ void Solver::write_between(double period, Write&& write) {
   if (output.writeToSolutionFile) {
     write_between(s.solutionWritePeriod, [&](double when) {
       at(when);
-      solution_file_.write_row(*settings_, current());
+      write_solution_row();
     });
   }
   current() = end;
   if (sensors_.active()) {
     write_between(s.sensorsWritePeriod, [&](double when) {
       at(when);
-      sensors_.record(*system_, when);
+      record_sensors(when);
     });
   }
   current() = end;

@@ -10,6 +10,7 @@
 #include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dependent_equations.hpp"
+#include "diagnosis.hpp"
 #include "finite.hpp"
 
 namespace dalembert {
@@ -71,14 +72,6 @@ std::vector<std::string> describe_equations(const System& system, std::span<cons
   return lines;
 }
 
-// Long lists end with how many more there are.
-void shorten(std::vector<std::string>& lines) {
-  if (lines.size() <= most_items) return;
-  const std::size_t more = lines.size() - most_items;
-  lines.resize(most_items);
-  lines.push_back("and " + std::to_string(more) + " more");
-}
-
 std::string indented(std::vector<std::string> lines) {
   shorten(lines);
   std::string text;
@@ -87,6 +80,13 @@ std::string indented(std::vector<std::string> lines) {
 }
 
 }  // namespace
+
+void shorten(std::vector<std::string>& lines) {
+  if (lines.size() <= most_items) return;
+  const std::size_t more = lines.size() - most_items;
+  lines.resize(most_items);
+  lines.push_back("and " + std::to_string(more) + " more");
+}
 
 Diagnosis& Solver::diagnose(FailureReason reason) {
   diagnosis_ = Diagnosis();

@@ -102,6 +102,7 @@ void DiagonallyImplicitSolver::prepare_factors() {
   const LinearSolverOptions options{.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian};
   motion_.prepare(system(), linear_type(), options, settings().redundantConstraints);
   masses_ready_ = false;
+  smallest_ = {};
   factorized_for_ = slowest_ = 0;
   rate_ = 1;
 }
@@ -126,6 +127,23 @@ ConstrainedMotion* DiagonallyImplicitSolver::motion_under_constraints() {
                     settings().redundantConstraints);
   }
   return &masses_;
+}
+
+// Stages add changes of multipliers, which are the smallest ones where they have been found; what is idle of their sum turns with the bodies.
+const std::vector<double>* DiagonallyImplicitSolver::told_multipliers() {
+  const State& now = current();
+  if (motion_.redundant().count() == 0 || !motion_.redundant().in_use()) return nullptr;
+  if (!smallest_.ready) {
+    const auto& l = settings().linearSolverSettings;
+    smallest_.motion.prepare(system(), linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
+                             settings().redundantConstraints);
+  }
+  if (!std::exchange(smallest_.ready, true) || smallest_.q != now.q || smallest_.lambda != now.lambda) {
+    smallest_.q = now.q;
+    smallest_.lambda = smallest_.told = now.lambda;
+    smallest_.motion.take_off_idle_part(motion_, system(), now, conditions_, smallest_.told);
+  }
+  return &smallest_.told;
 }
 
 // Accelerations, rates and multipliers of the current state, not as the end of a step has left them.
@@ -445,15 +463,20 @@ bool DiagonallyImplicitSolver::back_onto_constraints() {
   if (sizes_.ae == 0) return true;
   if (!motion_.project(system(), current(), conditions_)) {
     if (!factorize()) return fail(Outcome::singular);
-    if (!motion_.project(system(), current(), conditions_)) {
-      diagnose_open_gaps();
-      return false;
-    }
+    if (!motion_.project(system(), current(), conditions_)) return leave_open_gaps();
   }
   largest_misfit_ = std::max(largest_misfit_, motion_.largest_misfit());
   if (!warned_of_contradiction_)
     if (const std::vector<double> misfit = motion_.misfit(system(), current(), conditions_); !misfit.empty()) [[unlikely]] warn_of_contradiction(misfit);
   return true;
+}
+
+// False, always. Beside a singular position, steps of other sizes may end where gaps can be closed.
+[[gnu::noinline]] bool DiagonallyImplicitSolver::leave_open_gaps() {
+  diagnose_open_gaps();
+  const bool may_be_reduced = (it.adaptiveStep || it.automaticStepSize) && it.currentStepSize > it.minStepSize;
+  if (may_be_reduced && diagnosis_.reason == FailureReason::singular_position) diagnosis_.reason = FailureReason::newton;
+  return false;
 }
 
 void DiagonallyImplicitSolver::free_memory() {
@@ -463,6 +486,7 @@ void DiagonallyImplicitSolver::free_memory() {
   motion_.free_memory();
   masses_ = {};
   masses_ready_ = false;
+  smallest_ = {};
 }
 
 }  // namespace dalembert

@@ -152,6 +152,7 @@ const std::vector<WatchedValue>& Solver::event_values(std::vector<Switch>& of_it
   values.clear();
   if (hooks().events) {
     const TimedPart time(timer, timer.python);
+    const Told told(*this);
     for (const EventValue& value : hooks().events(current().time)) values.push_back({value});
   }
   std::optional<std::size_t>& users = watch_->users;
@@ -415,6 +416,7 @@ bool Solver::let_user_act(int event, int direction) {
   const bool of_user = event < static_cast<int>(*watch_->users);
   if (of_user ? !hooks().event_action : !hooks().item_event_action) return true;
   const TimedPart part(timer, timer.python);
+  const Told told(*this);
   bool goes_on = true;
   if (of_user) {
     goes_on = hooks().event_action(current().time, event, direction);

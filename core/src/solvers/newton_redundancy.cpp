@@ -37,6 +37,13 @@ void NewtonSolver::forget_redundancy() {
   treatment_ = looks_at_next_ ? Treatment::unknown : Treatment::none;
 }
 
+void NewtonSolver::examine_constraints_anew() {
+  if (!treats_redundancy()) return;
+  const bool treated = redundant_.in_use();
+  forget_redundancy();
+  if (treated) take_pattern();
+}
+
 // At the start of a solution, and after events.
 void NewtonSolver::constraints_are_known(RedundantConstraints found) {
   if (treatment_ != Treatment::none && treatment_ != Treatment::unknown) return;

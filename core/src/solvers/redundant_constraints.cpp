@@ -406,14 +406,14 @@ std::vector<double> diagonal_of_lengths(const System& system) {
 
 }  // namespace
 
-RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length) {
+RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length, double eps) {
   const Pattern& pattern = system.pattern(false);
   const State still = without_multipliers(state);
   const std::vector<double> matrix = gradients_beside(diagonal_of_masses(system, still, pattern), system, still, conditions, pattern);
   RedundantConstraints found;
   if (!found.measure(system, pattern, matrix, moment_length, 1)) return found;
   const auto factors = make_linear_solver(pattern, LinearSolverType::EigenSparse, {});
-  found.find(pattern, matrix, RedundantConstraints::counting_eps, *factors);
+  found.find(pattern, matrix, eps, *factors);
   return found;
 }
 

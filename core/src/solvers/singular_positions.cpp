@@ -7,9 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/large_vectors.hpp"
+#include "diagnosis.hpp"
 
 namespace dalembert {
 
@@ -72,9 +74,63 @@ void Solver::compare_constraints_with(const State& state) {
 }
 
 void Solver::diagnose_singular_position() {
-  diagnose(FailureReason::singular_position).advice = {
-      "use larger steps, which lead beyond it: larger tolerances, or equal steps (timeIntegration.automaticStepSize=False)",
-      "keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can go"};
+  diagnose(FailureReason::singular_position).advice = advice_on_singular_position();
+}
+
+std::vector<std::string> Solver::advice_on_singular_position() const {
+  std::vector<std::string> advice = {"use larger steps, which lead beyond it: larger tolerances, or equal steps (timeIntegration.automaticStepSize=False)"};
+  if (!keeps_positions())
+    advice.emplace_back("keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can go");
+  advice.emplace_back("where the motion starts there, start further from this position, or faster: forces that turn slow velocities within 1e-3 of the size "
+                      "of the model decide by round-off how it goes on");
+  return advice;
+}
+
+namespace {
+
+// Combinations of which less is left than the square of this are those of a position that is not further away, relative to the size of the model;
+// they are none of those that are there at the larger distance as well.
+constexpr double close_to_position = 1e-4, away_from_position = 1e-2;
+constexpr int most_equations = 1000;  // thousands of combinations would take longer to name than the solution has taken
+
+}  // namespace
+
+std::vector<std::string> Solver::items_in_singular_position() {
+  const auto& l = settings_->linearSolverSettings;
+  Conditions conditions = conditions_;
+  conditions.rate_level = false;
+  const double eps = close_to_position * close_to_position, moment_length = settings_->redundantConstraints.momentLength;
+  const RedundantConstraints here = dalembert::redundant_constraints(*system_, current(), conditions, moment_length, eps);
+  if (here.count() == 0) return {};
+  ConstrainedMotion motion;
+  motion.prepare(*system_, linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian}, settings_->redundantConstraints);
+  const State away = motion.moved_by(away_from_position, *system_, current(), conditions);
+  const RedundantConstraints there = dalembert::redundant_constraints(*system_, away, conditions, moment_length, eps);
+  system_->reactions_are_known(here.equations());
+  if (!(there.count() < here.count())) return {};
+  // Items that could leave out as many elsewhere may take part all the same, where all do.
+  const std::vector<RedundantConstraints::Item> always = there.items(*system_);
+  std::vector<std::string> more, all;
+  for (const RedundantConstraints::Item& item : here.items(*system_)) {
+    const auto same = std::ranges::find(always, item.object, &RedundantConstraints::Item::object);
+    all.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " follow from others in this position");
+    if (same == always.end() || same->removable < item.removable) more.push_back(all.back());
+  }
+  return more.empty() ? all : more;
+}
+
+[[gnu::noinline]] void Solver::name_singular_position() {
+  const FailureReason reason = diagnosis_.reason;
+  const bool may_be = reason == FailureReason::newton || reason == FailureReason::error_control;
+  if (is_static() || sizes_.ae == 0 || sizes_.ae > most_equations || !settings_->redundantConstraints.treat) return;
+  if (!may_be && reason != FailureReason::singular_position && reason != FailureReason::round_off) return;
+  std::vector<std::string> items = items_in_singular_position();
+  if (items.empty()) return;
+  shorten(items);
+  diagnosis_.dependent = std::move(items);
+  if (!may_be) return;
+  diagnosis_.reason = FailureReason::singular_position;
+  diagnosis_.advice = advice_on_singular_position();
 }
 
 [[gnu::noinline]] void Solver::warn_of_undecided_start() {

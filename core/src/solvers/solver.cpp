@@ -270,6 +270,7 @@ bool Solver::next_step() {
 
 void Solver::end_steps() {
   silent_ = false;
+  if (const std::vector<double>* told = told_multipliers()) std::ranges::copy(*told, current().lambda.begin());
   output.finishedSuccessfully = !conv.stepReductionFailed && !output.simulationTimeout;
   if (output.finishedSuccessfully) look_back();
 }
@@ -303,6 +304,7 @@ void Solver::begin_step() {
     if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});
     advise_on_locking_turns();
     advise_on_weak_constraints();
+    name_singular_position();
     return;
   }
   steps_since_reduction_ = 0;
@@ -370,6 +372,7 @@ void Solver::initialize_step() {
 [[gnu::noinline]] void Solver::call_pre_step() {
   if (hooks().schedule) end_as_scheduled();
   const TimedPart time(timer, timer.python);
+  const Told told(*this);
   if (hooks().pre_step(it.currentTime)) return;
   say(1, "PreStepUserFunction returned False: the solver stops after this step\n");
   stop_ = output.simulationStoppedByUserFunction = true;

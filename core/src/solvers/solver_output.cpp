@@ -112,6 +112,21 @@ bool Solver::steps_end_silently() const {
   return !speaks && !writes && !waits && !hooks().pre_step && !hooks().post_step && !has_replaced_parts();
 }
 
+// In place: there are views of these numbers.
+Solver::Told::Told(Solver& solver) : solver_(solver) {
+  const std::vector<double>* told = solver.told_multipliers();
+  if (told == nullptr) return;
+  own_ = solver.current().lambda;
+  told_ = *told;
+  std::ranges::copy(told_, solver.current().lambda.begin());
+}
+
+// What users have written is kept.
+Solver::Told::~Told() {
+  std::vector<double>& lambda = solver_.current().lambda;
+  if (!own_.empty() && lambda == told_) std::ranges::copy(own_, lambda.begin());
+}
+
 void Solver::finish_step(bool write) {
   if (silent_) return;
   const double t = current().time;
@@ -125,6 +140,7 @@ void Solver::finish_step(bool write) {
   if (hooks().post_step) {
     if (!hooks().locking_turns.empty()) watch_locking_turns();
     const TimedPart time(timer, timer.python);
+    const Told told(*this);
     if (!hooks().post_step(it.currentTime)) {
       say(1, "PostStepUserFunction returned False: the solver stops\n");
       stop_ = output.simulationStoppedByUserFunction = true;
@@ -200,6 +216,7 @@ void Solver::print_progress(bool to_console, bool to_file) {
 
 // verboseMode 3.
 [[gnu::noinline]] void Solver::announce_solution() {
+  const Told told(*this);
   const State& now = current();
   const std::pair<const char*, const std::vector<double>*> parts[] = {
       {"ODE2", &now.q}, {"ODE2_t", &now.v}, {"ODE1", &now.y}, {"AE", &now.lambda}, {"data", &now.data}};
@@ -219,7 +236,18 @@ void Solver::write_coordinates() {
   if (!solution_file_.is_open() || (t != it.startTime && t - output.lastSolutionWritten < -same_time())) return;
   const TimedPart time(timer, timer.writeSolution);
   output.lastSolutionWritten = std::max(output.lastSolutionWritten + settings_->solutionSettings.solutionWritePeriod, t);
+  write_solution_row();
+}
+
+void Solver::write_solution_row() {
+  if (!settings_->solutionSettings.exportAlgebraicCoordinates) return solution_file_.write_row(*settings_, current());
+  const Told told(*this);
   solution_file_.write_row(*settings_, current());
+}
+
+void Solver::record_sensors(double time) {
+  const Told told(*this);
+  sensors_.record(*system_, time);
 }
 
 void Solver::write_sensors() {
@@ -227,7 +255,7 @@ void Solver::write_sensors() {
   if (t != it.startTime && t - output.lastSensorsWritten < -same_time()) return;
   const TimedPart time(timer, timer.writeSolution);
   output.lastSensorsWritten = std::max(output.lastSensorsWritten + settings_->solutionSettings.sensorsWritePeriod, t);
-  sensors_.record(*system_, t);
+  record_sensors(t);
 }
 
 void Solver::forget() { system_->forget_searches(); }

@@ -49,6 +49,12 @@ class ConstrainedMotion {
   // Moves the state by the smallest changes, in the metric of the masses, that close gaps and end their rates, with the factors at
   // hand. False: they do not get small enough.
   bool project(System& system, State& state, const Conditions& conditions);
+  // Makes multipliers of a state the smallest ones, by factors around its masses, where `known` has found that some of these constraints follow from
+  // others. To be prepared, and for this alone.
+  void take_off_idle_part(const ConstrainedMotion& known, System& system, const State& state, const Conditions& conditions, std::span<double> lambda);
+  // A state further on, on the constraints: along the velocities, and where any forces would lead, by this part of the size of the model, or so many
+  // radians. To be prepared.
+  State moved_by(double part, System& system, const State& at, const Conditions& conditions);
   // All but what has been found out.
   void free_memory();
   const RedundantConstraints& redundant() const { return redundant_; }
@@ -70,11 +76,13 @@ class ConstrainedMotion {
   std::vector<double> gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions);
   void find_driven(System& system, const State& state, const Conditions& conditions);
   void fill(System& system, const State& state, const Conditions& conditions);
+  void fill_for_constraints(System& system, const State& state, const Conditions& conditions);
   int examine_filled(System& system, const State& state, const Conditions& conditions);
   bool look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
   int pass_singular_matrix(System& system, int singular);
   bool pass(int& singular);
   bool is_regular_beside(const ConstrainedMotion& other, System& system, const State& at, const Conditions& conditions, std::span<const double> step);
+  void add_free_motion(double part, const System& system, const State& at, std::span<double> step);
   bool fewer_follow_beside(System& system, const State& at, const Conditions& conditions);
   bool accelerations_after(double time, System& system, const State& start, const Conditions& conditions, std::vector<double>& a,
                            std::vector<double>& lambda);

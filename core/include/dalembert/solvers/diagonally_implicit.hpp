@@ -48,6 +48,7 @@ class DiagonallyImplicitSolver : public Solver {
     masses_.examine_anew();
   }
   KnownDerivatives complete_ends() override { return {true, true}; }
+  const std::vector<double>* told_multipliers() override;
 
  private:
   using Vector = std::vector<double>;
@@ -81,12 +82,19 @@ class DiagonallyImplicitSolver : public Solver {
   double estimated_error();
   void filter(Vector& error_of_q, Vector& error_of_v, Vector& error_of_y);
   bool back_onto_constraints();
+  bool leave_open_gaps();
   bool fail(Outcome outcome);
   // ---- control of the step size --------------------------------------------------------------------------------------
   bool control_step_size();
   double weight(double value, double before) const;
 
   ConstrainedMotion motion_, masses_;  // stages, and accelerations at the start
+  // The smallest multipliers of the state with these coordinates and multipliers.
+  struct Smallest {
+    ConstrainedMotion motion;
+    bool ready = false;
+    Vector q, lambda, told;
+  } smallest_;
   bool masses_ready_ = false, warned_of_masses_ = false;
   bool lie_ = false, interferes_ = false, fresh_ = false, rejected_ = false;
   bool after_jump_ = false;       // at the start, and after events

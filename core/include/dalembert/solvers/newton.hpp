@@ -44,6 +44,7 @@ class NewtonSolver : public Solver {
     if constexpr (std::is_same_v<S, double>) return sqrt(sum_of_squares(system(), residual)) / conv.errorCoordinateFactor;
     else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
+  void examine_constraints_anew() override;
   // As another matrix with them has shown.
   void constraints_are_known(RedundantConstraints found);
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.

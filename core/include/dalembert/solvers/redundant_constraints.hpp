@@ -154,8 +154,9 @@ class RedundantConstraints {
 
 // Whether solvers go on in spite of them.
 bool treats_redundancy(const Sizes& sizes, const RedundantConstraintsSettings& settings, bool ignores_singular);
-// Of the constraints as they are in a state.
-RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length);
+// Of the constraints as they are in a state; with a larger eps, also of those that nearly follow from others.
+RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length,
+                                           double eps = RedundantConstraints::counting_eps);
 // See RedundantConstraints::growth; masses, stiffness and step sizes have no part in it.
 double growth_of_multipliers(System& system, const State& state, Conditions conditions);
 

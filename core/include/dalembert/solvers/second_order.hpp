@@ -24,6 +24,7 @@ class SecondOrderSolver : public NewtonSolver {
   void initialize_data() override;
   void initial_conditions() override;
   void post_initialize() override;
+  bool keeps_positions() const override { return !conditions_.rate_level; }
   bool reduce_step_size() override;
   void increase_step_size() override;
   double compute_residual() override;

@@ -160,6 +160,12 @@ class Solver {
   // Whether so many steps have passed it that none will be the last; with the diagnosis.
   bool stays_in_singular_position();
   void diagnose_singular_position();
+  // Of a solution that has failed where constraints nearly depend on each other that do not elsewhere: this is the reason, with the items.
+  void name_singular_position();
+  std::vector<std::string> items_in_singular_position();
+  std::vector<std::string> advice_on_singular_position() const;
+  // Whether constraints of positions are equations of each step, not of their derivatives.
+  virtual bool keeps_positions() const { return false; }
   // Whether a step that is lost beside such a position is to be tried with another size that is not much smaller: a few times.
   bool steps_aside();
   static constexpr double aside = 0.7;  // this part of it
@@ -176,6 +182,20 @@ class Solver {
   double reduced_step_size(double factor) const;
   // Times that are closer to each other are the same.
   double same_time() const { return std::min(1e-10, 1e-3 * it.currentStepSize); }
+  // Where the solver goes on with multipliers that are not the smallest ones: those of the current state that everybody else is told. Null: they are.
+  virtual const std::vector<double>* told_multipliers() { return nullptr; }
+  // While others look at the current state.
+  class Told {
+   public:
+    explicit Told(Solver& solver);
+    ~Told();
+    Told(const Told&) = delete;
+    Told& operator=(const Told&) = delete;
+
+   private:
+    Solver& solver_;
+    std::vector<double> own_, told_;
+  };
   // Whether the user has replaced a part of a step, which may change what the solver does.
   virtual bool has_replaced_parts() const { return false; }
   virtual int recovery_steps() const { return settings_->timeIntegration.adaptiveStepRecoverySteps; }
@@ -241,6 +261,8 @@ class Solver {
   void take_counts(std::span<const double> run);
   // ---- output at requested times -----------------------------------------------------------------------------------
   void write_requested();
+  void write_solution_row();
+  void record_sensors(double time);
   double requested(double time, double period) const;
   template <class Write>
   void write_between(double period, Write&& write);

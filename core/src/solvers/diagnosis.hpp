@@ -1,0 +1,12 @@
+// Lists in texts about failures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace dalembert {
+
+// Long lists end with how many more there are.
+void shorten(std::vector<std::string>& lines);
+
+}  // namespace dalembert
