@@ -78,7 +78,9 @@ class PartsOfSystem {
     for (std::size_t i = 0; i < parts_.frames(); ++i) std::ranges::copy(parts_.frame(i), result.mutable_data() + 12 * i);
     return result;
   }
-  int add(const Numbers<std::int32_t>& index, const Numbers<double>& local) { return parts_.add(all(index), all(local)); }
+  int add(const Numbers<std::int32_t>& index, const std::optional<Numbers<double>>& local) {
+    return local ? parts_.add(all(index), all(*local)) : parts_.add(all(index));
+  }
   py::object placed(int group) const {
     py::array_t<double> result({static_cast<py::ssize_t>(parts_.size(checked(group))), py::ssize_t{3}, py::ssize_t{4}});
     if (!parts_.place(group, result.mutable_data())) return py::none();
@@ -195,7 +197,8 @@ void register_moving_parts(py::module_& module) {
       .def("find", &PartsOfSystem::find, py::arg("configuration"),
            "Find all frames; False if there is no such item, or a span has become much longer or shorter than at first.")
       .def("frames", &PartsOfSystem::frames, "Rotation and position (n x 3 x 4) of all frames, as they were found last.")
-      .def("add", &PartsOfSystem::add, py::arg("index"), py::arg("local"), "Add parts that stand in frames; returns the number of their group.")
+      .def("add", &PartsOfSystem::add, py::arg("index"), py::arg("local") = py::none(),
+           "Add parts that stand in frames, as these do without `local`; returns the number of their group.")
       .def("placed", &PartsOfSystem::placed, py::arg("group"), "Where the parts of a group are (n x 3 x 4); None if one is nowhere.")
       .def("keep", &PartsOfSystem::keep, py::arg("entries"),
            "Keep what messages tell, array by array: group (-1: nothing that moves), form, numbers, and values in the whole scene.")

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "alike.hpp"
 #include "conversion.hpp"
 #include "dalembert/pictures/contour.hpp"
 #include "item_arguments.hpp"
@@ -26,8 +27,7 @@ class ScenePlaces {
   explicit ScenePlaces(std::shared_ptr<MainSystem> main) : main_(std::move(main)) { changed(); }
 
   py::array rows(int kind, const py::object& configuration) {
-    if (kind < 0 || kind >= item_kinds) throw py::value_error("_ScenePlaces.rows(...): kind: expected 0 to 4");
-    system("rows").poses(static_cast<ItemKind>(kind), read(configuration), poses_);
+    system("rows").poses(checked_kind(kind), read(configuration), poses_);
     const auto rows = new LargeVector<double>(std::move(poses_.rows));  // which the array keeps: copying it would take as long as finding half of it
     const py::capsule owner(rows, [](void* memory) { delete static_cast<LargeVector<double>*>(memory); });
     return py::array_t<double>({static_cast<py::ssize_t>(rows->size() / 12), py::ssize_t{3}, py::ssize_t{4}}, rows->data(), owner);
@@ -59,10 +59,28 @@ class ScenePlaces {
     modal->points(*main_, std::span<const double, 12>(rows.data(), 12), result.mutable_data());
     return result;
   }
+  // For each item of a kind the first that looks like it.
+  py::array look_alikes(int kind) {
+    const std::vector<std::int32_t> first = alike(main_->model, checked_kind(kind));
+    return py::array_t<std::int32_t>(static_cast<py::ssize_t>(first.size()), first.data());
+  }
+  py::list names(int kind, const Numbers<std::int32_t>& numbers) {
+    const ItemKind of = checked_kind(kind);
+    py::list result(static_cast<std::size_t>(numbers.size()));
+    for (std::size_t i = 0; const std::int32_t number : all(numbers)) {
+      if (number < 0 || number >= main_->model.count(of)) throw py::index_error("_ScenePlaces.names(...): there is no such item");
+      result[i++] = py::str(main_->model.name(of, number));
+    }
+    return result;
+  }
   // Whether items have come, gone or other parameters since the last call.
   bool changed() { return watch_.look(main_->model); }
 
  private:
+  static ItemKind checked_kind(int kind) {
+    if (kind < 0 || kind >= item_kinds) throw py::value_error("_ScenePlaces: kind: expected 0 to 4");
+    return static_cast<ItemKind>(kind);
+  }
   // Puts an output of all mesh nodes in values_; returns how many nodes have it.
   int find_mesh(const char* method, int object, const py::object& variable, const py::object& configuration) {
     if (object < 0 || object >= main_->model.count(ItemKind::object))
@@ -104,6 +122,9 @@ void register_scene_places(py::module_& module) {
            "One number for each of these mesh nodes: a component of the output, or its length (-1).")
       .def("mesh_points", &ScenePlaces::mesh_points, py::arg("objectNumber"), py::arg("rows"), py::arg("configuration"),
            "Positions of these mesh nodes in single precision, of an object that stands as rows of rotation and position tell; None: mesh() may have them.")
+      .def("alike", &ScenePlaces::look_alikes, py::arg("kind"),
+           "For each item of a kind the number of the first one that has its type and equal parameters of visualization.")
+      .def("names", &ScenePlaces::names, py::arg("kind"), py::arg("numbers"), "Names of items.")
       .def("changed", &ScenePlaces::changed, "Whether items have other parameters than at the last call.");
 }
 

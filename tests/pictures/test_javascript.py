@@ -8,12 +8,16 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import test_live_page
 import test_page
 from browser import Tab, running
 
 import dalembert as exu
+from dalembert._live.messages import Stage
+from dalembert._pictures.camera import Camera
+from dalembert._pictures.looks import Looks
 
 READER = Path(exu.__file__).resolve().parent / "_pictures/page/data.js"
 
@@ -42,6 +46,29 @@ def test_javascript_reads_the_stored_messages(tab: Tab) -> None:
         for head, arrays in map(test_live_page.unpacked, sent)
     ]
     assert read == expected
+
+
+def test_traces_that_grow_are_joined_to_those_of_the_picture_before(tab: Tab) -> None:
+    """Only new points of long lines are sent; what was sent before stays where it is among lines that move."""
+    rng, stage, before, shown = np.random.default_rng(1), Stage(), np.empty(0), 0
+    whole = rng.normal(size=(300, 3)).astype("<f4").astype(float)
+    for count in (60, 80, 80, 300):
+        scene = test_live_page.moved_scene(0.1 * count)
+        first, last = scene.lines[0], (whole[:count] + 1, (0, 0, 0, 1), 0.0, 0)
+        scene.lines = [(whole[:count], (1, 0, 0, 1), 0.0, 0), first, last]
+        _, frame, grown = stage.messages(scene, Looks(exu.VisualizationSettings()), {}, Camera)
+        lines = np.concatenate([points.ravel() for points, *_ in scene.lines])
+        if grown is not None:
+            head, arrays = test_live_page.unpacked(b"".join(grown))
+            _, complete = test_live_page.unpacked(b"".join(frame))
+            assert complete[-3].tolist() == pytest.approx(lines, rel=1e-7)
+            sent, new = arrays[-3], 2 * (count - shown) + 2  # both ends of the line between them move
+            assert len(sent) == 3 * new == len(lines) - sum(size for *_, size in head["kept"])
+            read = tab.value(f"""Array.from(reader.joined(
+                Float32Array.from({sent.tolist()}), {head["kept"]}, Float32Array.from({before.tolist()})))""")
+            assert read == pytest.approx(lines, rel=1e-6)
+        assert (grown is None) == (count == 60)
+        before, shown = lines, count
 
 
 def test_javascript_reads_a_saved_motion(tab: Tab, falling: Any) -> None:

@@ -103,6 +103,34 @@ def test_it_follows_the_solver_until_it_is_stopped(model: Any, tab: Tab) -> None
     assert not thread.is_alive()
 
 
+def test_traces_grow_and_are_bright_on_a_dark_page(SC: Any, model: Any, viewer: Viewer, tab: Tab) -> None:
+    """Points of a trace on the page are those of the viewer, though only new ones are sent; black is light grey beside a dark background."""
+    sensor = model.AddSensor(
+        exu.SensorBody(bodyNumber=1, outputVariableType=exu.OutputVariableType.Position, storeInternal=True, writeToFile=False)
+    )
+    model.Assemble()
+    traces = SC.visualizationSettings.sensors.traces
+    traces.showPositionTrace, traces.listOfPositionSensors, traces.traceColors = True, [sensor], [0, 0, 0, 1]
+    thread = solving(model)
+    tab.wait("page.counts && page.counts.some((count) => count > 120)", 60)
+    model.SetRenderEngineStopFlag(True)
+    thread.join(20)
+    traces.showPositionTrace = False
+    tab.wait("page.points && !page.counts.some((count) => count > 120)")
+    traces.showPositionTrace = True
+    tab.wait("page.counts.some((count) => count > 120)")
+    shades = """(() => {
+      const shape = page.objects.find((object) => object.isLineSegments && object.userData.paint).geometry;
+      const count = shape.drawRange.count, colors = shape.getAttribute("color").array;
+      return [colors[3 * count - 3], colors[3 * count - 1]];
+    })()"""
+    assert tab.value(shades) == [0, 0]
+    tab.value("page.dark()")
+    assert min(tab.value(shades)) > 0.5
+    tab.value("page.dark()")
+    assert tab.value(shades) == [0, 0]
+
+
 def test_it_asks_nobody_else_and_hides_its_token(viewer: Viewer, tab: Tab) -> None:
     port = viewer.server.port
     assert {r.split("#")[0] for r in tab.requests} <= {

@@ -296,7 +296,7 @@ TRIANGLE = Mesh(np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 
 
 
 def messages(stage: Stage, scene: Scene) -> tuple[bytes, bytes]:
-    whole, frame = stage.messages(scene, Looks(exu.VisualizationSettings()), {"background": [1, 1, 1]}, Camera)
+    whole, frame, _ = stage.messages(scene, Looks(exu.VisualizationSettings()), {"background": [1, 1, 1]}, Camera)
     return whole(), b"".join(frame)
 
 

@@ -102,13 +102,17 @@ bool MovingParts::make(std::size_t i, double* made) {
 
 int MovingParts::add(std::span<const std::int32_t> index, std::span<const double> local) {
   if (local.size() != 12 * index.size()) throw std::invalid_argument("local: expected 12 numbers for each index");
-  for (const std::int32_t i : index)
-    if (i < 0 || static_cast<std::size_t>(i) >= frames_.size()) throw std::out_of_range("index: there is no frame " + std::to_string(i));
-  Group group{{index.begin(), index.end()}, {}};
+  const int number = add(index);
   double difference = 0;
   for (std::size_t k = 0; k < local.size(); ++k) difference = std::max(difference, std::abs(local[k] - unturned[k % 12]));
-  if (!(difference < standing)) group.local.assign(local.begin(), local.end());
-  groups_.push_back(std::move(group));
+  if (!(difference < standing)) groups_.back().local.assign(local.begin(), local.end());
+  return number;
+}
+
+int MovingParts::add(std::span<const std::int32_t> index) {
+  for (const std::int32_t i : index)
+    if (i < 0 || static_cast<std::size_t>(i) >= frames_.size()) throw std::out_of_range("index: there is no frame " + std::to_string(i));
+  groups_.push_back({{index.begin(), index.end()}, {}});
   return static_cast<int>(groups_.size()) - 1;
 }
 

@@ -2,7 +2,9 @@
 
 A message is a JSON head and arrays behind it: the length of the head (4 bytes), the head, filled up with blanks to a
 multiple of 8, and arrays of little-endian numbers, each at a multiple of 4. The head lists them in `arrays` as
-[kind, count], where kind is f4, u4 or u1; null stands for one that is as in the message of the whole scene.
+[kind, count], where kind is f4, u4 or u1; null stands for one that is as in the message of the whole scene. Pages that
+have drawn the picture before get of lines, which may be traces, only what is new: `kept` in the head lists [where, from
+where in the points before, how many] numbers that are as they were, and are not in the array.
 """
 
 from __future__ import annotations
@@ -21,7 +23,7 @@ from dalembert._pictures.camera import Camera
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.meshes import Mesh, Rgba, same_form, sharp_edges
-from dalembert._pictures.scene import Instance, Scene
+from dalembert._pictures.scene import DrawnItem, Instance, Scene
 
 Piece = bytes | memoryview
 Key = tuple[int, int]  # item, and how manieth of its parts
@@ -63,6 +65,7 @@ class Arrays:
 
 
 UNTURNED = np.eye(3)
+LONG = 50  # points of a line that is worth a look whether it has grown
 SCENES = 4  # of which items are remembered: a page may speak of one that has just been replaced
 
 
@@ -71,8 +74,8 @@ class Stage:
 
     def __init__(self) -> None:
         self.number = 0  # of the whole scene
-        self.items: list[list[Any]] = []  # of the scene: kind, number, type, name, number of the system
-        self._items_of: dict[int, list[list[Any]]] = {}  # by the number of a scene
+        self.items: list[DrawnItem] = []  # of the scene
+        self._items_of: dict[int, list[DrawnItem]] = {}  # by the number of a scene
         self._layout: Any = None
         self._kept: Any = None
         self._meshes: dict[Key, Mesh] = {}
@@ -82,9 +85,10 @@ class Stage:
         self._moved: set[int] = set()
         self._words = ""  # of the head of a frame, in which only the time changes
         self._whole: Callable[[], bytes] = bytes
+        self._lines: list[FloatArray] = []  # points of the last picture
         self._told: Any = None  # _MovingParts that know what pages have
 
-    def item(self, scene: int, number: int) -> list[Any] | None:
+    def item(self, scene: int, number: int) -> DrawnItem | None:
         """Return the entry of an item that a page has picked; None if it is no longer there."""
         items = self._items_of.get(scene, [])
         entry = items[number] if 0 <= number < len(items) else None
@@ -92,8 +96,10 @@ class Stage:
 
     def messages(
         self, scene: Scene, looks: Looks, words: dict[str, Any], camera: Callable[[], Camera]
-    ) -> tuple[Callable[[], bytes], list[Piece]]:
+    ) -> tuple[Callable[[], bytes], list[Piece], list[Piece] | None]:
         """Return what makes the message of the whole scene, and that of what moves, for pages that have the scene.
+
+        The third is the same for pages that have drawn the picture before, None if it would not be shorter.
 
         `words` are parts of the head of the whole scene.
         """
@@ -111,12 +117,12 @@ class Stage:
             words,
         )
         moving, head = self._frame(scene, looks, rigid, deformed)
-        if layout != self._layout:
+        if not (same := layout == self._layout):
             self.number += 1
             self._layout, self._first, self._moved = layout, moving.parts, set()
             herds, meshes = list(scene.herds), [group[0][1].mesh for group in rigid]
             self._kept = (herds, meshes, scene.balls, scene.threads)  # as long as they are known by their id
-            self.items = [[item.kind, item.number, item.type_name, item.name, item.system] for item in scene.items]
+            self.items = scene.items
             self._items_of[self.number] = self.items
             self._items_of.pop(self.number - SCENES, None)
         head["scene"] = self.number
@@ -127,9 +133,13 @@ class Stage:
 
         self._words = f',"range":{json.dumps(head["range"])},"scene":{self.number}'
         self._whole, self._told = whole, None
-        return whole, self._changes(moving, head)
+        changed = self._changes(moving)
+        lines = [scene.threads.points, *(points for points, *_ in scene.lines)]
+        grown = self._grown(changed, head, lines) if same else None
+        self._lines = lines
+        return whole, changed.pieces(head), grown
 
-    def moved(self, flow: Flow) -> tuple[Callable[[], bytes], list[Piece]] | None:
+    def moved(self, flow: Flow) -> tuple[Callable[[], bytes], list[Piece], None] | None:
         """Return the same when parts of a flow have moved since it made the last scene, and nothing else has changed.
 
         None if they cannot follow. The whole scene is that last one: pages take the frames after it.
@@ -140,7 +150,8 @@ class Stage:
             parts.keep([(*entry, part) for entry, part in zip(flow.sent(), first, strict=True)])
             self._told = parts
         frame = parts.message(self._words, self._moved)
-        return None if frame is None else (self._whole, [frame])
+        self._lines = []
+        return None if frame is None else (self._whole, [frame], None)
 
     @staticmethod
     def _parts(scene: Scene) -> list[tuple[Key, Instance]]:
@@ -198,14 +209,34 @@ class Stage:
         head: dict[str, Any] = {"kind": "frame", "time": scene.time, "range": list(scene.value_range)}
         return arrays, head
 
-    def _changes(self, moving: Arrays, head: dict[str, Any]) -> list[Piece]:
-        """Return the message of a frame; what has not moved since the message of the whole scene is left out."""
+    def _grown(self, changed: Arrays, head: dict[str, Any], lines: list[FloatArray]) -> list[Piece] | None:
+        """Return the message of a frame without points of long lines that are as in the picture before."""
+        place = len(changed.parts) - 3  # points of lines, their counts, and places of labels come last
+        if changed.parts[place] is None or len(lines) != len(self._lines):
+            return None
+        sent, kept, at, old = [], [], 0, 0
+        for line, before in zip(lines, self._lines, strict=True):
+            same = LONG <= len(before) <= len(line) and np.array_equal(line[: len(before)], before)
+            count = 3 * len(before) if same else 0
+            if same:
+                kept.append([at, old, count])
+            sent.append(line.ravel()[count:])
+            at, old = at + line.size, old + before.size
+        if not kept:
+            return None
+        shorter = Arrays()
+        shorter.parts = list(changed.parts)
+        shorter.parts[place] = np.concatenate(sent).astype(KINDS["f4"])
+        return shorter.pieces(head | {"kept": kept})
+
+    def _changes(self, moving: Arrays) -> Arrays:
+        """Return the arrays of a frame; what has not moved since the message of the whole scene is left out."""
         changed = Arrays()
         for number, (part, first) in enumerate(zip(moving.parts, self._first, strict=True)):
             if number not in self._moved and not _same(part, first):
                 self._moved.add(number)
             changed.parts.append(part if number in self._moved else None)
-        return changed.pieces(head)
+        return changed
 
 
 def _same(a: Any, b: Any) -> bool:
@@ -235,11 +266,11 @@ def _whole(
         **words,
         "meshes": meshes,
         "spheres": {
-            "colors": arrays.shades([*balls.colors[:, :3], *(color[:3] for _, _, color, _ in scene.spheres)]),
+            "colors": arrays.shades(_colors(balls.colors, [color for _, _, color, _ in scene.spheres])),
             "items": [*balls.items.tolist(), *(item for *_, item in scene.spheres)],
         },
         "lines": {
-            "colors": arrays.shades([color[:3] for color in [*threads.colors, *(line[1] for line in scene.lines)]]),
+            "colors": arrays.shades(_colors(threads.colors, [line[1] for line in scene.lines])),
             "items": [*threads.items.tolist(), *(item for *_, item in scene.lines)],
         },
         "labels": [[label.text, list(label.color)] for label in scene.labels],
@@ -250,6 +281,12 @@ def _whole(
         },
     }
     return arrays.message(head)
+
+
+def _colors(many: Any, others: list[Rgba]) -> FloatArray:
+    """Return colors (n x 3)."""
+    parts = [np.asarray(part, float).reshape(-1, 4)[:, :3] for part in (many, others)]
+    return np.concatenate(parts)
 
 
 def _shape(arrays: Arrays, mesh: Mesh, color: Rgba | None) -> dict[str, Any]:

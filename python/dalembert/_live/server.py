@@ -58,7 +58,13 @@ class PageServer:
         self.token = secrets.token_urlsafe(24)
         self.port = 0
         self._receive, self._pages, self._count, self._open = receive, dict[int, Page](), 0, 0
-        self._newest: tuple[int, int, Callable[[], bytes], Sequence[Piece]] = (0, -1, bytes, ())
+        self._newest: tuple[int, int, Callable[[], bytes], Sequence[Piece], Sequence[Piece] | None] = (
+            0,
+            -1,
+            bytes,
+            (),
+            None,
+        )
         self._lock = threading.RLock()  # of what pages have been sent
         self._loop = asyncio.new_event_loop()
         self._started: threading.Event = threading.Event()
@@ -88,10 +94,19 @@ class PageServer:
         """Return whether pages can be heard now; by a thread of its own, always."""
         return True
 
-    def publish(self, scene_number: int, scene: Callable[[], bytes], frame: Sequence[Piece]) -> None:
-        """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
+    def publish(
+        self,
+        scene_number: int,
+        scene: Callable[[], bytes],
+        frame: Sequence[Piece],
+        grown: Sequence[Piece] | None = None,
+    ) -> None:
+        """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready.
+
+        `grown`: what is enough for pages that have drawn the picture before.
+        """
         with self._lock:
-            self._newest = (self._newest[0] + 1, scene_number, scene, frame)
+            self._newest = (self._newest[0] + 1, scene_number, scene, frame, grown)
             for page in list(self._pages.values()):
                 self._show(page)
 
@@ -214,9 +229,12 @@ class PageServer:
 
     def _show(self, page: Page) -> None:
         """Send the newest picture to a page that is ready and has not got it; by whoever has the lock."""
-        picture, scene_number, scene, frame = self._newest
+        picture, scene_number, scene, frame, grown = self._newest
         if page.ready and page.picture < picture:
-            pieces = frame if page.scene == scene_number else [scene()]
+            if page.scene != scene_number:
+                pieces: Sequence[Piece] = [scene()]
+            else:
+                pieces = grown if grown is not None and page.picture == picture - 1 else frame
             page.ready, page.picture, page.scene = False, picture, scene_number
             page.connection.send_picture(pieces)
 

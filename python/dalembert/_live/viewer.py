@@ -258,8 +258,8 @@ class Viewer:
         looks = self.studio.makers[0].looks if self.studio.makers else Looks(self.settings)
         words = self._words.get(scene.value_name) or views.words(self.settings, scene, looks)
         self._words = {scene.value_name: words}
-        whole, frame = self.stage.messages(scene, looks, words, camera)
-        self.server.publish(self.stage.number, whole, frame)
+        messages = self.stage.messages(scene, looks, words, camera)
+        self.server.publish(self.stage.number, *messages)
         self.pictures += 1
         if self._home:
             self._home = False

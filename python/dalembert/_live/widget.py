@@ -107,8 +107,18 @@ class WidgetLink:
         self.tell({"kind": "alive"})
         return self._heard.wait(ANSWER)
 
-    def publish(self, scene_number: int, scene: Callable[[], bytes], frame: Sequence[Piece]) -> None:
-        """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
+    def publish(
+        self,
+        scene_number: int,
+        scene: Callable[[], bytes],
+        frame: Sequence[Piece],
+        grown: Sequence[Piece] | None = None,
+    ) -> None:
+        """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready.
+
+        Notebooks may lose messages: what is enough for pages that have the picture before is not used.
+        """
+        del grown
         with self._lock:
             self._newest = (self._newest[0] + 1, scene_number, scene, frame)
             for view in self._all():

@@ -2,18 +2,60 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
+from itertools import repeat
 from typing import Any
 
 import numpy as np
 
+from dalembert._checks import FloatArray, IntArray
 from dalembert._pictures import symbols
 from dalembert._pictures.bodies import Bodies
-from dalembert._pictures.meshes import Mesh, Rgba
+from dalembert._pictures.meshes import Mesh
 from dalembert._pictures.pen import Pen
-from dalembert._pictures.scene import Balls, Herd
+from dalembert._pictures.places import Places
+from dalembert._pictures.scene import Balls, DrawnItem, Herd
 
 RIGID = ("RigidBody", "RigidBody2D", "MassPoint", "MassPoint2D", "Mass1D", "RotationalMass1D")
 Item = dict[str, Any]
+
+
+MANY = 200  # items of a kind: from there on, those that look alike are taken together
+KINDS = ("Node", "Object")
+
+
+@dataclass
+class Group:
+    """Items that look alike, of which one is known."""
+
+    first: Item
+    numbers: IntArray
+
+
+def groups(places: Places, kind: str, count: int) -> list[Group]:
+    """Return the groups of items that look alike and have a frame, of those kinds that have many."""
+    if kind not in KINDS or count < MANY or places.source is None:
+        return []
+    first, turning = places.source.alike(KINDS.index(kind)), places.turning(kind)
+    found = []
+    for number, size in zip(*np.unique(first, return_counts=True), strict=True):
+        if size >= MANY:
+            numbers = np.flatnonzero((first == number) & turning)
+            found.append(Group(places.item(kind, int(number)), numbers))
+    return found
+
+
+@dataclass
+class Members:
+    """Numbers of items, and their positions in the scene."""
+
+    numbers: list[IntArray] = field(default_factory=list)
+    items: list[IntArray] = field(default_factory=list)
+
+    def add(self, numbers: IntArray, items: IntArray) -> None:
+        """Add some."""
+        self.numbers.append(numbers)
+        self.items.append(items)
 
 
 class Crowd:
@@ -21,53 +63,64 @@ class Crowd:
 
     def __init__(self, pen: Pen, bodies: Bodies) -> None:
         self._pen, self._bodies = pen, bodies
-        self._meshes: dict[int, tuple[Mesh, list[int], list[int]]] = {}  # by id: numbers of bodies, and of the items
-        self._nodes: list[int] = []  # numbers, and those of the items
-        self._items: list[int] = []
-        self._radii: list[float] = []
-        self._colors: list[Rgba] = []
+        self._meshes: dict[int, tuple[Mesh, Members]] = {}  # by id
+        self._nodes = Members()
+        self._radii: list[FloatArray] = []
+        self._colors: list[FloatArray] = []
+
+    def takes_all(self, kind: str, group: Group) -> bool:
+        """Take a group of which the pen has not drawn anything; False if its items have to be drawn one by one."""
+        return len(group.numbers) > 0 and self._takes(kind, group.first, group.numbers, None)
 
     def takes(self, kind: str, number: int, item: Item) -> bool:
         """Take the item of which the pen is about to draw; False if it has to be drawn by itself."""
-        if kind == "Object":
-            return self._takes_body(number, item)
-        return kind == "Node" and self._takes_node(number, item)
+        there = kind in KINDS and self._pen.places.turns(kind, number)
+        return there and self._takes(kind, item, np.array([number]), np.array([self._pen.item]))
 
-    def _takes_body(self, number: int, item: Item) -> bool:
-        if item["objectType"] not in RIGID or not self._pen.places.turns("Object", number):
+    def _takes(self, kind: str, item: Item, numbers: IntArray, items: IntArray | None) -> bool:
+        return (self._takes_bodies if kind == "Object" else self._takes_nodes)(item, numbers, items)
+
+    def _items(self, kind: str, item: Item, numbers: IntArray) -> IntArray:
+        """Put items of which the scene has none yet into it; return their positions."""
+        names = self._pen.places.source.names(KINDS.index(kind), numbers)
+        of_type = repeat(item[f"{kind.lower()}Type"])
+        rows = zip(repeat(kind), numbers.tolist(), of_type, names, repeat(0), strict=False)
+        return self._pen.take_many(list(map(DrawnItem._make, rows)))
+
+    def _takes_bodies(self, item: Item, numbers: IntArray, items: IntArray | None) -> bool:
+        if item["objectType"] not in RIGID:
             return False
-        meshes = self._bodies.meshes(self._pen, number, item)
+        meshes = self._bodies.meshes(self._pen, int(numbers[0]), item)
         if not meshes:
             return False
+        items = self._items("Object", item, numbers) if items is None else items
         for mesh in meshes:
-            _, numbers, items = self._meshes.setdefault(id(mesh), (mesh, [], []))
-            numbers.append(number)
-            items.append(self._pen.item)
+            self._meshes.setdefault(id(mesh), (mesh, Members()))[1].add(numbers, items)
         return True
 
-    def _takes_node(self, number: int, item: Item) -> bool:
+    def _takes_nodes(self, item: Item, numbers: IntArray, items: IntArray | None) -> bool:
         looks = self._pen.looks
         color = looks.color(item, "nodes.defaultColor")
-        if color[3] < 1 or not self._pen.places.turns("Node", number) or symbols.besides_ball(self._pen, item):
+        if color[3] < 1 or symbols.besides_ball(self._pen, item):
             return False
         radius = 0.5 * looks.node_size(item)
+        items = self._items("Node", item, numbers) if items is None else items
         if radius > 0:
-            self._nodes.append(number)
-            self._items.append(self._pen.item)
-            self._radii.append(radius)
-            self._colors.append(color)
+            self._nodes.add(numbers, items)
+            self._radii.append(np.full(len(numbers), radius))
+            self._colors.append(np.tile(np.array(color), (len(numbers), 1)))
         return True
 
     def draw(self) -> None:
         """Draw all that have been taken."""
         pen = self._pen
-        for mesh, numbers, items in self._meshes.values():
-            chosen = np.array(numbers)
+        for mesh, members in self._meshes.values():
+            chosen = np.concatenate(members.numbers)
             rows = np.asarray(pen.places.rows("Object"))[chosen]
-            pen.scene.herds.append(Herd(mesh, None, np.array(items), rows))
+            pen.scene.herds.append(Herd(mesh, None, np.concatenate(members.items), rows))
             pen.stuck.herds.append(pen.frames.numbers("Object", chosen))
-        if self._nodes:
-            chosen = np.array(self._nodes)
+        if self._nodes.numbers:
+            chosen, items = np.concatenate(self._nodes.numbers), np.concatenate(self._nodes.items)
             centers = np.asarray(pen.places.rows("Node"))[chosen, :, 3]
-            pen.scene.balls = Balls(centers, np.array(self._radii), np.array(self._colors), np.array(self._items))
+            pen.scene.balls = Balls(centers, np.concatenate(self._radii), np.concatenate(self._colors), items)
             pen.stuck.balls = pen.frames.numbers("Node", chosen)

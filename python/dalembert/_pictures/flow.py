@@ -93,19 +93,20 @@ class Flow:
         loose |= {line[3] for line, frame in zip(scene.lines, stuck.lines, strict=True) if frame < 0}
         loose |= {item for item, frame in stuck.labels if frame < 0}
         self._loose = sorted(loose - {-1})
-        inverse = np.linalg.inv(_square(all_parts.frames()))
+        frames = all_parts.frames()
 
         def add(index: Any, parts: Any) -> int:
             numbers = np.array(index, np.int32)
-            return int(all_parts.add(numbers, (inverse[numbers] @ _square(np.array(parts, float)))[:, :3]))
+            inverse = np.linalg.inv(_square(frames[numbers]))
+            return int(all_parts.add(numbers, (inverse @ _square(np.array(parts, float)))[:, :3]))
 
         groups: dict[tuple[int, Any], list[tuple[int, Instance]]] = {}
         for part, frame in zip(scene.instances, stuck.instances, strict=True):
             if part.item not in loose:
                 groups.setdefault((id(part.mesh), part.color), []).append((frame, part))
         self._herds = [
-            (herd.mesh, herd.color, herd.items, add(frames, herd.rows))
-            for herd, frames in zip(scene.herds, stuck.herds, strict=True)
+            (herd.mesh, herd.color, herd.items, int(all_parts.add(numbers)))
+            for herd, numbers in zip(scene.herds, stuck.herds, strict=True)
         ]
         for members in groups.values():
             parts = np.empty((len(members), 3, 4))
@@ -120,7 +121,9 @@ class Flow:
             np.concatenate([balls.radii, np.array([s[1] for s, _ in kept], float)]),
             np.concatenate([balls.colors, np.array([s[2] for s, _ in kept], float).reshape(-1, 4)]),
             np.concatenate([balls.items, np.array([s[3] for s, _ in kept], int)]),
-            add(
+            int(all_parts.add(stuck.balls))
+            if not kept
+            else add(
                 [*stuck.balls, *(f for _, f in kept)],
                 np.concatenate([_points(balls.centers), _points([s[0] for s, _ in kept])]),
             ),

@@ -12,12 +12,12 @@ from dalembert._core import ConfigurationType
 from dalembert._pictures import connectors, contacts, flexible, symbols, traces
 from dalembert._pictures.bodies import Bodies
 from dalembert._pictures.contour import Contour
-from dalembert._pictures.crowds import RIGID, Crowd
+from dalembert._pictures.crowds import RIGID, Crowd, groups
 from dalembert._pictures.looks import Looks, rgba
-from dalembert._pictures.meshes import Mesh, edges_of_box, extremes
+from dalembert._pictures.meshes import Mesh, edges_of_box
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Parameters, Places
-from dalembert._pictures.scene import DrawnItem, Instance, Scene, placed
+from dalembert._pictures.scene import DrawnItem, Herd, Instance, Scene
 from dalembert._pictures.trees import Trees
 
 TINY = 1e-9  # m, of symbols while the size of the scene is found
@@ -155,7 +155,17 @@ class SceneMaker:
         pen.take(DrawnItem("Object", -1, "", ""))
         pen.line(self._places_of_nodes(places), (0.0, 0.0, 0.0, 1.0))
         alike: dict[int, tuple[Mesh, list[int]]] = {}  # bodies by the mesh that they have
+        taken = set[int]()
+        for group in groups(places, "Object", self._count("Object")):
+            if not group.first.get("Vshow", True):
+                taken.update(group.numbers.tolist())
+            elif group.first["objectType"] in RIGID and len(group.numbers):
+                for mesh in self.bodies.meshes(pen, int(group.numbers[0]), group.first) or ():
+                    taken.update(group.numbers.tolist())
+                    alike.setdefault(id(mesh), (mesh, []))[1].extend(group.numbers.tolist())
         for number in range(self._count("Object")):
+            if number in taken:
+                continue
             item = places.item("Object", number)
             name = item["objectType"]
             if not item.get("Vshow", True):
@@ -173,7 +183,8 @@ class SceneMaker:
                 pen.line(joined, (0.0, 0.0, 0.0, 1.0))
         pen.take(DrawnItem("Object", -1, "", ""))
         for mesh, numbers in alike.values():
-            pen.line(placed(extremes(mesh), np.asarray(places.rows("Object"))[numbers]), (0.0, 0.0, 0.0, 1.0))
+            rows = np.asarray(places.rows("Object"))[numbers]
+            rough.herds.append(Herd(mesh, None, np.full(len(numbers), pen.item), rows))
         box = rough.box()
         size = 0.0 if box is None else float(np.linalg.norm(box[1] - box[0]))
         self.looks.size = size if size > 100 * TINY else 1.0
@@ -193,7 +204,16 @@ class SceneMaker:
         """Draw all items of a kind, as far as they and their group of settings are shown."""
         flags: dict[str, tuple[bool, bool]] = {}  # by group: whether items, and their numbers, are shown
         name_of_type = f"{kind.lower()}Type"
-        for number in range(self._count(kind)):
+        count = self._count(kind)
+        taken = set[int]()
+        for group in groups(pen.places, kind, count) if crowd is not None else ():
+            settings = self.looks.setting(self._group(kind, group.first))
+            hidden = not settings.show or not group.first.get("Vshow", True)
+            if hidden or (not settings.showNumbers and crowd is not None and crowd.takes_all(kind, group)):
+                taken.update(group.numbers.tolist())
+        for number in range(count) if len(taken) < count else ():
+            if number in taken:
+                continue
             item = pen.places.item(kind, number)
             name = self._group(kind, item)
             if name not in flags:

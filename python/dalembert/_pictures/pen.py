@@ -105,6 +105,12 @@ class Pen:
         self.scene.items.append(item)
         self._item, self._key = len(self.scene.items) - 1, None
 
+    def take_many(self, items: list[DrawnItem]) -> IntArray:
+        """Add items; return their positions in the scene."""
+        first = len(self.scene.items)
+        self.scene.items += items
+        return np.arange(first, len(self.scene.items))
+
     def go_on(self, item: int) -> None:
         """Draw from now on in the name of an item that the scene has already."""
         self._item, self._key = item, None

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from dalembert import _core
 from dalembert._checks import FloatArray
@@ -51,6 +52,12 @@ class Places:
         if kind not in self._rows:
             self._rows[kind] = self.source.rows(KINDS.index(kind), self.configuration)
         return self._rows[kind]
+
+    def turning(self, kind: str) -> npt.NDArray[np.bool_]:
+        """Return for all items of a kind whether rows() has position and rotation."""
+        rows = self.rows(kind)
+        known = np.isfinite(np.zeros((0, 3, 4)) if rows is None else rows)
+        return np.asarray(known.all(axis=(1, 2)))
 
     def turns(self, kind: str, number: int) -> bool:
         """Return whether rows() has position and rotation of an item."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -14,8 +15,7 @@ from dalembert._pictures.meshes import Mesh, Rgba, extremes, sharp_edges
 WIDE = 3.0  # ground that is larger than all the rest by this factor is a floor to stand on
 
 
-@dataclass(frozen=True, slots=True)
-class DrawnItem:
+class DrawnItem(NamedTuple):
     """What a part of a picture belongs to."""
 
     kind: str  # Node, Object, Marker, Load, Sensor, GeneralContact
@@ -155,16 +155,13 @@ class Scene:
         for center, radius, _, item in self.spheres:
             if counts[item]:
                 parts.append(np.array([center - radius, center + radius]))
-        for herd in self.herds:
-            rows = herd.rows[counts[herd.items]]
-            parts.append(placed(extremes(herd.mesh), rows))
         balls, threads = self.balls, self.threads
         chosen = counts[balls.items]
         parts += [balls.centers[chosen] + sign * balls.radii[chosen, None] for sign in (-1, 1)]
         parts.append(threads.points[np.repeat(counts[threads.items], threads.counts)])
-        points = np.concatenate([np.zeros((0, 3)), *parts])
-        points = points[np.isfinite(points).all(axis=1)]
-        return np.array([points.min(axis=0), points.max(axis=0)]) if len(points) else None
+        for herd in self.herds:
+            parts.append(_bounds_of_herd(herd, counts[herd.items]))
+        return _bounds(np.concatenate([np.zeros((0, 3)), *parts]))
 
     def values(self) -> FloatArray:
         """Return all numbers that are shown as colors."""
@@ -172,10 +169,31 @@ class Scene:
         return np.concatenate(shown) if shown else np.empty(0)
 
 
-def placed(points: FloatArray, rows: FloatArray) -> FloatArray:
-    """Return where points are that stand in each of many frames (n x 3 x 4)."""
-    found: FloatArray = points @ rows[:, :, :3].transpose(0, 2, 1) + rows[:, None, :, 3]
-    return found.reshape(-1, 3)
+def _bounds(points: FloatArray) -> FloatArray | None:
+    """Return the smallest and the largest coordinates of points that are finite; None if there are none."""
+    columns = np.ascontiguousarray(points.T)  # along which numpy is ten times as fast
+    if not columns.size:
+        return None
+    bounds: FloatArray = np.array([columns.min(axis=1), columns.max(axis=1)])
+    if not np.isfinite(bounds).all():
+        columns = columns[:, np.isfinite(columns).all(axis=0)]
+        return np.array([columns.min(axis=1), columns.max(axis=1)]) if columns.size else None
+    return bounds
+
+
+def _bounds_of_herd(herd: Herd, chosen: npt.NDArray[np.bool_]) -> FloatArray:
+    """Return the smallest and the largest coordinates of a mesh at many places (2 x 3; 0 x 3 if it is at none)."""
+    rows = herd.rows if chosen.all() else herd.rows[chosen]
+    points = extremes(herd.mesh)
+    if not len(rows) or not len(points):
+        return np.zeros((0, 3))
+    # one axis after the other, and one point: arrays of all points at all places would be many times as large
+    bounds = np.array([np.full(3, np.inf), np.full(3, -np.inf)])
+    for i in range(3):
+        for point in points:
+            found = rows[:, i, :3] @ point + rows[:, i, 3]
+            bounds[:, i] = min(bounds[0, i], np.nanmin(found)), max(bounds[1, i], np.nanmax(found))
+    return bounds
 
 
 @dataclass

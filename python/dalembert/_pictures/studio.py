@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import lru_cache
 from operator import attrgetter
 from pathlib import Path
@@ -31,7 +30,7 @@ def joined(scenes: list[Scene]) -> Scene:
     whole, scenes = Scene(), [scene.unbound() for scene in scenes]
     for number, scene in enumerate(scenes):
         start = len(whole.items)
-        whole.items += [replace(item, system=number) for item in scene.items]
+        whole.items += [item._replace(system=number) for item in scene.items]
         whole.instances += [
             Instance(i.mesh, i.matrix, i.place, i.color, i.item + start, i.values) for i in scene.instances
         ]

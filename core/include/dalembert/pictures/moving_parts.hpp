@@ -35,6 +35,7 @@ class MovingParts {
 
   // Parts that stand in the frames `index` where the rows `local` (12 numbers each) say; returns the number of this group of parts.
   int add(std::span<const std::int32_t> index, std::span<const double> local);
+  int add(std::span<const std::int32_t> index);  // as their frames
   std::size_t groups() const { return groups_.size(); }
   std::size_t size(int group) const { return groups_[static_cast<std::size_t>(group)].index.size(); }
   // Where the parts are now; false if a number is not finite, as an item has no place, or no orientation. `numbers`: one for each part, or none.

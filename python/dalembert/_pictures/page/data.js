@@ -50,3 +50,16 @@ export function message(buffer) {
   });
   return { head, arrays };
 }
+
+// Numbers of which some are as they were: [where, from where in the ones before, how many], and those between them were sent.
+export function joined(sent, kept, before) {
+  const all = new Float32Array(kept.reduce((sum, [, , count]) => sum + count, sent.length));
+  let filled = 0, used = 0;
+  for (const [at, from, count] of [...kept, [all.length, 0, 0]]) {
+    all.set(sent.subarray(used, used + at - filled), filled);
+    used += at - filled;
+    all.set(before.subarray(from, from + count), at);
+    filled = at + count;
+  }
+  return all;
+}

@@ -1,5 +1,5 @@
 // The live page: it shows what the viewer sends, tells when it has drawn it, and passes on keys, choices and views.
-import { read } from "./data.js";
+import { joined, read } from "./data.js";
 import { Motion } from "./motion.js";
 import { Pane } from "./panes.js";
 import { Panels } from "./panels.js";
@@ -124,7 +124,7 @@ export class Live extends View {
       if (points || shades) put(points ?? this.last.get(put), shades);
       if (shaded && points) this.last.set(put, points);
     }
-    const [curves, counts, places] = arrays.slice(next, next + 3);
+    const [sent, counts, places] = arrays.slice(next, next + 3), curves = sent && head.kept ? joined(sent, head.kept, this.points) : sent;
     if (curves || counts) this.curves(curves ?? this.points, counts ?? this.counts);
     if (curves) this.points = curves;
     if (counts) this.counts = counts;

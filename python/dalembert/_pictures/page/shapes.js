@@ -135,15 +135,23 @@ export function spheres(entry, arrays, drawnBy) {
   return [made];
 }
 
+const BRIGHT = [221, 221, 221]; // what is black, on a dark background
+
 // All lines as one object: the points of one after those of the other, and how many each has. Lines may grow.
 export function lines(colors, items) {
   const made = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
   made.frustumCulled = false;
   made.raycast = () => {};
-  let room = 0;
+  let room = 0, dark = false, last = null;
   made.userData = {
     items,
+    paint(isDark) {
+      if (dark === isDark) return;
+      dark = isDark;
+      if (last) made.userData.put(...last);
+    },
     put(points, counts) {
+      last = [points, counts];
       const needed = 2 * counts.reduce((sum, count) => sum + Math.max(count - 1, 0), 0), shape = made.geometry;
       if (needed > room) {
         room = Math.max(needed, 2 * room);
@@ -153,7 +161,8 @@ export function lines(colors, items) {
       if (!needed) return;
       const position = shape.getAttribute("position"), shade = shape.getAttribute("color");
       for (let line = 0, from = 0, to = 0; line < counts.length; ++line) {
-        SPOTS.setRGB(colors[line][0] / 255, colors[line][1] / 255, colors[line][2] / 255, "srgb");
+        const [red, green, blue] = dark && !Math.max(...colors[line]) ? BRIGHT : colors[line];
+        SPOTS.setRGB(red / 255, green / 255, blue / 255, "srgb");
         for (let i = 0; i + 1 < counts[line]; ++i, to += 6) {
           position.array.set(points.subarray(from + 3 * i, from + 3 * i + 6), to);
           SPOTS.toArray(shade.array, to);

@@ -113,6 +113,7 @@ export class View {
     if (background) this.background = background;
     this.scene.background = this.isDark ? new Color(0x1b1d22) : new Color().setRGB(...this.background, "srgb");
     this.place.classList.toggle("dark", !!this.isDark);
+    for (const object of this.objects) object.userData.paint?.(!!this.isDark);
     this.wish();
   }
 
