@@ -88,7 +88,10 @@ class PageServer:
     @property
     def wanted(self) -> bool:
         """Return whether a page waits for something to draw."""
-        return any(page.ready for page in list(self._pages.values()))
+        for page in list(self._pages.values()):
+            if page.ready:
+                return True
+        return False
 
     def answers(self) -> bool:
         """Return whether pages can be heard now; by a thread of its own, always."""

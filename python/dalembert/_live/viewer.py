@@ -88,6 +88,7 @@ class Viewer:
         self._interval = self._wanted_interval()
         self._complaint = ""
         self._told: dict[str, Any] = {}  # of the state
+        self._flow: Flow | None = None  # if nothing but places may have changed
         self._words: dict[str, dict[str, Any]] = {}  # which pages are told of the settings, by name of what is colored
         self._seen = time.monotonic() + PATIENCE["browser"] - RETURN  # when a page was there, or is expected
         self.at_end: Callable[[], object] = lambda: None
@@ -236,8 +237,8 @@ class Viewer:
         if not (news or self._dirty or self._views or self._lacks):
             return False
         assert self.studio is not None
-        if (flow := self._only_moving()) is not None:
-            moved = self.stage.moved(flow)
+        if self._flow is not None and not (self._dirty or self._views):
+            moved = self.stage.moved(self._flow)
             if moved is not None:
                 self.server.publish(self.stage.number, *moved)
                 self.pictures += 1
@@ -287,9 +288,12 @@ class Viewer:
             systems = [self.container.GetSystem(i) for i in range(count)]
             self.shadows = [_core._Shadow(mbs) for mbs in systems]
             self._histories = [History(*both, self.settings) for both in zip(systems, self.shadows, strict=True)]
-        places = self.selection is None and self._only_moving() is not None
-        news = [shadow.follow(places) for shadow in self.shadows]
-        items, structure = any(new[1] for new in news), any(new[2] for new in news)
+        self._flow = self._only_moving()
+        places = self.selection is None and self._flow is not None
+        state = items = structure = False
+        for shadow in self.shadows:
+            has_moved, has_other_items, is_other_model = shadow.follow(places)
+            state, items, structure = state or has_moved, items or has_other_items, structure or is_other_model
         self._stale = self._stale or items
         now = time.monotonic()
         again = changed or structure or self.studio is None or (self._stale and now - self._made > OFTEN)
@@ -299,7 +303,9 @@ class Viewer:
             for maker, history in zip(self.studio.makers, self._histories, strict=True):
                 maker.stored = history.rows
             self._home = self._home or changed or structure
-        return again or items or any(new[0] for new in news)
+        if again or items:
+            self._flow = None
+        return again or items or state
 
     def _check_now_and_then(self) -> None:
         now = time.monotonic()
