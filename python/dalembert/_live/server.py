@@ -88,10 +88,7 @@ class PageServer:
     @property
     def wanted(self) -> bool:
         """Return whether a page waits for something to draw."""
-        for page in list(self._pages.values()):
-            if page.ready:
-                return True
-        return False
+        return any(page.ready for page in list(self._pages.values()))
 
     def answers(self) -> bool:
         """Return whether pages can be heard now; by a thread of its own, always."""
