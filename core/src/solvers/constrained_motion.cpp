@@ -327,11 +327,30 @@ State ConstrainedMotion::moved_by(double part, System& system, const State& at, 
   return moved;
 }
 
+// By pivots at hand, as far as this is evident. What vanishes in a singular position alone is far above this eps.
+bool ConstrainedMotion::same_follow_beside(System& system, const State& at, const Conditions& conditions, std::span<const double> step) {
+  const std::vector<double> here = matrix_;
+  State moved = at;
+  move_positions(system, step, moved.q);
+  fill(system, moved, conditions);
+  RedundantConstraints there;
+  bool same = there.measure(system, *pattern_, matrix_, settings_.momentLength, 1) && there.take_over(redundant_);
+  if (same) {
+    there.use(RedundantConstraints::counting_eps);
+    there.regularize(*pattern_, matrix_, 1);
+    same = factors_->factorize(matrix_) == LinearSolver::success && there.confirm(*pattern_, matrix_, *factors_);
+  }
+  matrix_ = here;
+  factors_->factorize(matrix_);
+  return same;
+}
+
 // Redundancy that lasts is also there a little further on, along the velocities and where any forces would lead: off the constraints by the square
 // of that, equations are independent by its fourth power, beside a singular position by its square.
 bool ConstrainedMotion::fewer_follow_beside(System& system, const State& at, const Conditions& conditions) {
   std::vector<double> step(static_cast<std::size_t>(ode2_));
   add_free_motion(little, system, at, step);
+  if (same_follow_beside(system, at, conditions, step)) return false;
   ConstrainedMotion beside;
   const bool regular = beside.is_regular_beside(*this, system, at, conditions, step);
   system.reactions_are_known(redundant_.equations());

@@ -83,6 +83,7 @@ class ConstrainedMotion {
   bool pass(int& singular);
   bool is_regular_beside(const ConstrainedMotion& other, System& system, const State& at, const Conditions& conditions, std::span<const double> step);
   void add_free_motion(double part, const System& system, const State& at, std::span<double> step);
+  bool same_follow_beside(System& system, const State& at, const Conditions& conditions, std::span<const double> step);
   bool fewer_follow_beside(System& system, const State& at, const Conditions& conditions);
   bool accelerations_after(double time, System& system, const State& start, const Conditions& conditions, std::vector<double>& a,
                            std::vector<double>& lambda);
