@@ -393,7 +393,9 @@ def test_few_nodes_stand_for_the_size_of_a_mesh(mbs: Any) -> None:
         system = exu.SystemContainer().AddSystem()
         body, _ = dense_mesh(system, angle, np.zeros((2100, 2)))
         node = system.GetNodeOutput(0, Variable.Position)
-        points = np.vstack([exu._core._ScenePlaces(system).mesh(body, Variable.Position, exu.ConfigurationType.Current), node])
+        points = np.vstack(
+            [exu._core._ScenePlaces(system).mesh(body, Variable.Position, exu.ConfigurationType.Current), node]
+        )
         box = np.linalg.norm(np.ptp(points, axis=0))
         assert 0.9 * box < exu._core.testing.extent(system) <= box * (1 + 1e-12)
 

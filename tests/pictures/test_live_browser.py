@@ -106,7 +106,9 @@ def test_it_follows_the_solver_until_it_is_stopped(model: Any, tab: Tab) -> None
 def test_traces_grow_and_are_bright_on_a_dark_page(SC: Any, model: Any, viewer: Viewer, tab: Tab) -> None:
     """Points of a trace on the page are those of the viewer, though only new ones are sent; black is light grey beside a dark background."""
     sensor = model.AddSensor(
-        exu.SensorBody(bodyNumber=1, outputVariableType=exu.OutputVariableType.Position, storeInternal=True, writeToFile=False)
+        exu.SensorBody(
+            bodyNumber=1, outputVariableType=exu.OutputVariableType.Position, storeInternal=True, writeToFile=False
+        )
     )
     model.Assemble()
     traces = SC.visualizationSettings.sensors.traces

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from dalembert import _core
-from dalembert._checks import FloatArray
+from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType
 from dalembert._pictures import connectors, contacts, flexible, symbols, traces
 from dalembert._pictures.bodies import Bodies
@@ -154,18 +154,16 @@ class SceneMaker:
         colors = Contour(self.looks)
         pen.take(DrawnItem("Object", -1, "", ""))
         pen.line(self._places_of_nodes(places), (0.0, 0.0, 0.0, 1.0))
-        alike: dict[int, tuple[Mesh, list[int]]] = {}  # bodies by the mesh that they have
-        taken = set[int]()
-        for group in groups(places, "Object", self._count("Object")):
+        alike: dict[int, tuple[Mesh, list[IntArray]]] = {}  # bodies by the mesh that they have
+        left = np.ones(self._count("Object"), bool)
+        for group in groups(places, "Object", len(left)):
             if not group.first.get("Vshow", True):
-                taken.update(group.numbers.tolist())
+                left[group.numbers] = False
             elif group.first["objectType"] in RIGID and len(group.numbers):
                 for mesh in self.bodies.meshes(pen, int(group.numbers[0]), group.first) or ():
-                    taken.update(group.numbers.tolist())
-                    alike.setdefault(id(mesh), (mesh, []))[1].extend(group.numbers.tolist())
-        for number in range(self._count("Object")):
-            if number in taken:
-                continue
+                    left[group.numbers] = False
+                    alike.setdefault(id(mesh), (mesh, []))[1].append(group.numbers)
+        for number in np.flatnonzero(left).tolist():
             item = places.item("Object", number)
             name = item["objectType"]
             if not item.get("Vshow", True):
@@ -173,7 +171,7 @@ class SceneMaker:
             is_plain = name in RIGID and places.turns("Object", number)
             if is_plain and (found := self.bodies.meshes(pen, number, item)) is not None:
                 for mesh in found:
-                    alike.setdefault(id(mesh), (mesh, []))[1].append(number)
+                    alike.setdefault(id(mesh), (mesh, []))[1].append(np.array([number]))
                 continue
             pen.take(DrawnItem("Object", number, name, ""))
             self._draw_body(pen, colors, number, item)
@@ -182,7 +180,8 @@ class SceneMaker:
                 pen.take(DrawnItem("Object", -1, "", ""))
                 pen.line(joined, (0.0, 0.0, 0.0, 1.0))
         pen.take(DrawnItem("Object", -1, "", ""))
-        for mesh, numbers in alike.values():
+        for mesh, members in alike.values():
+            numbers = np.concatenate(members)
             rows = np.asarray(places.rows("Object"))[numbers]
             rough.herds.append(Herd(mesh, None, np.full(len(numbers), pen.item), rows))
         box = rough.box()
@@ -205,15 +204,13 @@ class SceneMaker:
         flags: dict[str, tuple[bool, bool]] = {}  # by group: whether items, and their numbers, are shown
         name_of_type = f"{kind.lower()}Type"
         count = self._count(kind)
-        taken = set[int]()
+        left = np.ones(count, bool)
         for group in groups(pen.places, kind, count) if crowd is not None else ():
             settings = self.looks.setting(self._group(kind, group.first))
             hidden = not settings.show or not group.first.get("Vshow", True)
             if hidden or (not settings.showNumbers and crowd is not None and crowd.takes_all(kind, group)):
-                taken.update(group.numbers.tolist())
-        for number in range(count) if len(taken) < count else ():
-            if number in taken:
-                continue
+                left[group.numbers] = False
+        for number in np.flatnonzero(left).tolist():
             item = pen.places.item(kind, number)
             name = self._group(kind, item)
             if name not in flags:

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from dalembert._checks import FloatArray, IntArray
 from dalembert._pictures.meshes import Mesh, Rgba, extremes, sharp_edges
 
+BLOCK = 4096  # of many places, looked at together: what is found for them stays in the cache
 WIDE = 3.0  # ground that is larger than all the rest by this factor is a floor to stand on
 
 
@@ -187,12 +188,12 @@ def _bounds_of_herd(herd: Herd, chosen: npt.NDArray[np.bool_]) -> FloatArray:
     points = extremes(herd.mesh)
     if not len(rows) or not len(points):
         return np.zeros((0, 3))
-    # one axis after the other, and one point: arrays of all points at all places would be many times as large
+    matrix = np.vstack([points.T, np.ones(len(points))])
     bounds = np.array([np.full(3, np.inf), np.full(3, -np.inf)])
-    for i in range(3):
-        for point in points:
-            found = rows[:, i, :3] @ point + rows[:, i, 3]
-            bounds[:, i] = min(bounds[0, i], np.nanmin(found)), max(bounds[1, i], np.nanmax(found))
+    for first in range(0, len(rows), BLOCK):
+        found = (rows[first : first + BLOCK].reshape(-1, 4) @ matrix).reshape(-1, 3 * len(points))
+        low, high = (extreme.reduce(found, axis=0).reshape(3, -1) for extreme in (np.fmin, np.fmax))
+        bounds = np.array([np.fmin(bounds[0], low.min(axis=1)), np.fmax(bounds[1], high.max(axis=1))])
     return bounds
 
 
