@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import repeat
 from typing import Any
@@ -58,6 +61,18 @@ class Members:
         self.items.append(items)
 
 
+@contextmanager
+def _without_collector() -> Iterator[None]:
+    """Look for no garbage while very much is made that is none: all of it would be looked at again and again."""
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()
+
+
 class Crowd:
     """Takes items that look as they always do, and draws them when all are there."""
 
@@ -82,10 +97,11 @@ class Crowd:
 
     def _items(self, kind: str, item: Item, numbers: IntArray) -> IntArray:
         """Put items of which the scene has none yet into it; return their positions."""
-        names = self._pen.places.source.names(KINDS.index(kind), numbers)
-        of_type = repeat(item[f"{kind.lower()}Type"])
-        rows = zip(repeat(kind), numbers.tolist(), of_type, names, repeat(0), strict=False)
-        return self._pen.take_many(list(map(DrawnItem._make, rows)))
+        with _without_collector():
+            names = self._pen.places.source.names(KINDS.index(kind), numbers)
+            of_type = repeat(item[f"{kind.lower()}Type"])
+            rows = zip(repeat(kind), numbers.tolist(), of_type, names, repeat(0), strict=False)
+            return self._pen.take_many(list(map(DrawnItem._make, rows)))
 
     def _takes_bodies(self, item: Item, numbers: IntArray, items: IntArray | None) -> bool:
         if item["objectType"] not in RIGID:
