@@ -167,7 +167,7 @@ class Scene:
     def values(self) -> FloatArray:
         """Return all numbers that are shown as colors."""
         shown = [instance.values for instance in self.instances if instance.values is not None]
-        return np.concatenate(shown) if shown else np.empty(0)
+        return shown[0] if len(shown) == 1 else np.concatenate([np.empty(0), *shown])
 
 
 def _bounds(points: FloatArray) -> FloatArray | None:
