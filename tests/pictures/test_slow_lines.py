@@ -146,8 +146,9 @@ def test_a_slow_line_delays_neither_the_solver_nor_other_pages(swinging: Any, vi
     assert count["near"] > 2 * count["far"]
 
 
-def test_pictures_and_words_stay_whole_when_the_page_reads_late() -> None:
-    """Larger than what the system takes at once, while words are sent from another thread."""
+@pytest.mark.parametrize("at_once", [True, False])
+def test_pictures_and_words_stay_whole_when_the_page_reads_late(at_once: bool) -> None:
+    """Larger than what the system takes at once, while words are sent from another thread; also where that thread writes all, as on Windows."""
     from websockets.sync.client import connect
 
     server = PageServer(lambda page, message: None)
@@ -157,7 +158,10 @@ def test_pictures_and_words_stay_whole_when_the_page_reads_late() -> None:
         page.send(json.dumps({"kind": "hello", "token": server.token}))
         while not server.pages:
             time.sleep(0.001)
-        next(iter(server._pages.values())).scene = 1  # so that it gets frames
+        shown = next(iter(server._pages.values()))
+        shown.scene = 1  # so that it gets frames
+        if not at_once:
+            shown.connection.end_pictures()
         words = []
         for data in pictures:
             server.publish(1, lambda data=data: data, [data[:100], memoryview(data)[100:]])  # type: ignore[misc]
