@@ -207,7 +207,6 @@ void add_locking_turns(SolverHooks& hooks, const std::shared_ptr<MainSystem>& ma
     const int first = main->system.node_index(node, System::Coordinates::ode2);
     hooks.locking_turns.push_back({name, static_cast<std::size_t>(first + coordinate)});
   }
-  if (!hooks.locking_turns.empty() && !hooks.post_step) hooks.post_step = [](double) { return true; };
 }
 
 // Where a line can be written over, progress is one line; elsewhere, in files for instance, a line after 10 s and then every

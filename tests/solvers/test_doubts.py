@@ -5,11 +5,12 @@ from __future__ import annotations
 import pickle
 from typing import Any
 
+import numpy as np
 import pytest
 from oscillators import dynamic_settings, friction_or_stop, mass, oscillator
 
 import dalembert as exu
-from dalembert.utilities import InertiaCuboid
+from dalembert.utilities import InertiaCuboid, RigidBodyInertia
 
 Solver = exu.DynamicSolverType
 
@@ -78,3 +79,74 @@ def test_gaps_at_the_end() -> None:
     (doubt,) = doubts(mbs, dynamic_settings(2.0, 30), Solver.TrapezoidalIndex2)
     assert doubt.startswith("open at the end: ") and "'hinge'" in doubt
     assert doubts(mbs, dynamic_settings(2.0, 30)) == []
+
+
+TURNS = RigidBodyInertia(1, np.diag([0.01, 0.02, 0.015]))
+
+
+def turned(node_type: Any, omega: list[float], settings: Any, solver: Any) -> tuple[Any, list[str]]:
+    """The rotation of a free body after a second, and doubts."""
+    mbs = exu.SystemContainer().AddSystem()
+    mbs.CreateRigidBody(name="stone", inertia=TURNS, initialAngularVelocity=omega, nodeType=node_type)
+    mbs.Assemble()
+    found = doubts(mbs, settings, solver)
+    return mbs.GetNodeOutput(0, exu.OutputVariableType.RotationMatrix).reshape(3, 3), found
+
+
+def by_tolerance(tolerance: float) -> Any:
+    settings = dynamic_settings(1.0, 100)
+    settings.timeIntegration.automaticStepSize = settings.stepSizeControl.implicitSolvers = True
+    settings.timeIntegration.absoluteTolerance = settings.timeIntegration.relativeTolerance = tolerance
+    return settings
+
+
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2])
+def test_angles_that_lock(solver: Any) -> None:
+    """A body that turns about its middle axis, almost: at a quarter turn, its first and third angle turn by half a turn within a few milliseconds.
+    Error control finds them, equal steps miss them, and say so; Euler parameters do not notice."""
+    omega = [0.03, 10.0, 0.02]
+    right, found = turned(exu.NodeType.RotationEulerParameters, omega, by_tolerance(1e-11), Solver.DOP853)
+    assert found == []
+    angles = exu.NodeType.RotationRxyz
+    wrong, (doubt,) = turned(angles, omega, dynamic_settings(1.0, 1000), solver)
+    assert np.abs(wrong - right).max() > 0.01  # of Euler parameters with these steps, it is 2e-5
+    assert doubt.startswith(
+        "node 0 'Node:stone' (NodeRigidBodyRxyz) turns by three angles, which lock where the second is at 90 degrees; it came to "
+    )
+    assert "RotationEulerParameters" in doubt and 0.15 < float(doubt.split("at time ")[1].split(";")[0]) < 0.17
+    for method, tolerance, error in [(Solver.DOPRI5, 1e-8, 1e-6), (Solver.ESDIRK43, 1e-8, 2e-6), (solver, 1e-5, 3e-4)]:
+        rotation, found = turned(angles, omega, by_tolerance(tolerance), method)
+        assert found == [] and np.abs(rotation - right).max() < error
+
+
+def test_angles_that_lock_are_advised_on() -> None:
+    with pytest.raises(exu.SolverError) as caught:
+        turned(exu.NodeType.RotationRxyz, [0.03, 10.0, 0.02], dynamic_settings(1.0, 1000), Solver.RK44)
+    assert caught.value.advice[0].startswith(
+        "node 0 'Node:stone' (NodeRigidBodyRxyz) turns by three angles, which lock"
+    )
+
+
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.RK44])
+def test_angles_that_go_straight_through(solver: Any) -> None:
+    """About one axis, and in a gimbal, whose inner ring turns by the first two angles: the third stays."""
+    angles = exu.NodeType.RotationRxyz
+    rotation, found = turned(angles, [0.0, 10.0, 0.0], dynamic_settings(1.0, 100), solver)
+    assert (
+        found == []
+        and np.abs(rotation - [[np.cos(10), 0, np.sin(10)], [0, 1, 0], [-np.sin(10), 0, np.cos(10)]]).max() < 1e-9
+    )
+
+    def inner_ring(node_type: Any) -> Any:
+        mbs = exu.SystemContainer().AddSystem()
+        ground = mbs.CreateGround()
+        outer = mbs.CreateRigidBody(inertia=TURNS, initialAngularVelocity=[1, 0, 0], nodeType=node_type)
+        inner = mbs.CreateRigidBody(inertia=TURNS, initialAngularVelocity=[1, 10, 0], nodeType=node_type)
+        mbs.CreateRevoluteJoint(bodyNumbers=[ground, outer], position=[0, 0, 0], axis=[1, 0, 0], useGlobalFrame=True)
+        mbs.CreateRevoluteJoint(bodyNumbers=[outer, inner], position=[0, 0, 0], axis=[0, 1, 0], useGlobalFrame=True)
+        mbs.Assemble()
+        assert doubts(mbs, dynamic_settings(1.0, 1000), solver) == []
+        return mbs.GetNodeOutput(1, exu.OutputVariableType.RotationMatrix)
+
+    # Errors of second order: 3e-6 of angles, 2e-5 of Euler parameters.
+    assert np.abs(inner_ring(angles) - inner_ring(exu.NodeType.RotationEulerParameters)).max() < 1e-4

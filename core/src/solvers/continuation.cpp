@@ -17,7 +17,7 @@ namespace dalembert {
 namespace {
 
 // What the loop over steps has to know, in the order of the numbers in the file. Those of the solver follow, then what has been counted, and where
-// angles of trees have locked.
+// angles have locked.
 enum RunNumber : std::size_t {
   start_time, step_index, last_step_size, equal_start, equal_step_size, equal_time, equal_before, solution_written, sensors_written,
   image_recorded, steps_since_reduction, steps_above_tolerance, singular_position_step, passing_steps, largest_misfit, smallest_step_size,

@@ -158,9 +158,9 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
     if (2 * constraints.largest(misfit) > constraints.largest(gaps)) return diagnose_contradiction(misfit);
   }
   if (has_weak_constraints()) return diagnose_singular_position();
-  Diagnosis& d = diagnose(FailureReason::newton);
+  Diagnosis& d = diagnose(FailureReason::open_constraints);
   add_largest(d.values, gaps, "equation", sizes_.first_ae());
-  d.advice = {"the step leaves gaps that cannot be closed: use smaller steps (timeIntegration.numberOfSteps, minimumStepSize)",
+  d.advice = {"use smaller steps (timeIntegration.numberOfSteps, minimumStepSize)",
               "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
 }
 

@@ -105,7 +105,7 @@ bool DiagonallyImplicitSolver::control_step_size() {
 bool DiagonallyImplicitSolver::reduce_step_size() {
   it.currentTime = current().time;
   if (std::exchange(rejected_, false)) return true;  // the error control has chosen a step size
-  const bool may_be_singular = sizes_.ae > 0 && diagnosis_.reason == FailureReason::newton;
+  const bool may_be_singular = sizes_.ae > 0 && (diagnosis_.reason == FailureReason::newton || diagnosis_.reason == FailureReason::open_constraints);
   if (!(it.currentStepSize > it.minStepSize)) {
     if (may_be_singular && near_singular_position()) diagnose_singular_position();
     return false;

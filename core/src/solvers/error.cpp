@@ -13,9 +13,10 @@ struct Words {
 };
 
 // In the order of FailureReason.
-constexpr std::array<Words, 16> words{{
+constexpr std::array<Words, 17> words{{
     {"", "no failure", ""},
     {"newton", "Newton's method did not converge", "largest residuals"},
+    {"openConstraints", "the step leaves gaps that cannot be closed", "largest gaps"},
     {"singularMatrix", "the system matrix is singular", ""},
     {"freeDirection", "the system matrix is singular: something can move without inertia or stiffness", ""},
     {"contradictoryConstraints", "constraints contradict each other", "what the closest fit leaves open"},

@@ -184,7 +184,7 @@ void Solver::look_back() {
     doubts_.push_back("contact or friction that has not settled in " + steps(it.unsettledSteps) +
                       ": use smaller steps, or more discontinuous.maxIterations");
   }
-  doubt_locking_turns();
+  doubt_angles();
   const auto& s = settings_->initialConditions;
   if (s.checkConstraints && sizes_.ae > 0) {
     const auto open = open_constraints(*system_, current(), conditions_, {s.positionTolerance, s.velocityTolerance, false});

@@ -84,6 +84,7 @@ bool Solver::initialize() {
   tell_settings_without_effect(*settings_, hooks().warn);
   initialize_data();
   if (!starts_finite()) return false;
+  find_angles();
   initial_conditions();
   if (!continues()) check_constraints();
   post_initialize();
@@ -302,7 +303,7 @@ void Solver::begin_step() {
   if (!may_be_reduced || !reduce_step_size()) {
     conv.stepReductionFailed = true;
     if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});
-    advise_on_locking_turns();
+    advise_on_angles();
     advise_on_weak_constraints();
     name_singular_position();
     return;
@@ -318,6 +319,7 @@ void Solver::step_succeeded() {
   step_completed_ = true;
   if (it.automaticStepSize) [[unlikely]] count_step_size();
   if (watch_) [[unlikely]] switch_over();
+  if (!angles_.empty()) watch_angles();
   if (!silent_) finish_step(true);
   if (watch_ && event_reached()) [[unlikely]] act_on_events();
   ++steps_since_reduction_;

@@ -138,7 +138,6 @@ void Solver::finish_step(bool write) {
   if (to_console || to_file) print_progress(to_console, to_file);
   if (verbose(3)) announce_solution();
   if (hooks().post_step) {
-    if (!hooks().locking_turns.empty()) watch_locking_turns();
     const TimedPart time(timer, timer.python);
     const Told told(*this);
     if (!hooks().post_step(it.currentTime)) {

@@ -21,7 +21,7 @@ _ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|rows [\d, ]+|equation \d+
 class SolverError(ValueError):
     """A solver that gave up. Its text is the whole diagnosis with advice; its parts are attributes.
 
-    reason: 'newton', 'singularMatrix', 'freeDirection', 'contradictoryConstraints', 'massMatrix',
+    reason: 'newton', 'openConstraints', 'singularMatrix', 'freeDirection', 'contradictoryConstraints', 'massMatrix',
         'discontinuousIteration', 'eventChatter', 'errorControl', 'stiffForMethod', 'singularPosition',
         'toleranceBelowRoundOff', 'notFinite', 'unbounded', 'pathTooLong' or 'timeLimit'.
     solverName, stepIndex, time (s), stepSize (s), loadFactor: where it happened; step 0 is the start.

@@ -11,6 +11,7 @@ namespace dalembert {
 enum class FailureReason {
   none,
   newton,           // no convergence, and the step could not be made smaller
+  open_constraints,  // a step has left gaps that cannot be closed
   singular_matrix,  // the system matrix cannot be factorized
   free_direction,   // because coordinates can move without inertia, stiffness or constraint
   contradiction,    // no motion fulfils all constraints

@@ -25,9 +25,9 @@ struct EventValue {
   int direction;  // 1: only where it rises, -1: only where it falls, 0: both
 };
 
-// Three angles, one after the other, in the place of a ball joint: they lock where the second is a quarter turn.
+// Three angles in a tree, one after the other, in the place of a ball joint: they lock where the second is a quarter turn.
 struct LockingTurns {
-  std::string name;   // of the joint
+  std::string joint;
   std::size_t first;  // the ODE2 coordinate of the first angle
 };
 
@@ -51,7 +51,6 @@ struct SolverHooks {
   std::function<bool(double time, const ItemEvent& event)> item_event_action;
   // Null: nothing acts at times that are known beforehand. Otherwise there is a pre_step, which may do nothing.
   std::shared_ptr<Schedule> schedule;
-  // Not empty: there is a post_step, which may do nothing.
   std::vector<LockingTurns> locking_turns;
   // Entries to add to the system matrix, for the given weights of derivatives by q, v and ODE1 coordinates.
   std::function<std::vector<MatrixEntry>(double time, double q, double v, double y)> system_jacobian;

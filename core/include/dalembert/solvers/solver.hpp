@@ -287,11 +287,19 @@ class Solver {
   void act_on_events();
   void end_as_scheduled();  // a step that would go further
   void act_as_scheduled();
-  // ---- angles of trees that lock (locking_turns.cpp) ----------------------------------------------------------------
-  void watch_locking_turns();
-  void doubt_locking_turns();
-  void advise_on_locking_turns();
   void advise_on_weak_constraints();
+  // ---- angles that lock (locking_angles.cpp) -----------------------------------------------------------------------
+  void find_angles();
+  void watch_angles();
+  void doubt_angles();
+  void advise_on_angles();
+  // Three, one after the other: of a node, or turns of a tree in the place of a ball joint.
+  struct Angles {
+    int node;           // -1: of a tree
+    std::size_t first;  // coordinate
+  };
+  std::string text_of(const Angles& angles, double second_angle) const;
+  std::vector<Angles> angles_;
   struct Lock {
     std::size_t first;  // coordinate
     StepCount steps;    // that were too large; the first of them, and the second angle there
