@@ -10,7 +10,9 @@ import pytest
 from oscillators import Oscillator, dynamic_settings, mass, oscillator
 
 import dalembert as exu
+from dalembert.beams import GenerateStraightLineANCFCable2D
 from dalembert.itemInterface import (
+    Cable2D,
     CoordinateSpringDamper,
     LoadCoordinate,
     MarkerNodeCoordinate,
@@ -32,6 +34,8 @@ STEADY = [
 ]
 # Largest product of frequency and step size for which a vibration without damping does not grow.
 LIMITS = {Solver.RK33: np.sqrt(3), Solver.RK44: np.sqrt(8), Solver.VelocityVerlet: 2.0}
+# The same of a rate of decay: Butcher, Numerical Methods for Ordinary Differential Equations, section 238; velocities of Verlet's method as of Euler's.
+DECAYS = {Solver.ExplicitEuler: 2.0, Solver.RK33: 2.5127, Solver.RK44: 2.7853, Solver.VelocityVerlet: 2.0}
 
 
 def settings_of(end: float, steps: int) -> Any:
@@ -103,6 +107,34 @@ def test_the_step_size_that_is_advised_is_stable(solver: Any) -> None:
     assert model.mbs.SolveDynamic(settings_of(1, steps), solverType=solver)
     assert abs(model.position) < 0.31  # the amplitude at the start is 0.3
     assert failure(model, settings_of(1, int(0.9 * steps)), solver).reason == "unbounded"
+
+
+@pytest.mark.parametrize("solver", DECAYS)
+def test_damping_limits_steps_as_well(solver: Any) -> None:
+    model = oscillator(stiffness=100.0, damping=1e4, physics_mass=1)
+    model.mbs.Assemble()
+    error = failure(model, settings_of(1, 1000), solver)
+    assert error.reason == "unbounded"
+    assert "what is damped fastest at the start, by a rate of 9999.99 1/s at node 0 'foot'" in error.advice[0]
+    found = re.search(r"steps up to (\S+) s, timeIntegration.numberOfSteps=(\d+)", error.advice[0])
+    assert found is not None and 0.97 * DECAYS[solver] < 1e4 * float(found[1]) <= 1.001 * DECAYS[solver]
+    assert model.mbs.SolveDynamic(settings_of(1, int(found[2])), solverType=solver) is True
+    assert abs(model.position) < 0.31
+
+
+def test_growth_that_a_nonlinear_model_ends_by_itself() -> None:
+    """A cable that is bent beyond recognition within some steps, and then only trembles: of a support and masses that couple all coordinates. Its bending
+    is damped by 0.02 of its stiffness, which has a rate of 5e3 1/s and more."""
+    mbs = exu.SystemContainer().AddSystem()
+    cable = Cable2D(
+        physicsMassPerLength=1, physicsBendingStiffness=2, physicsAxialStiffness=400, physicsBendingDamping=0.04
+    )
+    GenerateStraightLineANCFCable2D(mbs, [0, 0, 0], [1, 0, 0], 3, cable, [0, -9.81, 0], [1, 1, 0, 1], [0, 0, 0, 0])
+    mbs.Assemble()
+    assert mbs.SolveDynamic(settings_of(0.2, 2000), solverType=Solver.RK44) is True
+    with pytest.raises(exu.SolverError) as caught:
+        mbs.SolveDynamic(settings_of(0.2, 400), solverType=Solver.RK44)
+    assert caught.value.reason == "unbounded" and "damped fastest" in caught.value.advice[0]
 
 
 @pytest.mark.parametrize("solver", [*STEADY, Solver.DOPRI5, Solver.GeneralizedAlpha])

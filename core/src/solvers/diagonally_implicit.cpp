@@ -475,7 +475,7 @@ bool DiagonallyImplicitSolver::back_onto_constraints() {
 [[gnu::noinline]] bool DiagonallyImplicitSolver::leave_open_gaps() {
   diagnose_open_gaps();
   const bool may_be_reduced = (it.adaptiveStep || it.automaticStepSize) && it.currentStepSize > it.minStepSize;
-  if (may_be_reduced && diagnosis_.reason == FailureReason::singular_position) diagnosis_.reason = FailureReason::newton;
+  if (may_be_reduced && diagnosis_.reason == FailureReason::singular_position) diagnosis_.reason = FailureReason::open_constraints;
   return false;
 }
 

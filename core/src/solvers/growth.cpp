@@ -13,9 +13,10 @@ namespace dalembert {
 
 namespace {
 
-// When the sum of squares of coordinates and velocities has grown by so much, theory is asked whether the steps are the reason ...
-constexpr double noticeable_growth = 1e20;
-// ... which they are if it predicts at least so much for the numbers themselves.
+// When the sum of squares of coordinates and velocities has grown by so much, and by the last factor again and again, theory is asked whether
+// the steps are the reason: where velocities change within a step by as much as they are, or at the latest when the sum has grown enormously.
+constexpr double noticeable_growth = 100, enormous_growth = 1e20, further_growth = 4;
+// They are if it predicts at least so much for the numbers themselves.
 constexpr double predicted_growth = 1e5;
 
 double size_of_motion(const System& system, const State& state) { return sum_of_squares(system, state.q) + sum_of_squares(system, state.v); }
@@ -23,24 +24,28 @@ double size_of_motion(const System& system, const State& state) { return sum_of_
 }  // namespace
 
 void ExplicitSolver::begin_to_watch() {
+  fastest_.reset();
   growth_limit_ = std::min(newton_settings.maximumSolutionNorm, unbounded * unbounded);
   watches_coordinates_ = newton_settings.maximumSolutionNorm < NewtonSettings{}.maximumSolutionNorm;
   if (it.automaticStepSize) return;  // keeps to stable steps
-  growth_limit_ = std::min(growth_limit_, noticeable_growth * std::max(1.0, size_of_motion(system(), current())));
+  growth_limit_ = std::min(growth_limit_, noticeable_growth * size_at_start());
 }
 
-// Whether the state is lost, not only larger than was to be expected at the start. Theory is asked once.
+double ExplicitSolver::size_at_start() { return std::max(1.0, size_of_motion(system(), initial())); }
+
+// Whether the state is lost, not only larger than was to be expected at the start.
 [[gnu::noinline]] bool ExplicitSolver::outgrown() {
   const State& now = current();
   const double largest = std::min(newton_settings.maximumSolutionNorm, unbounded * unbounded);
   if (!all_finite(now) || !(size_of_motion(system(), now) < largest && sum_of_squares(system(), now.y) < unbounded * unbounded)) return true;
-  growth_limit_ = largest;
-  return theory_explains_growth();
+  const double size = size_of_motion(system(), now), enormous = enormous_growth * size_at_start(), h = it.currentStepSize;
+  growth_limit_ = std::min(largest, size < enormous ? std::min(further_growth * size, enormous) : largest);
+  const bool is_rough = h * h * sum_of_squares(system(), now.a) > sum_of_squares(system(), now.v);
+  return (is_rough || size >= enormous) && theory_explains_growth();
 }
 
 bool ExplicitSolver::theory_explains_growth() {
-  const Vibration fastest = fastest_at_start();
-  return std::pow(amplification_of(fastest, it.currentStepSize), it.currentStepIndex) > predicted_growth;
+  return std::pow(amplification_of(fastest_at_start(), it.currentStepSize), it.currentStepIndex) > predicted_growth;
 }
 
 double ExplicitSolver::amplification_of(const Vibration& vibration, double step_size) const {
@@ -48,12 +53,36 @@ double ExplicitSolver::amplification_of(const Vibration& vibration, double step_
 }
 
 // User functions may raise what they like: then nothing is known.
-Vibration ExplicitSolver::fastest_at_start() {
+const Vibration& ExplicitSolver::fastest_at_start() {
+  if (fastest_) return *fastest_;
+  fastest_.emplace();
+  State still = initial();
+  std::ranges::fill(still.a, 0.0);
+  std::ranges::fill(still.lambda, 0.0);
+  if (still.q.empty()) return *fastest_;
   try {
-    return fastest_vibration(system(), initial(), conditions_, mass_, eliminated_);
+    if (constrained_) *fastest_ = fastest_with_constraints(still);
+    else if (mass_.update(system(), still) == LinearSolver::success)
+      *fastest_ = fastest_vibration(system(), still, conditions_, [&](Vector& x) { return mass_.solve(system(), still, x) == LinearSolver::success; }, eliminated_);
   } catch (const std::exception&) {
-    return {};
   }
+  return *fastest_;
+}
+
+Vibration ExplicitSolver::fastest_with_constraints(const State& still) {
+  ConstrainedMotion motion;
+  motion.prepare(system(), linear_type(), factor_options(), settings().redundantConstraints);
+  const bool regular = motion.factorize(system(), still, conditions_) == LinearSolver::success;
+  system().reactions_are_known(motion_.redundant().equations());
+  if (!regular) return {};
+  Vector all(static_cast<std::size_t>(sizes_.total()));
+  const auto accelerate = [&](Vector& x) {
+    std::fill(std::ranges::copy(x, all.begin()).out, all.end(), 0.0);
+    motion.solve(all);
+    std::copy_n(all.begin(), x.size(), x.begin());
+    return true;
+  };
+  return fastest_vibration(system(), still, conditions_, accelerate, {});
 }
 
 // False, always: with error control, a much smaller step may do; otherwise the solver gives up.
@@ -105,12 +134,13 @@ bool ExplicitSolver::find_bad_evaluation() {
 }
 
 void ExplicitSolver::advise_on_growth() {
-  const Vibration fastest = fastest_at_start();
+  const Vibration& fastest = fastest_at_start();
   const double h = it.currentStepSize;
   const auto amplified = [&](double step_size) { return amplification_of(fastest, step_size); };
   if (const double stable = largest_stable_step(fastest, h, amplified); stable < h) {
-    std::string text = "the fastest vibration at the start, " + format_number(fastest.frequency) + " rad/s at " +
-                       system().describe_row(fastest.coordinate) + ", grows with these steps; ";
+    const std::string what = fastest.creeps() ? "what is damped fastest at the start, by a rate of " + format_number(fastest.rate()) + " 1/s at "
+                                              : "the fastest vibration at the start, " + format_number(fastest.frequency) + " rad/s at ";
+    std::string text = what + system().describe_row(fastest.coordinate) + ", grows with these steps; ";
     text += stable > 0 ? "this method is stable with steps up to " + format_number(stable, 3) + " s, timeIntegration.numberOfSteps=" +
                              format_number(std::ceil((it.endTime - it.startTime) / stable), 10)
                        : "this method amplifies it with all steps";

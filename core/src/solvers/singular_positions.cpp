@@ -121,7 +121,7 @@ std::vector<std::string> Solver::items_in_singular_position() {
 
 [[gnu::noinline]] void Solver::name_singular_position() {
   const FailureReason reason = diagnosis_.reason;
-  const bool may_be = reason == FailureReason::newton || reason == FailureReason::error_control;
+  const bool may_be = reason == FailureReason::newton || reason == FailureReason::open_constraints || reason == FailureReason::error_control;
   if (is_static() || sizes_.ae == 0 || sizes_.ae > most_equations || !settings_->redundantConstraints.treat) return;
   if (!may_be && reason != FailureReason::singular_position && reason != FailureReason::round_off) return;
   std::vector<std::string> items = items_in_singular_position();

@@ -303,9 +303,9 @@ void Solver::begin_step() {
   if (!may_be_reduced || !reduce_step_size()) {
     conv.stepReductionFailed = true;
     if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});
+    name_singular_position();
     advise_on_angles();
     advise_on_weak_constraints();
-    name_singular_position();
     return;
   }
   steps_since_reduction_ = 0;

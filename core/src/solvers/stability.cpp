@@ -41,38 +41,37 @@ Vector mixed_numbers(std::size_t count) {
 
 }  // namespace
 
-// Power iteration with M^-1 K, and Rayleigh quotients, which for symmetric matrices are never above the true values.
-Vibration fastest_vibration(System& system, State state, const Conditions& conditions, MassOperator& mass, const std::vector<int>& held) {
-  std::fill(state.a.begin(), state.a.end(), 0.0);
-  std::fill(state.lambda.begin(), state.lambda.end(), 0.0);
-  if (state.q.empty() || mass.update(system, state) != LinearSolver::success) return {};
+// Power iterations with M^-1 K and with M^-1 D, and Rayleigh quotients, which for symmetric matrices are never above the true values.
+Vibration fastest_vibration(System& system, const State& state, const Conditions& conditions, const std::function<bool(std::vector<double>&)>& accelerate,
+                            const std::vector<int>& held) {
   const Pattern& pattern = system.pattern(false);
-  Vector stiffness(static_cast<std::size_t>(pattern.values())), values = stiffness;
+  Vector stiffness(static_cast<std::size_t>(pattern.values())), damping = stiffness, inertia = stiffness;
   system.tangent(state, conditions, {.q = 1, .v = 0, .a = 0, .y = 0, .y_t = 0}, pattern, stiffness);
-  Vector x = mixed_numbers(state.q.size()), y = x;
-  for (int i = 0; i < power_iterations; ++i) {
-    for (const int k : held) x[k] = 0;
-    const double length = std::sqrt(dot(x, x));
-    if (!(length > 0) || !std::isfinite(length)) return {};
-    for (double& number : x) number /= length;
-    if (i + 1 == power_iterations) break;
-    multiply(pattern, stiffness, x, y);
-    if (mass.solve(system, state, y) != LinearSolver::success) return {};
-    std::swap(x, y);
-  }
-  const auto quotient = [&] {
-    multiply(pattern, values, x, y);
-    return dot(x, y);
+  system.tangent(state, conditions, {.q = 0, .v = 1, .a = 0, .y = 0, .y_t = 0}, pattern, damping);
+  system.mass_matrix(state, pattern, inertia);
+  const auto fastest_by = [&](const Vector& matrix) -> Vibration {
+    Vector x = mixed_numbers(state.q.size()), y = x;
+    for (int i = 0; i < power_iterations; ++i) {
+      for (const int k : held) x[k] = 0;
+      const double length = std::sqrt(dot(x, x));
+      if (!(length > 0) || !std::isfinite(length)) return {};
+      for (double& number : x) number /= length;
+      if (i + 1 == power_iterations) break;
+      multiply(pattern, matrix, x, y);
+      if (!accelerate(y)) return {};
+      std::swap(x, y);
+    }
+    const auto quotient = [&](const Vector& values) {
+      multiply(pattern, values, x, y);
+      return dot(x, y);
+    };
+    const double energy = quotient(stiffness), loss = quotient(damping), motion = quotient(inertia);
+    if (!(motion > 0) || !(energy > 0 || loss > 0)) return {};
+    const auto most = std::ranges::max_element(x, {}, [](double number) { return std::abs(number); });
+    return {std::sqrt(std::max(energy, 0.0) / motion), loss / motion, static_cast<int>(most - x.begin())};
   };
-  multiply(pattern, stiffness, x, y);
-  const double energy = dot(x, y);
-  system.mass_matrix(state, pattern, values);
-  const double inertia = quotient();
-  system.tangent(state, conditions, {.q = 0, .v = 1, .a = 0, .y = 0, .y_t = 0}, pattern, values);
-  const double loss = quotient();
-  if (!(energy > 0 && inertia > 0)) return {};
-  const auto most = std::ranges::max_element(x, {}, [](double number) { return std::abs(number); });
-  return {std::sqrt(energy / inertia), loss / inertia, static_cast<int>(most - x.begin())};
+  const Vibration stiffest = fastest_by(stiffness), most_damped = fastest_by(damping);
+  return most_damped.rate() > stiffest.rate() ? most_damped : stiffest;
 }
 
 // R(z) = 1 + z b^T (1 - z A)^-1 1 for z = h times a root of s^2 + damping s + frequency^2.
@@ -94,15 +93,16 @@ double amplification(const RungeKuttaMethod& method, const Vibration& vibration,
   return largest;
 }
 
-// Without damping, which makes it less stable: r^2 - 2 c r + 1 = 0 with c = 1 - (frequency h)^2 / 2.
+// Velocities between the steps, u: u+ = u - h (damping u + frequency^2 q), q+ = q + h u+, so that r^2 - b r + d = 0.
 double verlet_amplification(const Vibration& vibration, double step_size) {
-  const double z = vibration.frequency * step_size, c = std::abs(1 - 0.5 * z * z);
-  return c <= 1 ? 1 : c + std::sqrt(c * c - 1);
+  const double z = vibration.frequency * step_size, loss = vibration.damping * step_size, b = 2 - loss - z * z, d = 1 - loss;
+  const double discriminant = 0.25 * b * b - d;
+  return discriminant > 0 ? 0.5 * std::abs(b) + std::sqrt(discriminant) : std::sqrt(d);
 }
 
 double largest_stable_step(const Vibration& vibration, double step_size, const std::function<double(double)>& amplified) {
-  if (!(vibration.frequency > 0)) return step_size;
-  const double period = 2 * std::numbers::pi / vibration.frequency;
+  if (!(vibration.rate() > 0)) return step_size;
+  const double period = 2 * std::numbers::pi / vibration.rate();
   const auto stable = [&](double h) { return std::pow(amplified(h), period / h) <= 1.01; };
   if (stable(step_size)) return step_size;
   for (double h = std::min(step_size, period); h > 1e-4 * period; h *= 0.98) {

@@ -4,20 +4,16 @@
 #include <functional>
 #include <vector>
 
-#include "dalembert/solvers/mass_operator.hpp"
 #include "dalembert/solvers/runge_kutta.hpp"
+#include "dalembert/solvers/vibration.hpp"
+#include "dalembert/system/system.hpp"
 
 namespace dalembert {
 
-// x_tt + damping x_t + frequency^2 x = 0
-struct Vibration {
-  double frequency = 0;  // rad/s; 0: there is none
-  double damping = 0;    // 1/s
-  int coordinate = -1;   // which moves most
-};
-
-// Of the system linearized about `state`, with coordinates held at zero. `mass` is left with the factors of this state.
-Vibration fastest_vibration(System& system, State state, const Conditions& conditions, MassOperator& mass, const std::vector<int>& held);
+// Of the system linearized about `state`, without accelerations and multipliers. `accelerate` makes accelerations of forces, as constraints
+// allow; false: it cannot. Coordinates of `held` stay at zero.
+Vibration fastest_vibration(System& system, const State& state, const Conditions& conditions, const std::function<bool(std::vector<double>&)>& accelerate,
+                            const std::vector<int>& held);
 
 // Largest factor by which one step changes the amplitude.
 double amplification(const RungeKuttaMethod& method, const Vibration& vibration, double step_size);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,10 +14,9 @@
 #include "dalembert/solvers/mass_operator.hpp"
 #include "dalembert/solvers/runge_kutta.hpp"
 #include "dalembert/solvers/solver.hpp"
+#include "dalembert/solvers/vibration.hpp"
 
 namespace dalembert {
-
-struct Vibration;
 
 class ExplicitSolver : public Solver {
  public:
@@ -103,13 +103,15 @@ class ExplicitSolver : public Solver {
   // ---- steps that cannot be kept -----------------------------------------------------------------------------------
   void begin_to_watch();
   bool stays_bounded() const;
+  double size_at_start();
   bool outgrown();
   bool theory_explains_growth();
   bool lose_step();
   void diagnose_growth();
   bool find_bad_evaluation();
   bool is_good(const Vector& a, std::span<const double> y_t);
-  Vibration fastest_at_start();
+  const Vibration& fastest_at_start();
+  Vibration fastest_with_constraints(const State& still);
   double amplification_of(const Vibration& vibration, double step_size) const;
   bool update_masses();
   void mass_failed(int row);
@@ -131,6 +133,7 @@ class ExplicitSolver : public Solver {
   int stiff_signs_ = 0, calm_signs_ = 0;  // in the last steps
   bool told_stiff_ = false;
   double growth_limit_ = 0;         // of the sum of squares of velocities ...
+  std::optional<Vibration> fastest_;  // at the start, once somebody has asked
   bool watches_coordinates_ = false;  // ... and of coordinates, where the user has set a limit
   bool searching_ = false;          // for the first evaluation that is not finite
   bool constrained_ = false, off_constraints_ = false;
