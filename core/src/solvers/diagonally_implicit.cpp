@@ -98,9 +98,7 @@ void DiagonallyImplicitSolver::require_no_algebraic_coordinates() const {
 }
 
 void DiagonallyImplicitSolver::prepare_factors() {
-  const auto& l = settings().linearSolverSettings;
-  const LinearSolverOptions options{.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian};
-  motion_.prepare(system(), linear_type(), options, settings().redundantConstraints);
+  prepare(motion_);
   masses_ready_ = false;
   smallest_ = {};
   factorized_for_ = slowest_ = 0;
@@ -121,11 +119,7 @@ void DiagonallyImplicitSolver::save_start_of_step() {
 }
 
 ConstrainedMotion* DiagonallyImplicitSolver::motion_under_constraints() {
-  if (!std::exchange(masses_ready_, true)) {
-    const auto& l = settings().linearSolverSettings;
-    masses_.prepare(system(), linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
-                    settings().redundantConstraints);
-  }
+  if (!std::exchange(masses_ready_, true)) prepare(masses_);
   return &masses_;
 }
 
@@ -133,11 +127,7 @@ ConstrainedMotion* DiagonallyImplicitSolver::motion_under_constraints() {
 const std::vector<double>* DiagonallyImplicitSolver::told_multipliers() {
   const State& now = current();
   if (motion_.redundant().count() == 0 || !motion_.redundant().in_use()) return nullptr;
-  if (!smallest_.ready) {
-    const auto& l = settings().linearSolverSettings;
-    smallest_.motion.prepare(system(), linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
-                             settings().redundantConstraints);
-  }
+  if (!smallest_.ready) prepare(smallest_.motion);
   if (!std::exchange(smallest_.ready, true) || smallest_.q != now.q || smallest_.lambda != now.lambda) {
     smallest_.q = now.q;
     smallest_.lambda = smallest_.told = now.lambda;

@@ -448,8 +448,7 @@ std::vector<double> Solver::gaps_and_rates() {
   State moved = current();
   ConstrainedMotion own, *motion = motion_under_constraints();
   if (motion == nullptr) {
-    const auto& l = settings_->linearSolverSettings;
-    own.prepare(*system_, linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian}, settings_->redundantConstraints);
+    prepare(own);
     motion = &own;
   } else if (motion->is_examined()) {
     motion->examine(*system_, moved, conditions_);  // actions switch constraints on and off

@@ -122,18 +122,13 @@ void ExplicitSolver::post_initialize() {
   start_of_step() = now;
 }
 
-LinearSolverOptions ExplicitSolver::factor_options() const {
-  const auto& l = settings().linearSolverSettings;
-  return {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian};
-}
-
 void ExplicitSolver::prepare_motion() {
-  if (constrained_) motion_.prepare(system(), linear_type(), factor_options(), settings().redundantConstraints);
+  if (constrained_) prepare(motion_);
 }
 
 bool ExplicitSolver::prepare_factors() {
   prepare_motion();
-  mass_.prepare(system(), linear_type(), factor_options());
+  mass_.prepare(system(), linear_type(), linear_options());
   renewed_objects_ = system().renewed_objects();
   constant_mass_ = !constrained_ && system().constant_mass_matrix() && settings().timeIntegration.reuseConstantMassMatrix;
   return !constant_mass_ || update_masses();

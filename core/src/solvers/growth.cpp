@@ -71,7 +71,7 @@ const Vibration& ExplicitSolver::fastest_at_start() {
 
 Vibration ExplicitSolver::fastest_with_constraints(const State& still) {
   ConstrainedMotion motion;
-  motion.prepare(system(), linear_type(), factor_options(), settings().redundantConstraints);
+  prepare(motion);
   const bool regular = motion.factorize(system(), still, conditions_) == LinearSolver::success;
   system().reactions_are_known(motion_.redundant().equations());
   if (!regular) return {};

@@ -62,19 +62,18 @@ void NewtonSolver::pattern_revised() {
 void NewtonSolver::take_pattern() {
   const Pattern* pattern = &system().pattern(dense());
   const auto make = [&](const LinearSolverOptions& options) { return make_linear_solver(*pattern, linear_type(), options); };
-  linear_ = make(redundant_.in_use() ? redundant_.options(linear_options()) : linear_options());
-  if (plain_) plain_ = make(linear_options());
+  linear_ = make(redundant_.in_use() ? redundant_.options(newton_options()) : newton_options());
+  if (plain_) plain_ = make(newton_options());
   factorized_ = false;
   pattern_ = pattern;
   redundant_.pattern_revised();
   jacobian_.assign(static_cast<std::size_t>(pattern->values()), 0.0);
 }
 
-LinearSolverOptions NewtonSolver::linear_options() const {
-  const auto& s = settings().linearSolverSettings;
-  return {.pivot_threshold = s.pivotThreshold,
-          .ignore_singular = s.ignoreSingularJacobian,
-          .unsettled_matrices = full_newton_ ? first_jacobians : 0};
+LinearSolverOptions NewtonSolver::newton_options() const {
+  LinearSolverOptions options = linear_options();
+  options.unsettled_matrices = full_newton_ ? first_jacobians : 0;
+  return options;
 }
 
 double NewtonSolver::evaluate_residual() {

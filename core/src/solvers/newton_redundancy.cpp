@@ -63,7 +63,7 @@ void NewtonSolver::constraints_are_known(RedundantConstraints found) {
     return true;
   }
   forget_redundancy();
-  linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
+  linear_ = make_linear_solver(*pattern_, linear_type(), newton_options());
   return false;
 }
 
@@ -82,12 +82,12 @@ void NewtonSolver::regularize() {
 }
 
 std::unique_ptr<LinearSolver> NewtonSolver::regularized_solver() const {
-  return make_linear_solver(*pattern_, linear_type(), redundant_.options(linear_options()));
+  return make_linear_solver(*pattern_, linear_type(), redundant_.options(newton_options()));
 }
 
 // With the factors; none: the matrix is singular for other reasons as well.
 std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
-  auto factors = make_linear_solver(*pattern_, linear_type(), RedundantConstraints::options_to_find(linear_options()));
+  auto factors = make_linear_solver(*pattern_, linear_type(), RedundantConstraints::options_to_find(newton_options()));
   if (!redundant_.find(*pattern_, jacobian_, counting_eps, *factors)) factors.reset();
   return factors;
 }
@@ -104,7 +104,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   compute_jacobian();
   if (RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
   if (!measure_redundancy()) return;
-  const auto plain = make_linear_solver(*pattern_, linear_type(), linear_options());
+  const auto plain = make_linear_solver(*pattern_, linear_type(), newton_options());
   const bool regular = plain->factorize(jacobian_) == LinearSolver::success;
   if (regular && !redundant_.suspected(*plain)) return;
   const auto factors = find_redundancy();
@@ -128,7 +128,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
 bool NewtonSolver::is_in_singular_position() {
   if (is_static()) return false;
   ConstrainedMotion motion;
-  motion.prepare(system(), linear_type(), linear_options(), settings().redundantConstraints);
+  prepare(motion);
   Conditions conditions = conditions_;
   conditions.rate_level = false;
   return motion.factorize(system(), start_of_step(), conditions) == LinearSolver::success && motion.in_singular_position();
@@ -159,7 +159,7 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   redundant_.use(0);
   plain_.reset();
   system().reactions_are_known({});
-  linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
+  linear_ = make_linear_solver(*pattern_, linear_type(), newton_options());
   conv.jacobianUpdateRequested = true;
 }
 
@@ -179,7 +179,7 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   redundant_.use(gone ? 0 : redundant_.eps_for(0, conditions_.rate_level));
   if (!gone) return;
   treatment_ = Treatment::none;
-  linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
+  linear_ = make_linear_solver(*pattern_, linear_type(), newton_options());
 }
 
 void NewtonSolver::factorize_anew() {

@@ -132,12 +132,9 @@ void SecondOrderSolver::initial_conditions() {
 
 bool SecondOrderSolver::find_accelerations() {
   State& now = current();
-  const auto& l = settings().linearSolverSettings;
-  const bool shares_analysis = full_newton_ && sizes_.ae > 0;  // with Newton's first matrix; masses alone are less work by themselves
-  InitialAccelerations found =
-      dalembert::initial_accelerations(system(), now, conditions_, linear_type(),
-                                       {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian, .unsettled_matrices = shares_analysis ? 1 : 0},
-                                       settings().redundantConstraints);
+  LinearSolverOptions options = linear_options();
+  if (full_newton_ && sizes_.ae > 0) options.unsettled_matrices = 1;  // shares the analysis with Newton's first matrix; masses alone are less work by themselves
+  InitialAccelerations found = dalembert::initial_accelerations(system(), now, conditions_, linear_type(), options, settings().redundantConstraints);
   if (found.singular_row != LinearSolver::success) {
     warn("initial accelerations are set to zero: mass matrix and constraints are singular at unknown " +
          std::to_string(found.singular_row) + " (" + system().describe_row(found.singular_row) + ")");

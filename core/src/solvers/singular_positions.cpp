@@ -96,14 +96,13 @@ constexpr int most_equations = 1000;  // thousands of combinations would take lo
 }  // namespace
 
 std::vector<std::string> Solver::items_in_singular_position() {
-  const auto& l = settings_->linearSolverSettings;
   Conditions conditions = conditions_;
   conditions.rate_level = false;
   const double eps = close_to_position * close_to_position, moment_length = settings_->redundantConstraints.momentLength;
   const RedundantConstraints here = dalembert::redundant_constraints(*system_, current(), conditions, moment_length, eps);
   if (here.count() == 0) return {};
   ConstrainedMotion motion;
-  motion.prepare(*system_, linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian}, settings_->redundantConstraints);
+  prepare(motion);
   const State away = motion.moved_by(away_from_position, *system_, current(), conditions);
   const RedundantConstraints there = dalembert::redundant_constraints(*system_, away, conditions, moment_length, eps);
   system_->reactions_are_known(here.equations());

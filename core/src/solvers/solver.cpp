@@ -10,6 +10,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/output/restart_file.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/system/large_vectors.hpp"
 #include "finite.hpp"
 #include "settings_checks.hpp"
@@ -95,6 +96,13 @@ bool Solver::initialize() {
   output.initializationSuccessful = !diagnosis_.failed();
   return output.initializationSuccessful;
 }
+
+LinearSolverOptions Solver::linear_options() const {
+  const auto& s = settings_->linearSolverSettings;
+  return {.pivot_threshold = s.pivotThreshold, .ignore_singular = s.ignoreSingularJacobian};
+}
+
+void Solver::prepare(ConstrainedMotion& motion) const { motion.prepare(*system_, linear_type(), linear_options(), settings_->redundantConstraints); }
 
 bool Solver::check_system() {
   const auto refuse_system = [](const std::string& text) { throw ModelError(ErrorKind::state, text); };

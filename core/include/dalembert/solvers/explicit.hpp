@@ -81,7 +81,6 @@ class ExplicitSolver : public Solver {
   void eliminate(Vector& x) const;
   void find_eliminated_coordinates();
   bool mass_couples(const std::vector<int>& coordinates);
-  LinearSolverOptions factor_options() const;
   void prepare_motion();
   bool prepare_factors();
   // ---- constraints that are no fixed coordinates (explicit_constraints.cpp) ----------------------------------------

@@ -99,7 +99,7 @@ class NewtonSolver : public Solver {
   double residual_without_misfit();
   bool settle_multipliers();
   void announce_redundancy();
-  LinearSolverOptions linear_options() const;
+  LinearSolverOptions newton_options() const;
   // By which rows of constraints of velocities are multiplied in `jacobian_`.
   virtual double rate_factor() const { return 1; }
 

@@ -135,6 +135,8 @@ class Solver {
   const State& initial() { return system_->state(ConfigurationType::Initial); }
   const SolverHooks& hooks() const { return environment_->hooks; }
   bool dense() const { return is_dense(linear_type_); }
+  LinearSolverOptions linear_options() const;  // of the settings
+  void prepare(ConstrainedMotion& motion) const;
   // Sets back what a discontinuous iteration has moved: everything except data.
   virtual void reset_to_start_of_step();
   virtual void save_start_of_step();
