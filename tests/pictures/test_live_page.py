@@ -403,6 +403,36 @@ def test_a_page_sees_the_motion_while_it_is_computed(SC: Any, swinging: Any, vie
     assert not thread.is_alive()
 
 
+def test_settings_that_change_back_before_the_next_look(
+    SC: Any, viewer: Viewer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A scene is drawn without bodies, which are hidden only as long as it is being drawn: the next one has them."""
+    reader = Reader(viewer)
+    reader.message("scene")
+    assert viewer.studio is not None
+    bodies, flow = SC.visualizationSettings.bodies, viewer.studio.flow
+    drawn = []
+
+    def hidden_meanwhile() -> Scene:
+        if not drawn:
+            bodies.show = False
+        scene = flow()
+        drawn.append(len(scene.instances) + len(scene.herds))
+        return scene
+
+    monkeypatch.setattr(viewer.studio, "flow", hidden_meanwhile)
+    publish = viewer.server.publish
+
+    def shown_again(*parts: Any) -> None:
+        publish(*parts)
+        bodies.show = True
+
+    monkeypatch.setattr(viewer.server, "publish", shown_again)
+    SC.visualizationSettings.nodes.defaultSize = 0.3
+    reader.until(lambda: len(drawn) > 1)
+    assert drawn[0] < drawn[-1]
+
+
 def test_a_viewer_changes_no_result(swinging: Any, viewer: Viewer) -> None:
     alone = copy.copy(swinging)
     alone.Assemble()

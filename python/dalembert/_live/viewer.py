@@ -251,6 +251,7 @@ class Viewer:
             self._words = {}
         self._dirty = False
         scene = self.studio.flow()
+        self._know_settings()  # the scene may have some that change back before the next look at them
         studio = self.studio
 
         def camera() -> Camera:
@@ -312,14 +313,17 @@ class Viewer:
         if now - self._checked < OFTEN:
             return
         self._checked = now
-        known = self.settings.GetDictionary()
-        if known != self._known_settings:
-            self._known_settings, self._dirty = known, True
-            self._interval = self._wanted_interval()
+        self._know_settings()
         if self.selection is not None and self._knows_states():
             self._tell_details(*self.selection[:3])
         if self._state() != self._told:
             self._tell_state()
+
+    def _know_settings(self) -> None:
+        known = self.settings.GetDictionary()
+        if known != self._known_settings:
+            self._known_settings, self._dirty = known, True
+            self._interval = self._wanted_interval()
 
     # ---- messages of pages
 
