@@ -91,10 +91,11 @@ def test_states_are_drawn_while_they_are_computed(SC: Any, mbs: Any) -> None:
         mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=100)
     mbs.Assemble()
     settings = exu.SimulationSettings()
-    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 200_000, 20
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 5_000_000, 500
     settings.timeIntegration.verboseMode = 0
     settings.solutionSettings.writeSolutionToFile = False
     with Drawing(SC, mbs) as drawing:
+        mbs.SetPreStepUserFunction(lambda mbs, t: drawing.states <= 2)  # it ends as soon as they are
         mbs.SolveDynamic(settings)
     assert drawing.error is None and drawing.states > 2
 
