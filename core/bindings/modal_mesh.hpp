@@ -3,7 +3,7 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "dalembert/pictures/mode_planes.hpp"
 #include "dalembert/super_elements/ffrf_reduced_order_parameters.hpp"

@@ -265,8 +265,8 @@ def test_messages_of_moved_parts_are_those_of_drawn_scenes(item: Any) -> None:
         head, arrays = unpacked(messages(slow, flow.scene())[1])
         if moved is None or flow.moving() is None:
             return  # springs that become much longer, for one
-        assert moved[0]() == told[0]
-        quick_head, quick_arrays = unpacked(b"".join(moved[1]))
+        assert moved.whole() == told[0]
+        quick_head, quick_arrays = unpacked(b"".join(moved.frame))
         assert quick_head == head
         for one, other in zip(quick_arrays, arrays, strict=True):
             assert (one is None) == (other is None)

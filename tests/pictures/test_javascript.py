@@ -56,7 +56,7 @@ def test_traces_that_grow_are_joined_to_those_of_the_picture_before(tab: Tab) ->
         scene = test_live_page.moved_scene(0.1 * count)
         first, last = scene.lines[0], (whole[:count] + 1, (0, 0, 0, 1), 0.0, 0)
         scene.lines = [(whole[:count], (1, 0, 0, 1), 0.0, 0), first, last]
-        _, frame, grown = stage.messages(scene, Looks(exu.VisualizationSettings()), {}, Camera)
+        _, _, frame, grown = stage.messages(scene, Looks(exu.VisualizationSettings()), {}, Camera)
         lines = np.concatenate([points.ravel() for points, *_ in scene.lines])
         if grown is not None:
             head, arrays = test_live_page.unpacked(b"".join(grown))

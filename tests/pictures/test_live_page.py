@@ -25,7 +25,7 @@ import dalembert as exu
 from dalembert import graphics
 from dalembert._live import server as serving
 from dalembert._live.histories import LONGEST, Track
-from dalembert._live.messages import Stage
+from dalembert._live.messages import Picture, Stage
 from dalembert._live.viewer import Viewer, viewer_of
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.looks import Looks
@@ -296,7 +296,7 @@ TRIANGLE = Mesh(np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 
 
 
 def messages(stage: Stage, scene: Scene) -> tuple[bytes, bytes]:
-    whole, frame, _ = stage.messages(scene, Looks(exu.VisualizationSettings()), {"background": [1, 1, 1]}, Camera)
+    _, whole, frame, _ = stage.messages(scene, Looks(exu.VisualizationSettings()), {"background": [1, 1, 1]}, Camera)
     return whole(), b"".join(frame)
 
 
@@ -423,8 +423,8 @@ def test_settings_that_change_back_before_the_next_look(
     monkeypatch.setattr(viewer.studio, "flow", hidden_meanwhile)
     publish = viewer.server.publish
 
-    def shown_again(*parts: Any) -> None:
-        publish(*parts)
+    def shown_again(picture: Picture) -> None:
+        publish(picture)
         bodies.show = True
 
     monkeypatch.setattr(viewer.server, "publish", shown_again)

@@ -21,6 +21,7 @@ import dalembert as exu
 from dalembert import graphics
 from dalembert._live import viewer as viewers
 from dalembert._live import widget as widgets
+from dalembert._live.messages import Picture
 from dalembert._live.viewer import Viewer
 from dalembert._live.widget import WidgetLink
 from dalembert.utilities import InertiaCuboid
@@ -184,10 +185,10 @@ def test_a_page_gets_the_scene_and_then_what_moves(widget: Widget, link: WidgetL
     assert not link.wanted
     widget.say(kind="hello", page="a")
     assert link.wanted and link.pages == 1 and heard == [(1, "opened")]
-    link.publish(7, lambda: b"whole", [b"fra", b"me"])
+    link.publish(Picture(7, lambda: b"whole", [b"fra", b"me"]))
     assert widget.told() == [({"page": "a"}, [b"whole"])]
     assert not link.wanted  # it has not drawn it yet
-    link.publish(7, lambda: b"whole", [b"later"])
+    link.publish(Picture(7, lambda: b"whole", [b"later"]))
     assert widget.told() == []
     widget.say(kind="shown", page="a")
     assert widget.told() == [({"page": "a"}, [b"later"])]
@@ -204,12 +205,12 @@ def test_a_silent_page_gets_pictures_slowly(widget: Widget, link: WidgetLink, mo
     for _ in range(100):
         now[0] += 0.05
         if link.wanted:
-            link.publish(1, lambda: b"whole", [b"fra", b"me"])
+            link.publish(Picture(1, lambda: b"whole", [b"fra", b"me"]))
         sent.append(len(widget.told()))
     assert sent[:19] == [1] + 18 * [0]  # it may still answer
     assert sum(sent[20:]) == pytest.approx(80 * 0.05 / widgets.PACE, abs=4)
     now[0] += 1
-    link.publish(1, lambda: b"", [bytes(10_000_000)])
+    link.publish(Picture(1, lambda: b"", [bytes(10_000_000)]))
     now[0] += 4
     assert not link.wanted
     now[0] += 2
@@ -226,7 +227,7 @@ def test_a_page_that_was_displayed_is_served_before_it_is_heard_of(
     for _ in range(2):
         now[0] += 1
         assert link.wanted and link.pages == 1
-        link.publish(1, lambda: b"whole", [b"fra", b"me"])
+        link.publish(Picture(1, lambda: b"whole", [b"fra", b"me"]))
         assert widget.told() == [({"page": ""}, [b"whole"])]
     link.cell_ended()
     assert not link.wanted and link.pages == 0

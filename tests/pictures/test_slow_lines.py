@@ -16,6 +16,7 @@ import test_live_page
 from test_live_page import Reader, settings
 
 from dalembert import graphics
+from dalembert._live.messages import Picture
 from dalembert._live.server import PageServer
 from dalembert._live.viewer import Viewer
 from dalembert.utilities import InertiaCuboid
@@ -164,7 +165,7 @@ def test_pictures_and_words_stay_whole_when_the_page_reads_late(at_once: bool) -
             shown.connection.end_pictures()
         words = []
         for data in pictures:
-            server.publish(1, lambda data=data: data, [data[:100], memoryview(data)[100:]])  # type: ignore[misc]
+            server.publish(Picture(1, lambda data=data: data, [data[:100], memoryview(data)[100:]]))  # type: ignore[misc]
             for _ in range(10):
                 server.tell({"kind": "state", "text": str(len(words))})
                 words.append(str(len(words)))

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import json
 from collections import defaultdict
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -26,6 +26,17 @@ from dalembert._pictures.meshes import Mesh, Rgba, same_form, sharp_edges
 from dalembert._pictures.scene import DrawnItem, Instance, Scene
 
 Piece = bytes | memoryview
+
+
+class Picture(NamedTuple):
+    """What pages may be sent of a picture."""
+
+    scene: int  # the number of the scene that it is of
+    whole: Callable[[], bytes]  # makes the message of the whole scene
+    frame: Sequence[Piece]  # of what moves, for pages that have the scene
+    grown: Sequence[Piece] | None = None  # the same for pages that have drawn the picture before; None: not shorter
+
+
 Key = tuple[int, int]  # item, and how manieth of its parts
 KINDS = {"f4": "<f4", "u4": "<u4", "u1": "u1"}
 
@@ -94,15 +105,8 @@ class Stage:
         entry = items[number] if 0 <= number < len(items) else None
         return entry if entry in self.items else None
 
-    def messages(
-        self, scene: Scene, looks: Looks, words: dict[str, Any], camera: Callable[[], Camera]
-    ) -> tuple[Callable[[], bytes], list[Piece], list[Piece] | None]:
-        """Return what makes the message of the whole scene, and that of what moves, for pages that have the scene.
-
-        The third is the same for pages that have drawn the picture before, None if it would not be shorter.
-
-        `words` are parts of the head of the whole scene.
-        """
+    def messages(self, scene: Scene, looks: Looks, words: dict[str, Any], camera: Callable[[], Camera]) -> Picture:
+        """Return the messages of a scene; `words` are parts of the head of the whole one."""
         parts = self._parts(scene)
         rigid, deformed = self._sorted(parts)
         layout = (
@@ -137,9 +141,9 @@ class Stage:
         lines = [scene.threads.points, *(points for points, *_ in scene.lines)]
         grown = self._grown(changed, head, lines) if same else None
         self._lines = lines
-        return whole, changed.pieces(head), grown
+        return Picture(self.number, whole, changed.pieces(head), grown)
 
-    def moved(self, flow: Flow) -> tuple[Callable[[], bytes], list[Piece], None] | None:
+    def moved(self, flow: Flow) -> Picture | None:
         """Return the same when parts of a flow have moved since it made the last scene, and nothing else has changed.
 
         None if they cannot follow. The whole scene is that last one: pages take the frames after it.
@@ -151,7 +155,7 @@ class Stage:
             self._told = parts
         frame = parts.message(self._words, self._moved)
         self._lines = []
-        return None if frame is None else (self._whole, [frame], None)
+        return None if frame is None else Picture(self.number, self._whole, [frame])
 
     @staticmethod
     def _parts(scene: Scene) -> list[tuple[Key, Instance]]:

@@ -24,7 +24,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
 
 from dalembert._live.connection import PageConnection
-from dalembert._live.messages import Piece
+from dalembert._live.messages import Picture, Piece
 
 HOST = "127.0.0.1"
 LONGEST = 1 << 20  # bytes of a message from a page
@@ -58,13 +58,7 @@ class PageServer:
         self.token = secrets.token_urlsafe(24)
         self.port = 0
         self._receive, self._pages, self._count, self._open = receive, dict[int, Page](), 0, 0
-        self._newest: tuple[int, int, Callable[[], bytes], Sequence[Piece], Sequence[Piece] | None] = (
-            0,
-            -1,
-            bytes,
-            (),
-            None,
-        )
+        self._newest, self._published = Picture(-1, bytes, ()), 0  # and how many there have been
         self._lock = threading.RLock()  # of what pages have been sent
         self._loop = asyncio.new_event_loop()
         self._started: threading.Event = threading.Event()
@@ -94,19 +88,10 @@ class PageServer:
         """Return whether pages can be heard now; by a thread of its own, always."""
         return True
 
-    def publish(
-        self,
-        scene_number: int,
-        scene: Callable[[], bytes],
-        frame: Sequence[Piece],
-        grown: Sequence[Piece] | None = None,
-    ) -> None:
-        """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready.
-
-        `grown`: what is enough for pages that have drawn the picture before.
-        """
+    def publish(self, picture: Picture) -> None:
+        """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
         with self._lock:
-            self._newest = (self._newest[0] + 1, scene_number, scene, frame, grown)
+            self._newest, self._published = picture, self._published + 1
             for page in list(self._pages.values()):
                 self._show(page)
 
@@ -229,13 +214,13 @@ class PageServer:
 
     def _show(self, page: Page) -> None:
         """Send the newest picture to a page that is ready and has not got it; by whoever has the lock."""
-        picture, scene_number, scene, frame, grown = self._newest
-        if page.ready and page.picture < picture:
-            if page.scene != scene_number:
-                pieces: Sequence[Piece] = [scene()]
+        picture, number = self._newest, self._published
+        if page.ready and page.picture < number:
+            if page.scene != picture.scene:
+                pieces: Sequence[Piece] = [picture.whole()]
             else:
-                pieces = grown if grown is not None and page.picture == picture - 1 else frame
-            page.ready, page.picture, page.scene = False, picture, scene_number
+                pieces = picture.grown if picture.grown is not None and page.picture == number - 1 else picture.frame
+            page.ready, page.picture, page.scene = False, number, picture.scene
             page.connection.send_picture(pieces)
 
     def _tell(self, text: str, number: int | None) -> None:

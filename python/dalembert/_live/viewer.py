@@ -240,7 +240,7 @@ class Viewer:
         if self._flow is not None and not (self._dirty or self._views):
             moved = self.stage.moved(self._flow)
             if moved is not None:
-                self.server.publish(self.stage.number, *moved)
+                self.server.publish(moved)
                 self.pictures += 1
                 return True
         self._lacks = not self._knows_states()
@@ -260,8 +260,7 @@ class Viewer:
         looks = self.studio.makers[0].looks if self.studio.makers else Looks(self.settings)
         words = self._words.get(scene.value_name) or views.words(self.settings, scene, looks)
         self._words = {scene.value_name: words}
-        messages = self.stage.messages(scene, looks, words, camera)
-        self.server.publish(self.stage.number, *messages)
+        self.server.publish(self.stage.messages(scene, looks, words, camera))
         self.pictures += 1
         if self._home:
             self._home = False

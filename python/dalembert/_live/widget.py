@@ -9,13 +9,13 @@ from __future__ import annotations
 import contextvars
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from dalembert._live.messages import Piece
+from dalembert._live.messages import Picture
 
 FOLDER = Path(__file__).resolve().parent.parent / "_pictures" / "page"
 WORDS = "live view, while the kernel runs"
@@ -71,7 +71,7 @@ class WidgetLink:
         self.widget = widget
         self._receive, self._views, self._count = receive, dict[str, View](), 0
         self._unknown: View | None = None  # one that was displayed, and has not been heard of
-        self._newest: tuple[int, int, Callable[[], bytes], Sequence[Piece]] = (0, -1, bytes, ())
+        self._newest, self._published = Picture(-1, bytes, ()), 0
         self._lock, self._heard = threading.RLock(), threading.Event()
         self._context = contextvars.copy_context()
         widget.on_msg(self._take)
@@ -107,20 +107,13 @@ class WidgetLink:
         self.tell({"kind": "alive"})
         return self._heard.wait(ANSWER)
 
-    def publish(
-        self,
-        scene_number: int,
-        scene: Callable[[], bytes],
-        frame: Sequence[Piece],
-        grown: Sequence[Piece] | None = None,
-    ) -> None:
+    def publish(self, picture: Picture) -> None:
         """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready.
 
         Notebooks may lose messages: what is enough for pages that have the picture before is not used.
         """
-        del grown
         with self._lock:
-            self._newest = (self._newest[0] + 1, scene_number, scene, frame)
+            self._newest, self._published = picture, self._published + 1
             for view in self._all():
                 self._show(view)
 
@@ -146,13 +139,13 @@ class WidgetLink:
         return view.seen and (view.ready or (now > view.free and now > view.answered + PATIENCE))
 
     def _show(self, view: View) -> None:
-        picture, scene_number, scene, frame = self._newest
-        if view.picture >= picture or not self._waits(view):
+        picture, number = self._newest, self._published
+        if view.picture >= number or not self._waits(view):
             return
-        data = b"".join(frame) if view.scene == scene_number else scene()
-        view.ready, view.picture, view.free = False, picture, time.monotonic() + max(PACE, len(data) / SPEED)
+        data = b"".join(picture.frame) if view.scene == picture.scene else picture.whole()
+        view.ready, view.picture, view.free = False, number, time.monotonic() + max(PACE, len(data) / SPEED)
         if view.name:
-            view.scene = scene_number
+            view.scene = picture.scene
         self._send({"page": view.name}, [data])
 
     def _send(self, content: dict[str, Any], buffers: list[bytes] | None = None) -> None:

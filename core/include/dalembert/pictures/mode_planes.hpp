@@ -13,7 +13,6 @@ class ModePlanes {
  public:
   static constexpr std::size_t most_components = 6;
 
-  ModePlanes() = default;
   // rest(node, component) and of_mode(node, component, mode) tell what is summed up.
   template <class Rest, class OfMode>
   ModePlanes(std::size_t nodes, std::size_t components, std::size_t modes, const Rest& rest, const OfMode& of_mode)
@@ -28,7 +27,6 @@ class ModePlanes {
           for (std::size_t node = first; node < end; ++node) *to++ = static_cast<float>(of_mode(node, i, mode));
     }
   }
-  std::size_t nodes() const { return nodes_; }
 
   // Points, three components, in a frame of rotation and position (rows, 3 x 4): x, y and z of each node.
   void place(std::span<const double> weights, std::span<const double, 12> rows, float* to) const;
