@@ -17,7 +17,7 @@ constexpr double unknown = std::numeric_limits<double>::infinity();  // of ways 
 }  // namespace
 
 // Motions of spheres and of what carries triangles, and how far spheres have moved.
-void GeneralContact::take_places(const Ports& ports) const {
+void GeneralContact::take_places(const Ports& ports, const Evaluation* nodes) const {
   const int n = spheres();
   if (chunks_.empty()) {
     const int size = std::clamp(n / some_threads, smallest_chunk, largest_chunk), count = std::clamp(n / size, 1, 1000);
@@ -31,15 +31,18 @@ void GeneralContact::take_places(const Ports& ports) const {
     double square = 0;
     for (int number = chunk.begin; number < chunk.end; ++number) {
       const auto i = static_cast<std::size_t>(number);
-      const double* x = ports.values.data() + offsets_[i].value;
+      const NodeFrame node = nodes != nullptr ? at_nodes_[i] : NodeFrame();
+      const double* const frame = ports.values.data() + offsets_[i].value;
+      const double *const x = node.dof >= 0 ? nodes->q + node.dof : frame, *const v = node.dof >= 0 ? nodes->v + node.dof : frame + 3;
       SphereAt& at = pairs_.at[i];
       const double dx = x[0] - at.x, dy = x[1] - at.y, dz = x[2] - at.z;
       const double way = dx * dx + dy * dy + dz * dz;
       if (!(way <= square)) square = way < unknown ? way : unknown;
       at = {x[0], x[1], x[2], at.radius};
-      pairs_.velocity[i] = {x[3], x[4], x[5]};
+      pairs_.velocity[i] = {v[0], v[1], v[2]};
       if (turns_[i] != 0) {
-        const Vec3<double>& spin = reinterpret_cast<const RigidFrame<double>*>(x)->angular_velocity;
+        const Vec3<double>& spin = node.dof >= 0 ? ports.node_motions[static_cast<std::size_t>(node.rotating_node)].angular_velocity
+                                                 : reinterpret_cast<const RigidFrame<double>*>(frame)->angular_velocity;
         pairs_.spin[i] = {spin[0], spin[1], spin[2]};
       }
     }
@@ -113,9 +116,9 @@ double GeneralContact::moved() const {
   return nearer();
 }
 
-void GeneralContact::follow(const Ports& ports) const {
+void GeneralContact::follow(const Ports& ports, const Evaluation* nodes) const {
   renew_shapes();
-  take_places(ports);
+  take_places(ports, nodes);
   const bool known = at_list_.size() == pairs_.at.size();
   const double distance = known ? moved() : 0;
   if (distance > 0) ++since_list_;  // of other states: to ask twice changes nothing

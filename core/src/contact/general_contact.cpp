@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dalembert/system/system.hpp"
 #include "meetings.hpp"
 
 namespace dalembert {
@@ -22,6 +23,19 @@ GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Port
   for (const ContactPlane& p : set_->planes) markers_.push_back(p.marker);
   renew_shapes();
 }
+
+void GeneralContact::find_nodes(const System& system) {
+  at_nodes_.clear();
+  for (const ContactSphere& s : set_->spheres) at_nodes_.push_back(system.node_frame(s.marker));
+  std::vector<int> sorted;  // two markers at one node are as one
+  for (const NodeFrame& node : at_nodes_)
+    if (node.dof >= 0) sorted.push_back(node.dof);
+  std::ranges::sort(sorted);
+  shares_nodes_ = std::ranges::adjacent_find(sorted) != sorted.end();
+}
+
+// Convex shapes, cables and bristles need frames.
+bool GeneralContact::reads_nodes() const { return !shares_nodes_ && cables_.empty() && set_->convex.empty() && set_->planes.empty() && !set_->bristles.grow(); }
 
 RigidFrame<double> GeneralContact::frame_of(int marker, const Ports& ports) const {
   return has_rotation(ports, marker) ? read_frame<RigidPort>(ports, marker) : turned_never(read_frame<PointPort>(ports, marker));
@@ -115,7 +129,8 @@ void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chu
   }
 }
 
-void GeneralContact::add_direct(Ports& ports) const {
+// Forces on spheres at nodes go there, if there is where.
+void GeneralContact::add_direct(Ports& ports, double* at_nodes) const {
   const bool rubs = !std::ranges::all_of(set_->friction, [](double mu) { return mu == 0; }), grips = rubs && set_->bristles.grow();
   const auto friction = grips ? SpherePairs::Friction::of_others : rubs ? SpherePairs::Friction::of_slip : SpherePairs::Friction::none;
   const auto number_of = [&](const Chunk& chunk) { return static_cast<int>(&chunk - chunks_.data()); };
@@ -130,9 +145,15 @@ void GeneralContact::add_direct(Ports& ports) const {
   const auto leave = [&](const Chunk& chunk) {
     for (int number = chunk.begin; number < chunk.end; ++number) {
       const auto i = static_cast<std::size_t>(number);
+      const Vec3<double> force = pairs_.force[i].vector(), moment = rubs && turns_[i] != 0 ? pairs_.moment[i].vector() : Vec3<double>{};
+      if (const NodeFrame node = at_nodes != nullptr ? at_nodes_[i] : NodeFrame(); node.dof >= 0) {
+        if (node.rotating_node >= 0) ports.node_loads[static_cast<std::size_t>(node.rotating_node)].add_at_node(force, moment);
+        else add_vector(at_nodes + node.dof, -1.0, force);
+        continue;
+      }
       double* to = ports.forces.data() + offsets_[i].force;
-      add_vector(to, 1.0, pairs_.force[i].vector());
-      if (rubs && turns_[i] != 0) add_vector(to + 3, 1.0, pairs_.moment[i].vector());
+      add_vector(to, 1.0, force);
+      if (turns_[i] != 0) add_vector(to + 3, 1.0, moment);
     }
   };
   each_chunk([&](Chunk& chunk) {
@@ -160,8 +181,8 @@ void GeneralContact::residual(const Evaluation& e, Ports& ports, double* r) cons
     for (const HeldContact& c : held_) is_cable(c) ? add_cable(c, ports, c.sticks, r) : add_held(c, ports);
     return;
   }
-  follow(ports);
-  add_direct(ports);
+  follow(ports, e.reads_nodes ? &e : nullptr);
+  add_direct(ports, e.reads_nodes ? r : nullptr);
   find_cable_touches(cable_touches_);
   for (const HeldContact& c : cable_touches_) add_cable(c, ports, {}, r);
 }

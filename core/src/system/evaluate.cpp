@@ -116,7 +116,7 @@ void SystemParts::evaluate_constant_loads() {
 void SystemParts::update_frames(const RegionPlan& region, const Evaluation& e) {
   const auto evaluate = [&](const auto& batch) { batch.evaluate(e, ports); };
   each(region.nodes, evaluate);
-  each(region.moving, evaluate);
+  each(e.reads_nodes ? region.needed : region.moving, evaluate);
 }
 
 namespace {
@@ -134,14 +134,15 @@ class Flagged {
 };
 
 // Constant loads are there from the start.
-DALEMBERT_INLINE inline void begin_residual(SystemParts& parts, const RegionPlan& region, double load_factor, bool loads, double* r) {
+DALEMBERT_INLINE inline void begin_residual(SystemParts& parts, const RegionPlan& region, const Evaluation& e, bool loads, double* r) {
   const double* constant = loads && !parts.plan.constant.residual.empty() ? parts.plan.constant.residual.data() : nullptr;
   region.numbers.rows.each([=](std::size_t first, std::size_t count) {
     if (constant == nullptr) return clear_numbers(r + first, count);
-    each_number(count, [load_factor, from = constant + first, to = r + first](std::size_t i) { to[i] = load_factor * from[i]; });
+    each_number(count, [load_factor = e.load_factor, from = constant + first, to = r + first](std::size_t i) { to[i] = load_factor * from[i]; });
   });
   Ports& ports = parts.ports;
-  region.numbers.forces.each([&](std::size_t first, std::size_t count) { clear_numbers(ports.forces.data() + first, count); });
+  if (!e.reads_nodes || !region.needed.empty())
+    region.numbers.forces.each([&](std::size_t first, std::size_t count) { clear_numbers(ports.forces.data() + first, count); });
   region.numbers.node_loads.each([&](std::size_t first, std::size_t count) {
     clear_numbers(reinterpret_cast<double*>(ports.node_loads.data() + first), count * sizeof(NodeLoad) / sizeof(double));
   });
@@ -152,7 +153,7 @@ DALEMBERT_INLINE inline void find_residual(SystemParts& parts, const Evaluation&
   parts.evaluate_resting(e);
   parts.each_region([&parts, &e, r, loads](const RegionPlan& region) DALEMBERT_INLINE {
     find_totals(parts, region, e);
-    begin_residual(parts, region, e.load_factor, loads, r);
+    begin_residual(parts, region, e, loads, r);
     parts.update_frames(region, e);
     const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };
     each(region.terms, add);
@@ -160,7 +161,7 @@ DALEMBERT_INLINE inline void find_residual(SystemParts& parts, const Evaluation&
   });
   parts.each_region([&parts, &e, r](const RegionPlan& region) {
     const auto pull_back = [&](const auto& batch) { batch.pull_back(e, parts.ports, r); };
-    each(region.pulled, pull_back);
+    each(e.reads_nodes ? region.needed_pulled : region.pulled, pull_back);
     each(region.nodes, pull_back);
   });
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
@@ -259,6 +260,8 @@ std::span<const double> System::negative_forces(const State& state, const Condit
   e.inertia = false;
   e.direct = !conditions.holds_contact;
   e.lambda = residual.data() + residual.size();  // zeros
+  e.reads_nodes = e.direct && conditions.unseen && parts.leaves_markers_to_terms &&
+                  std::ranges::all_of(parts.system_terms, [](const SystemTerm* term) { return term->reads_nodes(); });
   find_residual(parts, e, residual.data());
   return residual;
 }

@@ -1,6 +1,11 @@
 #include "plan.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <unordered_map>
+#include <unordered_set>
+
+#include "dalembert/system/system_term.hpp"
 
 namespace dalembert {
 namespace {
@@ -78,6 +83,29 @@ void sort_loads(SystemParts& parts) {
       if (pulled.contains(batch)) region.pulled.push_back(batch);
       if (loaded.contains(batch)) constant.markers.push_back(batch);
     }
+  }
+}
+
+void find_needed_markers(SystemParts& parts) {
+  std::unordered_set<const MarkerBatch*> needed;
+  const auto need = [&](int marker) { needed.insert(parts.markers[static_cast<std::size_t>(marker)].member.batch); };
+  for (const ObjectPlace& object : parts.objects)
+    for (const int marker : object.markers.of(parts.references)) need(marker);
+  std::unordered_set<const Batch*> changing;
+  for (const RegionPlan& region : parts.plan.regions) changing.insert(region.changing_loads.begin(), region.changing_loads.end());
+  for (const LoadPlace& load : parts.loads)
+    if (changing.contains(load.member.batch)) need(load.marker);
+  for (const SystemTerm* term : parts.system_terms)
+    for (std::size_t k = 0; k < term->markers().size(); ++k)
+      if (term->needs_port(k)) need(term->markers()[k]);
+  parts.leaves_markers_to_terms = false;
+  const auto among_needed = [&](const MarkerBatch* batch) { return needed.contains(batch); };
+  for (RegionPlan& region : parts.plan.regions) {
+    region.needed.clear();
+    region.needed_pulled.clear();
+    std::ranges::copy_if(region.moving, std::back_inserter(region.needed), among_needed);
+    std::ranges::copy_if(region.pulled, std::back_inserter(region.needed_pulled), among_needed);
+    parts.leaves_markers_to_terms |= region.needed.size() < region.moving.size();
   }
 }
 

@@ -25,5 +25,7 @@ void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& di
 
 // Which loads are constant depends on parameters: again when these have changed.
 void sort_loads(SystemParts& parts);
+// Which markers are needed where terms read nodes themselves.
+void find_needed_markers(SystemParts& parts);
 
 }  // namespace dalembert

@@ -41,6 +41,17 @@ void System::add(std::unique_ptr<SystemTerm> term) {
   if (!parts.sparse_patterns.empty()) parts.add_sparse_pattern();
 }
 
+NodeFrame System::node_frame(int marker) const {
+  const Membership<MarkerBatch>& member = parts_->markers[static_cast<std::size_t>(marker)].member;
+  return member.batch->node_frame(member.entry);
+}
+
+void System::find_nodes_of_terms() {
+  if (parts_->system_terms.empty()) return;
+  for (SystemTerm* term : parts_->system_terms) term->find_nodes(*this);
+  find_needed_markers(*parts_);
+}
+
 bool System::search(const State& state, const Conditions& conditions) {
   SystemParts& parts = *parts_;
   const auto rests = [&](const SystemTerm* term) { return conditions.direct && term->direct(); };

@@ -106,6 +106,10 @@ class FrameMarkerBatch : public MarkerBatch {
       for (const Entry& e : entries_) visitor.block(e.dofs, e.dofs);
   }
 
+  NodeFrame node_frame(int entry) const override {
+    if constexpr (passes_on && n == 3) return {entries_[static_cast<std::size_t>(entry)].dofs[0], -1};
+    return {};
+  }
   void evaluate(const Evaluation& evaluation, Ports& ports) const override { find_frames(evaluation, ports); }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     differentiate(evaluation, weights, ports);

@@ -69,6 +69,10 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
     if (apart()) Base::visit(visitor, ports);
   }
+  NodeFrame node_frame(int entry) const override {
+    const Entry& e = entries_[static_cast<std::size_t>(entry)];
+    return is_at_node_itself(e) && e.node >= 0 ? NodeFrame{e.dofs[0], e.node} : NodeFrame{};
+  }
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
     if (apart()) return Base::evaluate(evaluation, ports);
     if constexpr (Shape::values > 0) {

@@ -56,6 +56,9 @@ class GeneralContact final : public SystemTerm {
   bool direct() const override { return true; }
   void use_workers(Workers* workers) override { workers_ = workers; }
   void enter(const System& system, const Model& model) override;
+  void find_nodes(const System& system) override;
+  bool reads_nodes() const override;
+  bool needs_port(std::size_t marker) const override { return marker >= at_nodes_.size() || at_nodes_[marker].dof < 0; }
   bool search(const Evaluation& evaluation, const Ports& ports) override;
   void visit(BlockVisitor& visitor, const Ports& ports) const override;
   void residual(const Evaluation& evaluation, Ports& ports, double* r) const override;
@@ -178,8 +181,9 @@ class GeneralContact final : public SystemTerm {
   template <class F>
   void each_chunk(const F& f) const;
 
-  void take_places(const Ports& ports) const;
-  void follow(const Ports& ports) const;
+  // With `nodes`, spheres at nodes are read there.
+  void take_places(const Ports& ports, const Evaluation* nodes = nullptr) const;
+  void follow(const Ports& ports, const Evaluation* nodes = nullptr) const;
   void renew_lists() const;
   void list_triangles(Chunk& chunk) const;
   void renew_shapes() const;
@@ -240,7 +244,7 @@ class GeneralContact final : public SystemTerm {
   void add_held(const HeldContact& contact, Ports& ports) const;
   void add_on_triangles(const Ports& ports, bool rubs, Chunk& chunk) const;
   void add_on_triangles(int sphere, const Ports& ports, Chunk& chunk) const;
-  void add_direct(Ports& ports) const;
+  void add_direct(Ports& ports, double* at_nodes) const;
   bool touches(const HeldContact& contact, const Ports& ports, bool& sticks) const;
   void find(const Ports& ports, std::vector<HeldContact>& found) const;
 
@@ -315,6 +319,8 @@ class GeneralContact final : public SystemTerm {
   std::vector<int> markers_;
   std::vector<char> turns_;  // whether the marker of a sphere has a rotation
   std::vector<PortOffsets> offsets_;  // of the markers of spheres
+  std::vector<NodeFrame> at_nodes_;   // by sphere
+  bool shares_nodes_ = false;
   bool shares_markers_ = false;  // several spheres leave their forces at one marker: nobody else may at the same time
   std::vector<HeldContact> held_;
   std::vector<Block> blocks_;

@@ -24,6 +24,7 @@ struct EvaluationOf {
   bool inertia = true;             // false: static, accelerations and velocities play no part
   bool direct = false;             // explicit integration: forces follow from this state alone, nothing is held from a search
   bool same_state = false;         // as in the evaluation before
+  bool reads_nodes = false;        // terms that can read nodes themselves do so: nobody else looks at these markers
   bool of_reference = false;       // of the reference configuration, for outputs
 };
 using Evaluation = EvaluationOf<double>;

@@ -146,6 +146,7 @@ struct RegionPlan {
   std::vector<const MarkerBatch*> moving;
   std::vector<const MarkerBatch*> differentiated;  // moving ones whose derivatives are used
   std::vector<const MarkerBatch*> pulled;          // moving ones on which forces act that may change
+  std::vector<const MarkerBatch*> needed, needed_pulled;  // of these, where terms read nodes themselves
   std::vector<const Term*> terms, loads;
   std::vector<const Term*> changing_loads;
   int entries = 0;  // of these batches
@@ -194,6 +195,7 @@ struct SystemParts {
   std::vector<std::unique_ptr<RotatingNodeBatch>> rotating_nodes;
   std::vector<LoadDependency> load_dependencies;
   EvaluationPlan plan;
+  bool leaves_markers_to_terms = false;  // some are not needed, where these read nodes themselves
   bool functions_in_regions = false;  // of the user, which only the thread of the solver may call: it does it all
   std::unique_ptr<Workers> workers;   // null: one thread does it all
   std::vector<System::LieBlock> lie_blocks;

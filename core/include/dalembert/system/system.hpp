@@ -17,6 +17,7 @@
 #include "dalembert/enums.hpp"
 #include "dalembert/math/large_memory.hpp"
 #include "dalembert/system/evaluation.hpp"
+#include "dalembert/system/node_frame.hpp"
 #include "dalembert/system/pattern.hpp"
 #include "dalembert/system/regions.hpp"
 #include "dalembert/reflection/storage.hpp"
@@ -44,6 +45,7 @@ struct Conditions {
   bool inertia = true;
   bool loads = true;
   bool direct = false;  // explicit integration: no step is iterated, and nothing has to be held for that
+  bool unseen = false;  // nobody asks for anything in the midst of evaluations, as functions of the user may
   bool holds_contact = false;  // right-hand sides: what touches is what has touched at the start of the step
   int load_dependencies = 0;      // tangent: of the values of loads on coordinates: 0 none, 1 positions, 2 velocities as well
   bool follows_residual = false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
@@ -111,6 +113,7 @@ class System {
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
   bool constant_mass_matrix() const;
+  NodeFrame node_frame(int marker) const;
   bool calls_user_functions() const;  // of objects and loads, in evaluations
   std::uint64_t renewed_objects() const { return renewed_objects_; }  // grown: one has other parameters now
   // Generalised forces Q of  M a = Q, without constraint forces; rhs has sizes().ode2 entries. For explicit integrators.
@@ -256,6 +259,7 @@ class System {
  private:
   friend class TracedEquations;
 
+  void find_nodes_of_terms();
   std::unique_ptr<SystemParts> parts_;
   State* states_;  // of the parts, by ConfigurationType
   Sizes sizes_;

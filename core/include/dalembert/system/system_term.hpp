@@ -32,6 +32,11 @@ class SystemTerm : public Term {
   virtual std::span<const int> markers() const = 0;
   // Once, in the system that it acts in: where the coordinates are of objects that it reads without markers.
   virtual void enter(const System&, const Model&) {}
+  // Which markers lie at nodes, from now on.
+  virtual void find_nodes(const System&) {}
+  // Whether it reads those itself where Evaluation::reads_nodes says so, and leaves forces there; of the others it needs ports.
+  virtual bool reads_nodes() const { return false; }
+  virtual bool needs_port(std::size_t /*of_markers*/) const { return true; }
   // Explicit integration needs neither search nor history of it: without these it finds what acts in each evaluation.
   virtual bool direct() const { return false; }
   // Looks for what acts from now on, by the frames in the ports. True: that has changed.

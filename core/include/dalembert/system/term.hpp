@@ -10,6 +10,7 @@
 #include "dalembert/frames.hpp"
 #include "dalembert/math/traced.hpp"
 #include "dalembert/system/evaluation.hpp"
+#include "dalembert/system/node_frame.hpp"
 #include "dalembert/system/ports.hpp"
 #include "dalembert/system/state.hpp"
 #include "dalembert/system/switches.hpp"
@@ -194,6 +195,7 @@ class RotatingNodeBatch : public Batch {
 
 class MarkerBatch : public Batch {
  public:
+  virtual NodeFrame node_frame(int /*entry*/) const { return {}; }
   // The body or node under a marker has new parameters.
   virtual void refresh_owner(int /*entry*/, const void* /*record*/) {}
   // The same for markers between bodies; `which` counts Placement::owners.
