@@ -56,9 +56,10 @@ def test_traces_that_grow_are_joined_to_those_of_the_picture_before(tab: Tab) ->
         scene = test_live_page.moved_scene(0.1 * count)
         first, last = scene.lines[0], (whole[:count] + 1, (0, 0, 0, 1), 0.0, 0)
         scene.lines = [(whole[:count], (1, 0, 0, 1), 0.0, 0), first, last]
-        _, _, frame, grown = stage.messages(scene, Looks(exu.VisualizationSettings()), {}, Camera)
+        picture = stage.messages(scene, Looks(exu.VisualizationSettings()), {}, Camera)
+        frame, grown = picture.after(False), picture.after(True)
         lines = np.concatenate([points.ravel() for points, *_ in scene.lines])
-        if grown is not None:
+        if grown is not frame:
             head, arrays = test_live_page.unpacked(b"".join(grown))
             _, complete = test_live_page.unpacked(b"".join(frame))
             assert complete[-3].tolist() == pytest.approx(lines, rel=1e-7)
@@ -67,7 +68,7 @@ def test_traces_that_grow_are_joined_to_those_of_the_picture_before(tab: Tab) ->
             read = tab.value(f"""Array.from(reader.joined(
                 Float32Array.from({sent.tolist()}), {head["kept"]}, Float32Array.from({before.tolist()})))""")
             assert read == pytest.approx(lines, rel=1e-6)
-        assert (grown is None) == (count == 60)
+        assert (grown is frame) == (count == 60)
         before, shown = lines, count
 
 

@@ -181,3 +181,11 @@ def test_pictures_and_words_stay_whole_when_the_page_reads_late(at_once: bool) -
             while not server.wanted:
                 time.sleep(0.001)
     server.stop()
+
+
+def test_a_large_scene_has_the_time_that_a_slow_line_needs(viewer: Viewer) -> None:
+    """Answers to the server's signs of life wait behind it."""
+    reader = Reader(viewer)
+    reader.message("scene")
+    connection = next(iter(viewer.server._pages.values())).connection
+    assert 50e6 / RATE < (connection.ping_timeout or 0) < 3600

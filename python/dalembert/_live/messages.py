@@ -2,7 +2,9 @@
 
 A message is a JSON head and arrays behind it: the length of the head (4 bytes), the head, filled up with blanks to a
 multiple of 8, and arrays of little-endian numbers, each at a multiple of 4. The head lists them in `arrays` as
-[kind, count], where kind is f4, u4 or u1; null stands for one that is as in the message of the whole scene. Pages that
+[kind, count], where kind is f4, u4, u1 or r6; null stands for one that is as in the message of the whole scene. r6 are
+places in six words each instead of twelve numbers: position (f4), then the first two rows of the rotation in units of
+1 / 32000 (signed, of two bytes each); the third row is their cross product. Pages that
 have drawn the picture before get of lines, which may be traces, only what is new: `kept` in the head lists [where, from
 where in the points before, how many] numbers that are as they were, and are not in the array.
 """
@@ -12,6 +14,7 @@ from __future__ import annotations
 import json
 from collections import defaultdict
 from collections.abc import Callable, Sequence
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,7 +37,12 @@ class Picture(NamedTuple):
     scene: int  # the number of the scene that it is of
     whole: Callable[[], bytes]  # makes the message of the whole scene
     frame: Sequence[Piece]  # of what moves, for pages that have the scene
-    grown: Sequence[Piece] | None = None  # the same for pages that have drawn the picture before; None: not shorter
+    grown: Callable[[], Sequence[Piece] | None] | None = None  # makes it for pages that have drawn the picture before
+
+    def after(self, before: bool) -> Sequence[Piece]:
+        """Return the frame; `before`: for a page that has drawn the picture before."""
+        grown = self.grown() if before and self.grown is not None else None
+        return self.frame if grown is None else grown
 
 
 Key = tuple[int, int]  # item, and how manieth of its parts
@@ -138,9 +146,9 @@ class Stage:
         self._words = f',"range":{json.dumps(head["range"])},"scene":{self.number}'
         self._whole, self._told = whole, None
         changed = self._changes(moving)
-        lines = [scene.threads.points, *(points for points, *_ in scene.lines)]
-        grown = self._grown(changed, head, lines) if same else None
+        lines, before = [scene.threads.points, *(points for points, *_ in scene.lines)], self._lines
         self._lines = lines
+        grown = cache(lambda: _grown(changed, head, lines, before)) if same else None
         return Picture(self.number, whole, changed.pieces(head), grown)
 
     def moved(self, flow: Flow) -> Picture | None:
@@ -213,26 +221,6 @@ class Stage:
         head: dict[str, Any] = {"kind": "frame", "time": scene.time, "range": list(scene.value_range)}
         return arrays, head
 
-    def _grown(self, changed: Arrays, head: dict[str, Any], lines: list[FloatArray]) -> list[Piece] | None:
-        """Return the message of a frame without points of long lines that are as in the picture before."""
-        place = len(changed.parts) - 3  # points of lines, their counts, and places of labels come last
-        if changed.parts[place] is None or len(lines) != len(self._lines):
-            return None
-        sent, kept, at, old = [], [], 0, 0
-        for line, before in zip(lines, self._lines, strict=True):
-            same = LONG <= len(before) <= len(line) and np.array_equal(line[: len(before)], before)
-            count = 3 * len(before) if same else 0
-            if same:
-                kept.append([at, old, count])
-            sent.append(line.ravel()[count:])
-            at, old = at + line.size, old + before.size
-        if not kept:
-            return None
-        shorter = Arrays()
-        shorter.parts = list(changed.parts)
-        shorter.parts[place] = np.concatenate(sent).astype(KINDS["f4"])
-        return shorter.pieces(head | {"kept": kept})
-
     def _changes(self, moving: Arrays) -> Arrays:
         """Return the arrays of a frame; what has not moved since the message of the whole scene is left out."""
         changed = Arrays()
@@ -241,6 +229,30 @@ class Stage:
                 self._moved.add(number)
             changed.parts.append(part if number in self._moved else None)
         return changed
+
+
+def _grown(
+    changed: Arrays, head: dict[str, Any], lines: list[FloatArray], old_lines: list[FloatArray]
+) -> list[Piece] | None:
+    """Return the message of a frame without points of long lines that are as in the picture before; None: all of it."""
+    place = len(changed.parts) - 3  # points of lines, their counts, and places of labels come last
+    points = changed.parts[place]
+    if points is None or len(lines) != len(old_lines):
+        return None
+    sent, kept, at, old = [], [], 0, 0
+    for line, before in zip(lines, old_lines, strict=True):
+        same = LONG <= len(before) <= len(line) and np.array_equal(line[: len(before)], before)
+        count = 3 * len(before) if same else 0
+        if same:
+            kept.append([at, old, count])
+        sent.append(points[at + count : at + line.size])
+        at, old = at + line.size, old + before.size
+    if not kept:
+        return None
+    shorter = Arrays()
+    shorter.parts = list(changed.parts)
+    shorter.parts[place] = np.concatenate(sent)
+    return shorter.pieces(head | {"kept": kept})
 
 
 def _same(a: Any, b: Any) -> bool:

@@ -31,6 +31,7 @@ LONGEST = 1 << 20  # bytes of a message from a page
 PAGES = 16  # at most so many at once
 PATIENCE = 5.0  # s, for the token
 WAITING = 64  # messages for a page that does not read
+SILENCE = 600.0  # s, after which a page is lost: behind a slow line, an answer comes after all of a large scene
 
 FOLDER = Path(__file__).resolve().parent.parent / "_pictures" / "page"
 FILES = {"/": ("live.html", "text/html"), "/bundle.js": ("bundle.js", "text/javascript")}
@@ -124,7 +125,8 @@ class PageServer:
     async def _serve(self, port: int) -> None:
         self._end = asyncio.Event()
         options: dict[str, Any] = {"compression": None, "max_size": LONGEST, "process_request": self._answer}
-        options |= {"close_timeout": 1, "server_header": None, "create_connection": PageConnection}
+        options |= {"ping_timeout": SILENCE, "close_timeout": 1, "server_header": None}
+        options["create_connection"] = PageConnection
         async with serve(self._talk, HOST, port, **options) as server:
             self.port = _port(server)
             self._hosts = {f"{HOST}:{self.port}", f"localhost:{self.port}"}
@@ -219,7 +221,7 @@ class PageServer:
             if page.scene != picture.scene:
                 pieces: Sequence[Piece] = [picture.whole()]
             else:
-                pieces = picture.grown if picture.grown is not None and page.picture == number - 1 else picture.frame
+                pieces = picture.after(page.picture == number - 1)
             page.ready, page.picture, page.scene = False, number, picture.scene
             page.connection.send_picture(pieces)
 
