@@ -29,7 +29,8 @@ class ModalMesh {
   std::shared_ptr<const void> record_;
   std::size_t nodes_ = 0;
   int coordinates_ = -1;  // the first modal one
-  std::optional<ModePlanes> points_, numbers_;
+  std::optional<ModePlanes<std::int16_t>> points_;
+  std::optional<ModePlanes<float>> numbers_;
   int component_ = 0;
 };
 

@@ -41,9 +41,10 @@ class MessageBytes {
     next_ = PyBytes_AS_STRING(object_.ptr());
   }
   void add(std::string_view text) { next_ = std::ranges::copy(text, next_).out; }
-  float* add_floats(std::size_t count) {  // whose place is a multiple of 4
-    auto* const first = reinterpret_cast<float*>(next_);
-    next_ += count * sizeof(float);
+  template <class T>  // of 4 bytes
+  T* add_numbers(std::size_t count) {  // whose place is a multiple of 4
+    auto* const first = reinterpret_cast<T*>(next_);
+    next_ += count * sizeof(T);
     return first;
   }
   py::bytes take() { return std::move(object_); }
@@ -60,6 +61,8 @@ struct SentArray {
   std::size_t count = 0;     // numbers
   Numbers<double> numbers;   // one for each part
   Numbers<float> first;      // as pages have them with the whole scene
+  std::optional<bool> turned;  // all parts: they are sent in fewer words
+  std::size_t words() const { return turned == true ? count / MovingParts::numbers(form) * MovingParts::words_of_turn : count; }
 };
 
 // Asks one system; all of it needs the lock of the interpreter.
@@ -94,7 +97,8 @@ class PartsOfSystem {
       SentArray entry;
       if (group >= 0) {
         const std::size_t count = parts_.size(checked(group));
-        entry = {group, form == "rows" ? Form::rows : form == "place" ? Form::place : Form::place_and_number, 0, numbers, first};
+        entry = {group, form == "rows" ? Form::rows : form == "place" ? Form::place : Form::place_and_number, 0, numbers, first, {}};
+        if (entry.form != Form::rows) entry.turned = false;
         entry.count = count * MovingParts::numbers(entry.form);
         if (entry.form == Form::place_and_number) each("_MovingParts.keep(...)", numbers, count, 1, "numbers");
         each("_MovingParts.keep(...)", first, entry.count, 1, "first");
@@ -115,17 +119,18 @@ class PartsOfSystem {
     head.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), time).ptr);
     head += words;
     head += R"(,"arrays":[)";
-    std::vector<std::pair<const SentArray*, LargeVector<float>>> sent;  // their values, if they are known already
+    std::vector<std::pair<SentArray*, LargeVector<float>>> sent;  // their values, if they are known already
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      const SentArray& entry = entries_[i];
+      SentArray& entry = entries_[i];
       if (i > 0) head += ',';
       const std::optional<bool> has_moved = asked(i, moved);
       if (!has_moved) return py::none();
       if (*has_moved) {
         sent.emplace_back(&entry, std::move(now_));
         now_.clear();
-        size += entry.count * sizeof(float);
-        head += R"(["f4",)" + std::to_string(entry.count) + ']';
+        if (!entry.turned) entry.turned = parts_.are_turned(entry.group);
+        size += entry.words() * sizeof(float);
+        head += (*entry.turned ? R"(["r6",)" : R"(["f4",)") + std::to_string(entry.words()) + ']';
       } else {
         head += "null";
       }
@@ -139,7 +144,12 @@ class PartsOfSystem {
     bytes.add({first.data(), first.size()});
     bytes.add(head);
     for (const auto& [entry, values] : sent) {
-      float* const to = bytes.add_floats(entry->count);
+      if (*entry->turned) {
+        if (parts_.write_turns(entry->group, bytes.add_numbers<std::uint32_t>(entry->words()))) continue;
+        entry->turned = false;
+        return message(words, moved);
+      }
+      float* const to = bytes.add_numbers<float>(entry->count);
       if (!values.empty())
         std::ranges::copy(values, to);
       else if (!parts_.write(entry->group, entry->form, all(entry->numbers), to))

@@ -1,4 +1,5 @@
 // The stored messages for pages, read and written again without Python: docs of the format are in python/dalembert/_live/messages.py.
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -36,6 +37,29 @@ struct Array {
     return result;
   }
 };
+
+// Places in twelve numbers each, of six words.
+std::vector<double> turned(const Array& array) {
+  std::vector<double> result;
+  const auto byte = [&](std::size_t i) { return std::uint32_t{array.bytes[i]}; };
+  for (std::size_t at = 0; at < array.bytes.size(); at += 24) {
+    const Array place{"f4", {array.bytes.begin() + static_cast<std::ptrdiff_t>(at), array.bytes.begin() + static_cast<std::ptrdiff_t>(at + 12)}};
+    double rows[3][3];
+    for (std::size_t i = 0; i < 6; ++i) {
+      const std::size_t k = at + 12 + 2 * i;
+      rows[i / 3][i % 3] = static_cast<double>(static_cast<std::int16_t>(byte(k) | byte(k + 1) << 8)) / 32000;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      rows[2][i] = rows[0][j] * rows[1][k] - rows[0][k] * rows[1][j];
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.insert(result.end(), rows[i], rows[i] + 3);
+      result.push_back(place.numbers()[i]);
+    }
+  }
+  return result;
+}
 
 struct Message {
   std::string words;  // of the head, up to its last entry: the table of arrays
@@ -104,7 +128,7 @@ std::string written(const Message& message) {
 }  // namespace
 
 int main() {
-  for (const char* name : {"scene.bin", "frame.bin"}) {
+  for (const char* name : {"scene.bin", "frame.bin", "turned.bin"}) {
     const std::string bytes = bytes_of(name);
     expect(bytes.size() > 100, "the stored message is there");
     if (bytes.size() <= 100) return failures;
@@ -122,5 +146,11 @@ int main() {
   expect(frame.arrays[3]->numbers() == std::vector<double>{0, 0, 0, 1, 1, 2}, "a line that has moved");
   expect(scene.arrays[12]->kind == "u1" && scene.arrays[12]->numbers().size() == 3, "a color");
   for (const std::size_t k : {2u, 4u, 5u}) expect(!frame.arrays[k], "what rests is left out");
+  const Message quick = read(bytes_of("turned.bin"));
+  expect(quick.arrays[0] && quick.arrays[0]->kind == "r6", "places in six words");
+  if (failures > 0) return failures;
+  const std::vector<double> expected{0.6, -0.8, 0, 1, 0.8, 0.6, 0, 2, 0, 0, 1, -3}, found = turned(*quick.arrays[0]);
+  expect(found.size() == expected.size(), "one place");
+  for (std::size_t i = 0; i < expected.size(); ++i) expect(std::abs(found[i] - expected[i]) < 1e-6, "where a body is that has turned");
   return failures;
 }

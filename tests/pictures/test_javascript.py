@@ -41,11 +41,11 @@ def test_javascript_reads_the_stored_messages(tab: Tab) -> None:
           const {{ head, arrays }} = reader.message(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
           return [head, arrays.map((a) => a && Array.from(a))];
         }})""")
-    expected = [
-        [head, [None if a is None else a.tolist() for a in arrays]]
-        for head, arrays in map(test_live_page.unpacked, sent)
-    ]
-    assert read == expected
+    for (head, arrays), (expected, numbers) in zip(read, map(test_live_page.unpacked, sent), strict=True):
+        assert head == expected
+        for array, known in zip(arrays, numbers, strict=True):
+            assert (array is None) == (known is None)
+            assert array is None or array == pytest.approx(known.tolist(), rel=1e-6, abs=1e-7)
 
 
 def test_traces_that_grow_are_joined_to_those_of_the_picture_before(tab: Tab) -> None:

@@ -201,6 +201,16 @@ def test_keys(viewer: Viewer, tab: Tab) -> None:
     assert tab.value("page.place.classList.contains('dark')")
 
 
+def test_panels_do_not_lie_on_each_other(tab: Tab) -> None:
+    tab.press("v")
+    tab.wait("document.querySelector('[data-name=settings]') !== null")
+    tab.value("[...document.querySelectorAll('button')].find((button) => button.textContent === 'cut').click()")
+    tab.wait("document.querySelector('[data-name=cut]') !== null")
+    box = "((box) => [box.top, box.bottom])(document.querySelector('[data-name={}]').getBoundingClientRect())"
+    (top, middle), (next_top, bottom) = sorted(tab.value(box.format(name)) for name in ("settings", "cut"))
+    assert 0 <= top < middle <= next_top < bottom <= tab.value("innerHeight")
+
+
 def test_all_is_seen_again_after_the_view_was_moved(SC: Any, tab: Tab) -> None:
     """The state of the renderer is that of readers; a page that is opened does not fix it."""
     assert "zoom" not in SC.renderer._state

@@ -28,11 +28,14 @@ from dalembert._live.histories import LONGEST, Track
 from dalembert._live.messages import Picture, Stage
 from dalembert._live.viewer import Viewer, viewer_of
 from dalembert._pictures.camera import Camera
+from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
+from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.meshes import Mesh
 from dalembert._pictures.scene import DrawnItem, Herd, Instance, Label, Scene
 from dalembert.utilities import InertiaCuboid
 
+Shown = exu.ConfigurationType.Visualization
 FOLDER = Path(exu.__file__).resolve().parent / "_pictures/page"
 
 
@@ -45,11 +48,21 @@ def unpacked(data: bytes) -> tuple[dict[str, Any], list[Any]]:
             arrays.append(None)
             continue
         kind, count = entry
-        part = np.frombuffer(data, "<f4" if kind == "f4" else "<u4" if kind == "u4" else "u1", count, offset)
+        part = np.frombuffer(data, {"f4": "<f4", "u4": "<u4", "u1": "u1", "r6": "<u4"}[kind], count, offset)
         offset += -(-part.nbytes // 4) * 4
-        arrays.append(part)
+        arrays.append(turned(part) if kind == "r6" else part)
     assert offset == len(data) and (4 + length) % 8 == 0
     return head, arrays
+
+
+def turned(words: Any) -> Any:
+    """Places in 12 numbers each, of six words."""
+    words = words.reshape(-1, 6)
+    rows = np.empty((len(words), 3, 4))
+    rows[:, :, 3] = words[:, :3].copy().view("<f4")
+    rows[:, :2, :3] = words[:, 3:].copy().view("<i2").reshape(-1, 2, 3) / 32000
+    rows[:, 2, :3] = np.cross(rows[:, 0, :3], rows[:, 1, :3])
+    return rows.ravel()
 
 
 class Reader:
@@ -369,16 +382,33 @@ def golden() -> list[bytes]:
     return sent
 
 
-GOLDEN = [Path(__file__).parent / "golden" / name for name in ("scene.bin", "frame.bin")]
+GOLDEN = [Path(__file__).parent / "golden" / name for name in ("scene.bin", "frame.bin", "turned.bin")]
 
 
-def test_messages_are_those_that_pages_were_made_for() -> None:
+def golden_turned(SC: Any, mbs: Any) -> bytes:
+    """What follows when a body has turned about the z axis, by a rotation of whole units."""
+    mbs.CreateRigidBody(inertia=InertiaCuboid(1, [1, 1, 1]), graphicsDataList=[graphics.Brick(color=[1, 0, 0, 1])])
+    mbs.Assemble()
+    SC.visualizationSettings.nodes.show = False
+    SC.visualizationSettings.general.drawWorldBasis = False
+    flow, stage = Flow(SceneMaker(mbs, SC.visualizationSettings)), Stage()
+    messages(stage, flow.scene())
+    mbs.systemData.SetODE2Coordinates([1, 2, -3, np.sqrt(0.8) - 1, 0, 0, np.sqrt(0.2)], Shown)
+    mbs.systemData.SetTime(0.25, Shown)
+    found = stage.moved(flow)
+    assert found is not None
+    return b"".join(found.frame)
+
+
+def test_messages_are_those_that_pages_were_made_for(SC: Any, mbs: Any) -> None:
     """Bytes that are stored: who changes them changes what saved messages and other readers rely on."""
-    assert golden() == [path.read_bytes() for path in GOLDEN]
+    assert [*golden(), golden_turned(SC, mbs)] == [path.read_bytes() for path in GOLDEN]
 
 
 def test_stored_messages_say_what_was_written() -> None:
-    (head, arrays), (after, moved) = (unpacked(path.read_bytes()) for path in GOLDEN)
+    (head, arrays), (after, moved), (quick, places) = (unpacked(path.read_bytes()) for path in GOLDEN)
+    assert [kind for kind in quick["arrays"] if kind] == [["r6", 6]] and quick["time"] == 0.25
+    assert places[0] == pytest.approx([0.6, -0.8, 0, 1, 0.8, 0.6, 0, 2, 0, 0, 1, -3])
     assert (head["kind"], after["kind"], after["scene"], after["time"]) == ("scene", "frame", head["scene"], 2.0)
     assert after["range"] == [0.0, 2.5]
     assert [mesh["items"] for mesh in head["meshes"]] == [[0], [0]]

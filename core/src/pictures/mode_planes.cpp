@@ -3,24 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dalembert/math/wide_registers.hpp"
+
 namespace dalembert {
 
 // Of the nodes of a block; returns how many there are.
-std::size_t ModePlanes::sum(std::span<const double> weights, std::size_t first, Sums& sums) const {
+template <class Number>
+std::size_t ModePlanes<Number>::sum(std::span<const double> weights, std::size_t first, Sums& sums) const {
   const std::size_t count = std::min(block, nodes_ - first);
-  const float* plane = planes_.data() + first * components_ * (modes_ + 1);
-  for (std::size_t i = 0; i < components_; ++i, plane += count) std::copy_n(plane, count, sums[i].data());
-  for (const double weight : weights.first(modes_)) {
-    const auto factor = static_cast<float>(weight);
-    for (std::size_t i = 0; i < components_; ++i, plane += count) {
-      float* const to = sums[i].data();
-      for (std::size_t k = 0; k < count; ++k) to[k] += factor * plane[k];
-    }
-  }
+  const float* from = rest_.data() + first * components_;
+  for (std::size_t i = 0; i < components_; ++i, from += count) std::copy_n(from, count, sums[i].data());
+  in_registers_of_four([this, weights, first, count, &sums] { add(weights, first, count, sums); });
   return count;
 }
 
-void ModePlanes::place(std::span<const double> weights, std::span<const double, 12> rows, float* to) const {
+template <class Number>
+void ModePlanes<Number>::add(std::span<const double> weights, std::size_t first, std::size_t count, Sums& sums) const {
+  const Number* plane = planes_.data() + first * components_ * modes_;
+  const double* unit = units_.data() + first / block * components_ * modes_;
+  for (const double weight : weights.first(modes_))
+    for (std::size_t i = 0; i < components_; ++i, plane += count) {
+      const auto factor = static_cast<float>(weight * *unit++);
+      float* const to = sums[i].data();
+      for (std::size_t k = 0; k < count; ++k) to[k] += factor * static_cast<float>(plane[k]);
+    }
+}
+
+template <class Number>
+void ModePlanes<Number>::place(std::span<const double> weights, std::span<const double, 12> rows, float* to) const {
   std::array<float, 12> frame;
   std::ranges::transform(rows, frame.begin(), [](double number) { return static_cast<float>(number); });
   Sums sums;
@@ -31,7 +41,8 @@ void ModePlanes::place(std::span<const double> weights, std::span<const double, 
   }
 }
 
-void ModePlanes::numbers(std::span<const double> weights, double* to) const {
+template <class Number>
+void ModePlanes<Number>::numbers(std::span<const double> weights, double* to) const {
   Sums sums;
   for (std::size_t first = 0; first < nodes_; first += block) {
     const std::size_t count = sum(weights, first, sums);
@@ -46,5 +57,8 @@ void ModePlanes::numbers(std::span<const double> weights, double* to) const {
     to += count;
   }
 }
+
+template class ModePlanes<std::int16_t>;
+template class ModePlanes<float>;
 
 }  // namespace dalembert

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "dalembert/math/inline.hpp"
+#include "dalembert/pictures/four.hpp"
 #include "dalembert/pictures/frame_along.hpp"
 
 namespace dalembert {
@@ -40,6 +43,19 @@ double along(const double* begin, const double* end, double* frame) {
 void multiply(const double* a, const double* b, double* result) {
   for (std::size_t i = 0; i < 12; i += 4)
     for (std::size_t j = 0; j < 4; ++j) result[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j] + (j == 3 ? a[i + 3] : 0.0);
+}
+
+constexpr double turned = 1e-4;  // by which numbers of a rotation may be off: three units of its bytes
+constexpr float units = 32000;
+
+// Three numbers from -1 to 1, a little more, and a fourth one, in units: as the lower halves of words.
+DALEMBERT_INLINE inline FourWhole in_units(Four x) {
+  constexpr float most = 1.02f, above = 65536;  // makes them positive, so that they are rounded to the nearest
+  return whole(four(units) * smaller(larger(x, four(-most)), four(most)) + four(above + 0.5f));
+}
+
+DALEMBERT_INLINE inline Four row_of(const double* row) {
+  return Four{static_cast<float>(row[0]), static_cast<float>(row[1]), static_cast<float>(row[2]), static_cast<float>(row[3])};
 }
 
 }  // namespace
@@ -135,6 +151,40 @@ bool MovingParts::each(const Group& group, const Take& take) const {
 
 bool MovingParts::place(int group, double* rows) const {
   return each<0, 1>(groups_[static_cast<std::size_t>(group)], [rows](std::size_t k, const double* from) { std::copy_n(from, 12, rows + 12 * k); });
+}
+
+bool MovingParts::are_turned(int group) const {
+  const Group& parts = groups_[static_cast<std::size_t>(group)];
+  const bool are_rigid = std::ranges::all_of(parts.index, [&](std::int32_t i) { return frames_[static_cast<std::size_t>(i)].kind != FrameKind::span; });
+  double off = 0;
+  const bool finite = each<0, 1>(parts, [&off](std::size_t, const double* row) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;  // columns: of three, each is across the other two
+      for (std::size_t r = 0; r < 3; ++r) {
+        const std::size_t s = 4 * ((r + 1) % 3), t = 4 * ((r + 2) % 3);
+        off = std::max(off, std::abs(row[s + j] * row[t + k] - row[t + j] * row[s + k] - row[4 * r + i]));
+      }
+    }
+  });
+  return are_rigid && finite && off < turned;
+}
+
+// Columns of rotations that were turned once can become longer or shorter: by Euler parameters that are not normalized.
+bool MovingParts::write_turns(int group, std::uint32_t* to) const {
+  Four least = four(1.0f), most = least;  // squares of the lengths of columns
+  const bool finite = each<0, 1>(groups_[static_cast<std::size_t>(group)], [&](std::size_t k, const double* row) {
+    const Four a = row_of(row), b = row_of(row + 4), c = row_of(row + 8), squares = a * a + b * b + c * c;
+    least = smaller(least, squares), most = larger(most, squares);
+    const Four place{a[3], b[3], c[3], 0};
+    const FourWhole x = in_units(a), y = in_units(b);
+    const FourWhole lower = __builtin_shufflevector(x, y, 0, 2, 5, 7), upper = __builtin_shufflevector(x, y, 1, 4, 6, 7);
+    const FourWhole turn = (lower & four(0xffff)) | (upper << 16);
+    std::uint32_t* const words = to + words_of_turn * k;
+    std::memcpy(words, &place, words_of_turn / 2 * sizeof *words);
+    std::memcpy(words + words_of_turn / 2, &turn, words_of_turn / 2 * sizeof *words);
+  });
+  const Four off = larger(four(1.0f) - least, most - four(1.0f));
+  return finite && std::max({off[0], off[1], off[2]}) < static_cast<float>(turned);
 }
 
 bool MovingParts::write(int group, Form form, std::span<const double> numbers, float* to) const {

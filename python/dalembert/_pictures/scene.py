@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -226,6 +226,21 @@ class _Crowd:
         plain = [herd.color is not None]
         return _Crowd(herd.mesh, herd.rows[:, :, :3], herd.rows[:, :, 3], colors, herd.items, plain)
 
+    def points(self) -> FloatArray:
+        """Return all points."""
+        if self._is_one_unturned() and not self.places.any():
+            return self.mesh.points
+        return (self.mesh.points @ self.matrices.transpose(0, 2, 1) + self.places[:, None]).reshape(-1, 3)
+
+    def normals(self, normals: FloatArray) -> FloatArray:
+        """Return the normals at all points."""
+        if self._is_one_unturned():
+            return normals
+        return (normals @ _cofactors(self.matrices).transpose(0, 2, 1)).reshape(-1, 3)
+
+    def _is_one_unturned(self) -> bool:
+        return len(self.items) == 1 and np.array_equal(self.matrices[0], np.eye(3))
+
     def materials(self) -> IntArray:
         """Return the materials of all points."""
         size, count = len(self.mesh.points), len(self.items)
@@ -250,7 +265,7 @@ def faces(scene: Scene, smooth: bool, color_of: dict[int, FloatArray]) -> Faces 
                 group[0][1].mesh,
                 np.array([instance.matrix for _, instance in group]),
                 np.array([instance.place for _, instance in group]),
-                np.concatenate(colored),
+                _joined(colored),
                 np.array([instance.item for _, instance in group]),
                 [n in color_of or i.color is not None for n, i in group],
             )
@@ -262,22 +277,30 @@ def faces(scene: Scene, smooth: bool, color_of: dict[int, FloatArray]) -> Faces 
     start = 0
     for crowd in crowds:
         mesh, many = crowd.mesh, len(crowd.items)
-        points.append((mesh.points @ crowd.matrices.transpose(0, 2, 1) + crowd.places[:, None]).reshape(-1, 3))
+        points.append(crowd.points())
         if mesh.normals is not None:
-            normals.append((mesh.normals @ _cofactors(crowd.matrices).transpose(0, 2, 1)).reshape(-1, 3))
+            normals.append(crowd.normals(mesh.normals))
         colors.append(crowd.colors)
-        starts = start + len(mesh.points) * np.arange(many)
-        triangles.append((mesh.triangles[None] + starts[:, None, None]).reshape(-1, 3))
-        items.append(np.repeat(crowd.items, len(mesh.triangles)))
+        numbers = mesh.triangles.astype(np.int32)
+        if start or many > 1:
+            starts = start + len(mesh.points) * np.arange(many, dtype=np.int32)
+            numbers = (numbers[None] + starts[:, None, None]).reshape(-1, 3)
+        triangles.append(numbers)
+        items.append(np.repeat(np.asarray(crowd.items, np.int32), len(mesh.triangles)))
         start += len(mesh.points) * many
     return Faces(
-        np.concatenate(points),
-        np.concatenate(normals) if smooth else None,
-        np.concatenate(colors),
-        np.concatenate(triangles),
-        np.concatenate(items),
-        np.concatenate([crowd.materials() for crowd in crowds]) if any_named else None,
+        _joined(points),
+        _joined(normals) if smooth else None,
+        _joined(colors),
+        _joined(triangles),
+        _joined(items),
+        _joined([crowd.materials() for crowd in crowds]) if any_named else None,
     )
+
+
+def _joined(parts: list[Any]) -> Any:
+    """Return arrays as one."""
+    return parts[0] if len(parts) == 1 else np.concatenate(parts)
 
 
 def _cofactors(m: FloatArray) -> FloatArray:
@@ -290,7 +313,7 @@ def _cofactors(m: FloatArray) -> FloatArray:
 def _colors(mesh: Mesh, color: Rgba | None) -> FloatArray:
     if color is None and mesh.colors is not None:
         return mesh.colors
-    return np.tile(np.array(color or (0.5, 0.5, 0.5, 1.0)), (len(mesh.points), 1))
+    return np.tile(np.array(color or (0.5, 0.5, 0.5, 1.0), np.float32), (len(mesh.points), 1))
 
 
 def mesh_edges(scene: Scene, sharp: Rgba | None = None) -> list[tuple[FloatArray, Rgba, int]]:

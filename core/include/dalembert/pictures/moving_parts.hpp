@@ -24,6 +24,7 @@ class MovingParts {
   };
   // What is asked for of a part: its rows of rotation and position (3 x 4), its position, or that and a number which stays.
   enum class Form { rows, place, place_and_number };
+  static constexpr std::size_t words_of_turn = 6;  // of 4 bytes: position (3 x f4), and the first two rows of the rotation (6 x i2, of 1 / 32000)
   static std::size_t numbers(Form form) { return form == Form::rows ? 12 : form == Form::place ? 3 : 4; }
 
   explicit MovingParts(std::vector<Frame> frames);
@@ -41,6 +42,9 @@ class MovingParts {
   // Where the parts are now; false if a number is not finite, as an item has no place, or no orientation. `numbers`: one for each part, or none.
   bool place(int group, double* rows) const;
   bool write(int group, Form form, std::span<const double> numbers, float* to) const;
+  // Whether all parts are turned, and neither stretched nor mirrored; as long as they are, `write_turns` has words_of_turn words for each of them.
+  bool are_turned(int group) const;
+  bool write_turns(int group, std::uint32_t* to) const;  // false: one of them is not, or is nowhere
 
  private:
   struct Group {

@@ -36,6 +36,23 @@ export function frame(values, size, number, target) {
   return target;
 }
 
+// Places, 12 numbers each, of six words: position, and the first two rows of the rotation; the third one is across them.
+function turned(buffer, offset, count) {
+  const numbers = new Float32Array(buffer, offset, count), turns = new Int16Array(buffer, offset, 2 * count), rows = new Float32Array(2 * count);
+  for (let i = 0, k = 0; i < count; i += 6, k += 12) {
+    for (let j = 0; j < 3; ++j) {
+      rows[k + j] = turns[2 * i + 6 + j] / 32000;
+      rows[k + 4 + j] = turns[2 * i + 9 + j] / 32000;
+      rows[k + 4 * j + 3] = numbers[i + j];
+    }
+    for (let j = 0; j < 3; ++j) {
+      const m = (j + 1) % 3, n = (j + 2) % 3;
+      rows[k + 8 + j] = rows[k + m] * rows[k + 4 + n] - rows[k + n] * rows[k + 4 + m];
+    }
+  }
+  return rows;
+}
+
 // A message of the server; null stands for an array that is as before.
 export function message(buffer) {
   const length = new DataView(buffer).getUint32(0, true);
@@ -44,9 +61,9 @@ export function message(buffer) {
   let offset = 4 + length;
   const arrays = head.arrays.map((entry) => {
     if (!entry) return null;
-    const part = new types[entry[0]](buffer, offset, entry[1]);
-    offset += Math.ceil(part.byteLength / 4) * 4;
-    return part;
+    const [kind, count] = entry, Type = types[kind], start = offset;
+    offset += kind === "u1" ? Math.ceil(count / 4) * 4 : 4 * count;
+    return kind === "r6" ? turned(buffer, start, count) : new Type(buffer, start, count);
   });
   return { head, arrays };
 }

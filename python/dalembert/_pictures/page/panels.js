@@ -6,7 +6,7 @@ const PLOT = [320, 190]; // pixels
 
 export class Panels {
   constructor(place, send) {
-    Object.assign(this, { place, send, open: {} });
+    Object.assign(this, { place, send, open: {}, column: element(place, "div", { className: "column" }) });
   }
 
   close(name) {
@@ -16,7 +16,7 @@ export class Panels {
 
   panel(name, title, right = false) {
     this.close(name);
-    const panel = (this.open[name] = element(this.place, "div", { className: right ? "panel right" : "panel" }));
+    const panel = (this.open[name] = element(right ? this.place : this.column, "div", { className: right ? "panel right" : "panel" }));
     panel.dataset.name = name;
     element(panel, "h2", { textContent: title });
     element(panel, "button", { className: "close", textContent: "×", title: "close", onclick: () => this.close(name) });
