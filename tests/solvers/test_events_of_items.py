@@ -686,3 +686,25 @@ def test_actions_without_events_of_items_say_so(capsys: pytest.CaptureFixture[st
     assert "mbs.ItemEventActionUserFunction has no effect: events of items are not looked for" in "".join(
         capsys.readouterr()
     )
+
+
+@pytest.mark.parametrize("solver", [Solver.DOPRI5, Solver.DOP853])
+def test_errors_that_tolerances_do_not_see_are_told(solver: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    """A ball comes down on a floor of 10^5 N/m, with steps that only its flight bounds; the floor holds it from the end of a step on."""
+    errors = {}
+    for located in (False, True):
+        mbs, ball = on_sphere()
+        mbs.Assemble()
+        solve(mbs, 2.0, 400, solver, located, automaticStepSize=True, absoluteTolerance=1e-8, relativeTolerance=1e-8)
+        place = mbs.GetObjectOutputBody(ball, exu.OutputVariableType.Position)[2]
+        errors[located] = abs(place - AFTER_TWO_SECONDS)
+        told = "event 'contact' of object 2 'floor' (ObjectContactSphereSphere) lies within the step of"
+        assert (told in "".join(capsys.readouterr())) == (not located)
+    assert errors[True] < 1e-6 < 1e-5 < errors[False]
+
+
+def test_equal_steps_promise_no_tolerance(capsys: pytest.CaptureFixture[str]) -> None:
+    mbs, _ = on_sphere()
+    mbs.Assemble()
+    solve(mbs, 0.5, 1000, Solver.RK44, located=False)
+    assert "lies within the step" not in "".join(capsys.readouterr())

@@ -5,6 +5,7 @@
 
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/explicit.hpp"
+#include "dalembert/system/switches.hpp"
 
 namespace dalembert {
 
@@ -80,6 +81,27 @@ bool ExplicitSolver::control_step_size() {
   if (sizes_.ae > 0 && it.currentStepSize < aside * h && steps_aside()) it.currentStepSize = aside * h;
   ++it.rejectedAutomaticStepSizeSteps;
   return false;
+}
+
+bool ExplicitSolver::discontinuous_iteration() {
+  const bool settled = Solver::discontinuous_iteration();
+  const bool something_switched = it.discontinuousIteration > 1 || conv.discontinuousIterationError > 0;
+  if (watches_switches_ && settled && something_switched) [[unlikely]] tell_of_switches();
+  return settled;
+}
+
+// Items hold during a step what they were at its start, and so do all approximations that are compared.
+[[gnu::noinline]] void ExplicitSolver::tell_of_switches() {
+  State end = current();
+  end.data = start_of_step().data;
+  std::vector<Switch> switches;
+  system().find_switches(end, conditions_, switches);
+  const auto over = std::ranges::find_if(switches, [](const Switch& at) { return at.owner == nullptr && !at.kink && at.value < -at.noise; });
+  if (over == switches.end()) return;
+  watches_switches_ = false;
+  warn(name() + ": " + describe_switch(*over) + " lies within the step of " + format_number(conditions_.step_size, 3) + " s that ends at time " +
+       format_number(it.currentTime) + ". Items switch at the ends of steps, which estimated errors do not see: results may be off by more than the tolerances. "
+       "simulationSettings.events.ofItems=True lets steps end where items switch");
 }
 
 void ExplicitSolver::diagnose_error_control() {

@@ -464,7 +464,10 @@ std::vector<double> Solver::gaps_and_rates() {
 std::string Solver::describe_event(int event) const {
   const auto users = static_cast<int>(*watch_->users);
   if (event < users) return "event " + std::to_string(event) + " of mbs.EventsUserFunction";
-  const Switch& at = switches_[static_cast<std::size_t>(event - users)];
+  return describe_switch(switches_[static_cast<std::size_t>(event - users)]);
+}
+
+std::string Solver::describe_switch(const Switch& at) const {
   if (at.owner != nullptr) return std::string("event '") + at.what + "' of " + at.owner->name_of_part(at.part);
   const std::string item = environment_->model == nullptr ? "object " + std::to_string(at.item) : environment_->model->describe(ItemKind::object, at.item);
   return std::string("event '") + at.what + "' of " + item;

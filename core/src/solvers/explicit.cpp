@@ -109,6 +109,7 @@ void ExplicitSolver::post_initialize() {
   }
   if (!prepare_factors()) return;
   nobody_interferes_ = !system().has_discontinuities(conditions_) && !hooks().pre_step && !hooks().post_step && !hooks().post_newton && !hooks().events;
+  watches_switches_ = it.automaticStepSize && !settings().events.ofItems && system().has_switches();
   conditions_.unseen = nobody_interferes_ && !system().calls_user_functions();
   may_move_at_once_ = nobody_interferes_ && !verlet_ && method_.stages == 1 && eliminated_.empty() && sizes_.ode1 == 0 && conditions_.unseen &&
                       static_cast<std::size_t>(sizes_.ode2) > few_numbers && !settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations;

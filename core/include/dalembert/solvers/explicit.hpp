@@ -31,6 +31,7 @@ class ExplicitSolver : public Solver {
   void initialize_data() override;
   void post_initialize() override;
   bool newton() override;  // one step of the method
+  bool discontinuous_iteration() override;
   bool reduce_step_size() override;
   void increase_step_size() override;
   void free_memory() override;
@@ -94,6 +95,7 @@ class ExplicitSolver : public Solver {
   double distance_of(const StageWeights& approximation);
   double scaled_error(double second, double first, double old) const;
   void diagnose_error_control() override;
+  void tell_of_switches();
   // ---- stiffness (stiffness.cpp) -------------------------------------------------------------------------------------
   double eigenvalue_along_error();
   double stability_limit() const;
@@ -131,6 +133,7 @@ class ExplicitSolver : public Solver {
   double sum_of_v_ = 0, sum_of_a_ = 0;
   int stiff_signs_ = 0, calm_signs_ = 0;  // in the last steps
   bool told_stiff_ = false;
+  bool watches_switches_ = false;  // of items, which errors are estimated without
   double growth_limit_ = 0;         // of the sum of squares of velocities ...
   std::optional<Vibration> fastest_;  // at the start, once somebody has asked
   bool watches_coordinates_ = false;  // ... and of coordinates, where the user has set a limit

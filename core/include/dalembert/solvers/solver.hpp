@@ -203,6 +203,7 @@ class Solver {
   virtual int recovery_steps() const { return settings_->timeIntegration.adaptiveStepRecoverySteps; }
   virtual int recovery_iterations() const { return settings_->timeIntegration.adaptiveStepRecoveryIterations; }
   void warn(std::string_view text);
+  std::string describe_switch(const Switch& at) const;
   // As the console shows it.
   std::string number(double value) const;
   // ---- diagnosis: what is known at this point ----------------------------------------------------------------------
