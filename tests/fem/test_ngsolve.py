@@ -73,3 +73,17 @@ def test_what_is_refused():
         fem.ImportMeshFromNGsolve(mesh, **STEEL, meshOrder=3)
     with pytest.raises(ValueError, match="the mesh has no boundary 'top'; there are"):
         fem.GetNodesOfNGsolveBoundary(mesh, "top")
+
+
+def test_arguments_without_effect_are_told():
+    with pytest.warns(UserWarning, match="computeEigenmodes: without effect"):
+        FEM.FEMinterface().ImportMeshFromNGsolve(bar(), materials={"steel": STEEL}, computeEigenmodes=False)
+
+
+def test_a_mesh_of_a_surface_is_no_body():
+    from netgen.meshing import MeshingStep
+
+    shape = occ.OCCGeometry(occ.Box((0, 0, 0), (1, 1, 1)))
+    surface = ngsolve.Mesh(shape.GenerateMesh(maxh=0.5, perfstepsend=MeshingStep.MESHSURFACE))
+    with pytest.raises(ValueError, match="the mesh has no tetrahedra"):
+        FEM.FEMinterface().ImportMeshFromNGsolve(surface, **STEEL)

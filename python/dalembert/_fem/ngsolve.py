@@ -5,6 +5,7 @@ NGsolve is imported where it is used. It orders coordinates as all x, all y, all
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -46,6 +47,11 @@ def _tetrahedra(ngmesh: Any, positions: Any, order: int) -> tuple[IntArray, IntA
             )
         rows.append([point.nr - 1 for point in element.points])
         regions.append(element.index - 1)
+    if not rows:
+        raise ValueError(
+            "FEMinterface.ImportMeshFromNGsolve: the mesh has no tetrahedra. Netgen makes none where a surface is not "
+            "closed or has triangles without area, and says so when it makes the mesh"
+        )
     nodes = np.array(rows, dtype=np.int64)
     nodes[:, :4] = turned("Tet4", nodes[:, :4], positions)
     if order == 2:  # nodes on edges in our order, found by where they are
@@ -110,7 +116,7 @@ class WithNGsolve(Imports):
         where = "FEMinterface.ImportMeshFromNGsolve"
         ngs = _ngsolve("ImportMeshFromNGsolve")
         if kwargs:
-            raise TypeError(f"{where}: the argument {next(iter(kwargs))} is unknown")
+            warnings.warn(f"{where}: {', '.join(kwargs)}: without effect; there is no such argument", stacklevel=2)
         if meshOrder not in (1, 2):
             raise shape_error(f"{where}: meshOrder", "1 or 2", meshOrder)
         constants: Any = (density, youngsModulus, poissonsRatio)
