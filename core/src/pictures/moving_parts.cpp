@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dalembert/math/inline.hpp"
+#include "dalembert/math/wide_registers.hpp"
 #include "dalembert/pictures/four.hpp"
 #include "dalembert/pictures/frame_along.hpp"
 
@@ -55,7 +56,8 @@ DALEMBERT_INLINE inline FourWhole in_units(Four x) {
 }
 
 DALEMBERT_INLINE inline Four row_of(const double* row) {
-  return Four{static_cast<float>(row[0]), static_cast<float>(row[1]), static_cast<float>(row[2]), static_cast<float>(row[3])};
+  using Doubles [[gnu::vector_size(32)]] = double;
+  return __builtin_convertvector(load<Doubles>(row), Four);
 }
 
 }  // namespace
@@ -132,17 +134,21 @@ int MovingParts::add(std::span<const std::int32_t> index) {
   return static_cast<int>(groups_.size()) - 1;
 }
 
+// Where a part is: in `product`, if it is not as its frame.
+DALEMBERT_INLINE inline const double* MovingParts::placed(const Group& group, std::size_t k, std::array<double, 12>& product) const {
+  const double* const frame = at_[static_cast<std::size_t>(group.index[k])];
+  if (group.local.empty()) return frame;
+  multiply(frame, group.local.data() + 12 * k, product.data());
+  return product.data();
+}
+
 // take(part, rows) for all parts; false if one of the numbers that are taken, each Step-th from the First one on, is not finite.
 template <std::size_t First, std::size_t Step, class Take>
 bool MovingParts::each(const Group& group, const Take& take) const {
   std::array<double, 12> product;
   std::array<double, 12 / Step> sums{};  // nan, as soon as a number is not finite
   for (std::size_t k = 0; k < group.index.size(); ++k) {
-    const double* rows = at_[static_cast<std::size_t>(group.index[k])];
-    if (!group.local.empty()) {
-      multiply(rows, group.local.data() + 12 * k, product.data());
-      rows = product.data();
-    }
+    const double* const rows = placed(group, k, product);
     for (std::size_t j = 0; j < sums.size(); ++j) sums[j] += 0 * rows[First + Step * j];
     take(k, rows);
   }
@@ -171,20 +177,26 @@ bool MovingParts::are_turned(int group) const {
 
 // Columns of rotations that were turned once can become longer or shorter: by Euler parameters that are not normalized.
 bool MovingParts::write_turns(int group, std::uint32_t* to) const {
+  const Group& parts = groups_[static_cast<std::size_t>(group)];
   Four least = four(1.0f), most = least;  // squares of the lengths of columns
-  const bool finite = each<0, 1>(groups_[static_cast<std::size_t>(group)], [&](std::size_t k, const double* row) {
-    const Four a = row_of(row), b = row_of(row + 4), c = row_of(row + 8), squares = a * a + b * b + c * c;
-    least = smaller(least, squares), most = larger(most, squares);
-    const Four place{a[3], b[3], c[3], 0};
-    const FourWhole x = in_units(a), y = in_units(b);
-    const FourWhole lower = __builtin_shufflevector(x, y, 0, 2, 5, 7), upper = __builtin_shufflevector(x, y, 1, 4, 6, 7);
-    const FourWhole turn = (lower & four(0xffff)) | (upper << 16);
-    std::uint32_t* const words = to + words_of_turn * k;
-    std::memcpy(words, &place, words_of_turn / 2 * sizeof *words);
-    std::memcpy(words + words_of_turn / 2, &turn, words_of_turn / 2 * sizeof *words);
+  Four sum{};                             // nan, as soon as a number is not finite
+  in_registers_of_four([&, this] {
+    std::array<double, 12> product;
+    for (std::size_t k = 0; k < parts.index.size(); ++k) {
+      const double* const row = placed(parts, k, product);
+      const Four a = row_of(row), b = row_of(row + 4), c = row_of(row + 8), squares = a * a + b * b + c * c;
+      least = smaller(least, squares), most = larger(most, squares), sum += four(0.0f) * squares;
+      const Four place{a[3], b[3], c[3], 0};
+      const FourWhole x = in_units(a), y = in_units(b);
+      const FourWhole lower = __builtin_shufflevector(x, y, 0, 2, 5, 7), upper = __builtin_shufflevector(x, y, 1, 4, 6, 7);
+      const FourWhole turn = (lower & four(0xffff)) | (upper << 16);
+      std::uint32_t* const words = to + words_of_turn * k;
+      std::memcpy(words, &place, words_of_turn / 2 * sizeof *words);
+      std::memcpy(words + words_of_turn / 2, &turn, words_of_turn / 2 * sizeof *words);
+    }
   });
   const Four off = larger(four(1.0f) - least, most - four(1.0f));
-  return finite && std::max({off[0], off[1], off[2]}) < static_cast<float>(turned);
+  return bits(sum == four(0.0f)) == 15 && std::max({off[0], off[1], off[2]}) < static_cast<float>(turned);
 }
 
 bool MovingParts::write(int group, Form form, std::span<const double> numbers, float* to) const {

@@ -55,6 +55,7 @@ class MovingParts {
   const double* row(std::size_t kind, std::int32_t number) const;
   bool point_to_rows();
   bool make(std::size_t i, double* made);
+  const double* placed(const Group& group, std::size_t k, std::array<double, 12>& product) const;
   template <std::size_t First, std::size_t Step, class Take>
   bool each(const Group& group, const Take& take) const;
 
