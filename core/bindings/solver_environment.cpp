@@ -297,7 +297,7 @@ class Interruption {
         if (const auto locked = weak_.lock(); locked && locked->tap.asks()) do_what_viewers_ask(locked);
       }
       if (!main_.tap.paused() || main_.stop_requested) return;
-      main_.tap.offer(main_.system.state(ConfigurationType::Current));
+      main_.tap.offer(main_.system.state(ConfigurationType::Current), [](const auto& copy) { copy(); });
       std::optional<py::gil_scoped_release> free;
       if (WithoutInterpreter::is_kept()) free.emplace();
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -315,13 +315,13 @@ void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& mai
   hooks.jacobian_update_requested = [&requested = main->jacobian_update_requested] {
     return requested.load(std::memory_order_relaxed) && requested.exchange(false);
   };
-  hooks.show = [weak, &wanted = main->look_wanted, &seen = *main](bool record_image) {
-    seen.tap.offer(seen.system.state(ConfigurationType::Current));
+  hooks.show = [weak, &wanted = main->look_wanted, &seen = *main](bool record_image, const SolverHooks::Look& look) {
+    seen.tap.offer(seen.system.state(ConfigurationType::Current), look);
     if (!record_image && !wanted.load(std::memory_order_relaxed)) return;
     const InterpreterLock lock;  // other threads may read it
     const auto locked = weak.lock();
     if (!locked) return;
-    locked->show_current();
+    look([&] { locked->show_current(); });
     if (record_image) record(locked);
   };
 }

@@ -16,7 +16,9 @@ class Tap {
   enum class Part : std::uint8_t { none, places, all };
 
   // ---- the solver's thread, which waits neither for a viewer nor for Python ---------------------------------------------
-  void offer(const State& current) {
+  // `look(copy)`: a copy with multipliers.
+  template <class Look>
+  void offer(const State& current, Look&& look) {
     const Part wanted = wanted_.load(std::memory_order_relaxed);
     if (wanted == Part::none) return;
     const double begin = SolverTimer::now();
@@ -25,7 +27,7 @@ class Tap {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock) return;
     if (wanted == Part::all)
-      copy_ = current;
+      look([&] { copy_ = current; });
     else
       copy_.time = current.time, copy_.q = current.q, copy_.y = current.y, copy_.data = current.data;
     part_ = wanted;

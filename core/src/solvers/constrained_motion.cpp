@@ -473,11 +473,11 @@ bool ConstrainedMotion::accelerations(System& system, const State& state, const 
   return !at_start || leave_singular_position(system, state, conditions, a, lambda);
 }
 
-void ConstrainedMotion::take_off_idle_part(const ConstrainedMotion& known, System& system, const State& state, const Conditions& conditions,
+void ConstrainedMotion::take_off_idle_part(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions,
                                            std::span<double> lambda) {
   fill_for_constraints(system, state, conditions);
   const int before = redundant_.count();
-  redundant_ = known.redundant_;
+  redundant_ = known;
   weigh_again(system);
   if (!redundant_.in_use()) return;
   if (redundant_.count() != before) factors_ = make_linear_solver(*pattern_, type_, redundant_.options(options_));

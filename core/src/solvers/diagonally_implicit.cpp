@@ -131,7 +131,7 @@ const std::vector<double>* DiagonallyImplicitSolver::told_multipliers() {
   if (!std::exchange(smallest_.ready, true) || smallest_.q != now.q || smallest_.lambda != now.lambda) {
     smallest_.q = now.q;
     smallest_.lambda = smallest_.told = now.lambda;
-    smallest_.motion.take_off_idle_part(motion_, system(), now, conditions_, smallest_.told);
+    smallest_.motion.take_off_idle_part(motion_.redundant(), system(), now, conditions_, smallest_.told);
   }
   return &smallest_.told;
 }

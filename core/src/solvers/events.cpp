@@ -220,8 +220,8 @@ void Solver::end_as_scheduled() {
 
 // What it changes are forces: accelerations jump.
 void Solver::act_as_scheduled() {
-  if (hooks().schedule->act(current())) renew_accelerations();
   it.currentStepSize = std::max(it.currentStepSize, std::exchange(watch_->unscheduled_step_size, 0.0));
+  if (hooks().schedule->act(current())) renew_accelerations();
 }
 
 // ---- switches of items ---------------------------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ void SecondOrderSolver::move_algorithmic_accelerations() {
 double SecondOrderSolver::estimated_error() {
   const auto& s = settings().timeIntegration;
   const State &now = current(), &start = start_of_step();
-  const double h = it.currentStepSize, constant = std::abs(newmark_beta + 0.5 * (alpha_m - alpha_f) - 1.0 / 6);
+  const double h = it.currentStepSize, constant = std::abs(left_out());
   const double ratio = accepted_step_size_ == 0 ? 1 : h / accepted_step_size_;
   double sum = 0;
   const auto add = [&](double error, double value) {
@@ -53,7 +53,7 @@ double SecondOrderSolver::noise_of_estimates() {
   double speed = 0;
   for (const double v : current().v) speed = std::max(speed, std::abs(v));
   const double noise = std::numeric_limits<double>::epsilon() * system().extent() / (newmark_beta * it.currentStepSize);
-  return std::abs(newmark_beta + 0.5 * (alpha_m - alpha_f) - 1.0 / 6) * noise / (s.absoluteTolerance + s.relativeTolerance * speed);
+  return std::abs(left_out()) * noise / (s.absoluteTolerance + s.relativeTolerance * speed);
 }
 
 // False, always.

@@ -43,6 +43,7 @@ void NewtonSolver::initialize_data() {
   residual_.assign(n, 0.0);
   increment_.assign(n, 0.0);
   announced_ = false;
+  idle_ = Idle::none;
 }
 
 // Factors remember the pivots of earlier matrices.
@@ -62,6 +63,7 @@ void NewtonSolver::pattern_revised() {
 void NewtonSolver::take_pattern() {
   const Pattern* pattern = &system().pattern(dense());
   const auto make = [&](const LinearSolverOptions& options) { return make_linear_solver(*pattern, linear_type(), options); };
+  if (idle_ == Idle::at_factors) idle_ = Idle::at_start;
   linear_ = make(redundant_.in_use() ? redundant_.options(newton_options()) : newton_options());
   if (plain_) plain_ = make(newton_options());
   factorized_ = false;
@@ -106,7 +108,7 @@ double NewtonSolver::evaluate_residual() {
     iterate();
   }
   if (!succeeded()) return false;
-  if (leaves_correction()) correct_motion();
+  if (leaves_correction() || (redundant_.in_use() && leaves_misfit())) correct_motion();
   return !redundant_.in_use() || settle_multipliers();
 }
 
@@ -118,7 +120,9 @@ void NewtonSolver::begin_newton() {
   full_newton_ = !newton_settings.useModifiedNewton;
   loop_ = Loop();
   if (treatment_ != Treatment::none) [[unlikely]] {
+    if (idle_ == Idle::at_factors) idle_ = Idle::at_start;
     misfit_.clear();
+    predicted_ = full_newton_ && !conditions_.rate_level && !(largest_misfit_ > RedundantConstraints::silent_misfit);
     if (std::exchange(treatment_failed_, false)) drop_treatment();
     else if (treatment_ == Treatment::unknown) look_for_redundancy_at_start();
     else if (treatment_ != Treatment::announced && it.currentStepIndex != treated_since_) look_again_at_redundancy();

@@ -13,6 +13,7 @@ namespace {
 constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfit = RedundantConstraints::silent_misfit;
 // Logarithm of the square of a step size, beyond which weights are those of other matrices.
 constexpr double other_step = 4.6;
+constexpr double harmless_multiple = 0.01;  // of eps may be left open, in units of gaps, by multipliers from which no force comes
 constexpr double torn_apart = 0.1;  // gaps relative to the size of the model, or in radians
 // Before anything is known of the matrix: large enough that round-off hardly shows, and if that is too large, `try_harder` takes less.
 constexpr double first_eps = RedundantConstraints::regular_eps;
@@ -40,6 +41,7 @@ void NewtonSolver::forget_redundancy() {
 void NewtonSolver::examine_constraints_anew() {
   if (!treats_redundancy()) return;
   const bool treated = redundant_.in_use();
+  told_multipliers();
   forget_redundancy();
   if (treated) take_pattern();
 }
@@ -234,21 +236,33 @@ bool NewtonSolver::treat_from_start_of_step() {
 
 // What the increment would leave open shows in its multipliers. The part that no motion closes would make them larger in each
 // iteration; it is kept as misfit, which residuals do without. A matrix that has to serve many steps turns round-off into more. Beside a singular
-// position, motions close all gaps.
+// position, motions close all gaps. So they do where a step is predicted, to second order: that is no misfit, and where it is small, multipliers of
+// the size that it gives them do no harm.
 [[gnu::noinline]] void NewtonSolver::take_off_misfit() {
   if (treatment_ == Treatment::passing) return;
+  const bool first = std::exchange(predicted_, false);
+  const double harmless = first ? std::max(RedundantConstraints::round_off_of_gaps, harmless_multiple * redundant_.eps()) : RedundantConstraints::round_off_of_gaps;
   const auto multipliers = std::span<double>(increment_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
   const bool open = !full_newton_ || std::ranges::any_of(redundant_.rows(), [&](int k) {
-    return std::abs(redundant_.left_open(k, multipliers[static_cast<std::size_t>(k)])) > RedundantConstraints::round_off_of_gaps * redundant_.unit(k);
+    return std::abs(redundant_.left_open(k, multipliers[static_cast<std::size_t>(k)])) > harmless * redundant_.unit(k);
   });
   if (!open) return;
   const std::vector<double> before(multipliers.begin(), multipliers.end());
   redundant_.take_off_idle_solution(*linear_, increment_);
+  if (first) return;
   misfit_.resize(before.size());
   for (const int k : redundant_.rows()) {
     const auto i = static_cast<std::size_t>(k);
     misfit_[i] -= redundant_.left_open(k, before[i] - multipliers[i]);
   }
+}
+
+// Where the first correction has met the tolerance.
+bool NewtonSolver::leaves_misfit() const {
+  constexpr double silent = RedundantConstraints::silent_misfit;
+  if (!misfit_.empty() || treatment_ == Treatment::passing) return false;
+  const auto gaps = std::span<const double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
+  return redundant_.largest(gaps) > silent && redundant_.largest(redundant_.misfit(gaps)) > silent;
 }
 
 double NewtonSolver::residual_without_misfit() {
@@ -257,7 +271,21 @@ double NewtonSolver::residual_without_misfit() {
   return norm_of(unscaled_residual());
 }
 
-// After Newton's method has converged: smallest multipliers. False: constraints contradict each other too much.
+// Multipliers start from zero in each step: what is idle of them is taken off where somebody looks.
+const std::vector<double>* NewtonSolver::told_multipliers() {
+  const Idle idle = std::exchange(idle_, Idle::none);
+  if (idle == Idle::at_factors) redundant_.take_off_idle_part(*linear_, current().lambda);
+  if (idle == Idle::at_start) {
+    ConstrainedMotion motion;
+    prepare(motion);
+    RedundantConstraints known = redundant_;
+    if (!known.in_use()) known.use(first_eps);
+    motion.take_off_idle_part(known, system(), current(), conditions_, current().lambda);
+  }
+  return nullptr;
+}
+
+// After Newton's method has converged. False: constraints contradict each other too much.
 [[gnu::noinline]] bool NewtonSolver::settle_multipliers() {
   const double misfit = misfit_.empty() ? 0 : redundant_.largest(misfit_);
   largest_misfit_ = std::max(largest_misfit_, misfit);
@@ -270,9 +298,12 @@ double NewtonSolver::residual_without_misfit() {
   // What eps leaves open of weak constraints is no contradiction.
   const auto contradicts = [&] { return redundant_.largest(redundant_.misfit(misfit_)) > silent_misfit; };
   if (misfit > silent_misfit && !conditions_.rate_level && contradicts()) warn_of_contradiction(misfit_);
-  redundant_.take_off_idle_part(*linear_, current().lambda);
+  const double eps = redundant_.eps_for(misfit, conditions_.rate_level);
+  const bool other_eps = treatment_ == Treatment::lasting && eps != redundant_.eps();
+  idle_ = Idle::at_factors;
+  if (!multipliers_may_wait() || treatment_ != Treatment::lasting || other_eps) told_multipliers();
   if (!confirmed_ && treatment_ == Treatment::lasting && !(largest_misfit_ > silent_misfit)) confirmed_ = redundant_.confirm(*pattern_, jacobian_, *linear_);
-  if (const double eps = redundant_.eps_for(misfit, conditions_.rate_level); treatment_ == Treatment::lasting && (eps != redundant_.eps())) {
+  if (other_eps) {
     redundant_.use(eps);
     conv.jacobianUpdateRequested = true;
   }

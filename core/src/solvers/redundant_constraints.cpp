@@ -129,6 +129,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   count_ = 0;
   parts_.clear();
   slots_.clear();
+  entries_.clear();
   local_ = false;
   certain_ = true;
   const auto n = static_cast<std::size_t>(s.ae);
@@ -308,11 +309,15 @@ double largest_number(std::span<const double> numbers) {
 
 // Equations that are off state their multipliers themselves.
 void RedundantConstraints::regularize(const Pattern& pattern, std::span<double> values, double rate_factor) {
-  rate_factor_ = rate_factor;
   slots(pattern);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
+  if (rate_factor != rate_factor_ || entries_.size() != rows_.size()) {
+    rate_factor_ = rate_factor;
+    entries_.clear();
+    for (const int k : rows_) entries_.push_back(entry_of(k));
+  }
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
     double& entry = values[static_cast<std::size_t>(slots_[i])];
-    if (entry == 0) entry = entry_of(rows_[i]);
+    if (entry == 0) entry = entries_[i];
   }
 }
 

@@ -227,6 +227,7 @@ void Solver::initial_conditions() {
   end_reached_ = false;
   step_completed_ = true;
   begin_to_watch_events();
+  multipliers_may_wait_ = !asks_for_multipliers_in_steps();
   if (continues()) return continue_steps();
   finish_step(settings_->solutionSettings.writeInitialValues);
   ++it.currentStepIndex;
@@ -245,11 +246,25 @@ void Solver::initial_conditions() {
       take_step();
     }
   } catch (...) {
-    if (!step_completed_) current() = start_of_step();
+    return_to_start_of_step();
     throw;
   }
   end_steps();
   return output.finishedSuccessfully;
+}
+
+// After an exception, which is what the user is to see, whatever else fails.
+[[gnu::noinline]] void Solver::return_to_start_of_step() {
+  if (!step_completed_) current() = start_of_step();
+  try {
+    keep_told_multipliers();
+  } catch (...) {  // NOLINT(bugprone-empty-catch)
+  }
+}
+
+void Solver::keep_told_multipliers() {
+  if (const std::vector<double>* told = told_multipliers()) std::ranges::copy(*told, current().lambda.begin());
+  multipliers_may_wait_ = false;
 }
 
 void Solver::take_step() {
@@ -279,7 +294,7 @@ bool Solver::next_step() {
 
 void Solver::end_steps() {
   silent_ = false;
-  if (const std::vector<double>* told = told_multipliers()) std::ranges::copy(*told, current().lambda.begin());
+  keep_told_multipliers();
   output.finishedSuccessfully = !conv.stepReductionFailed && !output.simulationTimeout;
   if (output.finishedSuccessfully) look_back();
 }
@@ -492,6 +507,13 @@ void Solver::poll_interrupt() {
 // Whether the clock is due: every step at first, then as seldom as keeps looks about 2 ms apart.
 bool Solver::time_to_look() { return (steps_taken_++ & look_mask_) == 0; }
 
+void Solver::show(bool record_image) {
+  hooks().show(record_image, [this](const std::function<void()>& take) {
+    const Told told(*this);
+    take();
+  });
+}
+
 [[gnu::noinline]] void Solver::poll() {
   const double now = SolverTimer::now();
   const double elapsed = now - last_look_;
@@ -501,7 +523,7 @@ bool Solver::time_to_look() { return (steps_taken_++ & look_mask_) == 0; }
   poll_interrupt();
   if (hooks().show) {
     const TimedPart time(timer, timer.visualization);
-    hooks().show(false);
+    show(false);
   }
   if (hooks().timeout >= 0 && now - output.cpuSolverStartTime > hooks().timeout) {
     time_is_over();

@@ -112,19 +112,23 @@ bool Solver::steps_end_silently() const {
   return !speaks && !writes && !waits && !hooks().pre_step && !hooks().post_step && !has_replaced_parts();
 }
 
+// Between steps that are not looked at, forces that follow from the motion are enough; states within steps are made of those at both ends.
+bool Solver::asks_for_multipliers_in_steps() const {
+  const bool within = watch_ || it.automaticStepSize || settings_->denseOutput.atRequestedTimes;
+  return is_static() || within || hooks().pre_step || hooks().post_newton || has_replaced_parts() || system_->has_discontinuities(conditions_);
+}
+
 // In place: there are views of these numbers.
-Solver::Told::Told(Solver& solver) : solver_(solver) {
-  const std::vector<double>* told = solver.told_multipliers();
-  if (told == nullptr) return;
+Solver::Told::Told(Solver& solver) : solver_(solver), told_(solver.told_multipliers()) {
+  if (told_ == nullptr) return;
   own_ = solver.current().lambda;
-  told_ = *told;
-  std::ranges::copy(told_, solver.current().lambda.begin());
+  std::ranges::copy(*told_, solver.current().lambda.begin());
 }
 
 // What users have written is kept.
 Solver::Told::~Told() {
   std::vector<double>& lambda = solver_.current().lambda;
-  if (!own_.empty() && lambda == told_) std::ranges::copy(own_, lambda.begin());
+  if (told_ != nullptr && lambda == *told_) std::ranges::copy(own_, lambda.begin());
 }
 
 void Solver::finish_step(bool write) {
@@ -150,9 +154,12 @@ void Solver::finish_step(bool write) {
   const double interval = settings_->solutionSettings.recordImagesInterval;
   if (interval >= 0 && t >= output.lastImageRecorded + interval) {
     output.lastImageRecorded += interval;
-    if (hooks().show) hooks().show(true);
+    if (hooks().show) show(true);
   }
-  if (settings_->pauseAfterEachStep && hooks().pause) hooks().pause();
+  if (settings_->pauseAfterEachStep && hooks().pause) {
+    const Told told(*this);
+    hooks().pause();
+  }
 }
 
 void Solver::write_end_of_step() {
@@ -265,6 +272,7 @@ void Solver::write_restart() {
   if (!last && t - last_restart_ < settings_->solutionSettings.restartWritePeriod - same_time()) return;
   const TimedPart time(timer, timer.writeSolution);
   last_restart_ = t;
+  if (multipliers_may_wait_) told_multipliers();  // as the state has them that the solver goes on with
   write_restart_file(settings_->solutionSettings.restartFileName, restart_data());
   forget();
   compare_constraints_with(current());

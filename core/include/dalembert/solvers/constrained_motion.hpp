@@ -51,7 +51,7 @@ class ConstrainedMotion {
   bool project(System& system, State& state, const Conditions& conditions);
   // Makes multipliers of a state the smallest ones, by factors around its masses, where `known` has found that some of these constraints follow from
   // others. To be prepared, and for this alone.
-  void take_off_idle_part(const ConstrainedMotion& known, System& system, const State& state, const Conditions& conditions, std::span<double> lambda);
+  void take_off_idle_part(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions, std::span<double> lambda);
   // A state further on, on the constraints: along the velocities, and where any forces would lead, by this part of the size of the model, or so many
   // radians. To be prepared.
   State moved_by(double part, System& system, const State& at, const Conditions& conditions);

@@ -61,8 +61,9 @@ struct SolverHooks {
   std::function<void(std::string_view text)> warn;
   // Called every few milliseconds between steps and in long Newton loops; true: stop. May throw (Ctrl-C).
   std::function<bool()> interrupted;
-  // Called every few milliseconds after completed steps, and when a frame of an animation is due.
-  std::function<void(bool record_image)> show;
+  // Called every few milliseconds after completed steps, and when a frame of an animation is due. Who looks at multipliers does so by `look`.
+  using Look = std::function<void(const std::function<void()>& take)>;
+  std::function<void(bool record_image, const Look& look)> show;
   // Wait until the user continues (pauseAfterEachStep).
   std::function<void()> pause;
 

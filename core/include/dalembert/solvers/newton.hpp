@@ -47,6 +47,8 @@ class NewtonSolver : public Solver {
   void examine_constraints_anew() override;
   // As another matrix with them has shown.
   void constraints_are_known(RedundantConstraints found);
+  const std::vector<double>* told_multipliers() override;
+  void multipliers_renewed() { idle_ = Idle::none; }  // to the smallest ones
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
   bool factorize();
 
@@ -96,6 +98,7 @@ class NewtonSolver : public Solver {
   void factorize_anew();
   bool try_harder();
   void take_off_misfit();
+  bool leaves_misfit() const;
   double residual_without_misfit();
   bool settle_multipliers();
   void announce_redundancy();
@@ -136,6 +139,11 @@ class NewtonSolver : public Solver {
   Loop loop_;
   RedundantConstraints redundant_;
   Treatment treatment_ = Treatment::none;
+  // Where a part of the multipliers from which no force comes has been left in them: in the current state, whose factors are at hand, or in the one
+  // that a step has started from.
+  enum class Idle { none, at_factors, at_start };
+  Idle idle_ = Idle::none;
+  bool predicted_ = false;      // not corrected yet in this loop, in a solution without misfit
   bool looks_at_next_ = false;  // at the next matrix
   bool contradiction_ = false;  // it has converged, and left too much open
   bool tried_harder_ = false, announced_ = false;

@@ -85,7 +85,10 @@ class RedundantConstraints {
   bool consistent() const { return consistent_; }
   bool in_use() const { return eps_ > 0; }
   double eps() const { return eps_; }
-  void use(double eps) { eps_ = eps; }  // zero: not any more
+  void use(double eps) {  // zero: not any more
+    eps_ = eps;
+    entries_.clear();
+  }
   LinearSolverOptions options(LinearSolverOptions options) const;
   void regularize(const Pattern& pattern, std::span<double> values, double rate_factor);
   void pattern_revised() { slots_.clear(); }
@@ -150,6 +153,7 @@ class RedundantConstraints {
   bool local_ = false;              // combinations of parts are those of their entries
   std::vector<double> x_, idle_;
   std::vector<int> slots_;  // of the diagonal, by rows_
+  std::vector<double> entries_;  // that take the place of zeros there
 };
 
 // Whether solvers go on in spite of them.

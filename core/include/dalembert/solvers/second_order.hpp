@@ -54,6 +54,9 @@ class SecondOrderSolver : public NewtonSolver {
     return {it.currentStepIndex > 1 || settings().timeIntegration.generalizedAlpha.computeInitialAccelerations, it.currentStepIndex > 1};
   }
   void renew_accelerations() override;
+  bool end_rates(ConstrainedMotion& motion);
+  void start_steadily(ConstrainedMotion& motion);
+  double left_out() const;  // of positions, this times the third power of the step size and the rate of accelerations
 
  private:
   friend class Lockstep;

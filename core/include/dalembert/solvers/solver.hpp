@@ -184,8 +184,12 @@ class Solver {
   double reduced_step_size(double factor) const;
   // Times that are closer to each other are the same.
   double same_time() const { return std::min(1e-10, 1e-3 * it.currentStepSize); }
-  // Where the solver goes on with multipliers that are not the smallest ones: those of the current state that everybody else is told. Null: they are.
+  // Where the solver goes on with multipliers that are not the smallest ones: those of the current state that everybody else is told. Null: the state
+  // has them, now at the latest.
   virtual const std::vector<double>* told_multipliers() { return nullptr; }
+  void keep_told_multipliers();  // in the state
+  // Whether multipliers matter only while somebody is `Told`.
+  bool multipliers_may_wait() const { return multipliers_may_wait_; }
   // While others look at the current state.
   class Told {
    public:
@@ -196,7 +200,8 @@ class Solver {
 
    private:
     Solver& solver_;
-    std::vector<double> own_, told_;
+    const std::vector<double>* told_;
+    std::vector<double> own_;
   };
   // Whether the user has replaced a part of a step, which may change what the solver does.
   virtual bool has_replaced_parts() const { return false; }
@@ -332,8 +337,11 @@ class Solver {
   std::string describe_data(int index) const;
   void call_pre_step();
   void poll();
+  void show(bool record_image);
   bool time_to_look();
   bool steps_end_silently() const;
+  bool asks_for_multipliers_in_steps() const;
+  void return_to_start_of_step();
   void write_end_of_step();
   void print_progress(bool to_console, bool to_file);
   void wait_for_real_time();
@@ -383,6 +391,7 @@ class Solver {
   bool warned_minimum_ = false;
   bool step_completed_ = false;  // the state is that of the end of a step, not one that is tried
   bool silent_ = false;  // while all steps are solved: nothing happens at their ends
+  bool multipliers_may_wait_ = false;
 };
 
 }  // namespace dalembert
