@@ -373,7 +373,7 @@ def dense_mesh(mbs: Any, angle: float = 0.0, modes: Any = None) -> tuple[int, An
 
 
 def test_points_of_pages_are_those_of_the_mesh(mbs: Any) -> None:
-    """In single precision, of which rounding leaves 1e-6 of a size of some meters."""
+    """In single precision, of which rounding leaves 1e-6 of a size of some meters, and modes in units of 1 / 32767 of their largest numbers."""
     body, modes = dense_mesh(mbs, 0.7)
     places, shown = exu._core._ScenePlaces(mbs), exu.ConfigurationType.Visualization
     for basis in (modes, 2 * modes):
@@ -383,7 +383,8 @@ def test_points_of_pages_are_those_of_the_mesh(mbs: Any) -> None:
             mbs.systemData.SetODE2Coordinates(state, shown)
             exact = places.mesh(body, Variable.Position, shown)
             found = places.mesh_points(body, places.rows(1, shown)[body], shown)
-            assert found.dtype == np.float32 and found == pytest.approx(exact, abs=1e-6)
+            halves_of_units = np.abs(state[-2:]) @ np.abs(basis).max(axis=0) / (2 * 32767)  # in each direction
+            assert found.dtype == np.float32 and found == pytest.approx(exact, abs=1e-6 + 3**0.5 * halves_of_units)
     assert places.mesh_points(body, places.rows(1, shown)[body], exu.ConfigurationType.Current) is None
 
 
