@@ -43,9 +43,11 @@ def test_javascript_reads_the_stored_messages(tab: Tab) -> None:
         }})""")
     for (head, arrays), (expected, numbers) in zip(read, map(test_live_page.unpacked, sent), strict=True):
         assert head == expected
-        for array, known in zip(arrays, numbers, strict=True):
-            assert (array is None) == (known is None)
-            assert array is None or array == pytest.approx(known.tolist(), rel=1e-6, abs=1e-7)
+        for kind, array, known in zip(head["arrays"], arrays, numbers, strict=True):
+            if kind is not None and kind[0] == "r6":  # there, numbers of the third row are rounded to single precision
+                assert array == pytest.approx(known.tolist(), rel=1e-6, abs=1e-7)
+            else:
+                assert array == (None if known is None else known.tolist())
 
 
 def test_traces_that_grow_are_joined_to_those_of_the_picture_before(tab: Tab) -> None:

@@ -54,14 +54,15 @@ class Heap:
         marker = self.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=body))
         self.contact.AddTrianglesRigidBodyBased(marker, pointList=corners, triangleList=[[0, 1, 2]], **SURFACE)
 
-    def motion(self, solver: str, looked_at: bool, threads: int = 1) -> tuple[bytes, ...]:
+    def motion(self, solver: str, looked_at: bool, threads: int = 1, assemble: bool = True) -> tuple[bytes, ...]:
         """A function of the user may look at every marker after each step."""
         settings = exu.SimulationSettings()
         settings.solutionSettings.writeSolutionToFile = False
         settings.parallel.numberOfThreads = threads
         settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 0.02, 100
         settings.timeIntegration.verboseMode = 0
-        self.mbs.Assemble()
+        if assemble:
+            self.mbs.Assemble()
         self.mbs.SetPostStepUserFunction((lambda mbs, t: True) if looked_at else 0)
         self.mbs.SolveDynamic(settings, solverType=getattr(exu.DynamicSolverType, solver))
         data = self.mbs.systemData
@@ -150,6 +151,24 @@ def test_all_explicit_methods_do(node: Any, friction: float, solver: str) -> Non
     by_markers = heaps[0].motion(solver, True)
     assert heaps[1].motion(solver, False) == by_markers
     assert heaps[2].motion(solver, False, threads=2) == by_markers
+
+
+def test_what_is_read_follows_parameters() -> None:
+    """Spheres at reference points of bodies that go elsewhere need markers that nobody has needed in the solution before."""
+    found = []
+    for looked_at in (True, False):
+        heap = Heap(NODES[1])
+        markers = [heap.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=body)) for body in heap.bodies[::4]]
+        other = heap.mbs.AddGeneralContact()
+        other.SetFrictionPairings([[0.1]])
+        for marker in markers:
+            other.AddSphereWithMarker(marker, 2 * RADIUS, **SURFACE)
+        heap.motion("ExplicitEuler", looked_at)
+        for marker in markers:
+            heap.mbs.SetMarkerParameter(marker, "localPosition", [0, 0, 0.5 * RADIUS])
+        assert heap.mbs.systemIsConsistent
+        found.append(heap.motion("ExplicitEuler", looked_at, assemble=False))
+    assert found[0] == found[1]
 
 
 def test_points_on_springs_round_in_another_order() -> None:

@@ -260,8 +260,10 @@ std::span<const double> System::negative_forces(const State& state, const Condit
   e.inertia = false;
   e.direct = !conditions.holds_contact;
   e.lambda = residual.data() + residual.size();  // zeros
-  e.reads_nodes = e.direct && conditions.unseen && parts.leaves_markers_to_terms &&
-                  std::ranges::all_of(parts.system_terms, [](const SystemTerm* term) { return term->reads_nodes(); });
+  if (e.direct && conditions.unseen && !parts.system_terms.empty()) {
+    if (!parts.knows_needed_markers) [[unlikely]] find_nodes_of_terms();
+    e.reads_nodes = parts.leaves_markers_to_terms && std::ranges::all_of(parts.system_terms, [](const SystemTerm* term) { return term->reads_nodes(); });
+  }
   find_residual(parts, e, residual.data());
   return residual;
 }

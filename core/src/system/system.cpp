@@ -38,7 +38,6 @@ void System::assemble(const Model& model, const Division& division) {
     add(model.term_sources()[i]->make_term(parts_->ports, model.term_name(i)));
     parts_->system_terms.back()->enter(*this, model);
   }
-  find_nodes_of_terms();
   ++version_;
 }
 
@@ -194,7 +193,7 @@ void System::refresh(const Model& model) {
   for (const ItemReference& item : changed) renew(item.kind, item.number);
   parts.values = model.value_changes();
   sort_loads(parts);
-  find_nodes_of_terms();
+  parts.knows_needed_markers = false;
 }
 
 std::vector<std::pair<int, std::shared_ptr<const void>>> System::completed_records() const {

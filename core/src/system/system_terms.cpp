@@ -46,10 +46,11 @@ NodeFrame System::node_frame(int marker) const {
   return member.batch->node_frame(member.entry);
 }
 
+// Asked for only where it is used: parameters may change at each step.
 void System::find_nodes_of_terms() {
-  if (parts_->system_terms.empty()) return;
   for (SystemTerm* term : parts_->system_terms) term->find_nodes(*this);
   find_needed_markers(*parts_);
+  parts_->knows_needed_markers = true;
 }
 
 bool System::search(const State& state, const Conditions& conditions) {

@@ -195,7 +195,8 @@ struct SystemParts {
   std::vector<std::unique_ptr<RotatingNodeBatch>> rotating_nodes;
   std::vector<LoadDependency> load_dependencies;
   EvaluationPlan plan;
-  bool leaves_markers_to_terms = false;  // some are not needed, where these read nodes themselves
+  bool leaves_markers_to_terms = false;  // some are not needed, where these read nodes themselves;
+  bool knows_needed_markers = false;     // as parameters are now
   bool functions_in_regions = false;  // of the user, which only the thread of the solver may call: it does it all
   std::unique_ptr<Workers> workers;   // null: one thread does it all
   std::vector<System::LieBlock> lie_blocks;
