@@ -2,7 +2,8 @@
 
 The data are a JSON head and arrays behind it. What does not change is stored once; what moves as a whole has 12 numbers
 per frame (the rows of x = matrix @ point + place), what is deformed its points. Floats lose the last bits that nobody
-sees, and their bytes are sorted by significance, so that they pack well.
+sees; what is left of their bits is a whole number, of which the difference to the one before is kept, as numbers of one
+frame after the other are nearly equal. Bytes are sorted by significance, so that all of it packs well.
 """
 
 from __future__ import annotations
@@ -41,13 +42,10 @@ class Packer:
         self.parts.append(values)
         return len(self.table) - 1
 
-    def floats(self, values: npt.ArrayLike, exact: bool = False) -> int:
+    def floats(self, values: npt.ArrayLike) -> int:
         """Keep real numbers."""
-        array = np.ascontiguousarray(values, dtype="<f4")
-        bits = array.view("<u4").copy()
-        if not exact:
-            bits &= np.uint32(~((1 << SPARE_BITS) - 1) & 0xFFFFFFFF)
-        return self.add("f4", bits.ravel().view(np.uint8).reshape(-1, 4).T.tobytes(), array.size)
+        bits = np.ascontiguousarray(values, dtype="<f4").ravel().view("<u4") >> SPARE_BITS
+        return self._words("f4", np.diff(bits, prepend=bits.dtype.type(0)))
 
     def moving(self, frames: npt.ArrayLike) -> int:
         """Keep numbers per frame (frames x numbers), one number after the other; a single frame if nothing changes."""
@@ -60,8 +58,10 @@ class Packer:
 
     def integers(self, values: npt.ArrayLike) -> int:
         """Keep numbers of points."""
-        array = np.ascontiguousarray(values, dtype="<u4")
-        return self.add("u4", array.ravel().view(np.uint8).reshape(-1, 4).T.tobytes(), array.size)
+        return self._words("u4", np.ascontiguousarray(values, dtype="<u4").ravel())
+
+    def _words(self, kind: str, words: npt.NDArray[np.uint32]) -> int:
+        return self.add(kind, words.view(np.uint8).reshape(-1, 4).T.tobytes(), words.size)
 
     def shades(self, values: npt.ArrayLike) -> int:
         """Keep colors: numbers from 0 to 1, as bytes."""
@@ -88,7 +88,7 @@ def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
                 names.append([item.kind, item.number, item.type_name, item.name])
     numbered = [[items[item.kind, item.number, item.system] for item in scene.items] for scene in scenes]
     head = {
-        "version": 1,
+        "version": 2,
         **words,
         "rate": motion.rate,
         "times": [scene.time for scene in scenes],

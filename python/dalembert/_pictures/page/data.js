@@ -1,5 +1,5 @@
-// What pages get: a JSON head, and arrays behind it. The data of a motion (replay.py) are compressed, and their bytes sorted by significance;
-// messages of the live page (messages.py) are as they are.
+// What pages get: a JSON head, and arrays behind it. The data of a motion (replay.py) are compressed, of floats their differences, and bytes
+// sorted by significance; messages of the live page (messages.py) are as they are.
 
 async function unpacked(base64) {
   const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
@@ -7,11 +7,19 @@ async function unpacked(base64) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Numbers of four bytes each: all lowest bytes come first.
-function gathered(bytes, count, Type) {
+const SPARE_BITS = 7; // of floats, that are not kept
+
+// Whole numbers of four bytes each: all lowest bytes come first.
+function gathered(bytes, count) {
   const result = new Uint8Array(4 * count);
   for (let k = 0; k < 4; ++k) for (let i = 0; i < count; ++i) result[4 * i + k] = bytes[k * count + i];
-  return new Type(result.buffer);
+  return new Uint32Array(result.buffer);
+}
+
+// Floats, of whose bits as whole numbers there are the differences.
+function summed(differences) {
+  let bits = 0;
+  return new Float32Array(differences.map((difference) => (bits = (bits + difference) | 0) << SPARE_BITS).buffer);
 }
 
 export async function read(base64) {
@@ -23,7 +31,8 @@ export async function read(base64) {
     const part = bytes.subarray(offset, offset + size);
     offset += size;
     if (kind === "u1") return part.slice();
-    return gathered(part, count, kind === "f4" ? Float32Array : Uint32Array);
+    const words = gathered(part, count);
+    return kind === "f4" ? summed(words) : words;
   });
   return { head, arrays };
 }
