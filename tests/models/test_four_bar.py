@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from solving import Solver, Variable, new_system, settings
+from tolerances import by_tolerance
 
 import dalembert as exu
 
@@ -124,9 +125,6 @@ def test_reactions_after_a_start_in_the_singular_position(solver: Any, loops: in
 def test_small_steps_lead_out_of_the_singular_position(solver: Any, loops: int) -> None:
     """At tolerances at which accelerations of another motion at the start would be taken for errors of steps, however small."""
     bars = Bars(loops, angle=0, rate=-3)
-    s = settings(0.03, 50)
-    s.timeIntegration.absoluteTolerance = s.timeIntegration.relativeTolerance = 1e-8
-    s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
-    bars.mbs.SolveDynamic(s, solverType=solver)
+    bars.mbs.SolveDynamic(by_tolerance(settings(0.03, 50), 1e-8), solverType=solver)
     wanted = parallelogram(loops, [0.03], (0, -3))[0][:2]
     np.testing.assert_allclose(bars.tip_output(Variable.Position), wanted, rtol=0, atol=1e-7)

@@ -9,18 +9,12 @@ import pytest
 from scipy.integrate import solve_ivp
 from solving import Solver, Variable, new_system, settings
 from test_four_bar import Bars, parallelogram
+from tolerances import by_tolerance
 
 import dalembert as exu
 from dalembert.solver import SolverError
 
 END = 5.0
-
-
-def by_tolerance(tolerance: float) -> Any:
-    s = settings(END, 50)
-    s.timeIntegration.absoluteTolerance = s.timeIntegration.relativeTolerance = tolerance
-    s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
-    return s
 
 
 def error_of(bars: Bars) -> float:
@@ -43,7 +37,7 @@ def error_of(bars: Bars) -> float:
 )
 def test_the_flat_position_is_passed(solver: Any, tolerance: float, most: float, loops: int) -> None:
     bars = Bars(loops)
-    bars.mbs.SolveDynamic(by_tolerance(tolerance), solverType=solver)
+    bars.mbs.SolveDynamic(by_tolerance(settings(END, 50), tolerance), solverType=solver)
     assert error_of(bars) < most
     assert bars.mbs.sys["dynamicSolver"].output.trusted
 
@@ -62,7 +56,7 @@ def test_no_other_branch_without_a_word(solver: Any, tolerance: float, loops: in
     """Steps as small as these end beside the flat position, or in it."""
     bars = Bars(loops)
     try:
-        bars.mbs.SolveDynamic(by_tolerance(tolerance), solverType=solver)
+        bars.mbs.SolveDynamic(by_tolerance(settings(END, 50), tolerance), solverType=solver)
     except SolverError as error:
         assert error.reason in ("errorControl", "newton", "singularPosition")
         return
@@ -75,7 +69,7 @@ def test_no_other_branch_without_a_word(solver: Any, tolerance: float, loops: in
 def test_all_tolerances_pass_with_matrices_that_follow_the_motion(tolerance: float, loops: int) -> None:
     """Ten passages' worth of errors may be a hundred times the tolerance each; parallelograms stay parallelograms."""
     bars = Bars(loops)
-    bars.mbs.SolveDynamic(by_tolerance(tolerance), solverType=Solver.ESDIRK43)
+    bars.mbs.SolveDynamic(by_tolerance(settings(END, 50), tolerance), solverType=Solver.ESDIRK43)
     assert error_of(bars) < 1000 * tolerance
     angles = [bars.mbs.GetObjectOutputBody(bars.tip + i, Variable.Rotation, [0, 0, 0]) for i in range(loops + 1)]
     assert np.ptp(angles) < 1e-9
@@ -83,7 +77,7 @@ def test_all_tolerances_pass_with_matrices_that_follow_the_motion(tolerance: flo
 
 
 def test_steps_that_pass_it_are_told(capfd: Any) -> None:
-    bars, s = Bars(2), by_tolerance(1e-7)
+    bars, s = Bars(2), by_tolerance(settings(END, 50), 1e-7)
     s.timeIntegration.verboseMode = 1
     bars.mbs.SolveDynamic(s)
     steps = bars.mbs.sys["dynamicSolver"].it.singularPositionSteps
@@ -101,7 +95,7 @@ def test_stiff_loops_are_not_taken_for_singular_positions(solver: Any) -> None:
         spring = exu.SpringDamper(markerNumbers=[markers[i], markers[j]], referenceLength=j - i, stiffness=1e11)
         bars.mbs.AddObject(spring)
     bars.mbs.Assemble()
-    s = by_tolerance(1e-6)
+    s = by_tolerance(settings(END, 50), 1e-6)
     s.timeIntegration.endTime, s.timeIntegration.numberOfSteps = 0.5, 50
     s.timeIntegration.initialStepSize, s.timeIntegration.minimumStepSize = 1e-8, 1e-12
     bars.mbs.SolveDynamic(s, solverType=solver)
@@ -113,7 +107,7 @@ def test_stiff_loops_are_not_taken_for_singular_positions(solver: Any) -> None:
 def test_starts_in_the_flat_position_that_round_off_spoils_name_methods_that_do_not_suffer() -> None:
     """At 1e-10, errors of positions are those of round-off by the sine of a small angle; what constrains accelerations has none of them."""
     bars = Bars(2, angle=0, rate=-3)
-    s = by_tolerance(1e-10)
+    s = by_tolerance(settings(END, 50), 1e-10)
     s.timeIntegration.endTime = 0.03
     with pytest.raises(SolverError) as refused:
         bars.mbs.SolveDynamic(s, solverType=Solver.GeneralizedAlpha)
@@ -141,7 +135,7 @@ def test_singular_positions_that_end_a_solution_are_named(
     solver: Any, loops: int, angle: float, rate: float, steps: int, tolerance: float | None
 ) -> None:
     """Weight takes slow links through the flat position within a millisecond, a hundred thousandth of a radian from it: who gets through is right."""
-    bars, s = Bars(loops, angle=angle, rate=rate), by_tolerance(tolerance or 1e-6)
+    bars, s = Bars(loops, angle=angle, rate=rate), by_tolerance(settings(END, 50), tolerance or 1e-6)
     s.timeIntegration.automaticStepSize = tolerance is not None
     s.timeIntegration.endTime, s.timeIntegration.numberOfSteps = 0.3, steps
     with pytest.raises(SolverError) as refused:
@@ -172,7 +166,7 @@ def test_failures_elsewhere_are_not_those_of_singular_positions() -> None:
 @pytest.mark.parametrize("by", ["steps", "tolerance"])
 def test_slow_starts_in_the_flat_position_do_not_contradict(solver: Any, rate: float, by: str, capfd: Any) -> None:
     """What is redundant in the flat position is not a little beside it, however long the motion takes to get there."""
-    bars, s = Bars(2, angle=0, rate=rate), by_tolerance(1e-6)
+    bars, s = Bars(2, angle=0, rate=rate), by_tolerance(settings(END, 50), 1e-6)
     s.timeIntegration.endTime, s.timeIntegration.numberOfSteps = 0.3, 3000
     s.timeIntegration.automaticStepSize = by == "tolerance"
     reason = ""
@@ -201,7 +195,7 @@ def test_slow_starts_in_the_flat_position_do_not_contradict(solver: Any, rate: f
 )
 def test_branches_that_round_off_decides_are_told(solver: Any, loops: int, rate: float, steps: Any, capfd: Any) -> None:
     """Weight turns velocities within 0.1 ms, in which they lead 1e-7 rad away from the flat position: its square is round-off."""
-    bars, s = Bars(loops, angle=0, rate=rate), by_tolerance(1e-4)
+    bars, s = Bars(loops, angle=0, rate=rate), by_tolerance(settings(END, 50), 1e-4)
     s.timeIntegration.endTime = 0.3
     s.timeIntegration.automaticStepSize = steps is None
     s.timeIntegration.numberOfSteps = steps or 30

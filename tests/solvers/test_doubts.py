@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from oscillators import dynamic_settings, friction_or_stop, mass, oscillator
+from tolerances import by_tolerance
 
 import dalembert as exu
 from dalembert.utilities import InertiaCuboid, RigidBodyInertia
@@ -45,10 +46,8 @@ def test_nothing_speaks_against_a_good_solution() -> None:
 def test_errors_above_the_tolerances(solver: Any, capfd: Any) -> None:
     model = oscillator()
     model.mbs.Assemble()
-    settings = dynamic_settings(1.0, 20)
-    settings.timeIntegration.automaticStepSize = settings.stepSizeControl.implicitSolvers = True
+    settings = by_tolerance(dynamic_settings(1.0, 20), 1e-12)
     settings.timeIntegration.minimumStepSize = 0.04
-    settings.timeIntegration.absoluteTolerance = settings.timeIntegration.relativeTolerance = 1e-12
     settings.timeIntegration.verboseMode = 1
     (doubt,) = doubts(model.mbs, settings, solver)
     steps = model.mbs.sys["dynamicSolver"].it.stepsAboveTolerance
@@ -93,19 +92,14 @@ def turned(node_type: Any, omega: list[float], settings: Any, solver: Any) -> tu
     return mbs.GetNodeOutput(0, exu.OutputVariableType.RotationMatrix).reshape(3, 3), found
 
 
-def by_tolerance(tolerance: float) -> Any:
-    settings = dynamic_settings(1.0, 100)
-    settings.timeIntegration.automaticStepSize = settings.stepSizeControl.implicitSolvers = True
-    settings.timeIntegration.absoluteTolerance = settings.timeIntegration.relativeTolerance = tolerance
-    return settings
-
-
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2])
 def test_angles_that_lock(solver: Any) -> None:
     """A body that turns about its middle axis, almost: at a quarter turn, its first and third angle turn by half a turn within a few milliseconds.
     Error control finds them, equal steps miss them, and say so; Euler parameters do not notice."""
     omega = [0.03, 10.0, 0.02]
-    right, found = turned(exu.NodeType.RotationEulerParameters, omega, by_tolerance(1e-11), Solver.DOP853)
+    right, found = turned(
+        exu.NodeType.RotationEulerParameters, omega, by_tolerance(dynamic_settings(1.0, 100), 1e-11), Solver.DOP853
+    )
     assert found == []
     angles = exu.NodeType.RotationRxyz
     wrong, (doubt,) = turned(angles, omega, dynamic_settings(1.0, 1000), solver)
@@ -115,7 +109,7 @@ def test_angles_that_lock(solver: Any) -> None:
     )
     assert "RotationEulerParameters" in doubt and 0.15 < float(doubt.split("at time ")[1].split(";")[0]) < 0.17
     for method, tolerance, error in [(Solver.DOPRI5, 1e-8, 1e-6), (Solver.ESDIRK43, 1e-8, 2e-6), (solver, 1e-5, 3e-4)]:
-        rotation, found = turned(angles, omega, by_tolerance(tolerance), method)
+        rotation, found = turned(angles, omega, by_tolerance(dynamic_settings(1.0, 100), tolerance), method)
         assert found == [] and np.abs(rotation - right).max() < error
 
 

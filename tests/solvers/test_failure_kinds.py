@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 from oscillators import dynamic_settings, mass, oscillator
+from tolerances import by_tolerance
 
 import dalembert as exu
 from dalembert.itemInterface import Mass1D, Node1D
@@ -18,10 +19,7 @@ Solver = exu.DynamicSolverType
 def quiet(end: float, steps: int, tolerance: float | None = None) -> Any:
     s = dynamic_settings(end, steps)
     s.timeIntegration.verboseMode = s.staticSolver.verboseMode = 0
-    if tolerance is not None:
-        s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
-        s.timeIntegration.absoluteTolerance = s.timeIntegration.relativeTolerance = tolerance
-    return s
+    return s if tolerance is None else by_tolerance(s, tolerance)
 
 
 def failure(solve: Any, *arguments: Any, **options: Any) -> SolverError:
