@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Sequence
 from typing import Any
 
@@ -13,6 +14,7 @@ from solving import Solver, Variable, new_system, settings
 from test_bricard import Bricard
 
 import dalembert as exu
+from dalembert import _core
 from dalembert._core import testing
 from dalembert.rigidBodyUtilities import InertiaCuboid
 from dalembert.solver import SolverError
@@ -296,14 +298,31 @@ def test_reactions_after_events_are_of_second_order(opens: bool) -> None:
         door.mbs.SetEventsUserFunction(lambda mbs, t, at=at: [(t - at, 1)])
         door.mbs.SetEventActionUserFunction(release)
         found = reactions_at_ends_of_steps(door, steps, Solver.GeneralizedAlpha)
-        after = found[(found[:, 0] > at + 0.5 * h) & (found[:, 0] < 0.5 - 0.5 * h)]  # the last step is a shorter one
+        after = found[found[:, 0] > at + 0.5 * h]
         wanted = np.column_stack([np.interp(after[:, 0], times, column) for column in forces.T])
         errors.append(np.abs(after[:, 1:] - wanted).max())
     assert errors[0] < 0.05  # N, of 294 N
     assert errors[0] > 3 * errors[1]
 
 
-def reactions_at_ends_of_steps(door: Door, steps: int, solver: Any) -> np.ndarray:
+@pytest.mark.parametrize("part", [0.01, 0.1, 0.6])
+def test_reactions_are_of_second_order_in_steps_that_are_cut(part: float) -> None:
+    """By an event without an action after this part of a step, and by the end, for that: reactions were off by as much as steps are long, and more in short ones."""
+    exact = reactions_at_ends_of_steps(Door(), 4000, Solver.ESDIRK43)
+    errors = []
+    for steps in (50, 100):
+        door = Door()
+        at = 0.25 + part * 0.5 / steps
+        door.mbs.SetEventsUserFunction(lambda mbs, t, at=at: [(t - at, 1)])
+        found = reactions_at_ends_of_steps(door, steps, Solver.GeneralizedAlpha, 0.6)
+        since = found[found[:, 0] >= at - 1e-9]
+        wanted = np.column_stack([np.interp(since[:, 0], exact[:, 0], column) for column in exact[:, 1:].T])
+        errors.append(np.abs(since[:, 1:] - wanted).max())
+    assert errors[0] < 0.02  # N, of 294 N
+    assert errors[0] > 3 * errors[1]
+
+
+def reactions_at_ends_of_steps(door: Door, steps: int, solver: Any, spectral_radius: float = 1) -> np.ndarray:
     """Times and the sum of the forces in both hinges."""
     found = []
 
@@ -312,10 +331,36 @@ def reactions_at_ends_of_steps(door: Door, steps: int, solver: Any) -> np.ndarra
         return True
 
     door.mbs.SetPostStepUserFunction(note)
-    s = settings(0.5, steps, spectral_radius=1.0)
+    s = settings(0.5, steps, spectral_radius)
     s.timeIntegration.automaticStepSize = False
     assert door.mbs.SolveDynamic(s, solverType=solver)
     return np.array(found)
+
+
+def test_viewers_see_the_smallest_reactions() -> None:
+    """Of a solution that nobody else looks at: idle parts are taken off for them."""
+    mbs = Bricard({}).mbs
+    shadow, seen, ends = _core._Shadow(mbs), [], threading.Event()
+    shadow.follow()
+
+    def look() -> None:
+        data, shown = shadow.system.systemData, exu.ConfigurationType.Visualization
+        while not ends.wait(1e-3):
+            if shadow.follow()[0]:
+                seen.append([np.array(f(shown)) for f in (data.GetODE2Coordinates, data.GetAECoordinates)])
+
+    viewer = threading.Thread(target=look)
+    viewer.start()
+    try:
+        assert mbs.SolveDynamic(settings(100, 20_000))
+    finally:
+        ends.set()
+        viewer.join()
+    assert len(seen) > 2
+    for q, lam in seen:
+        mbs.systemData.SetODE2Coordinates(q)
+        mbs.systemData.SetAECoordinates(lam)
+        assert_smallest(mbs, 3**0.5)
 
 
 def test_reactions_are_the_smallest_at_ends_however_solutions_end() -> None:

@@ -473,16 +473,22 @@ bool ConstrainedMotion::accelerations(System& system, const State& state, const 
   return !at_start || leave_singular_position(system, state, conditions, a, lambda);
 }
 
-void ConstrainedMotion::take_off_idle_part(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions,
-                                           std::span<double> lambda) {
+int ConstrainedMotion::factorize(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions) {
   fill_for_constraints(system, state, conditions);
   const int before = redundant_.count();
   redundant_ = known;
-  weigh_again(system);
-  if (!redundant_.in_use()) return;
-  if (redundant_.count() != before) factors_ = make_linear_solver(*pattern_, type_, redundant_.options(options_));
-  redundant_.regularize(*pattern_, matrix_, 1);
-  if (factors_->factorize(matrix_) == LinearSolver::success) redundant_.take_off_idle_part(*factors_, lambda);
+  if (redundant_.in_use()) weigh_again(system);
+  if (redundant_.in_use()) {
+    if (redundant_.count() != before) factors_ = make_linear_solver(*pattern_, type_, redundant_.options(options_));
+    redundant_.regularize(*pattern_, matrix_, 1);
+  }
+  return factors_->factorize(matrix_);
+}
+
+void ConstrainedMotion::take_off_idle_part(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions,
+                                           std::span<double> lambda) {
+  const int singular = factorize(known, system, state, conditions);
+  if (singular == LinearSolver::success && redundant_.in_use()) redundant_.take_off_idle_part(*factors_, lambda);
 }
 
 // Of the motion with constant accelerations from the start on: beside a singular position, gaps open by their change of velocities as much as

@@ -221,8 +221,10 @@ void Solver::end_as_scheduled() {
 // What it changes are forces: accelerations jump.
 void Solver::act_as_scheduled() {
   it.currentStepSize = std::max(it.currentStepSize, std::exchange(watch_->unscheduled_step_size, 0.0));
-  if (hooks().schedule->act(current())) renew_accelerations();
+  if (hooks().schedule->act(current()) || step_was_cut()) renew_accelerations();
 }
+
+bool Solver::step_was_cut() const { return !it.automaticStepSize && it.currentStepSize > largest_growth * conditions_.step_size; }
 
 // ---- switches of items ---------------------------------------------------------------------------------------------------
 
@@ -242,10 +244,10 @@ void Solver::settle_switches() {
 
 // Another end for the step that has just been solved; false: it fails.
 bool Solver::solve_again(double step_size) {
-  current() = start_of_step();
   reset_to_start_of_step();
+  current().data = start_of_step().data;
   if (system_->searches()) system_->restore_history();
-  it.currentTime = start_of_step().time;
+  it.currentTime = current().time = start_of_step().time;
   it.currentStepSize = step_size;
   ++it.eventSolutions;
   return try_step();
@@ -396,7 +398,8 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
     if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + position_text() + "\n");
     if (!let_user_act(event.number, event.direction)) stop_ = output.simulationStoppedByUserFunction = true;
   }
-  if (acts || locates_switches()) {
+  const bool changed = acts || locates_switches();
+  if (changed) {
     conv.jacobianUpdateRequested = true;
     if (system_->searches()) search();
     if (acts) examine_constraints_anew();
@@ -405,8 +408,8 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
       start_of_step() = current();
       settle_switches();
     }
-    renew_accelerations();
   }
+  if (changed || step_was_cut()) renew_accelerations();
   if (repeated >= 0) diagnose_chatter(repeated);
   watch.events_over(event_values());
 }

@@ -16,21 +16,13 @@ bool SecondOrderSolver::discontinuous_iteration() {
   return Solver::discontinuous_iteration() && (!it.automaticStepSize || control_step_size());
 }
 
-// They stand for the time t + (alpha_m - alpha_f) h, and h has changed.
-void SecondOrderSolver::move_algorithmic_accelerations() {
-  if (accepted_step_size_ == 0 || accepted_step_size_ == it.currentStepSize || newmark()) return;
-  const double ratio = it.currentStepSize / accepted_step_size_;
-  const State& now = current();
-  for (std::size_t i = 0; i < algorithmic_.size(); ++i) algorithmic_[i] = now.a[i] + ratio * (algorithmic_[i] - now.a[i]);
-}
-
 // In units of the tolerances, root mean square. Of positions: the term of third order that the formulas leave out. Of velocities: the
 // same within a step, which is of second order: estimates of third order drown in the noise that accelerations of constrained systems have.
 double SecondOrderSolver::estimated_error() {
   const auto& s = settings().timeIntegration;
   const State &now = current(), &start = start_of_step();
   const double h = it.currentStepSize, constant = std::abs(left_out());
-  const double ratio = accepted_step_size_ == 0 ? 1 : h / accepted_step_size_;
+  const double ratio = step_size_at_start_ == 0 ? 1 : h / step_size_at_start_;
   double sum = 0;
   const auto add = [&](double error, double value) {
     const double e = error / (s.absoluteTolerance + s.relativeTolerance * std::abs(value));
@@ -95,7 +87,6 @@ bool SecondOrderSolver::control_step_size() {
   } else {
     steps_above_tolerance_ = 0;
   }
-  accepted_step_size_ = h;
   project_velocities();
   choose_next_step(passes ? 1 : wanted);
   return true;

@@ -98,7 +98,8 @@ void SecondOrderSolver::initialize_data() {
   simplified_lie_ = lie_ && settings().timeIntegration.generalizedAlpha.lieGroupSimplifiedKinematicRelations;
   lie_increment_.assign(lie_ ? n : 0, 0.0);
   previous_q_.assign(lie_ ? n : 0, 0.0);
-  accepted_step_size_ = 0;
+  step_size_ = step_size_at_start_ = 0;
+  off_constraints_known_ = -1;
   driven_.clear();
   rejected_ = renews_ = false;
   renewed_after_ = -2;
@@ -110,7 +111,7 @@ void SecondOrderSolver::initial_conditions() {
   State& now = current();
   if (continues()) {
     algorithmic_ = continued_values();
-    accepted_step_size_ = continued_number(0);
+    step_size_ = continued_number(0);
     renewed_after_ = static_cast<StepCount>(continued_number(1));
     return;
   }
@@ -158,7 +159,8 @@ void SecondOrderSolver::renew_accelerations() {
   const bool projected = steadily && end_rates(motion);
   const bool found = finds && find_accelerations();
   algorithmic_ = current().a;
-  accepted_step_size_ = 0;
+  step_size_ = 0;
+  off_constraints_known_ = -1;
   if (found && projected) start_steadily(motion);
 }
 
@@ -201,6 +203,7 @@ void SecondOrderSolver::start_steadily(ConstrainedMotion& motion) {
     algorithmic_[i] += shift * step[i];
     now.v[i] -= left_out() * h * (all[i] - along.v[i]);
   }
+  step_size_ = h;
 }
 
 double SecondOrderSolver::left_out() const { return newmark_beta + 0.5 * (alpha_m - alpha_f) - 1.0 / 6; }
@@ -215,20 +218,24 @@ void SecondOrderSolver::post_initialize() {
 bool SecondOrderSolver::reduce_step_size() {
   it.currentTime = current().time;
   algorithmic_ = algorithmic_at_start_;
+  step_size_ = step_size_at_start_;
   if (std::exchange(renews_, false)) {
     renew_accelerations();
     start_of_step().a = current().a;
     algorithmic_at_start_ = algorithmic_;
+    step_size_at_start_ = step_size_;
   }
   if (std::exchange(rejected_, false)) return true;  // the error control has chosen a step size
   if (!(it.currentStepSize > it.minStepSize)) return false;
   it.currentStepSize = reduced_step_size(settings().timeIntegration.adaptiveStepDecrease);
+  step_size_ = step_size_at_start_ = 0;  // steps fail where motions are not smooth
   return true;
 }
 
 void SecondOrderSolver::increase_step_size() {
-  if (it.automaticStepSize) return;
+  if (it.automaticStepSize || it.currentStepSize == it.maxStepSize) return;
   it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
+  step_size_ = 0;
 }
 
 void SecondOrderSolver::forget() {
@@ -239,11 +246,13 @@ void SecondOrderSolver::forget() {
 void SecondOrderSolver::save_start_of_step() {
   Solver::save_start_of_step();
   copy_numbers(system(), algorithmic_.data(), algorithmic_.size(), algorithmic_at_start_.data());
+  step_size_at_start_ = step_size_;
 }
 
 void SecondOrderSolver::reset_to_start_of_step() {
   Solver::reset_to_start_of_step();
   algorithmic_ = algorithmic_at_start_;
+  step_size_ = step_size_at_start_;
 }
 
 [[gnu::flatten]] double SecondOrderSolver::compute_residual() {
@@ -270,7 +279,7 @@ void SecondOrderSolver::predict() {
   State& now = current();
   const double h = it.currentStepSize;
   if (lie_) previous_q_ = start_of_step().q;
-  if (it.automaticStepSize) [[unlikely]] move_algorithmic_accelerations();
+  if (h != step_size_) [[unlikely]] change_step_size();
   predict_motion(system(), now.q.size(), {h, newmark_beta, newmark_gamma, alpha_m, alpha_f}, increment_of_q_.data(),
                  newmark() ? nullptr : algorithmic_.data(), now.q.data(), now.v.data(), now.a.data());
   for (std::size_t i = 0; i < now.y.size(); ++i) {
@@ -278,6 +287,37 @@ void SecondOrderSolver::predict() {
     now.y_t[i] = 0;
   }
   if (lie_) predict_lie_rotations();
+}
+
+// From that of the step before.
+[[gnu::noinline]] void SecondOrderSolver::change_step_size() {
+  constexpr double negligible = 1e-6;
+  if (step_size_ == 0) return;
+  const double ratio = it.currentStepSize / step_size_;
+  if (ratio > largest_growth && !it.automaticStepSize) return;
+  move_algorithmic_accelerations(ratio);
+  const double change = 1 - ratio * ratio;
+  if (it.automaticStepSize || sizes_.ae == 0 || conditions_.rate_level || std::abs(change) < negligible) return;
+  if (std::exchange(off_constraints_known_, it.currentStepIndex) != it.currentStepIndex) find_velocities_off_constraints();
+  for (std::size_t i = 0; i < off_constraints_.size(); ++i) current().v[i] -= change * off_constraints_[i];
+}
+
+// They stand for the time t + (alpha_m - alpha_f) h.
+void SecondOrderSolver::move_algorithmic_accelerations(double ratio) {
+  if (newmark()) return;
+  const State& now = current();
+  for (std::size_t i = 0; i < algorithmic_.size(); ++i) algorithmic_[i] = now.a[i] + ratio * (algorithmic_[i] - now.a[i]);
+}
+
+// See `start_steadily`; where there are none, zeros.
+void SecondOrderSolver::find_velocities_off_constraints() {
+  State still = current();
+  still.time = it.currentTime - it.currentStepSize;
+  off_constraints_.assign(still.v.size(), 0.0);
+  ConstrainedMotion motion;
+  prepare(motion);
+  if (motion.factorize(redundant_constraints(), system(), still, conditions_) != LinearSolver::success || !motion.project(system(), still, conditions_)) return;
+  for (std::size_t i = 0; i < off_constraints_.size(); ++i) off_constraints_[i] = current().v[i] - still.v[i];
 }
 
 void SecondOrderSolver::correct() {
@@ -322,6 +362,7 @@ void SecondOrderSolver::correct() {
 }
 
 void SecondOrderSolver::finalize_newton() {
+  step_size_ = it.currentStepSize;
   add(system(), algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a);
   if (conditions_.rate_level) system().restore_unit_lengths(current());
 }

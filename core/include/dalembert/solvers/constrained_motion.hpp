@@ -26,6 +26,9 @@ class ConstrainedMotion {
   bool examine(System& system, const State& start_of_step, const Conditions& conditions);
   // The factors at this state; success, or the unknown without a pivot. The first state is examined.
   int factorize(System& system, const State& state, const Conditions& conditions);
+  // The same, where `known` has found that some of these constraints follow from others; with ones where there are no masses. To be prepared, and
+  // for this alone.
+  int factorize(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions);
   // The same around another matrix than that of the masses, which has been put here, with the columns of the multipliers.
   std::span<double> matrix() { return matrix_; }
   const Pattern& pattern() const { return *pattern_; }
@@ -49,8 +52,7 @@ class ConstrainedMotion {
   // Moves the state by the smallest changes, in the metric of the masses, that close gaps and end their rates, with the factors at
   // hand. False: they do not get small enough.
   bool project(System& system, State& state, const Conditions& conditions);
-  // Makes multipliers of a state the smallest ones, by factors around its masses, where `known` has found that some of these constraints follow from
-  // others. To be prepared, and for this alone.
+  // Makes multipliers of a state the smallest ones, by factors as above.
   void take_off_idle_part(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions, std::span<double> lambda);
   // A state further on, on the constraints: along the velocities, and where any forces would lead, by this part of the size of the model, or so many
   // radians. To be prepared.

@@ -47,7 +47,7 @@ class SecondOrderSolver : public NewtonSolver {
   void save_start_of_step() override;
   std::span<const double> restart_values() const override { return algorithmic_; }
   std::vector<double> restart_numbers() const override {
-    return {accepted_step_size_, static_cast<double>(renewed_after_)};
+    return {step_size_, static_cast<double>(renewed_after_)};
   }
   void forget() override;
   KnownDerivatives complete_ends() override {
@@ -66,7 +66,6 @@ class SecondOrderSolver : public NewtonSolver {
   void trace(Trace& trace);
 
   // ---- control of the step size (implicit_error_control.cpp) --------------------------------------------------------
-  void move_algorithmic_accelerations();
   bool control_step_size();
   double estimated_error();
   double noise_of_estimates();  // in units of the tolerances
@@ -80,6 +79,9 @@ class SecondOrderSolver : public NewtonSolver {
   double row_scale() const final;  // of the ODE2 equations in Newton's method
   double beta_prime() const;   // acceleration per increment of a coordinate
   double gamma_prime() const;  // velocity per increment of a coordinate
+  void change_step_size();
+  void move_algorithmic_accelerations(double ratio);
+  void find_velocities_off_constraints();
   void predict();
   void correct();
   void predict_lie_rotations();
@@ -99,7 +101,9 @@ class SecondOrderSolver : public NewtonSolver {
   std::vector<double> lie_increment_;        // sum of increments since the start of the step (simplified relations)
   std::vector<double> increment_of_q_, previous_q_, more_values_;
   bool lie_ = false, simplified_lie_ = false;
-  double accepted_step_size_ = 0;   // to which the algorithmic accelerations at the start belong; zero: to any
+  double step_size_ = 0, step_size_at_start_ = 0;  // to which algorithmic accelerations belong, and velocities off constraints; zero: to any
+  std::vector<double> off_constraints_;  // part of the velocities at the start of a step ...
+  StepCount off_constraints_known_ = -1;  // ... which is this one
   bool rejected_ = false;
   bool renews_ = false;             // accelerations are found anew before the step is repeated
   StepCount renewed_after_ = -2;    // step

@@ -172,6 +172,8 @@ class Solver {
   bool steps_aside();
   static constexpr double aside = 0.7;  // this part of it
   StepCount singular_position_step_ = -2;  // the last one that passed it
+  // Of a step beside the one before, for which implicit methods correct what that has left in accelerations and velocities, with its round-off.
+  static constexpr double largest_growth = 2;
   // The state has jumped: forces and accelerations have to be found anew.
   virtual void renew_accelerations() {}
   // Around the masses, where the solver keeps it anyway; null: it does not.
@@ -295,6 +297,7 @@ class Solver {
   void act_on_events();
   void end_as_scheduled();  // a step that would go further
   void act_as_scheduled();
+  bool step_was_cut() const;  // and left nothing that the next one, of the usual size, could begin with
   void advise_on_weak_constraints();
   // ---- angles that lock (locking_angles.cpp) -----------------------------------------------------------------------
   void find_angles();
