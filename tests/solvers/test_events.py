@@ -162,6 +162,17 @@ def test_events_without_action_only_end_steps() -> None:
         assert np.abs(model.table()[:, 0] - event).min() < 1e-10
 
 
+def test_events_at_ends_of_steps_cut_none() -> None:
+    """Round-off puts some of them behind the end, in the first 1e-12 of the next step."""
+    model = mass(position=0, speed=1, physics_mass=1)
+    model.mbs.SetEventsUserFunction(lambda mbs, t: [np.sin(np.pi * (100 * t - 0.25))])
+    model.mbs.SetEventActionUserFunction(lambda mbs, t, event, direction: True)
+    model.mbs.Assemble()
+    model.mbs.SolveDynamic(dynamic_settings(0.5, 200))
+    it = model.mbs.sys["dynamicSolver"].it
+    assert (it.eventsCount, it.currentStepIndex - 1) == (50, 200)
+
+
 def test_ever_faster_events_end_with_an_error() -> None:
     ball = Ball()
     ball.hard_floor(0.5)

@@ -28,6 +28,7 @@ constexpr double close_of_user = 1, close_of_item = 2;  // in steps; a contact t
 constexpr int most_rounds = 10;       // in which items settle at the start
 constexpr int inner_points = 3;       // of a step, where functions may have changed their sign twice
 constexpr double leaves_zero = 10;    // times what was left at the event
+constexpr double on_zero = 1e-10;     // of the value at the start: the end of the step is where the function of a user vanishes, but for round-off
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
@@ -116,7 +117,8 @@ std::vector<EventWatch::Event> EventWatch::changed(std::span<const WatchedValue>
       if (values[i].value < 0 && counts(static_cast<int>(i), values[i].value)) found.push_back({static_cast<int>(i), -1, values[i].value});
       continue;
     }
-    const int before = sign(start_[i].value), direction = sign(values[i].value) - before;
+    const bool lands = i < users.value_or(0) && std::abs(values[i].value) <= on_zero * std::abs(start_[i].value);
+    const int before = sign(start_[i].value), direction = (lands ? -before : sign(values[i].value)) - before;
     if (before == 0 || direction == 0 || values[i].direction * direction < 0) continue;
     found.push_back({static_cast<int>(i), sign(direction), values[i].value});
   }

@@ -37,20 +37,15 @@ std::vector<char> jumping_equations(System& system, const State& state, const Co
 
 }  // namespace
 
-InitialAccelerations initial_accelerations(System& system, const State& state, const Conditions& conditions, LinearSolverType type,
-                                           const LinearSolverOptions& options, const RedundantConstraintsSettings& redundancy) {
+InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions) {
   const Sizes& s = system.sizes();
   std::vector<double> x(static_cast<std::size_t>(s.total()), 0.0);
   State still = state;
   std::fill(still.lambda.begin(), still.lambda.end(), 0.0);
   Conditions position = conditions;
   position.rate_level = false;
-  ConstrainedMotion motion;
-  motion.prepare(system, type, options, redundancy);
   InitialAccelerations result;
-  result.singular_row = motion.factorize(system, still, position);
-  if (result.singular_row != LinearSolver::success) return result;
-  const std::vector<char> jumping = jumping_equations(system, still, position, system.pattern(is_dense(type)));
+  const std::vector<char> jumping = jumping_equations(system, still, position, motion.pattern());
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
   const std::vector<double> gap = ConstrainedMotion::gap_acceleration(system, still, position);
   std::vector<double> now(gap.size());  // asked for only if it is needed: user functions are called once more

@@ -133,15 +133,21 @@ void SecondOrderSolver::initial_conditions() {
 }
 
 bool SecondOrderSolver::find_accelerations() {
-  State& now = current();
   LinearSolverOptions options = linear_options();
   if (full_newton_ && sizes_.ae > 0) options.unsettled_matrices = 1;  // shares the analysis with Newton's first matrix; masses alone are less work by themselves
-  InitialAccelerations found = dalembert::initial_accelerations(system(), now, conditions_, linear_type(), options, settings().redundantConstraints);
-  if (found.singular_row != LinearSolver::success) {
+  ConstrainedMotion motion;
+  motion.prepare(system(), linear_type(), options, settings().redundantConstraints);
+  return find_accelerations(motion, motion.factorize(system(), current(), conditions_));
+}
+
+bool SecondOrderSolver::find_accelerations(ConstrainedMotion& motion, int singular) {
+  if (singular != LinearSolver::success) {
     warn("initial accelerations are set to zero: mass matrix and constraints are singular at unknown " +
-         std::to_string(found.singular_row) + " (" + system().describe_row(found.singular_row) + ")");
+         std::to_string(singular) + " (" + system().describe_row(singular) + ")");
     return false;
   }
+  State& now = current();
+  InitialAccelerations found = initial_accelerations(motion, system(), now, conditions_);
   if (!found.decided) warn_of_undecided_start();
   now.a = found.a;  // in place: views stay valid
   now.lambda = found.lambda;
@@ -155,20 +161,21 @@ void SecondOrderSolver::renew_accelerations() {
   const bool finds = settings().timeIntegration.generalizedAlpha.computeInitialAccelerations;
   // Error control projects velocities at each step; those that users have given are left as they are.
   const bool steadily = finds && sizes_.ae > 0 && !conditions_.rate_level && !it.automaticStepSize && it.currentStepIndex > 0;
-  ConstrainedMotion motion;
-  const bool projected = steadily && end_rates(motion);
-  const bool found = finds && find_accelerations();
+  if (steadily) return start_steadily();
+  if (finds) find_accelerations();
+  begin_with_accelerations();
+}
+
+void SecondOrderSolver::begin_with_accelerations() {
   algorithmic_ = current().a;
   step_size_ = 0;
   off_constraints_known_ = -1;
-  if (found && projected) start_steadily(motion);
 }
 
 // Of gaps.
 bool SecondOrderSolver::end_rates(ConstrainedMotion& motion) {
   State still = current();
-  prepare(motion);
-  if (motion.factorize(system(), still, conditions_) != LinearSolver::success || !motion.project(system(), still, conditions_)) return false;
+  if (!motion.project(system(), still, conditions_)) return false;
   std::ranges::copy(still.v, current().v.begin());
   return true;
 }
@@ -176,9 +183,15 @@ bool SecondOrderSolver::end_rates(ConstrainedMotion& motion) {
 // Equal steps leave velocities off the constraints by C h^2 times the rate of accelerations across them, C h^3 being what the formulas leave out of
 // positions. Without that from the first step on, reactions would be off by as much as h, and swing: Arnold, Bruels, Cardona: Error analysis of
 // generalized-alpha Lie group time integration methods for constrained mechanical systems, Numerische Mathematik 129 (2015).
-void SecondOrderSolver::start_steadily(ConstrainedMotion& motion) {
+void SecondOrderSolver::start_steadily() {
   constexpr double moment = 1e-2;  // of a step
   State& now = current();
+  ConstrainedMotion motion;
+  prepare(motion);
+  const int singular = motion.factorize(system(), now, conditions_);
+  const bool rests = singular == LinearSolver::success && end_rates(motion), found = find_accelerations(motion, singular);
+  begin_with_accelerations();
+  if (!rests || !found) return;
   const double h = it.currentStepSize, tau = moment * h, shift = newmark() ? 0 : alpha_m - alpha_f;
   State moved = now;
   moved.time += tau;
@@ -189,9 +202,8 @@ void SecondOrderSolver::start_steadily(ConstrainedMotion& motion) {
     moved.q[i] += step[i];
   }
   if (lie_) system().compose(now.q, step, moved.q);
-  const InitialAccelerations soon =
-      dalembert::initial_accelerations(system(), moved, conditions_, linear_type(), linear_options(), settings().redundantConstraints);
-  if (soon.singular_row != LinearSolver::success) return;
+  if (motion.factorize(system(), moved, conditions_) != LinearSolver::success) return;
+  const InitialAccelerations soon = initial_accelerations(motion, system(), moved, conditions_);
   State along = now;
   for (std::size_t i = 0; i < step.size(); ++i) {
     step[i] = (soon.a[i] - now.a[i]) / moment;  // within a step

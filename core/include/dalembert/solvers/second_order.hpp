@@ -54,8 +54,9 @@ class SecondOrderSolver : public NewtonSolver {
     return {it.currentStepIndex > 1 || settings().timeIntegration.generalizedAlpha.computeInitialAccelerations, it.currentStepIndex > 1};
   }
   void renew_accelerations() override;
+  void begin_with_accelerations();
   bool end_rates(ConstrainedMotion& motion);
-  void start_steadily(ConstrainedMotion& motion);
+  void start_steadily();
   double left_out() const;  // of positions, this times the third power of the step size and the rate of accelerations
 
  private:
@@ -72,8 +73,10 @@ class SecondOrderSolver : public NewtonSolver {
   bool give_up_at_round_off();
   void project_velocities();
 
-  // Accelerations and multipliers that fit the state; false, with a warning: there are none.
+  // Accelerations and multipliers that fit the state; false, with a warning: there are none. Motions have their factors at it, unless an unknown has
+  // no pivot.
   bool find_accelerations();
+  bool find_accelerations(ConstrainedMotion& motion, int singular);
   bool newmark() const;
   double rate_factor() const final { return gamma_prime(); }
   double row_scale() const final;  // of the ODE2 equations in Newton's method
@@ -110,14 +113,13 @@ class SecondOrderSolver : public NewtonSolver {
   std::vector<char> driven_;        // equations whose gaps are prescribed in time
 };
 
-// Accelerations and multipliers that fit the current positions and velocities; false: the matrix is singular.
+// Accelerations and multipliers that fit the positions and velocities of a state.
 struct InitialAccelerations {
   std::vector<double> a, lambda;
-  int singular_row = LinearSolver::success;
   RedundantConstraints redundant;
   bool decided = true;  // see ConstrainedMotion::accelerations
 };
-InitialAccelerations initial_accelerations(System& system, const State& state, const Conditions& conditions, LinearSolverType type,
-                                           const LinearSolverOptions& options, const RedundantConstraintsSettings& redundancy);
+// `motion` has its factors at these positions.
+InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions);
 
 }  // namespace dalembert
