@@ -297,6 +297,18 @@ def test_eigenvalues_do_not_see_the_second_hinge() -> None:
     assert values[1] == pytest.approx(values[0], rel=1e-6) and values[2] == pytest.approx(values[0], rel=1e-6)
 
 
+def test_linearizations_do_not_see_the_second_hinge() -> None:
+    """Whichever bases are chosen, the spring acts on one motion."""
+    found = []
+    for heights in ((1.0,), (0.3, 1.7), (0.3, 1.0, 1.7)):
+        door = Door(heights)
+        door.add_spring()
+        mass, stiffness, damping, *_ = door.mbs.ComputeLinearizedSystem(projectIntoConstraintNullspace=True)
+        assert mass.shape == stiffness.shape == damping.shape == (1, 1)
+        found.append([mass[0, 0], stiffness[0, 0]])
+    assert found[1] == pytest.approx(found[0], rel=1e-6) and found[2] == pytest.approx(found[0], rel=1e-6)
+
+
 def test_variations_of_a_door() -> None:
     """Each as if it had been solved alone."""
     door = Door()
