@@ -27,7 +27,7 @@ export class Live extends View {
   constructor(place, link, { keys = window, first = () => {} } = {}) {
     super(place);
     Object.assign(this, { link, first, frames: 0, number: -1, steps: [0.1, 5, 1.15] });
-    this.panels = new Panels(place, (kind, words) => this.send(kind, words));
+    this.panels = new Panels(place, (kind, words) => this.send(kind, words), (name) => name === "details" && this.pick(null));
     this.tools();
     this.controls.addEventListener("change", () => (this.turned ||= !this.led));
     this.reports = setInterval(() => this.report(), SENT);
@@ -130,7 +130,8 @@ export class Live extends View {
     if (counts) this.counts = counts;
     if (places) this.write(this.texts, places);
     this.range?.(...head.range);
-    this.time.textContent = [this.when(head.time), this.distance].filter(Boolean).join("\n");
+    this.words = this.when(head.time);
+    this.tell(this.distance);
     this.mark();
     this.wish();
     this.frames += 1;
@@ -193,10 +194,6 @@ export class Live extends View {
 
   when(time) {
     return `t = ${time.toPrecision(4)} s`;
-  }
-
-  tell(text) {
-    this.distance = text;
   }
 
   // ---- what readers do

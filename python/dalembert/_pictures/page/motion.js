@@ -96,14 +96,9 @@ export class Motion extends View {
     for (const go of this.movers) go(number);
     this.slider.value = number;
     this.words = this.head.captions?.[number] ?? this.when(number);
-    this.tell(this.distance ?? "");
+    this.tell(this.distance);
     this.mark();
     this.wish();
-  }
-
-  tell(text) {
-    this.distance = text;
-    this.time.textContent = [this.words, text].filter(Boolean).join("\n");
   }
 
   when(number) {

@@ -5,8 +5,9 @@ import { element } from "./view.js";
 const PLOT = [320, 190]; // pixels
 
 export class Panels {
-  constructor(place, send) {
-    Object.assign(this, { place, send, open: {}, column: element(place, "div", { className: "column" }) });
+  // `left` is called with the name of a panel that the reader has closed.
+  constructor(place, send, left) {
+    Object.assign(this, { place, send, left, open: {}, column: element(place, "div", { className: "column" }) });
   }
 
   close(name) {
@@ -19,7 +20,7 @@ export class Panels {
     const panel = (this.open[name] = element(right ? this.place : this.column, "div", { className: right ? "panel right" : "panel" }));
     panel.dataset.name = name;
     element(panel, "h2", { textContent: title });
-    element(panel, "button", { className: "close", textContent: "×", title: "close", onclick: () => this.close(name) });
+    element(panel, "button", { className: "close", textContent: "×", title: "close", onclick: () => (this.close(name), this.left(name)) });
     return panel;
   }
 

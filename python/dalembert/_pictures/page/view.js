@@ -10,6 +10,7 @@ import { flat } from "./picture.js";
 
 export const FIELD = 30; // degrees, of the camera
 const HALF = Math.tan((FIELD / 2) * (Math.PI / 180));
+const ROUND_OFF = 1e-6; // of a distance, in its components
 const CLICK = 4; // pixels that the mouse may move in a click
 
 export function element(parent, tag, properties = {}) {
@@ -256,13 +257,18 @@ export class View {
       this.ruler = new Line(new BufferGeometry().setFromPoints(this.ends), new LineBasicMaterial({ color: 0xcc0d0d, depthTest: false }));
       this.ruler.renderOrder = 1;
       this.scene.add(this.ruler);
-      const [a, b] = this.ends, along = b.clone().sub(a);
-      this.tell(`distance ${along.length().toPrecision(6)} m   (${[...along].map((part) => part.toPrecision(4)).join(", ")})`);
+      const [a, b] = this.ends, along = b.clone().sub(a), length = along.length();
+      const parts = [...along].map((part) => (Math.abs(part) < ROUND_OFF * length ? "0" : part.toPrecision(4)));
+      this.tell(`distance ${length.toPrecision(6)} m   (${parts.join(", ")})`);
     } else this.tell(hit ? "distance: shift and click at the other end" : "");
     this.wish();
   }
 
-  tell() {}
+  // Below the time.
+  tell(text) {
+    this.distance = text;
+    this.time.textContent = [this.words, text].filter(Boolean).join("\n");
+  }
 
   // Texts at points: [text, place].
   write(texts, places) {
@@ -277,12 +283,15 @@ export class View {
     this.places = places;
   }
 
+  // Texts at one point stand below each other.
   placeLabels() {
-    const point = new Vector3(), { clientWidth: width, clientHeight: height } = this.place;
+    const point = new Vector3(), { clientWidth: width, clientHeight: height } = this.place, standing = new Map();
     [...this.labels.children].forEach((label, i) => {
       const { x, y, z } = point.fromArray(this.places, 3 * i).project(this.camera);
+      const pixels = [Math.round(((x + 1) / 2) * width), Math.round(((1 - y) / 2) * height)], before = standing.get(String(pixels)) ?? 0;
+      standing.set(String(pixels), before + 1);
       label.hidden = z > 1;
-      label.style.transform = `translate(${((x + 1) / 2) * width}px, ${((1 - y) / 2) * height}px)`;
+      label.style.transform = `translate(${pixels[0]}px, calc(${pixels[1]}px + ${before}lh))`;
     });
   }
 
