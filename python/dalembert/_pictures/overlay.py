@@ -57,9 +57,13 @@ def _add_labels(canvas: Pillow.Image, scene: Scene, camera: Camera, looks: Looks
         return
     draw = ImageDraw.Draw(canvas)
     places = camera.pixels(np.array([label.place for label in scene.labels]), *canvas.size)
+    standing: dict[tuple[int, int], float] = {}  # how far down texts at one point reach
     for label, (x, y, _) in zip(scene.labels, places, strict=True):
-        letters = font(max(round(label.size or size), 4))
-        at = (x + label.shift[0] * size + 2, y - label.shift[1] * size - 2)
+        height = max(round(label.size or size), 4)
+        letters, point = font(height), (round(x), round(y))
+        below = standing.get(point, 0.0)
+        standing[point] = below + 1.2 * height
+        at = (x + label.shift[0] * size + 2, y - label.shift[1] * size - 2 + below)
         halo = 2 if looks.setting("general.textHasBackground") else 1
         draw.text(at, label.text, _bytes(label.color), letters, "ls", stroke_width=halo, stroke_fill=(255, 255, 255))
 
