@@ -55,7 +55,7 @@ for x, side in ((base / 2, 1), (base / 2, -1), (-base / 2, 1), (-base / 2, -1)):
         initialAngularVelocity=[0, speed / radius, 0],
         inertia=disc,
         gravity=[0, 0, -g],
-        color=graphics.color.darkgrey2,
+        graphicsDataList=[graphics.Cylinder([0, -0.11, 0], [0, 0.22, 0], 0.6 * radius, color=graphics.color.lightgrey)],
     )
     free_about_y = {"position": hub, "constrainedAxes": [1, 1, 1, 1, 0, 1]}
     turn = {"offsetUserFunction": steering(side)} if x > 0 else {}
