@@ -356,7 +356,7 @@ def test_viewers_see_the_smallest_reactions() -> None:
     finally:
         ends.set()
         viewer.join()
-    assert len(seen) > 2
+    assert seen
     for q, lam in seen:
         mbs.systemData.SetODE2Coordinates(q)
         mbs.systemData.SetAECoordinates(lam)
@@ -364,7 +364,7 @@ def test_viewers_see_the_smallest_reactions() -> None:
 
 
 def test_reactions_are_the_smallest_at_ends_however_solutions_end() -> None:
-    """Newton's method takes off idle parts only where somebody looks: after the last step, and where an exception leaves the step before."""
+    """Newton's method takes off idle parts only where somebody looks: after the last step and at its start, and where an exception leaves the step before."""
 
     def fail(mbs: Any, t: float) -> bool:
         if t > 0.5:
@@ -381,6 +381,11 @@ def test_reactions_are_the_smallest_at_ends_however_solutions_end() -> None:
         else:
             mbs.SolveDynamic(s)
         assert_smallest(mbs, 3**0.5)  # bars along the edges of a cube of 1 m
+        data, start = mbs.systemData, exu.ConfigurationType.StartOfStep
+        q, lam = np.array(data.GetODE2Coordinates(start)), np.array(data.GetAECoordinates(start))
+        data.SetODE2Coordinates(q)
+        data.SetAECoordinates(lam)
+        assert_smallest(mbs, 3**0.5)
 
 
 def test_without_treatment_a_door_is_singular() -> None:

@@ -242,6 +242,7 @@ void Solver::initial_conditions() {
     start_steps();
     start_of_step() = current();
     while (next_step()) {
+      if (multipliers_may_wait_ && it.endTime - it.currentTime < 1.5 * it.currentStepSize) told_multipliers();  // the last start remains to be seen
       save_start_of_step();
       take_step();
     }
@@ -258,6 +259,7 @@ void Solver::initial_conditions() {
   if (!step_completed_) current() = start_of_step();
   try {
     keep_told_multipliers();
+    if (!step_completed_) start_of_step().lambda = current().lambda;
   } catch (...) {  // NOLINT(bugprone-empty-catch)
   }
 }
