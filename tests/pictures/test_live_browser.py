@@ -200,6 +200,11 @@ def test_keys(viewer: Viewer, tab: Tab) -> None:
     tab.wait("!page.items.some((item) => item[0] === 'Node')")
     tab.press("b", held=CONTROL)
     tab.wait("[...page.labels.children].some((label) => label.textContent === 'O1')")
+    tab.press("n")
+    tab.press("n", held=CONTROL)
+    tab.wait("[...page.labels.children].some((label) => label.textContent === 'N0')")
+    tops = "Object.fromEntries([...page.labels.children].map((label) => [label.textContent, label.getBoundingClientRect().top]))"
+    tab.wait(f"Math.abs({tops}.N0 - {tops}.O1) > 10")  # though the node is the middle of the body
     tab.press("t")
     tab.press("v")
     tab.wait("document.querySelector('[data-name=settings]') !== null")
@@ -238,7 +243,9 @@ def test_measuring_and_cutting(tab: Tab) -> None:
     tab.value("page.look({ rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], center: [1, 0, 0], zoom: 1 })")
     for x in (0.85, 1.15):
         tab.click(*tab.value(f"page.projected([{x}, 0.1, 0.2])"), held=SHIFT)
-    words = tab.wait("page.time.textContent.split('\\n').find((line) => line.startsWith('distance 0.30'))")  # though nothing moves
+    words = tab.wait(
+        "page.time.textContent.split('\\n').find((line) => line.startsWith('distance 0.30'))"
+    )  # though nothing moves
     assert words.endswith(", 0, 0)")  # rounding errors of the mouse's ray are not told
     x, y = tab.value("page.projected([1.1, 0.1, 0.2])")
     assert tab.value(f"page.hit({x}, {y}) !== null")

@@ -226,6 +226,19 @@ def test_groups_are_shown_or_not(SC: Any, mbs: Any) -> None:
     assert [label.text for label in Studio(SC).scene().labels] == ["N0"]
 
 
+def test_numbers_at_one_point_stand_below_each_other(SC: Any, mbs: Any) -> None:
+    mbs.CreateRigidBody(inertia=InertiaCuboid(1000, [0.01, 0.01, 0.01]))
+    for kind in ("nodes", "bodies"):
+        getattr(SC.visualizationSettings, kind).showNumbers = True
+    SC.visualizationSettings.view0.scene.drawCoordinateSystem = 0
+    SC.visualizationSettings.view0.window.globalFontSize = 20
+    SC.renderer.SetModelView(zoom=1, centerPoint=[0, 0, 0])
+    image = np.array(SC.renderer.RedrawAndGetImage()).min(axis=2)
+    rows = np.nonzero((image[:, image.shape[1] // 2 + 8 :] < 100).any(axis=1))[0]
+    heights = [len(part) for part in np.split(rows, np.nonzero(np.diff(rows) > 1)[0] + 1)]
+    assert len(heights) == 2 and min(heights) > 10  # two rows of letters
+
+
 def test_several_systems_are_in_one_picture(SC: Any, mbs: Any) -> None:
     other = SC.AddSystem()
     for system, x in ((mbs, -1.0), (other, 1.0)):
