@@ -32,7 +32,11 @@ KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 
 
 def show(mbs, item):
-    # Items of the type that the page is about, also those that are hidden unless somebody asks for them.
+    # Items of the type that the page is about, also those that are hidden unless somebody asks for them. Constraints of
+    # single coordinates only hold what else is there.
+    for number in range(mbs.systemData.NumberOfObjects()):
+        if mbs.GetObject(number)["objectType"] == "ConnectorCoordinate":
+            mbs.SetObjectParameter(number, "Vshow", item == "ObjectConnectorCoordinate")
     kind = next(kind for kind in KINDS if item.startswith(kind))
     for number in range(getattr(mbs.systemData, f"NumberOf{kind}s")()):
         parameters = getattr(mbs, f"Get{kind}")(number)
