@@ -1,10 +1,11 @@
-// Spheres on faces of triangles that rest, four at once; what is left are those at edges and corners, at several triangles, and at what moves.
+// Spheres on faces of triangles that rest, four at once; what is left are those at edges and corners, and at what moves.
 #include <algorithm>
 #include <cstddef>
 
 #include "dalembert/contact/general_contact.hpp"
 #include "dalembert/math/pack.hpp"
 #include "dalembert/math/wide_registers.hpp"
+#include "meetings.hpp"
 
 namespace dalembert {
 namespace {
@@ -87,7 +88,38 @@ DALEMBERT_INLINE inline std::size_t GeneralContact::sift(std::size_t begin, std:
   return count;
 }
 
-// Spheres over one face of what rests, and all others.
+// Whether find_triangles would keep, of these triangles of one sphere, those with faces under it, and no other; and they rest.
+bool GeneralContact::meets_faces_alone(std::span<const Chunk::Near> all) const {
+  const SphereAt& s = pairs_.at[static_cast<std::size_t>(all[0].sphere)];
+  const double same = same_point * s.radius;
+  for (const Chunk::Near& one : all) {
+    const auto t = static_cast<std::size_t>(one.triangle);
+    const int carrier = carriers_of_triangles_[t];
+    if (carriers_rest_[static_cast<std::size_t>(carrier)] == 0) return false;
+    if (all.size() == 1) return one.over_face;
+    const Vec3<double> centre = into(carriers_now_[static_cast<std::size_t>(carrier)], {s.x, s.y, s.z});
+    const auto under = [&](const Facet& facet) { return centre - facet.height(centre) * facet.normal; };
+    const auto any_other = [&](const auto& meets) {
+      return std::ranges::any_of(all, [&](const Chunk::Near& other) {
+        const auto number = static_cast<std::size_t>(other.triangle);
+        return other.over_face && number != t && carriers_of_triangles_[number] == carrier && meets(facets_[number], local_[number]);
+      });
+    };
+    if (one.over_face) {
+      const Vec3<double> point = under(facets_[t]);
+      if (any_other([&](const Facet& facet, const Triangle&) { return norm(under(facet) - point) <= same; })) return false;
+      continue;
+    }
+    const TriangleFeature feature = nearest_feature(local_[t], centre);
+    if (feature.is_face()) return false;
+    const Vec3<double> point = nearest_point(local_[t], feature, centre);
+    if (!any_other([&](const Facet&, const Triangle& corners) { return norm(nearest_point(corners, nearest_feature(corners, point), point) - point) <= same; }))
+      return false;
+  }
+  return true;
+}
+
+// Spheres over faces of what rests, and all others.
 void GeneralContact::sift_triangles(Chunk& chunk) const {
   const std::size_t begin = first_triangle_[static_cast<std::size_t>(chunk.begin)], end = first_triangle_[static_cast<std::size_t>(chunk.end)];
   if (chunk.near.size() < end - begin + lanes) {
@@ -97,16 +129,17 @@ void GeneralContact::sift_triangles(Chunk& chunk) const {
   std::size_t count = 0, on_faces = 0, others = 0;
   if (begin < end) in_registers_of_four([&, this] { count = sift(begin, end, chunk.near.data()); });
   const bool grips = set_->bristles.grow();
-  int last = -1;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Chunk::Near pair = chunk.near[k];
-    const bool follows = last == pair.sphere, goes_on = k + 1 < count && chunk.near[k + 1].sphere == pair.sphere;
-    last = pair.sphere;
-    const bool simple = pair.over_face && !follows && !goes_on && !grips && carriers_rest_[static_cast<std::size_t>(carriers_of_triangles_[static_cast<std::size_t>(pair.triangle)])] != 0;
-    chunk.on_faces[on_faces] = pair;
-    on_faces += simple ? 1 : 0;
-    chunk.near[others] = pair;
-    others += simple ? 0 : 1;
+  for (std::size_t k = 0; k < count;) {
+    std::size_t next = k + 1;
+    while (next < count && chunk.near[next].sphere == chunk.near[k].sphere) ++next;
+    const bool simple = !grips && meets_faces_alone({chunk.near.data() + k, next - k});
+    for (; k < next; ++k) {
+      const Chunk::Near pair = chunk.near[k];
+      chunk.on_faces[on_faces] = pair;
+      on_faces += simple && pair.over_face ? 1 : 0;
+      chunk.near[others] = pair;
+      others += simple ? 0 : 1;
+    }
   }
   chunk.others = others;
   chunk.faces = on_faces;

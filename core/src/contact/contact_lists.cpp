@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dalembert/math/wide_registers.hpp"
 #include "meetings.hpp"
 
 namespace dalembert {
@@ -156,27 +157,48 @@ void GeneralContact::renew_lists() const {
   for (int i = 0; i < spheres(); ++i) near_spheres_.insert(near_spheres_.end(), triangles_near(i).size(), i);
 }
 
+// Four spheres at once: most are far from all triangles.
 void GeneralContact::list_triangles(Chunk& chunk) const {
   std::vector<int>& near = chunk.near_triangles;
+  std::array<std::vector<int>, 4> of_lane;
   near.clear();
   chunk.ends.clear();
   chunk.at_triangles.clear();
-  for (int i = chunk.begin; i < chunk.end; ++i) {
-    const SphereAt& s = pairs_.at[static_cast<std::size_t>(i)];
-    const std::size_t first = near.size();
-    for (std::size_t c = 0; c < trees_.size(); ++c) {
-      if (trees_[c].empty()) continue;
-      const Vec3<double> centre = into(carriers_at_list_[c], {s.x, s.y, s.z});
-      const double reach = s.radius + skin_;
-      trees_[c].each_near(centre, reach, [&](int t) {
-        if (std::abs(facets_[static_cast<std::size_t>(t)].height(centre)) > farthest * reach) return;
-        const Vec3<double> nearest = nearest_point(local_[static_cast<std::size_t>(t)], nearest_feature(local_[static_cast<std::size_t>(t)], centre), centre);
-        if (dot(nearest - centre, nearest - centre) <= reach * reach) near.push_back(t);
-      });
+  for (int first = chunk.begin; first < chunk.end; first += 4) {
+    const int count = std::min(4, chunk.end - first);
+    in_registers_of_four([&, this] { find_near_triangles(first, count, of_lane.data()); });
+    for (int lane = 0; lane < count; ++lane) {
+      std::vector<int>& triangles = of_lane[static_cast<std::size_t>(lane)];
+      std::ranges::sort(triangles);
+      near.insert(near.end(), triangles.begin(), triangles.end());
+      chunk.ends.push_back(near.size());
+      if (!triangles.empty()) chunk.at_triangles.push_back(first + lane);
+      triangles.clear();
     }
-    std::sort(near.begin() + static_cast<std::ptrdiff_t>(first), near.end());
-    chunk.ends.push_back(near.size());
-    if (near.size() > first) chunk.at_triangles.push_back(i);
+  }
+}
+
+DALEMBERT_INLINE inline void GeneralContact::find_near_triangles(int first, int count, std::vector<int>* of_lane) const {
+  using P = Pack<4>;
+  const auto sphere_of = [&](int lane) DALEMBERT_INLINE { return &pairs_.at[static_cast<std::size_t>(first + std::min(lane, count - 1))].x; };
+  const std::array<P, 4> at = gather_fours<4>({sphere_of(0), sphere_of(1), sphere_of(2), sphere_of(3)});
+  const P reach = at[3] + skin_, far = farthest * reach;
+  for (std::size_t c = 0; c < trees_.size(); ++c) {
+    if (trees_[c].empty()) continue;
+    const RigidFrame<double>& frame = carriers_at_list_[c];
+    const Vec3<P> centres =
+        transposed_times(frame.rotation, Vec3<P>{at[0] - P(frame.position[0]), at[1] - P(frame.position[1]), at[2] - P(frame.position[2])});
+    trees_[c].each_near(centres, reach, [&](int t) DALEMBERT_INLINE {
+      const P height = magnitude(facets_[static_cast<std::size_t>(t)].height(centres));
+      if (is_zero(P(height.x <= far.x ? 1.0 - P::Register{} : P::Register{}))) return;
+      const Triangle& corners = local_[static_cast<std::size_t>(t)];
+      for (int lane = 0; lane < count; ++lane) {
+        if (height[lane] > far[lane]) continue;
+        const Vec3<double> centre{centres[0][lane], centres[1][lane], centres[2][lane]};
+        const Vec3<double> span = nearest_point(corners, nearest_feature(corners, centre), centre) - centre;
+        if (dot(span, span) <= reach[lane] * reach[lane]) of_lane[lane].push_back(t);
+      }
+    });
   }
 }
 

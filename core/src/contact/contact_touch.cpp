@@ -45,7 +45,7 @@ void GeneralContact::find_triangles(int number, std::span<const int> near, Chunk
     if (one.distance < s.radius && one.distance > 0 && one.distance >= least) found.push_back(one);
   }
   if (found.size() < 2) return;
-  const double same = 1e-9 * s.radius;
+  const double same = same_point * s.radius;
   const auto is_kept = [&](const Found& a) {
     for (const Found& b : found) {
       if (b.triangle == a.triangle || triangle(b.triangle).carrier != triangle(a.triangle).carrier) continue;

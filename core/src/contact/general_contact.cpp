@@ -8,6 +8,14 @@
 #include "meetings.hpp"
 
 namespace dalembert {
+namespace {
+
+bool has_twins(std::vector<int> numbers) {
+  if (!std::ranges::is_sorted(numbers)) std::ranges::sort(numbers);  // as they mostly are
+  return std::ranges::adjacent_find(numbers) != numbers.end();
+}
+
+}  // namespace
 
 GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Ports& ports, std::string name) : set_(std::move(set)), name_(std::move(name)) {
   for (const ContactSphere& s : set_->spheres) {
@@ -15,9 +23,7 @@ GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Port
     turns_.push_back(has_rotation(ports, s.marker) ? 1 : 0);
     offsets_.push_back(ports.offsets(s.marker));
   }
-  std::vector<int> sorted = markers_;
-  std::ranges::sort(sorted);
-  shares_markers_ = std::ranges::adjacent_find(sorted) != sorted.end();
+  shares_markers_ = has_twins(markers_);
   for (const ContactCarrier& c : set_->carriers) markers_.push_back(c.marker);
   for (const ContactConvex& c : set_->convex) markers_.push_back(c.marker);
   for (const ContactPlane& p : set_->planes) markers_.push_back(p.marker);
@@ -27,11 +33,10 @@ GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Port
 void GeneralContact::find_nodes(const System& system) {
   at_nodes_.clear();
   for (const ContactSphere& s : set_->spheres) at_nodes_.push_back(system.node_frame(s.marker));
-  std::vector<int> sorted;  // two markers at one node are as one
+  std::vector<int> nodes;  // two markers at one node are as one
   for (const NodeFrame& node : at_nodes_)
-    if (node.dof >= 0) sorted.push_back(node.dof);
-  std::ranges::sort(sorted);
-  shares_nodes_ = std::ranges::adjacent_find(sorted) != sorted.end();
+    if (node.dof >= 0) nodes.push_back(node.dof);
+  shares_nodes_ = has_twins(std::move(nodes));
 }
 
 // Convex shapes, cables and bristles need frames.
@@ -153,7 +158,7 @@ void GeneralContact::add_direct(Ports& ports, double* at_nodes) const {
       }
       double* to = ports.forces.data() + offsets_[i].force;
       add_vector(to, 1.0, force);
-      if (turns_[i] != 0) add_vector(to + 3, 1.0, moment);
+      if (rubs && turns_[i] != 0) add_vector(to + 3, 1.0, moment);
     }
   };
   each_chunk([&](Chunk& chunk) {

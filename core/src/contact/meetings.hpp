@@ -8,6 +8,8 @@
 
 namespace dalembert {
 
+inline constexpr double same_point = 1e-9;  // in radii: where a sphere touches triangles, points so near to each other are one
+
 inline bool has_rotation(const Ports& ports, int marker) { return ports.ports[static_cast<std::size_t>(marker)].forces == RigidPort::forces; }
 
 template <class S>

@@ -77,6 +77,11 @@ const Pattern& System::pattern(bool dense) {
 
 // Those on whose coordinates no other mass acts.
 void SystemParts::find_masses_without_matrix() {
+  const auto separate_solver = [](const Term& term) {
+    const auto* solver = term.has_mass() ? dynamic_cast<const MassSolver*>(&term) : nullptr;
+    return solver != nullptr && solver->is_separate() ? solver : nullptr;
+  };
+  if (std::ranges::none_of(terms, [&](const auto& term) { return separate_solver(*term) != nullptr; })) return;
   struct Counter final : BlockVisitor {
     explicit Counter(int coordinates) : users(static_cast<std::size_t>(coordinates), nullptr) {}
     void entry(int row, int) override { use(row); }
@@ -94,12 +99,11 @@ void SystemParts::find_masses_without_matrix() {
     if (!term->has_mass()) continue;
     counter.now = term.get();
     term->visit(counter, ports);
-    const auto* solver = dynamic_cast<const MassSolver*>(term.get());
-    if (solver != nullptr && solver->is_separate()) without_matrix.push_back(term.get());
+    if (separate_solver(*term) != nullptr) without_matrix.push_back(term.get());
   }
   for (const auto& pair : counter.shared)
     std::erase_if(without_matrix, [&](const Term* term) { return term == pair.first || term == pair.second; });
-  for (const Term* term : without_matrix) mass_solvers.push_back(dynamic_cast<const MassSolver*>(term));
+  for (const Term* term : without_matrix) mass_solvers.push_back(separate_solver(*term));
   for (std::size_t i = 0; i < counter.users.size(); ++i)
     if (counter.users[i] != nullptr && is_without_matrix(*counter.users[i])) coordinates_without_matrix.push_back(static_cast<int>(i));
 }

@@ -56,6 +56,11 @@ class Builder {
     make_room(parts_.sensors, ItemKind::sensor);
     for (int k = 0; k < item_kinds; ++k)
       for (const Item& item : model_.items(static_cast<ItemKind>(k))) ++counts_[item.type];
+    parts_.others_take_functions = std::ranges::any_of(counts_, [](const auto& counted) {
+      const ItemType& type = *counted.first;
+      const auto is_function = [](const Row& row) { return row.storage == Storage::user_function; };
+      return (type.kind == ItemKind::node || type.kind == ItemKind::object) && std::ranges::any_of(type.rows, is_function);
+    });
   }
 
   // Vectors that grew item by item would be copied, and take twice their memory. How much markers need is not known yet: so

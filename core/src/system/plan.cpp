@@ -65,10 +65,13 @@ void sort_loads(SystemParts& parts) {
     if (batch->constant_pull_back(false)) passing_forces.insert(batch.get());
     if (batch->constant_pull_back(true)) passing_all.insert(batch.get());
   }
+  parts.loads_call_functions = false;
   for (const LoadPlace& load : parts.loads) {
     const Term* batch = load.member.batch;
     const auto& passing = batch->has_moments() ? passing_all : passing_forces;
-    if (batch->has_tangent() || has_user_function(*load.type, load.record.get()) || !passing.contains(batch_of(load.marker))) changing.insert(batch);
+    const bool calls = has_user_function(*load.type, load.record.get());
+    parts.loads_call_functions |= calls;
+    if (batch->has_tangent() || calls || !passing.contains(batch_of(load.marker))) changing.insert(batch);
   }
   std::unordered_set<const MarkerBatch*> loaded;
   for (const LoadPlace& load : parts.loads) (changing.contains(load.member.batch) ? pulled : loaded).insert(batch_of(load.marker));

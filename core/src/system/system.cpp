@@ -56,15 +56,9 @@ Workers* System::workers() const { return parts_->workers.get(); }
 bool System::assembled() const { return assembled_; }
 
 bool System::calls_user_functions() const {
-  const ItemType* without = nullptr;  // items mostly follow others of their type
-  const auto calls = [&without](const auto& place) {
-    if (place.type == without) return false;
-    const bool takes = std::ranges::any_of(place.type->rows, [](const Row& row) { return row.storage == Storage::user_function; });
-    if (takes) return has_user_function(*place.type, place.record.get());
-    without = place.type;
-    return false;
-  };
-  return std::ranges::any_of(parts_->nodes, calls) || std::ranges::any_of(parts_->objects, calls) || std::ranges::any_of(parts_->loads, calls);
+  const auto calls = [](const auto& place) { return has_user_function(*place.type, place.record.get()); };
+  if (parts_->loads_call_functions) return true;
+  return parts_->others_take_functions && (std::ranges::any_of(parts_->nodes, calls) || std::ranges::any_of(parts_->objects, calls));
 }
 
 std::shared_ptr<const void> System::hold_states() const {

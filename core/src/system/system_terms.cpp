@@ -126,7 +126,8 @@ void System::restore_history() {
 void System::begin_history() {
   SystemParts& parts = *parts_;
   ports_hold(nullptr);
-  parts.update_ports(parts.evaluation(state(ConfigurationType::Initial), {}));
+  const auto grows = [](const SystemTerm* term) { return term->has_history_of_steps(); };
+  if (std::ranges::any_of(parts.system_terms, grows)) parts.update_ports(parts.evaluation(state(ConfigurationType::Initial), {}));
   for (SystemTerm* term : parts.system_terms) term->begin_history(parts.ports);
 }
 

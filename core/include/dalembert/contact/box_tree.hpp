@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dalembert/math/fixed.hpp"
+#include "dalembert/math/pack.hpp"
 
 namespace dalembert {
 
@@ -52,6 +53,21 @@ class BoxTree {
   void each_near(const Vec3<double>& point, double distance, F&& f) const {
     each([&](const Box& box) { return box.square_distance(point) <= distance * distance; }, f);
   }
+  // The same for four points side by side: calls f(entry) for all with a box that any of them is near.
+  template <class F>
+  DALEMBERT_INLINE void each_near(const Vec3<Pack<4>>& points, const Pack<4>& distances, F&& f) const {
+    using P = Pack<4>;
+    const P most = distances * distances;
+    const auto wanted = [&](const Box& box) DALEMBERT_INLINE {
+      P square;
+      for (int i = 0; i < 3; ++i) {
+        const P outside = larger(larger(P(box.lower[i]) - points[i], points[i] - P(box.upper[i])), P());
+        square += outside * outside;
+      }
+      return !is_zero(P(square.x <= most.x ? 1.0 - P::Register{} : P::Register{}));
+    };
+    each(wanted, f);
+  }
   // Calls f(entry) for all with a box that the line start + s * direction, from <= s <= to(), may pass at this distance; `to` may fall
   // meanwhile.
   template <class To, class F>
@@ -65,7 +81,7 @@ class BoxTree {
     int first = 0, count = 0;  // of a leaf, its entries; count 0: children are the next node and number `first`
   };
   template <class Wanted, class F>
-  void each(const Wanted& wanted, F&& f) const {
+  DALEMBERT_INLINE void each(const Wanted& wanted, F&& f) const {
     if (nodes_.empty()) return;
     std::array<int, 64> stack;
     int depth = 0;

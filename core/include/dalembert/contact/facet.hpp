@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dalembert/math/pack.hpp"
 #include "dalembert/math/triangle.hpp"
 
 namespace dalembert {
@@ -23,6 +24,11 @@ struct Facet {
     }
   }
   double height(const Vec3<double>& point) const { return dot(normal, point - corner); }
+  template <int N>
+  DALEMBERT_INLINE Pack<N> height(const Vec3<Pack<N>>& points) const {
+    const auto in_all = [](const Vec3<double>& v) DALEMBERT_INLINE { return Vec3<Pack<N>>{v[0], v[1], v[2]}; };
+    return dot(in_all(normal), points - in_all(corner));
+  }
   // How far a point is within the edge that it is nearest to, or outside of the one that it is farthest from, which is negative.
   double within_edges(const Vec3<double>& point) const {
     return std::min(dot(inward[0], point) - at_edge[0], std::min(dot(inward[1], point) - at_edge[1], dot(inward[2], point) - at_edge[2]));

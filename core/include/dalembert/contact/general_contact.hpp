@@ -172,7 +172,7 @@ class GeneralContact final : public SystemTerm {
       int sphere, triangle;
       bool over_face;
     };
-    std::vector<Near> near, on_faces;  // what spheres may dip into now: these are over one face that rests,
+    std::vector<Near> near, on_faces;  // what spheres may dip into now: these are over faces that rest,
     std::size_t others = 0, faces = 0;  // so many of both
     std::vector<int> of_sphere;
     std::vector<Found> found, kept;
@@ -186,6 +186,7 @@ class GeneralContact final : public SystemTerm {
   void follow(const Ports& ports, const Evaluation* nodes = nullptr) const;
   void renew_lists() const;
   void list_triangles(Chunk& chunk) const;
+  void find_near_triangles(int first_sphere, int count, std::vector<int>* of_each) const;
   void renew_shapes() const;
   double moved() const;
   double moved_by_spheres() const;
@@ -198,6 +199,7 @@ class GeneralContact final : public SystemTerm {
   // The triangles of a chunk that find_triangles cannot do without, and those that can do without it.
   struct Heights;
   void sift_triangles(Chunk& chunk) const;
+  bool meets_faces_alone(std::span<const Chunk::Near> all) const;
   std::size_t sift(std::size_t begin, std::size_t end, Chunk::Near* left) const;
   template <bool rubs>
   void push_from_faces(std::span<const Chunk::Near> all) const;

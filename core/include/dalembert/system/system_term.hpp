@@ -50,7 +50,8 @@ class SystemTerm : public Term {
   virtual void restore() {}
   // Whether it has history in explicit integration too: it is told after each step, as others are, by `post_newton`.
   virtual bool has_history_of_steps() const { return false; }
-  // History at the start of a solution, and as numbers of a restart file, of which the first ones are taken off.
+  // History at the start of a solution, where those with history of steps find their frames; and as numbers of a restart file, of which the
+  // first ones are taken off.
   virtual void begin_history(const Ports&) {}
   virtual void write_history(std::vector<double>& /*numbers*/) const {}
   virtual bool take_history(std::span<const double>& /*numbers*/) { return true; }  // false: they do not fit
