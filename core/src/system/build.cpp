@@ -324,7 +324,15 @@ class Builder {
     if (!p.markers.empty()) check_object(number, p);
     auto& growing = term(place.type, *place.type, [&] { return physics.make_batch(placing_.node_types(p.nodes)); }, number);
     place.member = {growing.batch, enter_term(growing, place.record.get(), p)};
+    note_run(place.member);
     numbers_of(growing.region).rows.add(p.ae_offset + p.first_ae, place.equations);
+  }
+
+  void note_run(const Membership<Term>& member) {
+    auto& runs = parts_.object_runs;
+    const bool follows = !runs.empty() && runs.back().first.batch == member.batch && runs.back().first.entry + runs.back().count == member.entry;
+    if (!follows) runs.push_back({member, 0});
+    ++runs.back().count;
   }
 
   void place_node_conditions() {

@@ -38,18 +38,13 @@ void Term::poses(int first, int count, const Evaluation& evaluation, double* row
 
 namespace {
 
-// Those that follow each other in one batch are asked for together.
-void find_objects(const std::vector<ObjectPlace>& objects, const Evaluation& e, double* rows) {
-  for (std::size_t i = 0; i < objects.size();) {
-    const auto& [batch, entry] = objects[i].member;
-    std::size_t end = i + 1;
-    while (end < objects.size() && objects[end].member.batch == batch && objects[end].member.entry == entry + static_cast<int>(end - i)) ++end;
-    batch->poses(entry, static_cast<int>(end - i), e, rows + 12 * i);
-    if (has_orientation(*objects[i].type)) {  // one batch has one type
-      i = end;
-    } else {
-      for (; i < end; ++i) forget_rotation(rows + 12 * i);
-    }
+void find_objects(const SystemParts& parts, const Evaluation& e, double* rows) {
+  std::size_t number = 0;
+  for (const auto& [first, count] : parts.object_runs) {
+    first.batch->poses(first.entry, count, e, rows);
+    if (!has_orientation(*parts.objects[number].type))
+      for (int i = 0; i < count; ++i) forget_rotation(rows + 12 * i);
+    number += static_cast<std::size_t>(count), rows += 12 * count;
   }
 }
 
@@ -99,7 +94,7 @@ void System::poses(ItemKind kind, ConfigurationType configuration, Poses& poses)
     return poses.rows.data();
   };
   if (kind == ItemKind::object) {
-    find_objects(parts.objects, e, rows(parts.objects.size()));
+    find_objects(parts, e, rows(parts.objects.size()));
   } else if (kind == ItemKind::marker) {
     find_markers(parts, e, rows(parts.markers.size()));
   } else if (kind == ItemKind::node) {

@@ -69,6 +69,12 @@ struct ObjectPlace {
   OutermostNodes outermost{};
 };
 
+// Objects that follow each other in one batch, which are of one type.
+struct ObjectRun {
+  Membership<Term> first;
+  int count = 0;
+};
+
 struct MarkerPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
@@ -178,6 +184,7 @@ struct SystemParts {
   Sizes sizes;
   std::vector<NodePlace> nodes;
   std::vector<ObjectPlace> objects;
+  std::vector<ObjectRun> object_runs;  // all of them, in their order
   std::vector<MarkerPlace> markers;
   std::vector<LoadPlace> loads;
   std::vector<SensorPlace> sensors;
