@@ -39,7 +39,7 @@ void ModalMesh::numbers(const MainSystem& main, int component, double* to) {
   if (!numbers_ || component != component_) {
     const auto columns = static_cast<std::size_t>(p.outputVariableModeBasis.columns);
     const std::size_t first = component < 0 ? 0 : static_cast<std::size_t>(component), count = component < 0 ? outputs : first < outputs ? 1 : 0;
-    numbers_.emplace(nodes_, count, columns / outputs, [](std::size_t, std::size_t) { return 0.0; },
+    numbers_.emplace(nodes_, count, columns / outputs, nullptr,
                      [&](std::size_t node, std::size_t i, std::size_t mode) { return p.outputVariableModeBasis.values[node * columns + outputs * mode + first + i]; });
     component_ = component;
   }

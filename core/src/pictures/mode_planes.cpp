@@ -11,8 +11,12 @@ namespace dalembert {
 template <class Number>
 std::size_t ModePlanes<Number>::sum(std::span<const double> weights, std::size_t first, Sums& sums) const {
   const std::size_t count = std::min(block, nodes_ - first);
-  const float* from = rest_.data() + first * components_;
-  for (std::size_t i = 0; i < components_; ++i, from += count) std::copy_n(from, count, sums[i].data());
+  for (std::size_t i = 0; i < components_; ++i) {
+    if (rest_.empty())
+      std::fill_n(sums[i].data(), count, 0.0f);
+    else
+      std::copy_n(rest_.data() + first * components_ + i * count, count, sums[i].data());
+  }
   in_registers_of_four([this, weights, first, count, &sums] { add(weights, first, count, sums); });
   return count;
 }
@@ -27,6 +31,14 @@ void ModePlanes<Number>::add(std::span<const double> weights, std::size_t first,
       float* const to = sums[i].data();
       for (std::size_t k = 0; k < count; ++k) to[k] += factor * static_cast<float>(plane[k]);
     }
+}
+
+template <class Number>
+void ModePlanes<Number>::find_lengths(const Sums& sums, std::size_t count, double* to) const {
+  std::fill_n(to, count, 0.0);
+  for (std::size_t i = 0; i < components_; ++i)
+    for (std::size_t k = 0; k < count; ++k) to[k] += static_cast<double>(sums[i][k]) * static_cast<double>(sums[i][k]);
+  for (std::size_t k = 0; k < count; ++k) to[k] = std::sqrt(to[k]);
 }
 
 template <class Number>
@@ -49,11 +61,7 @@ void ModePlanes<Number>::numbers(std::span<const double> weights, double* to) co
     if (components_ == 1)
       std::copy_n(sums[0].data(), count, to);
     else
-      for (std::size_t k = 0; k < count; ++k) {
-        double squares = 0;
-        for (std::size_t i = 0; i < components_; ++i) squares += static_cast<double>(sums[i][k]) * static_cast<double>(sums[i][k]);
-        to[k] = std::sqrt(squares);
-      }
+      in_registers_of_four([this, &sums, count, to] { find_lengths(sums, count, to); });
     to += count;
   }
 }

@@ -22,17 +22,18 @@ class ModePlanes {
  public:
   static constexpr std::size_t most_components = 6;
 
-  // rest(node, component) and of_mode(node, component, mode) tell what is summed up.
+  // rest(node, component) and of_mode(node, component, mode) tell what is summed up; nullptr: there is no rest.
   template <class Rest, class OfMode>
   ModePlanes(std::size_t nodes, std::size_t components, std::size_t modes, const Rest& rest, const OfMode& of_mode)
-      : nodes_(nodes), components_(components), modes_(modes), rest_(nodes * components), planes_(nodes * components * modes) {
-    float* at_rest = rest_.data();
+      : nodes_(nodes), components_(components), modes_(modes), rest_(has_rest<Rest> ? nodes * components : 0), planes_(nodes * components * modes) {
+    [[maybe_unused]] float* at_rest = rest_.data();
     Number* to = planes_.data();
     std::array<double, block> plane;
     for (std::size_t first = 0; first < nodes; first += block) {
       const std::size_t count = std::min(block, nodes - first);
-      for (std::size_t i = 0; i < components; ++i)
-        for (std::size_t k = 0; k < count; ++k) *at_rest++ = static_cast<float>(rest(first + k, i));
+      if constexpr (has_rest<Rest>)
+        for (std::size_t i = 0; i < components; ++i)
+          for (std::size_t k = 0; k < count; ++k) *at_rest++ = static_cast<float>(rest(first + k, i));
       for (std::size_t mode = 0; mode < modes; ++mode)
         for (std::size_t i = 0; i < components; ++i) {
           double largest = 0;
@@ -51,14 +52,17 @@ class ModePlanes {
 
  private:
   static constexpr bool has_units = std::is_integral_v<Number>;
+  template <class Rest>
+  static constexpr bool has_rest = !std::is_null_pointer_v<Rest>;
   static constexpr std::size_t block = 256;  // nodes, whose sums stay in the nearest cache
   using Sums = std::array<std::array<float, block>, most_components>;
 
   std::size_t sum(std::span<const double> weights, std::size_t first, Sums& sums) const;
   void add(std::span<const double> weights, std::size_t first, std::size_t count, Sums& sums) const;
+  void find_lengths(const Sums& sums, std::size_t count, double* to) const;
 
   std::size_t nodes_ = 0, components_ = 0, modes_ = 0;
-  LargeVector<float> rest_;     // of the nodes of a block, one block after the other, by component
+  LargeVector<float> rest_;     // of the nodes of a block, one block after the other, by component; empty: zeros
   LargeVector<Number> planes_;  // by block, mode and component
   std::vector<double> units_;   // of each of these
 };
