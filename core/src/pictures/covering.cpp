@@ -179,6 +179,7 @@ void Picture::cover_squares(const Corners& v, const Plan& plan, std::int32_t ite
   Unshaded pixels;
   float* const depth = depth_.data();
   std::int32_t* const items = item_.data();
+  const std::uint32_t *const colors = color_.data(), *const normals = normal_.data();  // brought to the cache while pixels wait
   for (int begin = first & ~1; begin < end; begin += 4) {
     const Four rows = four(static_cast<float>(begin)) + steps;
     const FourWhole are_inside = (rows >= four(static_cast<float>(first))) & (rows < four(static_cast<float>(end)));
@@ -204,6 +205,7 @@ void Picture::cover_squares(const Corners& v, const Plan& plan, std::int32_t ite
           store_some(won, four(item), items + k);
           const std::size_t i = pixels.count++;
           pixels.places[i] = k, pixels.samples[i] = which;
+          __builtin_prefetch(colors + k, 1), __builtin_prefetch(normals + k, 1);
           pixels.xs[i] = static_cast<float>(column) + squares[which].x, pixels.ys[i] = static_cast<float>(row) + squares[which].y;
         }
       }
