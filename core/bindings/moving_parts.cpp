@@ -97,8 +97,8 @@ class PartsOfSystem {
       SentArray entry;
       if (group >= 0) {
         const std::size_t count = parts_.size(checked(group));
-        entry = {group, form == "rows" ? Form::rows : form == "place" ? Form::place : Form::place_and_number, 0, numbers, first, {}};
-        if (entry.form != Form::rows) entry.turned = false;
+        entry = {group, form == "rows" || form == "turns" ? Form::rows : form == "place" ? Form::place : Form::place_and_number, 0, numbers, first, {}};
+        if (form != "turns") entry.turned = false;
         entry.count = count * MovingParts::numbers(entry.form);
         if (entry.form == Form::place_and_number) each("_MovingParts.keep(...)", numbers, count, 1, "numbers");
         each("_MovingParts.keep(...)", first, entry.count, 1, "first");
@@ -211,7 +211,7 @@ void register_moving_parts(py::module_& module) {
            "Add parts that stand in frames, as these do without `local`; returns the number of their group.")
       .def("placed", &PartsOfSystem::placed, py::arg("group"), "Where the parts of a group are (n x 3 x 4); None if one is nowhere.")
       .def("keep", &PartsOfSystem::keep, py::arg("entries"),
-           "Keep what messages tell, array by array: group (-1: nothing that moves), form, numbers, and values in the whole scene.")
+           "Keep what messages tell, array by array: group (-1: nothing that moves), form (turns: rows in fewer words as long as they are turned), numbers, and values in the whole scene.")
       .def("message", &PartsOfSystem::message, py::arg("words"), py::arg("moved"),
            "The message of a frame, in which `words` follow the time; `moved`: which arrays have ever moved.");
 }

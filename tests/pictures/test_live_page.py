@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
@@ -388,16 +389,43 @@ GOLDEN = [Path(__file__).parent / "golden" / name for name in ("scene.bin", "fra
 def golden_turned(SC: Any, mbs: Any) -> bytes:
     """What follows when a body has turned about the z axis, by a rotation of whole units."""
     mbs.CreateRigidBody(inertia=InertiaCuboid(1, [1, 1, 1]), graphicsDataList=[graphics.Brick(color=[1, 0, 0, 1])])
+    line = graphics.Lines([[0, 0, 0], [0, 1, 0]])
+    mbs.CreateGround(referencePosition=[40, 0, 0], graphicsDataList=[line])  # so far away that the body is small
     mbs.Assemble()
     SC.visualizationSettings.nodes.show = False
     SC.visualizationSettings.general.drawWorldBasis = False
+    return moved_frame(SC, mbs, [1, 2, -3, np.sqrt(0.8) - 1, 0, 0, np.sqrt(0.2)])
+
+
+def moved_frame(SC: Any, mbs: Any, coordinates: Any) -> bytes:
+    """The message of what has moved since the message of the whole scene."""
     flow, stage = Flow(SceneMaker(mbs, SC.visualizationSettings)), Stage()
     messages(stage, flow.scene())
-    mbs.systemData.SetODE2Coordinates([1, 2, -3, np.sqrt(0.8) - 1, 0, 0, np.sqrt(0.2)], Shown)
+    mbs.systemData.SetODE2Coordinates(coordinates, Shown)
     mbs.systemData.SetTime(0.25, Shown)
     found = stage.moved(flow)
     assert found is not None
     return b"".join(found.frame)
+
+
+@pytest.mark.parametrize("distance", [1.0, 4000.0])
+def test_points_of_turned_bodies_are_right_to_a_millionth_of_the_scene(SC: Any, mbs: Any, distance: float) -> None:
+    """So are distances that are measured on a page: a body of 100 m, alone and far from another one."""
+    size = [100, 1, 1]
+    for x in (0, distance):
+        mbs.CreateRigidBody(
+            inertia=InertiaCuboid(1, size), referencePosition=[x, 0, 0], graphicsDataList=[graphics.Brick(size=size)]
+        )
+    mbs.Assemble()
+    SC.visualizationSettings.nodes.show = False
+    turn = Rotation.from_rotvec([0.3, -1.1, 0.7])
+    x, y, z, w = turn.as_quat()
+    head, arrays = unpacked(moved_frame(SC, mbs, [0, 0, 0, w - 1, x, y, z] + 7 * [0]))
+    assert [entry[0] for entry in head["arrays"] if entry] == ["f4" if distance < 100 else "r6"]
+    rows = np.reshape(arrays[0], (-1, 3, 4))[0]
+    ends = np.array([[-50, 0, 0.5], [50, 0, 0.5]])
+    seen = ends @ rows[:, :3].T + rows[:, 3]
+    assert seen == pytest.approx(turn.apply(ends), abs=1e-6 * max(distance, 10))
 
 
 def test_messages_are_those_that_pages_were_made_for(SC: Any, mbs: Any) -> None:

@@ -4,7 +4,8 @@ A message is a JSON head and arrays behind it: the length of the head (4 bytes),
 multiple of 8, and arrays of little-endian numbers, each at a multiple of 4. The head lists them in `arrays` as
 [kind, count], where kind is f4, u4, u1 or r6; null stands for one that is as in the message of the whole scene. r6 are
 places in six words each instead of twelve numbers: position (f4), then the first two rows of the rotation in units of
-1 / 32000 (signed, of two bytes each); the third row is their cross product. Pages that
+1 / 32000 (signed, of two bytes each); the third row is their cross product. Only meshes that are small beside the scene
+have such places (flow.SMALL), so that what pages draw and measure is right to a millionth of the scene. Pages that
 have drawn the picture before get of lines, which may be traces, only what is new: `kept` in the head lists [where, from
 where in the points before, how many] numbers that are as they were, and are not in the array.
 """

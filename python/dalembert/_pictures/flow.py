@@ -14,12 +14,17 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType
+from dalembert._pictures.meshes import Mesh
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places
 from dalembert._pictures.scene import Balls, Herd, Instance, Label, Scene, Threads
 
 if TYPE_CHECKING:
     from dalembert._pictures.making import SceneMaker
+
+SMALL = (
+    30  # times as large as a mesh is a scene in which it may be turned by rotations right to 3e-5: 1e-6 of the scene
+)
 
 
 class Flow:
@@ -29,6 +34,7 @@ class Flow:
         self._maker, self._changes = maker, maker.changes()
         self._parts: Any = None  # _MovingParts
         self._complete = False
+        self._extent = 0.0  # of the places of all frames, at first
 
     def forget(self) -> None:
         """Draw everything again next time: items or settings have changed."""
@@ -58,10 +64,15 @@ class Flow:
     def sent(self) -> list[tuple[int, str, FloatArray]]:
         """Return what pages are told of the parts, array by array: group (-1: it stays), form, a number for each."""
         none = np.zeros(0)
-        herds = [(group, "rows", none) for *_, group in self._herds]
+        herds = [(group, "turns" if self._is_small(mesh) else "rows", none) for mesh, *_, group in self._herds]
         balls, threads, labels = self._balls[-1], self._threads[-1], self._labels[-1]
         others = [(balls, "place and number", self._balls[0]), (threads, "place", none), (-1, "", none)]
         return [*herds, *others, (labels, "place", none)]
+
+    def _is_small(self, mesh: Mesh) -> bool:
+        """Return whether a mesh reaches so little from its frame that a rotation of less precision is not seen."""
+        reach = float(np.linalg.norm(mesh.points, axis=1).max(initial=0))
+        return SMALL * reach <= self._extent
 
     def _forget_what_has_changed(self) -> None:
         if (changes := self._maker.changes()) != self._changes:
@@ -80,6 +91,7 @@ class Flow:
         if not np.isfinite(parts.frames()).all():
             return scene
         self._sort(scene, pen, parts)
+        self._extent = float(np.linalg.norm(np.ptp(parts.frames()[:, :, 3], axis=0)))
         self._parts = parts
         found = self._found(configuration)
         return scene if found is None else self._moved(pen.places, found)
