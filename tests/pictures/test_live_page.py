@@ -24,6 +24,7 @@ from websockets.sync.client import connect
 
 import dalembert as exu
 from dalembert import graphics
+from dalembert._live import messages as sending
 from dalembert._live import server as serving
 from dalembert._live.histories import LONGEST, Track
 from dalembert._live.messages import Picture, Stage
@@ -330,6 +331,21 @@ def test_frames_hold_what_has_moved() -> None:
     assert (
         unpacked(messages(stage, moved_scene())[1])[1][0] is not None
     )  # back again: pages may have missed that it went
+
+
+def test_what_lines_have_gained_is_looked_for_once_and_only_for_pages_that_have_the_rest(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    looks: list[int] = []
+    known = sending._grown
+    monkeypatch.setattr(sending, "_grown", lambda *arguments: (looks.append(1), known(*arguments))[1])
+    stage, nothing = Stage(), Looks(exu.VisualizationSettings())
+    for count in (60, 80):
+        scene = moved_scene(count)
+        scene.lines = [(np.arange(3.0 * count).reshape(-1, 3), (1, 0, 0, 1), 0.0, 0)]
+        picture = stage.messages(scene, nothing, {}, Camera)
+    assert picture.after(False) is picture.frame and not looks
+    assert picture.after(True) is picture.after(True) is not picture.frame and len(looks) == 1
 
 
 def test_what_changes_its_shape_becomes_deformable() -> None:
