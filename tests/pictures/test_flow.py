@@ -114,6 +114,25 @@ def test_many_that_look_alike_are_as_drawn_one_by_one(SC: Any, mbs: Any) -> None
         assert_same(moved, drawn, maker.looks.size, False)
 
 
+def test_many_masses_without_shapes_are_balls_together(SC: Any, mbs: Any) -> None:
+    """Those with a marker have a rod to it, and are drawn one by one; all are as they would be if all were."""
+    rng = np.random.default_rng(3)
+    for i in range(300):
+        node = mbs.AddNode(dalembert.itemInterface.NodePoint(referenceCoordinates=rng.normal(size=3)))
+        body = mbs.AddObject(dalembert.itemInterface.ObjectMassPoint(physicsMass=1, nodeNumber=node))
+        if i % 100 == 9:
+            mbs.AddMarker(dalembert.itemInterface.MarkerBodyPosition(bodyNumber=body, localPosition=[0, 0, 0]))
+    mbs.Assemble()
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    together = maker.draw(Shown, crowded=True)[0]
+    assert (len(together.balls.radii), len(together.spheres)) == (597, 3)
+    flow = Flow(maker)
+    for seed in range(2):
+        move(mbs, seed)
+        moved, drawn = flow.scene(), maker.scene()
+        assert_same(moved, drawn, maker.looks.size, False)
+
+
 @pytest.mark.parametrize("item", READY, ids=lambda item: item.name)
 def test_places_of_all_items_are_those_of_each(item: Any) -> None:
     _, mbs = run(item)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
+from dalembert._checks import IntArray
 from dalembert._pictures import contour, graphics_data
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.meshes import Mesh, Rgba
@@ -64,19 +66,31 @@ class Bodies:
     def _draw_bare(self, pen: Pen, number: int, item: Item) -> None:
         """Draw rods from the reference point to the markers of a body; a ball for a mass."""
         place = pen.places.body(number)
-        color = pen.looks.default_color("bodies.defaultColor")
-        thick = pen.looks.crowded(0.007) * pen.looks.size
+        (radius, color), thick = self.ball(pen), self._thick(pen)
         if place is None:
             return
         ends = [pen.places.marker(marker) for marker in self._markers_of(number)]
         far = [end for end in ends if end is not None and np.linalg.norm(end - place) > thick]
         if item["objectType"].startswith("Mass") or not far:
-            pen.sphere(place, 2.2 * thick, color)
+            pen.sphere(place, radius, color)
         for end in far:
             pen.cylinder(place, end, thick, color)
             pen.sphere(end, thick, color)
         if far:
             pen.sphere(place, thick, color)
+
+    def ball(self, pen: Pen) -> tuple[float, Rgba]:
+        """Return radius and color of the ball that stands for a body without shapes and markers."""
+        return 2.2 * self._thick(pen), pen.looks.default_color("bodies.defaultColor")
+
+    @staticmethod
+    def _thick(pen: Pen) -> float:
+        """Return the radius of rods."""
+        return float(pen.looks.crowded(0.007) * pen.looks.size)
+
+    def with_markers(self, numbers: IntArray) -> npt.NDArray[np.bool_]:
+        """Return which bodies have markers."""
+        return np.array([bool(self._markers_of(number)) for number in numbers.tolist()], bool)
 
     def forget_markers(self) -> None:
         """Look again which markers are on which body: items have changed."""

@@ -1,4 +1,4 @@
-"""Rigid bodies that have the same meshes, and nodes that are balls: many at once, as arrays."""
+"""Rigid bodies that have the same meshes or are balls, and nodes that are balls: many at once, as arrays."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import numpy as np
 from dalembert._checks import FloatArray, IntArray
 from dalembert._pictures import symbols
 from dalembert._pictures.bodies import Bodies
-from dalembert._pictures.meshes import Mesh
+from dalembert._pictures.meshes import Mesh, Rgba
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places
 from dalembert._pictures.scene import Balls, DrawnItem, Herd
@@ -79,9 +79,9 @@ class Crowd:
     def __init__(self, pen: Pen, bodies: Bodies) -> None:
         self._pen, self._bodies = pen, bodies
         self._meshes: dict[int, tuple[Mesh, Members]] = {}  # by id
-        self._nodes = Members()
-        self._radii: list[FloatArray] = []
-        self._colors: list[FloatArray] = []
+        self._balls = {kind: Members() for kind in KINDS}
+        self._radii: dict[str, list[FloatArray]] = {kind: [] for kind in KINDS}
+        self._colors: dict[str, list[FloatArray]] = {kind: [] for kind in KINDS}
 
     def takes_all(self, kind: str, group: Group) -> bool:
         """Take a group of which the pen has not drawn anything; False if its items have to be drawn one by one."""
@@ -107,8 +107,14 @@ class Crowd:
         if item["objectType"] not in RIGID:
             return False
         meshes = self._bodies.meshes(self._pen, int(numbers[0]), item)
-        if not meshes:
+        if meshes is None:
             return False
+        if not meshes:
+            radius, color = self._bodies.ball(self._pen)
+            if color[3] < 1 or self._bodies.with_markers(numbers).any():
+                return False
+            self._add_balls("Object", item, numbers, items, radius, color)
+            return True
         items = self._items("Object", item, numbers) if items is None else items
         for mesh in meshes:
             self._meshes.setdefault(id(mesh), (mesh, Members()))[1].add(numbers, items)
@@ -119,13 +125,17 @@ class Crowd:
         color = looks.color(item, "nodes.defaultColor")
         if color[3] < 1 or symbols.besides_ball(self._pen, item):
             return False
-        radius = 0.5 * looks.node_size(item)
-        items = self._items("Node", item, numbers) if items is None else items
-        if radius > 0:
-            self._nodes.add(numbers, items)
-            self._radii.append(np.full(len(numbers), radius))
-            self._colors.append(np.tile(np.array(color), (len(numbers), 1)))
+        self._add_balls("Node", item, numbers, items, 0.5 * looks.node_size(item), color)
         return True
+
+    def _add_balls(
+        self, kind: str, item: Item, numbers: IntArray, items: IntArray | None, radius: float, color: Rgba
+    ) -> None:
+        items = self._items(kind, item, numbers) if items is None else items
+        if radius > 0:
+            self._balls[kind].add(numbers, items)
+            self._radii[kind].append(np.full(len(numbers), radius))
+            self._colors[kind].append(np.tile(np.array(color), (len(numbers), 1)))
 
     def draw(self) -> None:
         """Draw all that have been taken."""
@@ -135,8 +145,12 @@ class Crowd:
             rows = np.asarray(pen.places.rows("Object"))[chosen]
             pen.scene.herds.append(Herd(mesh, None, np.concatenate(members.items), rows))
             pen.stuck.herds.append(pen.frames.numbers("Object", chosen))
-        if self._nodes.numbers:
-            chosen, items = np.concatenate(self._nodes.numbers), np.concatenate(self._nodes.items)
-            centers = np.asarray(pen.places.rows("Node"))[chosen, :, 3]
-            pen.scene.balls = Balls(centers, np.concatenate(self._radii), np.concatenate(self._colors), items)
-            pen.stuck.balls = pen.frames.numbers("Node", chosen)
+        if kinds := [kind for kind in KINDS if self._balls[kind].numbers]:
+            chosen = {kind: np.concatenate(self._balls[kind].numbers) for kind in kinds}
+            pen.scene.balls = Balls(
+                np.concatenate([np.asarray(pen.places.rows(kind))[chosen[kind], :, 3] for kind in kinds]),
+                np.concatenate([radii for kind in kinds for radii in self._radii[kind]]),
+                np.concatenate([colors for kind in kinds for colors in self._colors[kind]]),
+                np.concatenate([items for kind in kinds for items in self._balls[kind].items]),
+            )
+            pen.stuck.balls = np.concatenate([pen.frames.numbers(kind, chosen[kind]) for kind in kinds])

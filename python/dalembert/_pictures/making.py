@@ -160,8 +160,10 @@ class SceneMaker:
             if not group.first.get("Vshow", True):
                 left[group.numbers] = False
             elif group.first["objectType"] in RIGID and len(group.numbers):
-                for mesh in self.bodies.meshes(pen, int(group.numbers[0]), group.first) or ():
-                    left[group.numbers] = False
+                meshes = self.bodies.meshes(pen, int(group.numbers[0]), group.first)
+                if meshes is not None:  # without meshes, they reach to their markers alone
+                    left[group.numbers] = False if meshes else self.bodies.with_markers(group.numbers)
+                for mesh in meshes or ():
                     alike.setdefault(id(mesh), (mesh, []))[1].append(group.numbers)
         for number in np.flatnonzero(left).tolist():
             item = places.item("Object", number)
