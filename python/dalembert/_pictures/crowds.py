@@ -146,11 +146,11 @@ class Crowd:
             pen.scene.herds.append(Herd(mesh, None, np.concatenate(members.items), rows))
             pen.stuck.herds.append(pen.frames.numbers("Object", chosen))
         if kinds := [kind for kind in KINDS if self._balls[kind].numbers]:
-            chosen = {kind: np.concatenate(self._balls[kind].numbers) for kind in kinds}
+            of_kind = {kind: np.concatenate(self._balls[kind].numbers) for kind in kinds}
             pen.scene.balls = Balls(
-                np.concatenate([np.asarray(pen.places.rows(kind))[chosen[kind], :, 3] for kind in kinds]),
+                np.concatenate([np.asarray(pen.places.rows(kind))[of_kind[kind], :, 3] for kind in kinds]),
                 np.concatenate([radii for kind in kinds for radii in self._radii[kind]]),
                 np.concatenate([colors for kind in kinds for colors in self._colors[kind]]),
                 np.concatenate([items for kind in kinds for items in self._balls[kind].items]),
             )
-            pen.stuck.balls = np.concatenate([pen.frames.numbers(kind, chosen[kind]) for kind in kinds])
+            pen.stuck.balls = np.concatenate([pen.frames.numbers(kind, of_kind[kind]) for kind in kinds])
