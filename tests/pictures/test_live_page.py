@@ -996,6 +996,24 @@ def test_start_is_quick(tmp_path: Path) -> None:
     assert min(took[1:]) < 0.3
 
 
+def test_large_systems_are_copied_for_the_first_page(SC: Any, mbs: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not before: the script that starts the viewer would wait."""
+    monkeypatch.setenv("DALEMBERT_VIEWER", "on")
+    monkeypatch.setattr("dalembert._live.viewer.LARGE", 2)
+    for _ in range(2):
+        mbs.CreateMassPoint(physicsMass=1)
+    mbs.Assemble()
+    prepared = threading.Event()
+    prepare = Viewer._prepare
+    monkeypatch.setattr(Viewer, "_prepare", lambda viewer: (prepare(viewer), prepared.set()))
+    SC.renderer.Start()
+    viewer = viewer_of(SC)
+    assert viewer is not None and prepared.wait(10) and not viewer.shadows
+    head, _ = Reader(viewer).message("scene")
+    assert sum(kind == "Node" for kind, *_ in head["items"]) == 2
+    SC.renderer.Stop()
+
+
 def test_the_port_can_be_chosen(SC: Any, mbs: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DALEMBERT_VIEWER", "on")
     with socket.socket() as free:

@@ -210,9 +210,11 @@ class Viewer:
         """Draw a first scene, so that it is there when the first page is; large ones wait for a reader."""
         self._dirty, self._known_settings = False, self.settings.GetDictionary()
         try:
+            systems = [self.container.GetSystem(i) for i in range(self.container.NumberOfSystems())]
+            if sum(mbs.systemData.NumberOfObjects() for mbs in systems) >= LARGE:
+                return  # copying their items would keep the script waiting as well
             self._follow()
-            count = sum(shadow.system.systemData.NumberOfObjects() for shadow in self.shadows)
-            if self.studio is not None and count < LARGE and not self._stopped.is_set():
+            if self.studio is not None and not self._stopped.is_set():
                 self.studio.flow()
         except Exception as error:
             self._complain(error)
