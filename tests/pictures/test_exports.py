@@ -181,6 +181,33 @@ def test_a_spring_that_stretches_is_one_mesh(SC: Any, mbs: Any) -> None:
     assert Path("spring.glb").stat().st_size < 200_000
 
 
+def test_a_spring_that_becomes_four_times_as_long_has_some_meshes(mbs: Any) -> None:
+    """One after the other: each is there for its frames, and of no size in the others."""
+    ground = mbs.CreateGround()
+    mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], initialVelocity=[3, 0.5, 0.2], physicsMass=1)
+    spring = mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=0.01)
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps = 100
+    settings.solutionSettings.solutionWritePeriod = 0.01
+    mbs.SolveDynamic(settings)
+    mbs.SaveGLB("spring.glb", framesPerSecond=100)
+    file = pygltflib.GLTF2().load("spring.glb")
+    nodes = [
+        k
+        for k, node in enumerate(file.nodes)
+        if node.extras.get("number") == spring and node.extras["kind"] == "Object"
+    ]
+    assert 2 <= len(nodes) <= 4 and not any(mesh.primitives[0].targets for mesh in file.meshes)
+    lengths = np.zeros(101)
+    for channel in file.animations[0].channels:
+        if channel.target.node in nodes and channel.target.path == "scale":
+            lengths += array(file, file.animations[0].samplers[channel.sampler].output)[:, 2]
+    places = np.array([1, 0, 0]) + np.linspace(0, 1, 101)[:, None] * [3, 0.5, 0.2]
+    np.testing.assert_allclose(lengths, np.linalg.norm(places, axis=1), rtol=0.02)  # it pulls a little
+    assert Path("spring.glb").stat().st_size < 600_000
+
+
 def image_of_settings(mbs: Any, name: str) -> None:
     SC = mbs.GetSystemContainer()
     SC.visualizationSettings.exportImages.saveImageFileName = name

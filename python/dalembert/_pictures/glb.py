@@ -155,10 +155,17 @@ class Exporter:
         self._names = names
         for where, history in parts.items():
             first = history[0][1]
-            if all(p.mesh is first.mesh and p.values is None for _, p in history):
-                rows = np.array([np.column_stack([p.matrix, p.place]) for _, p in history])
-                self._rigid(where, self._mesh(first.mesh, first.color), [n for n, _ in history], rows)
-            elif all(p.mesh.points.shape == first.mesh.points.shape for _, p in history):
+            alike: dict[int, list[tuple[int, Instance]]] = defaultdict(list)  # by the mesh that a part has, for a while
+            for number, part in history:
+                alike[id(part.mesh)].append((number, part))
+            is_one_form = all(p.mesh.points.shape == first.mesh.points.shape for _, p in history)
+            is_rigid = len(alike) == 1 or 2 * len(alike) <= len(history) or not is_one_form
+            if is_rigid and all(p.values is None for _, p in history):
+                for members in alike.values():
+                    rows = np.array([np.column_stack([p.matrix, p.place]) for _, p in members])
+                    shown = members[0][1]
+                    self._rigid(where, self._mesh(shown.mesh, shown.color), [n for n, _ in members], rows)
+            elif is_one_form:
                 self._deformed(where, history)
         for where, spheres in balls.items():
             rows = np.zeros((len(spheres), 3, 4))
