@@ -181,7 +181,15 @@ void SphereNeighbours::build(std::span<const SphereAt> spheres, double margin, W
   double smallest = spheres[0].radius;
   for (const SphereAt& s : spheres) smallest = std::min(smallest, s.radius);
   std::map<int, std::vector<int>> levels;
-  for (int i = 0; i < n; ++i) levels[std::min(40, std::ilogb(spheres[static_cast<std::size_t>(i)].radius / smallest))].push_back(i);
+  double radius = 0;  // mostly that of the one before
+  std::vector<int>* level_of_radius = nullptr;
+  for (int i = 0; i < n; ++i) {
+    if (const double now = spheres[static_cast<std::size_t>(i)].radius; now != radius) {
+      radius = now;
+      level_of_radius = &levels[std::min(40, std::ilogb(radius / smallest))];
+    }
+    level_of_radius->push_back(i);
+  }
   const int stretches = n < spheres_to_share ? 1 : stretches_of_threads;
   found_.resize(static_cast<std::size_t>(stretches));
   for (std::vector<Pair>& found : found_) found.clear();

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -50,8 +53,9 @@ void check_sparse(std::int64_t entries, int size) {
 class Neighbours {
  public:
   Neighbours(int size, const Couplings& couplings) : first_(static_cast<std::size_t>(size) + 2, 0) {
-    couplings.for_each([&](auto unknowns, auto) {
-      for (const int i : unknowns) ++first_[static_cast<std::size_t>(i) + 2];
+    couplings.for_each([&](auto unknowns, auto others) {
+      for (const int i : unknowns) are_columns_ = ++first_[static_cast<std::size_t>(i) + 2] == 1 && are_columns_;
+      are_columns_ = are_columns_ && unknowns.data() == others.data() && std::ranges::adjacent_find(others, std::greater_equal()) == others.end();
     });
     for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
     lists_.resize(static_cast<std::size_t>(first_.back()));
@@ -66,11 +70,30 @@ class Neighbours {
     for (int k = first_[i]; k < first_[i + 1]; ++k)
       for (const int other : lists_[k]) f(other);
   }
+  // Whether each unknown has one list at most, in ascending order, with itself: as where each body has unknowns of its own.
+  bool are_columns() const { return are_columns_; }
+  std::span<const int> list(int i) const { return first_[i] < first_[i + 1] ? lists_[first_[i]] : std::span<const int>(); }
 
  private:
+  bool are_columns_ = true;
   std::vector<int> first_;  // in lists_, and the end
   std::vector<std::span<const int>> lists_;
 };
+
+Pattern pattern_of_columns(int size, const Neighbours& neighbours) {
+  std::vector<int> start(static_cast<std::size_t>(size) + 1, 0), rows;
+  std::int64_t entries = 0;
+  for (int j = 0; j < size; ++j) entries += std::max<std::int64_t>(1, std::ssize(neighbours.list(j)));
+  check_sparse(entries, size);
+  rows.reserve(static_cast<std::size_t>(entries));
+  for (int j = 0; j < size; ++j) {
+    const std::span<const int> column = neighbours.list(j);
+    rows.insert(rows.end(), column.begin(), column.end());
+    if (column.empty()) rows.push_back(j);
+    start[static_cast<std::size_t>(j) + 1] = static_cast<int>(rows.size());
+  }
+  return Pattern::sparse(std::move(start), std::move(rows));
+}
 
 }  // namespace
 
@@ -88,6 +111,7 @@ Pattern Pattern::sparse(int size, const Couplings& couplings) {
     check_sparse(static_cast<std::int64_t>(unknowns.size()) * static_cast<std::int64_t>(others.size()), size);
   });
   const Neighbours neighbours(size, couplings);
+  if (neighbours.are_columns()) return pattern_of_columns(size, neighbours);
   std::vector<int> start(static_cast<std::size_t>(size) + 1, 0), last(static_cast<std::size_t>(size), -1);
   const auto for_each_entry = [&](auto&& f) {
     std::ranges::fill(last, -1);

@@ -97,7 +97,7 @@ void find_needed_markers(SystemParts& parts) {
   std::unordered_set<const Batch*> changing;
   for (const RegionPlan& region : parts.plan.regions) changing.insert(region.changing_loads.begin(), region.changing_loads.end());
   for (const LoadPlace& load : parts.loads)
-    if (changing.contains(load.member.batch)) need(load.marker);
+    if (!changing.empty() && changing.contains(load.member.batch)) need(load.marker);
   for (const SystemTerm* term : parts.system_terms)
     for (std::size_t k = 0; k < term->markers().size(); ++k)
       if (term->needs_port(k)) need(term->markers()[k]);
