@@ -191,7 +191,7 @@ void GeneralContact::add_on_triangles(const Ports& ports, bool rubs, Chunk& chun
     const int sphere = chunk.near[k].sphere;
     chunk.of_sphere.clear();
     for (; k < chunk.others && chunk.near[k].sphere == sphere; ++k) chunk.of_sphere.push_back(chunk.near[k].triangle);
-    add_on_triangles(sphere, ports, chunk);
+    add_on_triangles(sphere, ports, rubs, chunk);
   }
 }
 

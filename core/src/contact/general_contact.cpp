@@ -32,8 +32,10 @@ GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Port
 
 void GeneralContact::find_nodes(const System& system) {
   at_nodes_.clear();
+  at_nodes_.reserve(set_->spheres.size());
   for (const ContactSphere& s : set_->spheres) at_nodes_.push_back(system.node_frame(s.marker));
   std::vector<int> nodes;  // two markers at one node are as one
+  nodes.reserve(at_nodes_.size());
   for (const NodeFrame& node : at_nodes_)
     if (node.dof >= 0) nodes.push_back(node.dof);
   shares_nodes_ = has_twins(std::move(nodes));
@@ -108,7 +110,7 @@ std::vector<GeneralContact::Push> GeneralContact::pushes(const Ports& ports, Con
 }
 
 // What a sphere feels of triangles now; what they feel waits in the chunk.
-void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chunk) const {
+void GeneralContact::add_on_triangles(int number, const Ports& ports, bool rubs, Chunk& chunk) const {
   touching_triangles(number, chunk.of_sphere, chunk);
   const auto i = static_cast<std::size_t>(number);
   const bool spins = turns(number), grips = set_->bristles.grow();
@@ -129,7 +131,7 @@ void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chu
     const Vec3<double> f = grips ? gripping_force(pairing, at, velocity, grip_of(bristles_.find(number, found.bristle), at, frame_of(sphere(number).marker, ports), frame))
                                  : force(pairing, at, velocity, {});
     pairs_.force[i].add(f);
-    if (spins) pairs_.moment[i].add(cross(at.arm0, f));
+    if (spins && rubs) pairs_.moment[i].add(cross(at.arm0, f));
     if (moves) chunk.on_carriers.push_back({carrier.marker, -f, -cross(at.arm1, f)});
   }
 }
@@ -138,6 +140,7 @@ void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chu
 void GeneralContact::add_direct(Ports& ports, double* at_nodes) const {
   const bool rubs = !std::ranges::all_of(set_->friction, [](double mu) { return mu == 0; }), grips = rubs && set_->bristles.grow();
   const auto friction = grips ? SpherePairs::Friction::of_others : rubs ? SpherePairs::Friction::of_slip : SpherePairs::Friction::none;
+  if (rubs) pairs_.make_room_for_moments();
   const auto number_of = [&](const Chunk& chunk) { return static_cast<int>(&chunk - chunks_.data()); };
   each_chunk([&](Chunk& chunk) {
     if (pairs_.compute(number_of(chunk), *set_, friction) == 0) {

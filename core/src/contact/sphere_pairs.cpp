@@ -75,7 +75,6 @@ void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> 
   });
   const std::size_t places = first_waiting_.back();
   force.resize(places);
-  moment.resize(places);
   list_collected(places);
 }
 

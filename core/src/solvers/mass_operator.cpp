@@ -16,6 +16,9 @@ void MassOperator::prepare(System& system, LinearSolverType type, const LinearSo
   type_ = type;
   options_ = options;
   size_ = system.sizes().ode2;
+}
+
+void MassOperator::prepare_matrix(System& system) {
   pattern_ = &system.mass_pattern();
   values_.resize(static_cast<std::size_t>(pattern_->values()));
   inverse_.assign(static_cast<std::size_t>(size_), 0.0);
@@ -98,20 +101,29 @@ void MassOperator::build_blocks() {
   }
 }
 
+// Success, or the coordinate, if it has no mass.
+int MassOperator::invert(int coordinate, double mass) {
+  const bool has_mass = std::abs(mass) > options_.pivot_threshold;
+  inverse_[coordinate] = has_mass ? 1 / mass : 0;
+  return has_mass || options_.ignore_singular ? LinearSolver::success : coordinate;
+}
+
 int MassOperator::update(System& system, const State& state) {
+  if (pattern_ == nullptr) {
+    inverse_.assign(static_cast<std::size_t>(size_), 0.0);
+    if (system.add_diagonal_masses(state, inverse_)) {
+      for (int i = 0; i < size_; ++i)
+        if (const int failed = invert(i, inverse_[i]); failed != LinearSolver::success) return failed;
+      return LinearSolver::success;
+    }
+    prepare_matrix(system);
+  }
   if (without_matrix_ == size_) return LinearSolver::success;
   system.mass_matrix(state, *pattern_, values_);
   if (join_blocks()) build_blocks();
-  for (int i = 0; i < size_; ++i) {
-    if (!alone_[i]) continue;
-    const double m = values_[diagonal_[i]];
-    if (!(std::abs(m) > options_.pivot_threshold)) {
-      if (!options_.ignore_singular) return i;
-      inverse_[i] = 0;
-    } else {
-      inverse_[i] = 1 / m;
-    }
-  }
+  for (int i = 0; i < size_; ++i)
+    if (alone_[i])
+      if (const int failed = invert(i, values_[diagonal_[i]]); failed != LinearSolver::success) return failed;
   for (Block& block : blocks_) {
     for (std::size_t i = 0; i < block.from.size(); ++i) block.values[block.to[i]] = values_[block.from[i]];
     const int failed = block.solver->factorize(block.values);

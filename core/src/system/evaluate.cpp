@@ -233,6 +233,12 @@ void System::mass_matrix(const State& state, const Pattern& pattern, std::span<d
   });
 }
 
+bool System::add_diagonal_masses(const State& state, std::span<double> diagonal) {
+  ports_hold(nullptr);
+  const Evaluation e = parts_->evaluation(state, {});
+  return std::ranges::all_of(parts_->terms, [&](const auto& term) { return term->add_diagonal_masses(e, diagonal.data()); });
+}
+
 // Totals are those of right_hand_sides or mass_matrix of this state, which come before.
 int System::solve_masses(const State& state, std::span<double> x) {
   SystemParts& parts = *parts_;

@@ -71,6 +71,11 @@ class ElementBatch : public Term {
                                                         : add_tangent(entries_[i], call.evaluation, call.weights, slots_of(i), call.sums);
   }
   bool has_mass() const override { return n > 0; }
+  bool add_diagonal_masses(const Evaluation& evaluation, double* diagonal) const override {
+    if constexpr (is_diagonal && PureInertia<E>)
+      for (const Entry& e : entries_) add_mass(e, evaluation, 1.0, e.dofs.data(), diagonal);
+    return n == 0 || (is_diagonal && PureInertia<E>);
+  }
   // Where rates are spins, only the lever of a centre of mass turns.
   bool constant_mass() const override {
     if constexpr (RotatingBodyElement<E>) {

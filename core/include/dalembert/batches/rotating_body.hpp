@@ -1,6 +1,9 @@
 // Bodies on rotating nodes: they read the motion that the node has found, and leave their inertia forces there.
 #pragma once
 
+#include <array>
+#include <numeric>
+
 #include "dalembert/batches/element.hpp"
 #include "dalembert/batches/groups.hpp"
 
@@ -92,6 +95,26 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
                                       values);
       slot += n * n;
     }
+  }
+  bool add_diagonal_masses(const Evaluation& evaluation, double* diagonal) const override {
+    constexpr Weights weights{.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0};
+    static constexpr auto places = [] {
+      std::array<int, n * n> all{};
+      std::iota(all.begin(), all.end(), 0);
+      return all;
+    }();
+    for (const Entry& e : entries_) {
+      const auto x = gather<n>(evaluation, e.dofs.data());
+      Mat<double, n, n> m{};
+      add_inertia_tangent<Body, Node>(e.parameters, Node::template spin_motion<double>(x), Node::rotation_tangent(x, weights), weights, places.data(),
+                                      m.x.data());
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j)
+          if (i != j && m(i, j) != 0) return false;
+        diagonal[e.dofs[i]] += m(i, i);
+      }
+    }
+    return true;
   }
 
  private:

@@ -245,7 +245,7 @@ class GeneralContact final : public SystemTerm {
   Meeting<double> meet(const HeldContact& contact, const Ports& ports) const;
   void add_held(const HeldContact& contact, Ports& ports) const;
   void add_on_triangles(const Ports& ports, bool rubs, Chunk& chunk) const;
-  void add_on_triangles(int sphere, const Ports& ports, Chunk& chunk) const;
+  void add_on_triangles(int sphere, const Ports& ports, bool rubs, Chunk& chunk) const;
   void add_direct(Ports& ports, double* at_nodes) const;
   bool touches(const HeldContact& contact, const Ports& ports, bool& sticks) const;
   void find(const Ports& ports, std::vector<HeldContact>& found) const;

@@ -36,6 +36,8 @@ class SpherePairs {
   }
   // Pairs to look at from now on; chunk c has spheres from begins[c] to begins[c + 1].
   void list(const SphereNeighbours& neighbours, std::span<const int> begins, Workers* workers);
+  // Before moments are computed, since the last list: without friction there are none.
+  void make_room_for_moments() { moment.resize(force.size()); }
   // What friction does: nothing, what is computed here, or what others add.
   enum class Friction { none, of_slip, of_others };
   // Sets forces and moments of the spheres of a chunk to those of its pairs, and tells the square of the smallest distance of centres.

@@ -1,4 +1,5 @@
-// Accelerations from forces: the mass matrix, taken apart into blocks that do not touch each other, and items that need no matrix.
+// Accelerations from forces: the mass matrix, taken apart into blocks that do not touch each other, and items that need no matrix. As long as
+// it is diagonal, as that of mass points and of many bodies, there is none.
 #pragma once
 
 #include <memory>
@@ -44,6 +45,8 @@ class MassOperator {
     std::unique_ptr<LinearSolver> solver;
     std::vector<double> values, x;
   };
+  void prepare_matrix(System& system);
+  int invert(int coordinate, double mass);
   template <class F>
   void each_coupling(F&& f) const;
   int root(int i);
@@ -51,7 +54,7 @@ class MassOperator {
   void build_blocks();
   void solve_blocks(std::span<double> x);
 
-  const Pattern* pattern_ = nullptr;
+  const Pattern* pattern_ = nullptr;  // null: masses have been on the diagonal alone
   LinearSolverType type_ = LinearSolverType::EXUdense;
   LinearSolverOptions options_;
   int size_ = 0, without_matrix_ = 0;  // numbers of coordinates

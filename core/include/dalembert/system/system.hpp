@@ -112,6 +112,8 @@ class System {
   int solve_masses(const State& state, std::span<double> x);
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
+  // Adds the mass matrix to a diagonal, if nothing else is in it in this state; false: something is, and what has been added is of no use.
+  bool add_diagonal_masses(const State& state, std::span<double> diagonal);
   bool constant_mass_matrix() const;
   NodeFrame node_frame(int marker) const;
   bool calls_user_functions() const;  // of objects and loads, in evaluations
