@@ -80,6 +80,7 @@ class Far(Reader):
             origin=origin,
             proxy=None,
             max_size=None,
+            close_timeout=1,  # what is on the line then is of no use
             compression=None,  # type: ignore[arg-type]
         ).__enter__()
         self.send("hello", token=viewer.server.token)
