@@ -22,9 +22,8 @@ from dalembert._pictures.scene import Balls, Herd, Instance, Label, Scene, Threa
 if TYPE_CHECKING:
     from dalembert._pictures.making import SceneMaker
 
-SMALL = (
-    30  # times as large as a mesh is a scene in which it may be turned by rotations right to 3e-5: 1e-6 of the scene
-)
+# So many times as large as a mesh is a scene in which rotations right to 3e-5 may turn it: places are right to 1e-6 of the scene.
+SMALL = 30
 
 
 class Flow:
