@@ -22,7 +22,7 @@ from dalembert._pictures.scene import Balls, Herd, Instance, Label, Scene, Threa
 if TYPE_CHECKING:
     from dalembert._pictures.making import SceneMaker
 
-# A scene is so many times as large as a mesh that rotations right to 3e-5 may turn: places are right to 1e-6 of the scene.
+# A scene is so many times as large as a mesh that rotations right to 3e-5 may turn: places are right to 1e-6 of it.
 SMALL = 30
 
 
