@@ -185,9 +185,7 @@ DALEMBERT_INLINE inline void GeneralContact::find_near_triangles(int first, int 
   const P reach = at[3] + skin_, far = farthest * reach;
   for (std::size_t c = 0; c < trees_.size(); ++c) {
     if (trees_[c].empty()) continue;
-    const RigidFrame<double>& frame = carriers_at_list_[c];
-    const Vec3<P> centres =
-        transposed_times(frame.rotation, Vec3<P>{at[0] - P(frame.position[0]), at[1] - P(frame.position[1]), at[2] - P(frame.position[2])});
+    const Vec3<P> centres = into(carriers_at_list_[c], Vec3<P>{at[0], at[1], at[2]});
     trees_[c].each_near(centres, reach, [&](int t) DALEMBERT_INLINE {
       const P height = magnitude(facets_[static_cast<std::size_t>(t)].height(centres));
       if (is_zero(P(height.x <= far.x ? 1.0 - P::Register{} : P::Register{}))) return;

@@ -17,7 +17,10 @@ RigidFrame<S> turned_never(const PointFrame<S>& point) {
   return {point.position, point.velocity, identity<S>(), {}};
 }
 
-inline Vec3<double> into(const RigidFrame<double>& frame, const Vec3<double>& point) { return transposed_times(frame.rotation, point - frame.position); }
+template <class S = double>  // a point, or several side by side
+DALEMBERT_INLINE inline Vec3<S> into(const RigidFrame<double>& frame, const Vec3<S>& point) {
+  return transposed_times(frame.rotation, point - frame.position);
+}
 inline Vec3<double> out_of(const RigidFrame<double>& frame, const Vec3<double>& point) { return frame.position + frame.rotation * point; }
 
 // Of the second thing against the first one, where they meet.

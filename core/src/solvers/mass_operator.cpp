@@ -52,9 +52,9 @@ int MassOperator::root(int i) {
 // Blocks only grow: an entry that is zero now may return.
 bool MassOperator::join_blocks() {
   bool joined = false;
-  for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
-    if (values_[slot] == 0 || row == column || row >= size_ || column >= size_) return;
-    const int a = root(row), b = root(column);
+  each_coupling([&](const Entry& e) {
+    if (values_[e.slot] == 0) return;
+    const int a = root(e.row), b = root(e.column);
     if (a == b) return;
     parent_[std::max(a, b)] = std::min(a, b);
     joined = true;

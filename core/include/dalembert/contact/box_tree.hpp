@@ -31,10 +31,12 @@ struct Box {
       if (lower[i] > other.upper[i] || upper[i] < other.lower[i]) return false;
     return true;
   }
-  double square_distance(const Vec3<double>& point) const {
-    double square = 0;
+  // Of a point, or of several side by side.
+  template <class S>
+  DALEMBERT_INLINE S square_distance(const Vec3<S>& point) const {
+    S square{};
     for (int i = 0; i < 3; ++i) {
-      const double outside = std::max({lower[i] - point[i], point[i] - upper[i], 0.0});
+      const S outside = larger(S{}, larger(S(lower[i] - point[i]), S(point[i] - upper[i])));
       square += outside * outside;
     }
     return square;
@@ -59,12 +61,7 @@ class BoxTree {
     using P = Pack<4>;
     const P most = distances * distances;
     const auto wanted = [&](const Box& box) DALEMBERT_INLINE {
-      P square;
-      for (int i = 0; i < 3; ++i) {
-        const P outside = larger(larger(P(box.lower[i]) - points[i], points[i] - P(box.upper[i])), P());
-        square += outside * outside;
-      }
-      return !is_zero(P(square.x <= most.x ? 1.0 - P::Register{} : P::Register{}));
+      return !is_zero(P(box.square_distance(points).x <= most.x ? 1.0 - P::Register{} : P::Register{}));
     };
     each(wanted, f);
   }

@@ -23,11 +23,10 @@ struct Facet {
       at_edge[k] = dot(inward[k], t[k]);
     }
   }
-  double height(const Vec3<double>& point) const { return dot(normal, point - corner); }
-  template <int N>
-  DALEMBERT_INLINE Pack<N> height(const Vec3<Pack<N>>& points) const {
-    const auto in_all = [](const Vec3<double>& v) DALEMBERT_INLINE { return Vec3<Pack<N>>{v[0], v[1], v[2]}; };
-    return dot(in_all(normal), points - in_all(corner));
+  // Of a point, or of several side by side.
+  template <class S>
+  DALEMBERT_INLINE S height(const Vec3<S>& point) const {
+    return dot(normal, point - corner);
   }
   // How far a point is within the edge that it is nearest to, or outside of the one that it is farthest from, which is negative.
   double within_edges(const Vec3<double>& point) const {
