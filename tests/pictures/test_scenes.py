@@ -10,10 +10,13 @@ import pytest
 import dalembert as exu
 from dalembert import graphics
 from dalembert._pictures import contour, painting
+from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
+from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.studio import Studio, item_at
 from dalembert.itemInterface import (
     Cable2D,
+    LoadCoordinate,
     MarkerBodyRigid,
     MarkerKinematicTreeRigid,
     MarkerNodeCoordinate,
@@ -22,12 +25,18 @@ from dalembert.itemInterface import (
     NodePoint,
     NodePoint2DSlope1,
     NodePointGround,
+    NodeRigidBodyRxyz,
+    ObjectFFRF,
+    ObjectFFRFreducedOrder,
     ObjectKinematicTree,
     ReevingSystemSprings,
     SensorBody,
+    SensorNode,
     SpringDamper,
     VCable2D,
     VNodePoint,
+    VObjectFFRF,
+    VObjectFFRFreducedOrder,
 )
 from dalembert.utilities import InertiaCuboid, RotationMatrixZ
 
@@ -443,3 +452,151 @@ def test_links_of_a_tree_reach_to_their_center_of_mass_and_markers(SC: Any, mbs:
     box = Studio(SC).scene().box()
     assert box is not None
     assert box[1][1] == pytest.approx(2, abs=1e-9)  # another one at the marker
+
+
+FRAME = np.array([5.0, 1.0, 2.0])
+MESH = np.array([[1.0, 0, 0], [0, 1, 0], [-1, 0, 0.5], [0, -1, -0.5]])
+
+
+def add_mesh_in_a_frame(mbs: Any) -> tuple[Any, list[Any]]:
+    """Add an ObjectFFRF that is turned by 90 degrees about z; return it and the nodes of its mesh."""
+    frame = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[*FRAME, 0, 0, np.pi / 2]))
+    mesh = [mbs.AddNode(NodePoint(referenceCoordinates=place)) for place in MESH]
+    mass, stiffness = exu.MatrixContainer(), exu.MatrixContainer()
+    mass.SetWithDenseMatrix(np.eye(3 * len(MESH)))
+    stiffness.SetWithDenseMatrix(np.eye(3 * len(MESH)))
+    looks = VObjectFFRF(triangleMesh=[[0, 1, 2], [0, 2, 3]])
+    body = mbs.AddObject(
+        ObjectFFRF(
+            nodeNumbers=[frame, *mesh], massMatrixFF=mass, stiffnessMatrixFF=stiffness, visualization=looks
+        )
+    )  # fmt: skip
+    return body, mesh
+
+
+def centers(scene: Any, kind: str, number: int) -> Any:
+    """Return the middles of the meshes and spheres that an item is drawn by."""
+    whole = scene.unbound()
+    found = [
+        part.mesh.points @ part.matrix.T + part.place
+        for part in whole.instances
+        if is_of(scene, part.item, kind, number)
+    ]
+    found += [np.array([center]) for center, *_, item in whole.spheres if is_of(scene, item, kind, number)]
+    return np.array([points.mean(axis=0) for points in found])
+
+
+def is_of(scene: Any, item: int, kind: str, number: int) -> bool:
+    return (scene.items[item].kind, scene.items[item].number) == (kind, number)
+
+
+@pytest.mark.parametrize("when", ["before Assemble", "one by one", "many at once", "later"])
+def test_nodes_of_a_mesh_move_with_its_frame(SC: Any, mbs: Any, when: str) -> None:
+    """Coordinates of the nodes of an ObjectFFRF are in its frame; what is on the nodes is drawn where the mesh is."""
+    body, mesh = add_mesh_in_a_frame(mbs)
+    marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mesh[1], coordinate=0))
+    load = mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=1))
+    sensor = mbs.AddSensor(SensorNode(nodeNumber=mesh[2], outputVariableType=Variable.Position))
+    SC.visualizationSettings.nodes.showNumbers = True
+    turn, here = RotationMatrixZ(np.pi / 2), FRAME
+    if when == "before Assemble":
+        scene = Studio(SC).scene()
+    else:
+        mbs.Assemble()
+        flow = Flow(SceneMaker(mbs, SC.visualizationSettings))
+        if when == "many at once":
+            SC.visualizationSettings.nodes.showNumbers = False
+        scene = Studio(SC).scene() if when == "one by one" else flow.scene()
+        if when == "later":
+            q = mbs.systemData.GetODE2Coordinates()
+            q[:6] = [0.5, 0, -1, 0, 0, 0.3]
+            mbs.systemData.SetODE2Coordinates(q, Configuration.Visualization)
+            scene = flow.scene()
+            turn, here = RotationMatrixZ(np.pi / 2 + 0.3), FRAME + [0.5, 0, -1]
+    places = here + MESH @ turn.T
+    for number, place in zip(mesh, places, strict=True):
+        assert centers(scene, "Node", int(number)) == pytest.approx(place[None], abs=1e-12)
+        labels = [label.place for label in scene.labels if label.text == f"N{int(number)}"]
+        assert labels == ([] if when == "many at once" else [pytest.approx(place)])
+    assert centers(scene, "Marker", int(marker)) == pytest.approx(places[1:2], abs=1e-12)
+    assert np.linalg.norm(centers(scene, "Load", int(load)) - places[1], axis=1).max() < 1
+    assert centers(scene, "Sensor", int(sensor)) == pytest.approx(places[2:3], abs=1e-12)
+    assert centers(scene, "Object", int(body)) == pytest.approx(places.mean(axis=0)[None], abs=1e-12)
+
+
+def test_traces_of_nodes_in_a_frame_move_with_it(SC: Any, mbs: Any) -> None:
+    _, mesh = add_mesh_in_a_frame(mbs)
+    sensors = [
+        mbs.AddSensor(SensorNode(nodeNumber=mesh[0], outputVariableType=variable, storeInternal=True))
+        for variable in (Variable.Position, Variable.Displacement)
+    ]
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 4, 0.1
+    mbs.SolveDynamic(settings)
+    traces = SC.visualizationSettings.sensors.traces
+    traces.showPositionTrace = traces.showVectors = True
+    traces.listOfPositionSensors, traces.listOfVectorSensors = [sensors[0]], [sensors[1]]
+    mbs.GetSensorStoredData(sensors[0])
+    scene = Studio(SC).scene()
+    (line,) = [points for points, _, _, item in scene.lines if scene.items[item].kind == "Trace"]
+    assert line == pytest.approx(np.tile(FRAME + RotationMatrixZ(np.pi / 2) @ MESH[0], (len(line), 1)), abs=1e-6)
+
+
+def test_a_mesh_of_modes_stands_in_its_frame_before_assemble(SC: Any, mbs: Any) -> None:
+    """As it is afterwards, without a deformation."""
+    frame = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[*FRAME, 0, 0, np.pi / 2]))
+    modal = mbs.AddNode(
+        NodeGenericODE2(
+            referenceCoordinates=[0], initialCoordinates=[0], initialCoordinates_t=[0], numberOfODE2Coordinates=1
+        )
+    )
+    one = exu.MatrixContainer()
+    one.SetWithDenseMatrix(np.eye(1))
+    body = mbs.AddObject(
+        ObjectFFRFreducedOrder(
+            nodeNumbers=[frame, modal], massMatrixReduced=one, stiffnessMatrixReduced=one, computeFFRFterms=False,
+            referencePositions=MESH.ravel(), modeBasis=np.ones((MESH.size, 1)),
+            visualization=VObjectFFRFreducedOrder(triangleMesh=[[0, 1, 2], [0, 2, 3]]),
+        )
+    )  # fmt: skip
+    before = centers(Studio(SC).scene(), "Object", int(body))
+    assert before == pytest.approx(np.mean(FRAME + MESH @ RotationMatrixZ(np.pi / 2).T, axis=0)[None])
+    mbs.Assemble()
+    assert centers(Studio(SC).scene(), "Object", int(body)) == pytest.approx(before)
+
+
+def test_numbers_of_masses_that_are_drawn_as_nodes(SC: Any, mbs: Any) -> None:
+    """CreateMassPoint hides a body without graphics: its node is drawn in place of it, and has the number of the body."""
+    bodies = [mbs.CreateMassPoint(referencePosition=[x, 1, 0], physicsMass=1) for x in range(3)]
+    mbs.CreateMassPoint(referencePosition=[5, 1, 0], physicsMass=1, show=False)
+    SC.visualizationSettings.bodies.showNumbers = True
+    for assembled in (False, True):
+        if assembled:
+            mbs.Assemble()
+        labels = Studio(SC).scene().labels
+        assert [(label.text, *label.place) for label in labels] == [
+            (f"O{int(b)}", x, 1, 0) for x, b in enumerate(bodies)
+        ]
+    flow = Flow(SceneMaker(mbs, SC.visualizationSettings))
+    flow.scene()
+    q = mbs.systemData.GetODE2Coordinates()
+    mbs.systemData.SetODE2Coordinates(q + 0.5, Configuration.Visualization)
+    scene = flow.scene()
+    assert [(label.text, *label.place) for label in scene.labels] == [
+        (f"O{int(b)}", x + 0.5, 1.5, 0.5) for x, b in enumerate(bodies)
+    ]
+    assert all(is_of(scene, item, "Node", k) for k, item in enumerate(scene.balls.items[:3].tolist()))
+    assert not any(scene.items[item].kind == "Object" for item in scene.balls.items)
+    SC.visualizationSettings.bodies.show = False
+    assert not Studio(SC).scene().labels
+
+
+def test_a_mass_that_is_drawn_as_its_node_is_highlighted(SC: Any, mbs: Any) -> None:
+    bodies = [mbs.CreateMassPoint(referencePosition=[x, 1, 0], physicsMass=1) for x in range(3)]
+    exu.utilities.HighlightItem(SC, mbs, bodies[1])
+    scene = Studio(SC).scene()
+    bright = SC.visualizationSettings.interactive.advanced.highlightColor[:3]
+    assert [scene.items[item].number for _, _, color, item in scene.spheres if color[:3] == pytest.approx(bright)] == [
+        1
+    ]

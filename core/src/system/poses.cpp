@@ -84,6 +84,23 @@ void find_nodes(const SystemParts& parts, const Evaluation& e, const State& rest
   }
 }
 
+// Nodes of meshes in a floating frame, whose own positions are in that frame.
+void place_nodes_in_frames(const SystemParts& parts, const Evaluation& e, double* rows) {
+  std::size_t number = 0;
+  std::vector<double> positions;
+  for (const auto& [first, count] : parts.object_runs) {
+    if (first.batch->has_nodes_in_frame())
+      for (int i = 0; i < count; ++i) {
+        const auto mesh = parts.objects[number + static_cast<std::size_t>(i)].nodes.of(parts.references).subspan(1);
+        if (!first.batch->mesh_outputs(first.entry + i, 0, static_cast<int>(mesh.size()), OutputVariableType::Position, e, positions)) continue;
+        const double* from = positions.data();
+        for (const int node : mesh)
+          for (std::size_t axis = 0; axis < 3; ++axis) rows[12 * static_cast<std::size_t>(node) + 4 * axis + 3] = *from++;
+      }
+    number += static_cast<std::size_t>(count);
+  }
+}
+
 }  // namespace
 
 void System::poses(ItemKind kind, ConfigurationType configuration, Poses& poses) const {
@@ -98,7 +115,9 @@ void System::poses(ItemKind kind, ConfigurationType configuration, Poses& poses)
   } else if (kind == ItemKind::marker) {
     find_markers(parts, e, rows(parts.markers.size()));
   } else if (kind == ItemKind::node) {
-    find_nodes(parts, e, parts.state(ConfigurationType::Reference), rows(parts.nodes.size()));
+    double* const found = rows(parts.nodes.size());
+    find_nodes(parts, e, parts.state(ConfigurationType::Reference), found);
+    place_nodes_in_frames(parts, e, found);
   } else {
     poses.rows.clear();
   }

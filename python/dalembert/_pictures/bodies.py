@@ -12,6 +12,7 @@ from dalembert._pictures import contour, graphics_data
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.meshes import Mesh, Rgba
 from dalembert._pictures.pen import Pen
+from dalembert._pictures.places import Places
 
 Item = dict[str, Any]
 
@@ -104,6 +105,14 @@ class Bodies:
                 if "bodyNumber" in parameters:
                     self._markers.setdefault(int(parameters["bodyNumber"]), []).append(marker)
         return self._markers.get(body, [])
+
+
+def node_in_place_of(places: Places, item: Item) -> int | None:
+    """Return the node that is drawn in place of a mass without shape, as CreateMassPoint has it; None for others."""
+    if item.get("Vshow", True) or not item.get("objectType", "").startswith("MassPoint"):
+        return None
+    node = int(item["nodeNumber"])
+    return node if places.item("Node", node).get("Vshow", True) else None
 
 
 def user_shapes(mbs: Any, number: int, item: Item, default: Any, owner: str) -> list[graphics_data.Shape]:

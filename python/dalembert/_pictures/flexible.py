@@ -249,7 +249,6 @@ class MeshBodies:
 
     def _points(self, pen: Pen, number: int, item: Item) -> FloatArray | None:
         """Return the positions of the mesh nodes."""
-        count = len(np.asarray(item.get("referencePositions", [])).ravel()) // 3 or len(item["nodeNumbers"])
         factor = float(pen.looks.setting("bodies.deformationScaleFactor"))
         points = pen.places.mesh_points(number)
         if points is not None:
@@ -257,15 +256,14 @@ class MeshBodies:
                 change = pen.places.mesh_outputs(number, OutputVariableType.Displacement)
                 points = points if change is None else points + (factor - 1) * change
             return points
+        if "referencePositions" in item:
+            return _reference_points(pen, item)
         found = []
-        for node in range(count):
-            place = pen.places.mesh_output(number, OutputVariableType.Position, node)
-            if place is None and "referencePositions" not in item:
-                place = pen.places.node_output(item["nodeNumbers"][node], OutputVariableType.Position)
-            if place is None:
-                return _reference_points(item)
+        for node in item["nodeNumbers"][1 if item["objectType"] == "FFRF" else 0 :]:
+            if (place := pen.places.node(node)) is None:
+                return None
             if factor != 1:
-                change = pen.places.mesh_output(number, OutputVariableType.Displacement, node)
+                change = pen.places.node_output(node, OutputVariableType.Displacement)
                 place = place if change is None else place + (factor - 1) * change
             found.append(place)
         return np.array(found) if found else None
@@ -279,10 +277,11 @@ class MeshBodies:
         return np.array([colors.number(pen.places.mesh_output(number, colors.variable, node)) for node in range(count)])
 
 
-def _reference_points(item: Item) -> FloatArray | None:
-    """Return the mesh as it was given, before the system is assembled."""
-    points = np.asarray(item.get("referencePositions", []), float).reshape(-1, 3)
-    return points if len(points) else None
+def _reference_points(pen: Pen, item: Item) -> FloatArray | None:
+    """Return the mesh as it was given, before the system is assembled: in the frame of its first node."""
+    points = np.asarray(item["referencePositions"], float).reshape(-1, 3)
+    frame = pen.places.frame(item["nodeNumbers"][0])
+    return frame[0] + points @ frame[1].T if len(points) and frame is not None else None
 
 
 DRAWINGS = {

@@ -10,7 +10,7 @@ from dalembert import _core
 from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType
 from dalembert._pictures import connectors, contacts, flexible, symbols, traces
-from dalembert._pictures.bodies import Bodies
+from dalembert._pictures.bodies import Bodies, node_in_place_of
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.crowds import RIGID, Crowd, groups
 from dalembert._pictures.looks import Looks, rgba
@@ -210,7 +210,9 @@ class SceneMaker:
         for group in groups(pen.places, kind, count) if crowd is not None else ():
             settings = self.looks.setting(self._group(kind, group.first))
             hidden = not settings.show or not group.first.get("Vshow", True)
-            if hidden or (not settings.showNumbers and crowd is not None and crowd.takes_all(kind, group)):
+            if settings.show and settings.showNumbers:
+                continue
+            if hidden or (crowd is not None and crowd.takes_all(kind, group)):
                 left[group.numbers] = False
         for number in np.flatnonzero(left).tolist():
             item = pen.places.item(kind, number)
@@ -219,13 +221,15 @@ class SceneMaker:
                 group = self.looks.setting(name)
                 flags[name] = bool(group.show), bool(group.showNumbers)
             shown, numbered = flags[name]
-            if not shown or not item.get("Vshow", True):
+            hidden = not item.get("Vshow", True)
+            if not shown or (hidden and (not numbered or node_in_place_of(pen.places, item) is None)):
                 continue
             pen.take(DrawnItem(kind, number, item[name_of_type], item["name"]))
             if crowd is not None and not numbered and crowd.takes(kind, number, item):
                 pen.places.forget(kind, number)
                 continue
-            self._draw(pen, colors, kind, number, item)
+            if not hidden:
+                self._draw(pen, colors, kind, number, item)
             if numbered:
                 self._number(pen, kind, number, item)
 
@@ -236,7 +240,8 @@ class SceneMaker:
             return
         kind, number = drawn.kind, drawn.number
         item = pen.places.item(kind, number)
-        self._draw(pen, colors, kind, number, item)
+        if item.get("Vshow", True):
+            self._draw(pen, colors, kind, number, item)
         if self.looks.setting(self._group(kind, item)).showNumbers:
             self._number(pen, kind, number, item)
 
@@ -343,6 +348,8 @@ def highlight(pen: Pen) -> bool:
     chosen = [i for i, item in enumerate(scene.items) if item.kind == kind and item.number == number]
     if number < 0 or not chosen:
         return False
+    if kind == "Object" and (node := node_in_place_of(pen.places, pen.places.item(kind, number))) is not None:
+        chosen += [i for i, item in enumerate(scene.items) if item.kind == "Node" and item.number == node]
     bright = rgba(looks.setting("interactive.advanced.highlightColor"))
     others = rgba(looks.setting("interactive.advanced.highlightOtherColor"))
     pick = dict.fromkeys(chosen, (*bright[:3], 1.0))

@@ -100,13 +100,19 @@ class Places:
 
     def node(self, number: int) -> FloatArray | None:
         """Return the position of a node; that of its body if it has none itself."""
-        place = self._place("Node", int(number))
-        if place is None:
-            place = self._asked("GetNodeOutput", number, Position)
-        if place is not None:
+        if (place := self._place("Node", int(number))) is not None:
             return place
+        if (place := self._asked("GetNodeOutput", number, Position)) is not None:
+            frame = self._frame_of_node(int(number)) if self.source is None else None
+            return place if frame is None else frame[0] + frame[1] @ place
         body = self._bodies_of_nodes().get(int(number))
         return None if body is None else self.body(body)
+
+    def frame_of_output(self, node: int) -> tuple[FloatArray, FloatArray] | None:
+        """Return position and rotation of the frame in whose components a node tells its outputs; None: global ones."""
+        own = self._asked("GetNodeOutput", node, Position)
+        moved = own is not None and not np.array_equal(own, np.asarray(self.node(node)))
+        return self._frame_of_node(node) if moved else None
 
     def node_rotation(self, number: int) -> FloatArray | None:
         """Return the rotation matrix of a node."""
@@ -210,6 +216,23 @@ class Places:
         ]
         known = [place for place in asked if place is not None]
         return np.mean(known, axis=0) if known else None
+
+    def _frame_of_node(self, number: int) -> tuple[FloatArray, FloatArray] | None:
+        """Return position and rotation of the floating frame in which a node of a mesh moves; None if it is in none."""
+        if not hasattr(self, "_frames"):
+            self._frames: dict[int, int] = {}
+            for body in range(self.mbs.systemData.NumberOfObjects()):
+                parameters = self.item("Object", body)
+                if parameters["objectType"] == "FFRF" and len(parameters["nodeNumbers"]):
+                    frame, *mesh = (int(node) for node in parameters["nodeNumbers"])
+                    self._frames |= dict.fromkeys(mesh, frame)
+        frame_node = self._frames.get(number)
+        return None if frame_node is None else self.frame(frame_node)
+
+    def frame(self, node: int) -> tuple[FloatArray, FloatArray] | None:
+        """Return position and rotation of a node; None if it does not have both."""
+        place, rotation = self.node(node), self.node_rotation(node)
+        return None if place is None or rotation is None else (place, rotation)
 
     def _bodies_of_nodes(self) -> dict[int, int]:
         """Return the body on each node without position, such as that of a mass that moves along a line."""

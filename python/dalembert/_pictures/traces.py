@@ -31,19 +31,29 @@ def draw(pen: Pen, time: float, stored: Stored) -> None:
         if rows is None or len(rows) < 2:
             continue
         color = rgba(palette[order % len(palette)]) if len(palette) else (0.2, 0.2, 0.2, 1.0)
-        positions = rows[:, 1:4]
+        positions = _turned(pen, number, rows[:, 1:4], True)
         if traces.showPositionTrace:
             pen.line(positions[:: max(int(traces.positionsShowEvery), 1)], color, float(traces.lineWidth))
         if traces.showVectors and order < len(traces.listOfVectorSensors):
             vectors = _rows(stored, traces, int(traces.listOfVectorSensors[order]), time)
             for i in _chosen(rows, vectors, traces.vectorsShowEvery, traces.showCurrent):
                 assert vectors is not None
-                pen.arrow(positions[i], float(traces.vectorScaling) * vectors[i, 1:4], 0.002 * pen.looks.size, color)
+                vector = _turned(pen, int(traces.listOfVectorSensors[order]), vectors[i, 1:4], False)
+                pen.arrow(positions[i], float(traces.vectorScaling) * vector, 0.002 * pen.looks.size, color)
         if traces.showTriads and order < len(traces.listOfTriadSensors):
             turned = _rows(stored, traces, int(traces.listOfTriadSensors[order]), time)
             for i in _chosen(rows, turned, traces.triadsShowEvery, traces.showCurrent):
                 assert turned is not None
                 pen.frame(positions[i], turned[i, 1:10].reshape(3, 3), float(traces.triadSize))
+
+
+def _turned(pen: Pen, number: int, values: FloatArray, are_places: bool) -> FloatArray:
+    """Return values of a sensor in global components: nodes in a floating frame tell theirs in its present axes."""
+    node = pen.places.item("Sensor", number).get("nodeNumber")
+    frame = None if node is None else pen.places.frame_of_output(int(node))
+    if frame is None:
+        return values
+    return values @ frame[1].T + (frame[0] if are_places else 0)
 
 
 def _position_sensors(pen: Pen) -> list[int]:

@@ -96,16 +96,17 @@ class SizedBodyBatch final : public Term {
     return true;
   }
   int mesh_nodes(int entry) const override {
-    if constexpr (B::mesh == Mesh::own) {
+    if constexpr (places_mesh<B>) {
       const int count = B::mesh_nodes(*entries_[entry].parameters);
       return count > 0 ? count : -1;  // none, and not those of the system
     }
     return 0;
   }
   bool mesh_outputs(int entry, int first, int count, OutputVariableType variable, const Evaluation& evaluation, std::vector<double>& values) const override {
-    if constexpr (B::mesh == Mesh::own) return own_mesh_outputs(entries_[entry], first, count, variable, evaluation, values);
+    if constexpr (places_mesh<B>) return own_mesh_outputs(entries_[entry], first, count, variable, evaluation, values);
     return false;
   }
+  bool has_nodes_in_frame() const override { return B::mesh == Mesh::nodes_in_frame; }
 
  private:
   using Frame = typename B::Frame;
@@ -227,7 +228,7 @@ struct SizedBodyPhysics final : ObjectPhysics {
     });
   }
   int mesh_nodes(const void* record, const Placement& on) const override {
-    if constexpr (Plain::mesh == Mesh::own) return Plain::mesh_nodes(parameters(record));
+    if constexpr (places_mesh<Plain>) return Plain::mesh_nodes(parameters(record));
     return Plain::mesh == Mesh::nodes ? static_cast<int>(on.nodes.size()) : 0;
   }
   std::vector<int> mesh_coordinates(const void*, const Placement& on, std::span<const int> nodes) const override {

@@ -53,7 +53,7 @@ struct MeshSeat {
     place = mean_place(nodes_, mean_, marker);
   }
   void refresh_owner(const void* owner, int marker) {
-    if constexpr (B::mesh == Mesh::own) take_mesh(static_cast<const OwnerRecord*>(owner)->parameters);
+    if constexpr (places_mesh<B>) take_mesh(static_cast<const OwnerRecord*>(owner)->parameters);
     place = mean_place(nodes_, mean_, marker);
   }
 

@@ -58,11 +58,15 @@ struct SizedLaw {
 };
 
 // ---- the kernel ---------------------------------------------------------------------------------------------------------
-// Which mesh nodes there are: none, the nodes of the body, or some that only its parameters know.
-enum class Mesh { none, nodes, own };
+// Which mesh nodes there are: none, the nodes of the body, all of these but the first, whose coordinates are in its frame, or some that only its
+// parameters know.
+enum class Mesh { none, nodes, nodes_in_frame, own };
 
 template <class B>
 constexpr bool is_framed = !std::is_same_v<typename B::Frame, NoFrame>;
+// Its mesh nodes are elsewhere than nodes of the system say: it tells where.
+template <class B>
+constexpr bool places_mesh = B::mesh == Mesh::nodes_in_frame || B::mesh == Mesh::own;
 template <class B>
 constexpr bool has_residual = !std::is_same_v<typename B::Constants, NothingPrepared>;
 // Coordinates of the frame come first.
@@ -95,11 +99,11 @@ template <class B>
 concept StatesFrame = !is_framed<B> || (NodeKernel<typename B::Frame> && requires(const typename B::Parameters& p) {
   { B::whole_mass(p) } -> std::same_as<FramePlace>;
 });
-// Mesh nodes of its own: where they rest in the frame, shape(i, by) for each coordinate `i` behind those of the frame that moves them, and
+// Mesh nodes that it places: where they rest in the frame, shape(i, by) for each coordinate `i` behind those of the frame that moves them, and
 // outputs of many of them, one after the other.
 template <class B>
 concept StatesMesh =
-    B::mesh != Mesh::own || requires(const typename B::Parameters& p, const SizedCoordinates<double>& x, std::vector<double>& values) {
+    !places_mesh<B> || requires(const typename B::Parameters& p, const SizedCoordinates<double>& x, std::vector<double>& values) {
       { B::mesh_nodes(p) } -> std::same_as<int>;
       { B::rest(p, 0) } -> std::same_as<Vec3<double>>;
       { B::each_shape(p, 0, [](int, const Vec3<double>&) {}) } -> std::same_as<void>;

@@ -180,9 +180,11 @@ class Term : public Batch {
                       std::vector<double>&) const {
     return false;
   }
-  // Mesh nodes that are no nodes of the system: how many, and outputs of so many from the first on, row by row.
+  // Mesh nodes that are not where nodes of the system say: how many, and outputs of so many from the first on, row by row.
   virtual int mesh_nodes(int /*entry*/) const { return 0; }
   virtual bool mesh_outputs(int /*entry*/, int /*first*/, int /*count*/, OutputVariableType, const Evaluation&, std::vector<double>&) const { return false; }
+  // They are all nodes of the item but the first, whose own outputs are in its frame.
+  virtual bool has_nodes_in_frame() const { return false; }
 };
 
 // Nodes whose rotations have derivatives in closed form: what is on them shares their motion, and sums up its forces there.

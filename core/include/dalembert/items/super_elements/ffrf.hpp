@@ -34,7 +34,7 @@ struct ObjectFFRF {
   static constexpr std::string_view item = "ObjectFFRF";
   static constexpr int order = 2;
   static constexpr std::string_view coordinates = "coordinates of the mesh nodes";
-  static constexpr Mesh mesh = Mesh::own;
+  static constexpr Mesh mesh = Mesh::nodes_in_frame;
   static constexpr bool computes_parameters = true;
 
   static bool takes(std::string_view node, int position) { return position == 0 || node == "NodePoint"; }
