@@ -47,6 +47,7 @@ def test_the_flat_position_is_passed(solver: Any, tolerance: float, most: float,
     ("solver", "tolerance"),
     [
         *((Solver.TrapezoidalIndex2, tolerance) for tolerance in (1e-7, 1e-8)),
+        (Solver.GeneralizedAlpha, 1e-8),
         *((Solver.ODE23, tolerance) for tolerance in (1e-8, 1e-10)),
         (Solver.DOPRI5, 1e-10),
         (Solver.DOP853, 1e-10),
@@ -77,11 +78,12 @@ def test_all_tolerances_pass_with_matrices_that_follow_the_motion(tolerance: flo
 
 
 def test_steps_that_pass_it_are_told(capfd: Any) -> None:
-    bars, s = Bars(2), by_tolerance(settings(END, 50), 1e-7)
+    """Of 63 000."""
+    bars, s = Bars(2), by_tolerance(settings(END, 50), 1e-8)
     s.timeIntegration.verboseMode = 1
     bars.mbs.SolveDynamic(s)
     steps = bars.mbs.sys["dynamicSolver"].it.singularPositionSteps
-    assert 0 < steps < 100 and "passing a singular position" in capfd.readouterr().out
+    assert 0 < steps < 1000 and "passing a singular position" in capfd.readouterr().out
     assert f"singular positions were passed in {steps} steps" in bars.mbs.Report()
 
 
@@ -124,7 +126,7 @@ def test_starts_in_the_flat_position_that_round_off_spoils_name_methods_that_do_
     ("solver", "loops", "angle", "rate", "steps", "tolerance"),
     [
         (Solver.GeneralizedAlpha, 1, 1e-5, 0, 3000, None),
-        (Solver.GeneralizedAlpha, 5, 1e-5, -1e-3, 30, 1e-8),
+        (Solver.GeneralizedAlpha, 5, 0, -1e-6, 30, 1e-7),
         (Solver.GeneralizedAlpha, 5, 1e-12, 1e-4, 300, None),
         (Solver.GeneralizedAlpha, 5, 0, -1e-6, 30, 1e-6),
         (Solver.DOP853, 5, 1e-12, 1e-6, 30, 1e-8),

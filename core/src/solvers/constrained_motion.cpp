@@ -443,16 +443,31 @@ void ConstrainedMotion::find_driven(System& system, const State& state, const Co
   is_driven_ = std::ranges::any_of(driven_, [](char d) { return d != 0; });
 }
 
-// Rates are linear in the velocities.
-std::vector<double> ConstrainedMotion::gap_accelerations(System& system, const State& state, const Conditions& conditions) {
+namespace {
+
+// To second derivatives of gaps along constant velocities, what accelerations change: rates are linear in the velocities.
+void add_accelerations(System& system, const State& state, const Conditions& conditions, std::vector<double>& gap) {
   State moved = without_multipliers(state);
-  std::vector<double> gap = gap_accelerations_of_velocities(system, moved, conditions), rates(gap.size());
+  std::vector<double> rates(gap.size());
   system.gaps(moved, at_level(conditions, true), rates);
   for (std::size_t k = 0; k < gap.size(); ++k) gap[k] -= rates[k];
   for (std::size_t i = 0; i < moved.v.size(); ++i) moved.v[i] += state.a[i];
   moved.lambda = state.lambda;
   system.gaps(moved, at_level(conditions, true), rates);
   for (std::size_t k = 0; k < gap.size(); ++k) gap[k] += rates[k];
+}
+
+}  // namespace
+
+std::vector<double> ConstrainedMotion::gap_accelerations(System& system, const State& state, const Conditions& conditions) {
+  std::vector<double> gap = gap_accelerations_of_velocities(system, without_multipliers(state), conditions);
+  add_accelerations(system, state, conditions, gap);
+  return gap;
+}
+
+std::vector<double> ConstrainedMotion::gap_accelerations_without_driving(System& system, const State& state, const Conditions& conditions) {
+  std::vector<double> gap = gap_acceleration(system, without_multipliers(state), conditions);
+  add_accelerations(system, state, conditions, gap);
   return gap;
 }
 

@@ -16,23 +16,29 @@ bool SecondOrderSolver::discontinuous_iteration() {
   return Solver::discontinuous_iteration() && (!it.automaticStepSize || control_step_size());
 }
 
+// Of a coordinate within a step of this size, algorithmic if there are such.
+double SecondOrderSolver::change_of_accelerations(std::size_t i, double step_size) const {
+  const State &now = system().state(ConfigurationType::Current), &start = system().state(ConfigurationType::StartOfStep);
+  if (newmark()) return now.a[i] - start.a[i];
+  const double ratio = belong_to_at_start_.accelerations == 0 ? 1 : step_size / belong_to_at_start_.accelerations;
+  return algorithmic_[i] - (start.a[i] + ratio * (algorithmic_at_start_[i] - start.a[i]));
+}
+
 // In units of the tolerances, root mean square. Of positions: the term of third order that the formulas leave out. Of velocities: the
 // same within a step, which is of second order: estimates of third order drown in the noise that accelerations of constrained systems have.
 double SecondOrderSolver::estimated_error() {
   const auto& s = settings().timeIntegration;
   const State &now = current(), &start = start_of_step();
   const double h = it.currentStepSize, constant = std::abs(left_out());
-  const double ratio = step_size_at_start_ == 0 ? 1 : h / step_size_at_start_;
   double sum = 0;
   const auto add = [&](double error, double value) {
     const double e = error / (s.absoluteTolerance + s.relativeTolerance * std::abs(value));
     sum += e * e;
   };
   for (std::size_t i = 0; i < now.q.size(); ++i) {
-    const double before = newmark() ? start.a[i] : start.a[i] + ratio * (algorithmic_at_start_[i] - start.a[i]);
-    const double after = newmark() ? now.a[i] : algorithmic_[i];
-    add(constant * h * h * (after - before), now.q[i]);
-    add(constant * h * (after - before), now.v[i]);
+    const double change = change_of_accelerations(i, h);
+    add(constant * h * h * change, now.q[i]);
+    add(constant * h * change, now.v[i]);
   }
   for (std::size_t i = 0; i < now.y.size(); ++i) add(h * (now.y_t[i] - start.y_t[i]) / 12, now.y[i]);
   return std::sqrt(sum / static_cast<double>(std::max(1, 2 * sizes_.ode2 + sizes_.ode1)));
@@ -87,26 +93,51 @@ bool SecondOrderSolver::control_step_size() {
   } else {
     steps_above_tolerance_ = 0;
   }
-  project_velocities();
   choose_next_step(passes ? 1 : wanted);
+  if (sizes_.ae == 0) return true;
+  conditions_.rate_level ? end_swings() : lead_velocities(h, error <= 1);
   return true;
 }
 
-// With the factors at hand: velocities along which gaps would open make the next accelerations jump. Those that are prescribed in time
-// are left as they are.
-void SecondOrderSolver::project_velocities() {
-  if (sizes_.ae == 0 || conditions_.rate_level) return;
+// Velocities along which gaps would open make the next accelerations jump. But those of equal steps are off the constraints, as `start_steadily` says,
+// and reactions of the second order follow from that: velocities get it for the next step, from accelerations at both ends of this one, if that is `smooth`.
+void SecondOrderSolver::lead_velocities(double step_size, bool smooth) {
   State& now = current();
-  if (driven_.size() != now.lambda.size()) driven_ = driven_equations(system(), now, conditions_);
+  const std::vector<double> v = now.v;
+  const double next = it.currentStepSize, factor = smooth ? left_out() * next * next / step_size : 0;
+  for (std::size_t i = 0; i < v.size(); ++i) now.v[i] += factor * change_of_accelerations(i, step_size);
+  const std::span<const double> across = across_constraints(now);
+  for (std::size_t i = 0; i < v.size(); ++i) now.v[i] = v[i] - across[i];
+  belong_to_.velocities = smooth ? next : 0;
+}
+
+// The part of velocities along which gaps open, with the factors at hand. Where these are prescribed in time, it is left out.
+std::span<const double> SecondOrderSolver::across_constraints(const State& state) {
   Conditions rate = conditions_;
   rate.rate_level = true;
+  std::vector<double> rates(state.lambda.size());
+  system().gaps(state, rate, rates);
+  return move_across(rates);
+}
+
+// Constraints of velocities do not tell of a part of the accelerations that changes its sign with each step, and becomes larger whenever the size of the
+// steps changes. What constraints say of accelerations ends it.
+void SecondOrderSolver::end_swings() {
+  State& now = current();
+  const std::span<const double> across = move_across(ConstrainedMotion::gap_accelerations_without_driving(system(), now, conditions_));
+  for (std::size_t i = 0; i < now.a.size(); ++i) now.a[i] -= across[i];
+}
+
+// The motion that rates of gaps, or their accelerations, belong to.
+std::span<const double> SecondOrderSolver::move_across(std::span<const double> rates) {
+  if (driven_.size() != rates.size()) driven_ = driven_equations(system(), current(), conditions_);
   const auto first = static_cast<std::size_t>(sizes_.first_ae());
+  const double factor = conditions_.rate_level ? rate_factor() : 1;  // of rows
   std::ranges::fill(increment_, 0.0);
-  system().gaps(now, rate, std::span(increment_).subspan(first));
-  for (int k = 0; k < sizes_.ae; ++k)
-    if (!system().constrains_motion(k) || driven_[static_cast<std::size_t>(k)]) increment_[first + static_cast<std::size_t>(k)] = 0;
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    if (system().constrains_motion(static_cast<int>(k)) && !driven_[k]) increment_[first + k] = factor * rates[k];
   linear_->solve(increment_);
-  for (std::size_t i = 0; i < now.v.size(); ++i) now.v[i] -= increment_[i];
+  return std::span<const double>(increment_).first(current().v.size());
 }
 
 }  // namespace dalembert

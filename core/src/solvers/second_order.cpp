@@ -98,7 +98,7 @@ void SecondOrderSolver::initialize_data() {
   simplified_lie_ = lie_ && settings().timeIntegration.generalizedAlpha.lieGroupSimplifiedKinematicRelations;
   lie_increment_.assign(lie_ ? n : 0, 0.0);
   previous_q_.assign(lie_ ? n : 0, 0.0);
-  step_size_ = step_size_at_start_ = 0;
+  belong_to_ = belong_to_at_start_ = {};
   off_constraints_known_ = -1;
   driven_.clear();
   rejected_ = renews_ = false;
@@ -111,8 +111,8 @@ void SecondOrderSolver::initial_conditions() {
   State& now = current();
   if (continues()) {
     algorithmic_ = continued_values();
-    step_size_ = continued_number(0);
-    renewed_after_ = static_cast<StepCount>(continued_number(1));
+    belong_to_ = {continued_number(0), continued_number(1), continued_number(2) != 0};
+    renewed_after_ = static_cast<StepCount>(continued_number(3));
     return;
   }
   std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
@@ -128,7 +128,7 @@ void SecondOrderSolver::initial_conditions() {
   } else if (s.resetAccelerations) {
     std::fill(now.a.begin(), now.a.end(), 0.0);
   }
-  algorithmic_ = now.a;
+  begin_with_accelerations();
   start_of_step() = now;
 }
 
@@ -158,18 +158,20 @@ bool SecondOrderSolver::find_accelerations(ConstrainedMotion& motion, int singul
 
 // After an event. The algorithmic accelerations of before would cost an order.
 void SecondOrderSolver::renew_accelerations() {
-  const bool finds = settings().timeIntegration.generalizedAlpha.computeInitialAccelerations;
-  // Error control projects velocities at each step; those that users have given are left as they are.
-  const bool steadily = finds && sizes_.ae > 0 && !conditions_.rate_level && !it.automaticStepSize && it.currentStepIndex > 0;
-  if (steadily) return start_steadily();
-  if (finds) find_accelerations();
+  // Velocities that users have given are left as they are.
+  if (may_start_steadily() && !it.automaticStepSize && it.currentStepIndex > 0) return start_steadily();
+  if (settings().timeIntegration.generalizedAlpha.computeInitialAccelerations) find_accelerations();
   begin_with_accelerations();
 }
 
 void SecondOrderSolver::begin_with_accelerations() {
   algorithmic_ = current().a;
-  step_size_ = 0;
+  belong_to_ = {.begins = it.automaticStepSize && may_start_steadily()};
   off_constraints_known_ = -1;
+}
+
+bool SecondOrderSolver::may_start_steadily() const {
+  return settings().timeIntegration.generalizedAlpha.computeInitialAccelerations && sizes_.ae > 0 && !conditions_.rate_level;
 }
 
 // Of gaps.
@@ -184,14 +186,37 @@ bool SecondOrderSolver::end_rates(ConstrainedMotion& motion) {
 // positions. Without that from the first step on, reactions would be off by as much as h, and swing: Arnold, Bruels, Cardona: Error analysis of
 // generalized-alpha Lie group time integration methods for constrained mechanical systems, Numerische Mathematik 129 (2015).
 void SecondOrderSolver::start_steadily() {
-  constexpr double moment = 1e-2;  // of a step
-  State& now = current();
   ConstrainedMotion motion;
   prepare(motion);
-  const int singular = motion.factorize(system(), now, conditions_);
+  const int singular = motion.factorize(system(), current(), conditions_);
   const bool rests = singular == LinearSolver::success && end_rates(motion), found = find_accelerations(motion, singular);
   begin_with_accelerations();
-  if (!rests || !found) return;
+  if (rests && found) lean(motion);
+}
+
+// Where the size of the first step is known at its beginning only, and may become another one. Outputs have the velocities without this.
+[[gnu::noinline]] void SecondOrderSolver::start_steadily_in_step() {
+  State& now = current();
+  belong_to_ = {};
+  now.time = start_of_step().time;
+  ConstrainedMotion motion;
+  prepare(motion);
+  if (motion.factorize(system(), now, conditions_) == LinearSolver::success && !motion.in_singular_position() && end_rates(motion)) {
+    now.a = initial_accelerations(motion, system(), now, conditions_).a;
+    algorithmic_ = now.a;
+    lean(motion);
+    start_of_step().a = now.a;
+    algorithmic_at_start_ = algorithmic_;
+    belong_to_at_start_ = belong_to_;
+    belong_to_at_start_.begins = true;  // in a repetition, of another size, again
+  }
+  now.time = it.currentTime;
+}
+
+// Accelerations and velocities of equal steps, from those of the motion.
+void SecondOrderSolver::lean(ConstrainedMotion& motion) {
+  constexpr double moment = 1e-2;  // of a step
+  State& now = current();
   const double h = it.currentStepSize, tau = moment * h, shift = newmark() ? 0 : alpha_m - alpha_f;
   State moved = now;
   moved.time += tau;
@@ -215,7 +240,7 @@ void SecondOrderSolver::start_steadily() {
     algorithmic_[i] += shift * step[i];
     now.v[i] -= left_out() * h * (all[i] - along.v[i]);
   }
-  step_size_ = h;
+  belong_to_ = {h, h};
 }
 
 double SecondOrderSolver::left_out() const { return newmark_beta + 0.5 * (alpha_m - alpha_f) - 1.0 / 6; }
@@ -230,24 +255,24 @@ void SecondOrderSolver::post_initialize() {
 bool SecondOrderSolver::reduce_step_size() {
   it.currentTime = current().time;
   algorithmic_ = algorithmic_at_start_;
-  step_size_ = step_size_at_start_;
+  belong_to_ = belong_to_at_start_;
   if (std::exchange(renews_, false)) {
     renew_accelerations();
     start_of_step().a = current().a;
     algorithmic_at_start_ = algorithmic_;
-    step_size_at_start_ = step_size_;
+    belong_to_ = belong_to_at_start_ = {};
   }
   if (std::exchange(rejected_, false)) return true;  // the error control has chosen a step size
   if (!(it.currentStepSize > it.minStepSize)) return false;
   it.currentStepSize = reduced_step_size(settings().timeIntegration.adaptiveStepDecrease);
-  step_size_ = step_size_at_start_ = 0;  // steps fail where motions are not smooth
+  belong_to_ = belong_to_at_start_ = {};  // steps fail where motions are not smooth
   return true;
 }
 
 void SecondOrderSolver::increase_step_size() {
   if (it.automaticStepSize || it.currentStepSize == it.maxStepSize) return;
   it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
-  step_size_ = 0;
+  belong_to_ = {};
 }
 
 void SecondOrderSolver::forget() {
@@ -258,13 +283,13 @@ void SecondOrderSolver::forget() {
 void SecondOrderSolver::save_start_of_step() {
   Solver::save_start_of_step();
   copy_numbers(system(), algorithmic_.data(), algorithmic_.size(), algorithmic_at_start_.data());
-  step_size_at_start_ = step_size_;
+  belong_to_at_start_ = belong_to_;
 }
 
 void SecondOrderSolver::reset_to_start_of_step() {
   Solver::reset_to_start_of_step();
   algorithmic_ = algorithmic_at_start_;
-  step_size_ = step_size_at_start_;
+  belong_to_ = belong_to_at_start_;
 }
 
 [[gnu::flatten]] double SecondOrderSolver::compute_residual() {
@@ -291,7 +316,7 @@ void SecondOrderSolver::predict() {
   State& now = current();
   const double h = it.currentStepSize;
   if (lie_) previous_q_ = start_of_step().q;
-  if (h != step_size_) [[unlikely]] change_step_size();
+  if (h != belong_to_.accelerations || h != belong_to_.velocities) [[unlikely]] change_step_size();
   predict_motion(system(), now.q.size(), {h, newmark_beta, newmark_gamma, alpha_m, alpha_f}, increment_of_q_.data(),
                  newmark() ? nullptr : algorithmic_.data(), now.q.data(), now.v.data(), now.a.data());
   for (std::size_t i = 0; i < now.y.size(); ++i) {
@@ -304,14 +329,21 @@ void SecondOrderSolver::predict() {
 // From that of the step before.
 [[gnu::noinline]] void SecondOrderSolver::change_step_size() {
   constexpr double negligible = 1e-6;
-  if (step_size_ == 0) return;
-  const double ratio = it.currentStepSize / step_size_;
+  if (belong_to_.begins || was_cut()) return start_steadily_in_step();
+  if (belong_to_.accelerations == 0) return;
+  const double ratio = it.currentStepSize / belong_to_.accelerations;
   if (ratio > largest_growth && !it.automaticStepSize) return;
-  move_algorithmic_accelerations(ratio);
-  const double change = 1 - ratio * ratio;
-  if (it.automaticStepSize || sizes_.ae == 0 || conditions_.rate_level || std::abs(change) < negligible) return;
+  if (ratio != 1) move_algorithmic_accelerations(ratio);
+  if (belong_to_.velocities == 0 || sizes_.ae == 0 || conditions_.rate_level) return;
+  const double growth = it.currentStepSize / belong_to_.velocities, change = 1 - growth * growth;
+  if (std::abs(change) < negligible) return;
   if (std::exchange(off_constraints_known_, it.currentStepIndex) != it.currentStepIndex) find_velocities_off_constraints();
   for (std::size_t i = 0; i < off_constraints_.size(); ++i) current().v[i] -= change * off_constraints_[i];
+}
+
+// By an event: what the step before has left is round-off beside what this one takes.
+bool SecondOrderSolver::was_cut() const {
+  return it.automaticStepSize && may_start_steadily() && belong_to_.velocities > 0 && it.currentStepSize > largest_growth * belong_to_.velocities;
 }
 
 // They stand for the time t + (alpha_m - alpha_f) h.
@@ -321,11 +353,15 @@ void SecondOrderSolver::move_algorithmic_accelerations(double ratio) {
   for (std::size_t i = 0; i < algorithmic_.size(); ++i) algorithmic_[i] = now.a[i] + ratio * (algorithmic_[i] - now.a[i]);
 }
 
-// See `start_steadily`; where there are none, zeros.
+// See `start_steadily`; where there are none, zeros. Error control has factors at hand, after steps that fail as well.
 void SecondOrderSolver::find_velocities_off_constraints() {
   State still = current();
   still.time = it.currentTime - it.currentStepSize;
   off_constraints_.assign(still.v.size(), 0.0);
+  if (it.automaticStepSize && factorized_) {
+    std::ranges::copy(across_constraints(still), off_constraints_.begin());
+    return;
+  }
   ConstrainedMotion motion;
   prepare(motion);
   if (motion.factorize(redundant_constraints(), system(), still, conditions_) != LinearSolver::success || !motion.project(system(), still, conditions_)) return;
@@ -374,7 +410,7 @@ void SecondOrderSolver::correct() {
 }
 
 void SecondOrderSolver::finalize_newton() {
-  step_size_ = it.currentStepSize;
+  belong_to_ = {it.currentStepSize, it.currentStepSize};
   add(system(), algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a);
   if (conditions_.rate_level) system().restore_unit_lengths(current());
 }

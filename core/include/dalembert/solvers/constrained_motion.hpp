@@ -49,6 +49,8 @@ class ConstrainedMotion {
   // Second derivatives of gaps, or derivatives of constraints of velocities, along the motion with the accelerations of the state; what is
   // not active gives its multiplier.
   std::vector<double> gap_accelerations(System& system, const State& state, const Conditions& conditions);
+  // The same, without what is prescribed in time.
+  static std::vector<double> gap_accelerations_without_driving(System& system, const State& state, const Conditions& conditions);
   // Moves the state by the smallest changes, in the metric of the masses, that close gaps and end their rates, with the factors at
   // hand. False: they do not get small enough.
   bool project(System& system, State& state, const Conditions& conditions);

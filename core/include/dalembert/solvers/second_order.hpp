@@ -47,7 +47,7 @@ class SecondOrderSolver : public NewtonSolver {
   void save_start_of_step() override;
   std::span<const double> restart_values() const override { return algorithmic_; }
   std::vector<double> restart_numbers() const override {
-    return {step_size_, static_cast<double>(renewed_after_)};
+    return {belong_to_.accelerations, belong_to_.velocities, static_cast<double>(belong_to_.begins), static_cast<double>(renewed_after_)};
   }
   void forget() override;
   KnownDerivatives complete_ends() override {
@@ -56,7 +56,11 @@ class SecondOrderSolver : public NewtonSolver {
   void renew_accelerations() override;
   void begin_with_accelerations();
   bool end_rates(ConstrainedMotion& motion);
+  bool may_start_steadily() const;
   void start_steadily();
+  void start_steadily_in_step();
+  void lean(ConstrainedMotion& motion);
+  bool was_cut() const;
   double left_out() const;  // of positions, this times the third power of the step size and the rate of accelerations
 
  private:
@@ -71,7 +75,11 @@ class SecondOrderSolver : public NewtonSolver {
   double estimated_error();
   double noise_of_estimates();  // in units of the tolerances
   bool give_up_at_round_off();
-  void project_velocities();
+  double change_of_accelerations(std::size_t i, double step_size) const;
+  void lead_velocities(double step_size, bool smooth);
+  std::span<const double> across_constraints(const State& state);
+  std::span<const double> move_across(std::span<const double> rates);
+  void end_swings();
 
   // Accelerations and multipliers that fit the state; false, with a warning: there are none. Motions have their factors at it, unless an unknown has
   // no pivot.
@@ -104,7 +112,13 @@ class SecondOrderSolver : public NewtonSolver {
   std::vector<double> lie_increment_;        // sum of increments since the start of the step (simplified relations)
   std::vector<double> increment_of_q_, previous_q_, more_values_;
   bool lie_ = false, simplified_lie_ = false;
-  double step_size_ = 0, step_size_at_start_ = 0;  // to which algorithmic accelerations belong, and velocities off constraints; zero: to any
+  // Step sizes to which algorithmic accelerations belong, and velocities off constraints; zero: to any. `begins`: neither does yet, and the next step,
+  // of whatever size, is the first one of a smooth motion.
+  struct StepSizes {
+    double accelerations = 0, velocities = 0;
+    bool begins = false;
+  };
+  StepSizes belong_to_, belong_to_at_start_;
   std::vector<double> off_constraints_;  // part of the velocities at the start of a step ...
   StepCount off_constraints_known_ = -1;  // ... which is this one
   bool rejected_ = false;
