@@ -26,10 +26,12 @@ def mbs(SC: exu.SystemContainer) -> exu.MainSystem:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Say at the end of all tests, not only among those that were skipped, that no browser has seen the pages."""
-    from browser import MISSING
+    """Say at the end of all tests, not only among those that were skipped, what nobody has looked at."""
+    import browser
+    import test_exports
 
-    skipped = [report for report in terminalreporter.stats.get("skipped", []) if MISSING in str(report.longrepr)]
-    if skipped:
-        terminalreporter.section("pages were not tested", sep="!")
-        terminalreporter.line(f"{len(skipped)} tests did not run: {MISSING}")
+    for what, missing in (("pages", browser.MISSING), ("files of glTF", test_exports.MISSING)):
+        skipped = [report for report in terminalreporter.stats.get("skipped", []) if missing in str(report.longrepr)]
+        if skipped:
+            terminalreporter.section(f"{what} were not tested", sep="!")
+            terminalreporter.line(f"{len(skipped)} tests did not run: {missing}")
