@@ -64,10 +64,10 @@ class CompiledCallback final : public ItemCallback {
   const void* address_;
 };
 
-// Functions and methods of Python are none, and the usual case.
+// Functions and methods of Python are none, and the usual case, as no function is.
 bool may_be_compiled(PyObject* value) {
-  return !PyFunction_Check(value) && !PyMethod_Check(value) && !PyLong_Check(value) && !PyFloat_Check(value) &&
-         !PyUnicode_Check(value);
+  return value != Py_None && !PyFunction_Check(value) && !PyMethod_Check(value) && !PyLong_Check(value) &&
+         !PyFloat_Check(value) && !PyUnicode_Check(value);
 }
 
 // The address of a C function with this signature; nullptr if `value` is no C function. Throws Refusal.

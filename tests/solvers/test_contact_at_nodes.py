@@ -118,6 +118,24 @@ def in_two_contacts(heap: Heap) -> None:
         other.AddSphereWithMarker(marker, 1.2 * RADIUS, **SURFACE)
 
 
+def beside_an_element(heap: Heap) -> None:
+    """It reads coordinates, and no marker of it tells."""
+    ends = [
+        heap.mbs.AddNode(eii.NodePoint2DSlope1(referenceCoordinates=[5 + k, 0, 1, 0], initialVelocities=[0, k, 0, 0]))
+        for k in (0, 1)
+    ]
+    stiff = {"physicsBendingStiffness": 10, "physicsAxialStiffness": 1e3}
+    heap.mbs.AddObject(eii.Cable2D(nodeNumbers=ends, physicsLength=1, physicsMassPerLength=1, **stiff))
+
+
+def beside_a_spring_between_coordinates(heap: Heap) -> None:
+    mass = heap.mbs.AddNode(eii.Node1D(referenceCoordinates=[1.0], initialVelocities=[2.0]))
+    heap.mbs.AddObject(eii.ObjectMass1D(physicsMass=1, nodeNumber=mass))
+    ground = heap.mbs.AddNode(eii.NodePointGround())
+    markers = [heap.mbs.AddMarker(eii.MarkerNodeCoordinate(nodeNumber=node, coordinate=0)) for node in (ground, mass)]
+    heap.mbs.AddObject(eii.CoordinateSpringDamper(markerNumbers=markers, stiffness=100, offset=1))
+
+
 COMPANY = [
     on_the_ground,
     on_a_plate_that_moves,
@@ -127,6 +145,8 @@ COMPANY = [
     with_spheres_at_points_of_bodies,
     with_two_spheres_at_a_node,
     in_two_contacts,
+    beside_an_element,
+    beside_a_spring_between_coordinates,
 ]
 
 

@@ -15,6 +15,11 @@ namespace {
 constexpr int smallest_chunk = 1000, largest_chunk = 4000, some_threads = 16;
 constexpr double farthest = 1 + 1e-9;  // from a plane, in reaches: what is farther away is not within reach of anything there
 constexpr double unknown = std::numeric_limits<double>::infinity();  // of ways from or to places that are not finite
+
+PointFrame<double> frame_at(const Evaluation& e, int dof) {
+  return {load<double, 3>(e.reference + dof) + load<double, 3>(e.u + dof), load<double, 3>(e.v + dof)};
+}
+
 }  // namespace
 
 // Motions of spheres and of what carries triangles, and how far spheres have moved.
@@ -33,8 +38,8 @@ void GeneralContact::take_places(const Ports& ports, const Evaluation* nodes) co
     for (int number = chunk.begin; number < chunk.end; ++number) {
       const auto i = static_cast<std::size_t>(number);
       const NodeFrame node = nodes != nullptr ? at_nodes_[i] : NodeFrame();
-      const double* const frame = ports.values.data() + offsets_[i].value;
-      const double *const x = node.dof >= 0 ? nodes->q + node.dof : frame, *const v = node.dof >= 0 ? nodes->v + node.dof : frame + 3;
+      const double* const port = ports.values.data() + offsets_[i].value;
+      const auto [x, v] = node.dof >= 0 ? frame_at(*nodes, node.dof) : read_frame<PointPort>(port);
       SphereAt& at = pairs_.at[i];
       const double dx = x[0] - at.x, dy = x[1] - at.y, dz = x[2] - at.z;
       const double way = dx * dx + dy * dy + dz * dz;
@@ -43,7 +48,7 @@ void GeneralContact::take_places(const Ports& ports, const Evaluation* nodes) co
       pairs_.velocity[i] = {v[0], v[1], v[2]};
       if (turns_[i] != 0) {
         const Vec3<double>& spin = node.dof >= 0 ? ports.node_motions[static_cast<std::size_t>(node.rotating_node)].angular_velocity
-                                                 : reinterpret_cast<const RigidFrame<double>*>(frame)->angular_velocity;
+                                                 : read_frame<RigidPort>(port).angular_velocity;
         pairs_.spin[i] = {spin[0], spin[1], spin[2]};
       }
     }

@@ -142,14 +142,6 @@ void GeneralContact::add_direct(Ports& ports, double* at_nodes) const {
   const auto friction = grips ? SpherePairs::Friction::of_others : rubs ? SpherePairs::Friction::of_slip : SpherePairs::Friction::none;
   if (rubs) pairs_.make_room_for_moments();
   const auto number_of = [&](const Chunk& chunk) { return static_cast<int>(&chunk - chunks_.data()); };
-  each_chunk([&](Chunk& chunk) {
-    if (pairs_.compute(number_of(chunk), *set_, friction) == 0) {
-      for (int i = chunk.begin; i < chunk.end; ++i)
-        for (const int j : neighbours_.behind(i)) overlap(i, j);  // refuses those of one centre
-    }
-    if (grips) add_gripping_pairs(number_of(chunk), ports);
-    add_on_triangles(ports, rubs, chunk);
-  });
   const auto leave = [&](const Chunk& chunk) {
     for (int number = chunk.begin; number < chunk.end; ++number) {
       const auto i = static_cast<std::size_t>(number);
@@ -164,10 +156,21 @@ void GeneralContact::add_direct(Ports& ports, double* at_nodes) const {
       if (rubs && turns_[i] != 0) add_vector(to + 3, 1.0, moment);
     }
   };
-  each_chunk([&](Chunk& chunk) {
+  const auto finish = [&](const Chunk& chunk) {
     pairs_.collect(number_of(chunk), rubs);
     if (!shares_markers_) leave(chunk);
+  };
+  const bool in_turn = workers_ == nullptr;  // all that acts on spheres of a chunk is there with its own pairs, as second ones have larger numbers
+  each_chunk([&](Chunk& chunk) {
+    if (pairs_.compute(number_of(chunk), *set_, friction) == 0) {
+      for (int i = chunk.begin; i < chunk.end; ++i)
+        for (const int j : neighbours_.behind(i)) overlap(i, j);  // refuses those of one centre
+    }
+    if (grips) add_gripping_pairs(number_of(chunk), ports);
+    add_on_triangles(ports, rubs, chunk);
+    if (in_turn) finish(chunk);
   });
+  if (!in_turn) each_chunk(finish);
   for (const Chunk& chunk : chunks_) {
     if (shares_markers_) leave(chunk);
     for (const Chunk::OnCarrier& on : chunk.on_carriers) {

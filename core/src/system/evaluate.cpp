@@ -22,6 +22,7 @@ DALEMBERT_INLINE inline Evaluation view_of(const SystemParts& parts, const State
   const double* zeros = parts.work.data() + parts.sizes.total();
   return {.q = parts.total.data(),
           .u = rests ? zeros : state.q.data(),
+          .reference = parts.states[static_cast<std::size_t>(ConfigurationType::Reference)].q.data(),
           .v = rests ? zeros : state.v.data(),
           .a = rests ? zeros : state.a.data(),
           .y = state.y.data(),
@@ -39,8 +40,7 @@ DALEMBERT_INLINE inline Evaluation view_of(const SystemParts& parts, const State
 
 // In each region: what a thread writes it meets again in its cache.
 DALEMBERT_INLINE inline void find_totals(SystemParts& parts, const RegionPlan& region, const Evaluation& e) {
-  const double* reference = parts.state(ConfigurationType::Reference).q.data();
-  region.numbers.coordinates.each([reference, u = e.u, q = parts.total.data()](std::size_t first, std::size_t count) {
+  region.numbers.coordinates.each([reference = e.reference, u = e.u, q = parts.total.data()](std::size_t first, std::size_t count) {
     each_number(count, [q = q + first, from = reference + first, u = u + first](std::size_t i) { q[i] = from[i] + u[i]; });
   });
 }
@@ -152,7 +152,7 @@ DALEMBERT_INLINE inline void find_residual(SystemParts& parts, const Evaluation&
   const Flagged evaluating(parts.evaluating);
   parts.evaluate_resting(e);
   parts.each_region([&parts, &e, r, loads](const RegionPlan& region) DALEMBERT_INLINE {
-    find_totals(parts, region, e);
+    if (!e.reads_nodes || parts.needs_totals) find_totals(parts, region, e);
     begin_residual(parts, region, e, loads, r);
     parts.update_frames(region, e);
     const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };

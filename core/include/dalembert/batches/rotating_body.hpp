@@ -1,8 +1,9 @@
 // Bodies on rotating nodes: they read the motion that the node has found, and leave their inertia forces there.
 #pragma once
 
-#include <array>
-#include <numeric>
+#include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "dalembert/batches/element.hpp"
 #include "dalembert/batches/groups.hpp"
@@ -96,22 +97,15 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
       slot += n * n;
     }
   }
-  bool add_diagonal_masses(const Evaluation& evaluation, double* diagonal) const override {
-    constexpr Weights weights{.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0};
-    static constexpr auto places = [] {
-      std::array<int, n * n> all{};
-      std::iota(all.begin(), all.end(), 0);
-      return all;
-    }();
-    for (const Entry& e : entries_) {
-      const auto x = gather<n>(evaluation, e.dofs.data());
-      Mat<double, n, n> m{};
-      add_inertia_tangent<Body, Node>(e.parameters, Node::template spin_motion<double>(x), Node::rotation_tangent(x, weights), weights, places.data(),
-                                      m.x.data());
-      for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j)
-          if (i != j && m(i, j) != 0) return false;
-        diagonal[e.dofs[i]] += m(i, i);
+  // Where rates are spins, and about axes of inertia through the centre of mass.
+  bool add_diagonal_masses(const Evaluation&, double* diagonal) const override {
+    if constexpr (!LieKernel<Node>) return entries_.empty();
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      const MassProperties<double>& b = masses_[k];
+      if (b.eccentric() || !is_zero(segment<3>(b.tensor, 3))) return false;
+      for (int i = 0; i < 3; ++i) {
+        diagonal[entries_[k].dofs[i]] += b.mass;
+        diagonal[entries_[k].dofs[3 + i]] += b.tensor[i];
       }
     }
     return true;

@@ -11,6 +11,7 @@ template <class S>
 struct EvaluationOf {
   const S* q = nullptr;            // ODE2 totals: reference + displacement
   const S* u = nullptr;            // ODE2 displacements
+  const double* reference = nullptr;
   const S* v = nullptr;
   const S* a = nullptr;
   const S* y = nullptr;            // ODE1
@@ -24,7 +25,7 @@ struct EvaluationOf {
   bool inertia = true;             // false: static, accelerations and velocities play no part
   bool direct = false;             // explicit integration: forces follow from this state alone, nothing is held from a search
   bool same_state = false;         // as in the evaluation before
-  bool reads_nodes = false;        // terms that can read nodes themselves do so: nobody else looks at these markers
+  bool reads_nodes = false;        // terms that can read nodes themselves do so, and add up totals: nobody else looks at these markers
   bool of_reference = false;       // of the reference configuration, for outputs
 };
 using Evaluation = EvaluationOf<double>;

@@ -154,6 +154,8 @@ class Term : public Batch {
   // Adds the mass matrix alone; writes the same blocks as `tangent`.
   virtual void mass(const Evaluation&, Ports&, double*) const {}
   virtual bool has_mass() const { return false; }
+  // Its residual is zero, whatever the state is, where inertia plays no part.
+  virtual bool is_inertia_alone() const { return false; }
   // Adds its masses by coordinate, if in this state none couples two of them; false: some do, and what it has added is of no use.
   virtual bool add_diagonal_masses(const Evaluation&, double* /*diagonal*/) const { return !has_mass(); }
   virtual bool constant_mass() const { return true; }
