@@ -10,6 +10,7 @@ constexpr std::size_t outputs = 6;  // of a node, in the basis of the output var
 bool ModalMesh::find(const MainSystem& main, int object) {
   const Item& item = main.model.item(ItemKind::object, object);
   if (item.type->name != "ObjectFFRFreducedOrder") return false;
+  object_ = object;
   if (item.record != record_) {
     record_ = item.record;
     points_.reset();
@@ -20,30 +21,47 @@ bool ModalMesh::find(const MainSystem& main, int object) {
   return nodes_ > 0 && coordinates_ >= 0;
 }
 
-void ModalMesh::points(const MainSystem& main, std::span<const double, 12> rows, float* to) {
-  const auto& p = parameters();
+void ModalMesh::points(const MainSystem& main, std::span<const double, 12> rows, float* to) { points().place(weights(main), rows, to); }
+
+ModalPoints& ModalMesh::points() {
   if (!points_) {
+    const auto& p = parameters();
     const auto modes = static_cast<std::size_t>(p.modeBasis.columns);
-    points_.emplace(nodes_, 3, modes, [&](std::size_t node, std::size_t i) { return p.referencePositions[3 * node + i]; },
+    points_.emplace(nodes_, modes, [&](std::size_t node, std::size_t i) { return p.referencePositions[3 * node + i]; },
                     [&](std::size_t node, std::size_t i, std::size_t mode) { return p.modeBasis.values[(3 * node + i) * modes + mode]; });
   }
-  points_->place(weights(main), rows, to);
+  return *points_;
 }
 
 bool ModalMesh::has(OutputVariableType variable) const {
-  return variable != OutputVariableType::_None && variable == parameters().outputVariableTypeModeBasis;
+  return variable == OutputVariableType::Displacement || (variable != OutputVariableType::_None && variable == parameters().outputVariableTypeModeBasis);
 }
 
-void ModalMesh::numbers(const MainSystem& main, int component, double* to) {
+void ModalMesh::numbers(MainSystem& main, OutputVariableType variable, int component, double* to) {
+  if (variable == OutputVariableType::Displacement) return displacements(main, component, to);
   const auto& p = parameters();
   if (!numbers_ || component != component_) {
     const auto columns = static_cast<std::size_t>(p.outputVariableModeBasis.columns);
     const std::size_t first = component < 0 ? 0 : static_cast<std::size_t>(component), count = component < 0 ? outputs : first < outputs ? 1 : 0;
-    numbers_.emplace(nodes_, count, columns / outputs, nullptr,
+    numbers_.emplace(nodes_, count, columns / outputs,
                      [&](std::size_t node, std::size_t i, std::size_t mode) { return p.outputVariableModeBasis.values[node * columns + outputs * mode + first + i]; });
     component_ = component;
   }
   numbers_->numbers(weights(main), to);
+}
+
+void ModalMesh::displacements(MainSystem& main, int component, double* to) {
+  points().displacements(weights(main), frame(main, ConfigurationType::Visualization), frame(main, ConfigurationType::Reference), component, to);
+}
+
+std::array<double, 12> ModalMesh::frame(MainSystem& main, ConfigurationType configuration) const {
+  std::array<double, 12> rows;
+  std::vector<double> values;
+  main.system.body_output(object_, OutputVariableType::Position, {}, configuration, values);
+  for (std::size_t i = 0; i < 3; ++i) rows[4 * i + 3] = values[i];
+  main.system.body_output(object_, OutputVariableType::RotationMatrix, {}, configuration, values);
+  for (std::size_t i = 0; i < 9; ++i) rows[i + i / 3] = values[i];
+  return rows;
 }
 
 const ObjectFFRFreducedOrderParameters& ModalMesh::parameters() const { return static_cast<const ObjectFFRFreducedOrderRecord*>(record_.get())->parameters; }

@@ -1,10 +1,12 @@
 // Points and numbers of the mesh of an ObjectFFRFreducedOrder, for pictures that need not be exact to more than single precision.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
 
+#include "dalembert/pictures/modal_points.hpp"
 #include "dalembert/pictures/mode_planes.hpp"
 #include "dalembert/super_elements/ffrf_reduced_order_parameters.hpp"
 #include "main_system.hpp"
@@ -18,19 +20,23 @@ class ModalMesh {
   std::size_t nodes() const { return nodes_; }
   // In the visualized state; `rows`: rotation and position of the object.
   void points(const MainSystem& main, std::span<const double, 12> rows, float* to);
-  // Whether the variable is that of its mode basis; one component, or the length (-1).
+  // The variable of its mode basis, and displacements; one component, or the length (-1).
   bool has(OutputVariableType variable) const;
-  void numbers(const MainSystem& main, int component, double* to);
+  void numbers(MainSystem& main, OutputVariableType variable, int component, double* to);
 
  private:
   const ObjectFFRFreducedOrderParameters& parameters() const;
   std::span<const double> weights(const MainSystem& main) const;
+  ModalPoints& points();
+  std::array<double, 12> frame(MainSystem& main, ConfigurationType configuration) const;
+  void displacements(MainSystem& main, int component, double* to);
 
   std::shared_ptr<const void> record_;
+  int object_ = -1;
   std::size_t nodes_ = 0;
   int coordinates_ = -1;  // the first modal one
-  std::optional<ModePlanes<std::int16_t>> points_;
-  std::optional<ModePlanes<float>> numbers_;
+  std::optional<ModalPoints> points_;
+  std::optional<ModePlanes> numbers_;
   int component_ = 0;
 };
 

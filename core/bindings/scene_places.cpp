@@ -42,7 +42,7 @@ class ScenePlaces {
   py::object mesh_numbers(int object, const py::object& variable, int component, const py::object& configuration) {
     if (ModalMesh* const modal = modal_mesh(object, configuration); modal != nullptr && modal->has(asked(variable))) {
       py::array_t<double> result(static_cast<py::ssize_t>(modal->nodes()));
-      modal->numbers(*main_, component, result.mutable_data());
+      modal->numbers(*main_, asked(variable), component, result.mutable_data());
       return result;
     }
     const int count = find_mesh("mesh_numbers", object, variable, configuration);

@@ -351,7 +351,9 @@ def test_stresses_are_linear_in_the_modes(mbs: Any) -> None:
             (6, np.zeros(8)),
             (-1, np.hypot.reduce(all_nodes, axis=1)),
         ):
-            assert together.mesh_numbers(body, variable, component, shown) == pytest.approx(numbers), component
+            halves_of_units = np.abs(zeta) @ np.abs(stresses.reshape(8, 2, 6)).max(axis=(0, 2)) / (2 * 32767)
+            found = together.mesh_numbers(body, variable, component, shown)
+            assert found == pytest.approx(numbers, abs=1e-6 + 6**0.5 * halves_of_units), component
         assert together.mesh_numbers(body, Variable.Rotation, 0, shown) is None
         with pytest.raises(ValueError, match="mesh nodes have no output variable Rotation"):
             system.GetObjectOutputSuperElement(body, Variable.Rotation, 0)
@@ -386,6 +388,27 @@ def test_points_of_pages_are_those_of_the_mesh(mbs: Any) -> None:
             halves_of_units = np.abs(state[-2:]) @ np.abs(basis).max(axis=0) / (2 * 32767)  # in each direction
             assert found.dtype == np.float32 and found == pytest.approx(exact, abs=1e-6 + 3**0.5 * halves_of_units)
     assert places.mesh_points(body, places.rows(1, shown)[body], exu.ConfigurationType.Current) is None
+
+
+def test_displacements_for_colors_are_those_of_the_mesh(mbs: Any) -> None:
+    """Their errors are in proportion to the displacements, not to where the mesh is."""
+    body, modes = dense_mesh(mbs, 0.7)
+    places, shown = exu._core._ScenePlaces(mbs), exu.ConfigurationType.Visualization
+    deformed = np.array([0.05, 0.01])
+    for frame, scale in ((np.zeros(6), 1e-6), (np.zeros(6), 1.0), (np.array([0.5, 0, 0, 0.1, 0.2, 0.3]), 1.0)):
+        mbs.systemData.SetODE2Coordinates([*frame, *(scale * deformed)], shown)
+        for method in (lambda: places.mesh_points(body, places.rows(1, shown)[body], shown), lambda: None):
+            method()  # which finds the deformation; otherwise it is found for the numbers
+            exact = places.mesh(body, Variable.Displacement, shown)
+            bound = 1e-6 * np.abs(exact).max() + 3**0.5 * scale * (deformed @ np.abs(modes).max(axis=0)) / (2 * 32767)
+            for component, numbers in (
+                (0, exact[:, 0]),
+                (2, exact[:, 2]),
+                (3, np.zeros(700)),
+                (-1, np.linalg.norm(exact, axis=1)),
+            ):
+                found = places.mesh_numbers(body, Variable.Displacement, component, shown)
+                assert found == pytest.approx(numbers, abs=bound), component
 
 
 def test_few_nodes_stand_for_the_size_of_a_mesh(mbs: Any) -> None:

@@ -283,6 +283,35 @@ def test_many_spheres_are_drawn_as_few_are() -> None:
     assert len(np.unique(images[0][1])) > 100
 
 
+@pytest.mark.parametrize(
+    ("scale", "changes", "plane"),
+    [(50, {}, None), (400, {}, None), (300, {"perspective": 0.5}, None), (80, {}, [0.3, 0.2, 1, 0])],
+    ids=["whole", "inside", "perspective", "cut open"],
+)
+def test_triangles_that_others_hide_are_left_out(scale: float, changes: Any, plane: Any) -> None:
+    """Of very many, those that face away are not looked at where all is covered: the picture is that of few at a time."""
+    n = 120
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, n), np.linspace(0, np.pi, n // 2), indexing="ij")
+    points = np.stack([np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)], -1).reshape(-1, 3)
+    colors = np.column_stack([0.5 + 0.5 * points, np.ones(len(points))])
+    index = np.arange(n * (n // 2)).reshape(n, n // 2)
+    a, b, c, d = (k.ravel() for k in (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]))
+    triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    images = []
+    for step in (len(triangles), 400):
+        p = picture(samples=2, scale=scale, **changes)
+        if plane is not None:
+            p.clip(plane)
+        for k in range(0, len(triangles), step):
+            part = triangles[k : k + step]
+            p.triangles(points, points, colors, part, np.arange(k, k + len(part)))
+        images.append((p.develop(), p.items()))
+    # a triangle is shaded in the middle of the samples that it wins, before others may take some of them
+    np.testing.assert_allclose(images[0][0].astype(int), images[1][0].astype(int), atol=2)
+    np.testing.assert_array_equal(images[0][1], images[1][1])
+    assert len(np.unique(images[0][1])) > 100
+
+
 @pytest.mark.parametrize("samples", [2, 3])
 def test_small_triangles_leave_no_gap_and_have_their_area(samples: int) -> None:
     """Two samples in each direction are covered side by side, others one by one: a patch of triangles of a pixel or less, turned."""

@@ -16,8 +16,6 @@ namespace {
 constexpr std::size_t shine_steps = 1024;
 constexpr std::size_t beyond = 3;  // samples that four side by side may reach beyond the last one
 
-constexpr std::uint32_t turned_away = 1u << 31;  // of a triangle in the order in which they are drawn
-
 constexpr std::size_t most_kept = std::size_t{4} << 20;  // samples, of 16 bytes; the memory of larger pictures is given back
 
 }  // namespace
@@ -97,20 +95,26 @@ Picture::Vertex Picture::project(const Corner& corner) const {
   return v;
 }
 
-void Picture::triangles(const Mesh& mesh) {
-  begin();
+// The corners of a mesh, before and after projection.
+void Picture::project(const Mesh& mesh) {
   const std::size_t n = mesh.points.size() / 3;
   corners_.resize(n), vertices_.resize(n);
-  Corner* const corners = corners_.data();
-  Vertex* const vertices = vertices_.data();
-  const bool smooth = !mesh.normals.empty();
   for (std::size_t i = 0; i < n; ++i) {
     const float* c = mesh.colors.data() + 4 * i;
-    corners[i] = {to_eye(mesh.points.data() + 3 * i), smooth ? turned(mesh.normals.data() + 3 * i) : Point{}, {c[0], c[1], c[2], c[3]}};
-    vertices[i] = project(corners[i]);
-    vertices[i].inside = is_inside(corners[i].eye) && is_finite(vertices[i].place);
+    corners_[i] = {to_eye(mesh.points.data() + 3 * i), mesh.is_smooth() ? turned(mesh.normals.data() + 3 * i) : Point{}, {c[0], c[1], c[2], c[3]}};
+    vertices_[i] = project(corners_[i]);
+    vertices_[i].inside = is_inside(corners_[i].eye) && is_finite(vertices_[i].place);
   }
+}
+
+void Picture::triangles(const Mesh& mesh) {
+  begin();
+  project(mesh);
+  const Corner* const corners = corners_.data();
+  const Vertex* const vertices = vertices_.data();
+  const bool smooth = mesh.is_smooth();
   const auto corner = [&](std::size_t t, std::size_t k) { return static_cast<std::size_t>(mesh.triangles[3 * t + k]); };
+  const auto vertices_of = [&](std::size_t t) { return Corners{&vertices[corner(t, 0)], &vertices[corner(t, 1)], &vertices[corner(t, 2)]}; };
   const auto flat = [&](std::size_t t) {
     const Point a = corners[corner(t, 0)].eye;
     return cross(corners[corner(t, 1)].eye - a, corners[corner(t, 2)].eye - a);
@@ -123,17 +127,20 @@ void Picture::triangles(const Mesh& mesh) {
   const std::size_t count = mesh.triangles.size() / 3;
   order_.resize(count);
   std::size_t facing = 0, away = count;
-  for (std::size_t t = 0; t < count; ++t) order_[faces_away(t) ? --away : facing++] = static_cast<std::uint32_t>(t);
-  std::reverse(order_.begin() + static_cast<std::ptrdiff_t>(facing), order_.end());
-  for (std::size_t i = facing; i < count; ++i) order_[i] |= turned_away;
-  if (count >= Squares::many) Squares(columns_, rows_).sort(order_, [&](std::uint32_t t) { return vertices[corner(t & ~turned_away, 0)].place; });
-  Three turned;  // corners with other normals than their vertices
-  for (const std::uint32_t entry : order_) {
-    const std::size_t t = entry & ~turned_away;
-    const float side = entry & turned_away ? -1.0f : 1.0f;
-    const std::array<std::size_t, 3> index{corner(t, 0), corner(t, 1), corner(t, 2)};
-    Corners v{&vertices[index[0]], &vertices[index[1]], &vertices[index[2]]};
+  for (std::size_t t = 0; t < count; ++t)
+    if (!is_beside(vertices_of(t))) order_[faces_away(t) ? --away : facing++] = static_cast<std::uint32_t>(t);
+  const std::span front(order_.data(), facing), back(order_.data() + away, count - away);
+  std::ranges::reverse(back);
+  const Squares squares(columns_, rows_);
+  const auto sort = [&](std::span<std::uint32_t> list) {
+    if (list.size() >= Squares::many) squares.sort(list, [&](std::uint32_t t) { return vertices[corner(t, 0)].place; });
+  };
+  std::vector<float> farthest;  // what is behind is hidden; empty: nothing is known to be
+  Three turned;                 // corners with other normals than their vertices
+  const auto draw = [&](std::size_t t, float side) {
+    Corners v = vertices_of(t);
     if (v[0]->inside && v[1]->inside && v[2]->inside) {
+      if (!farthest.empty() && is_hidden(v, squares, farthest)) return;
       if (!smooth || side < 0) {
         turned = {*v[0], *v[1], *v[2]};
         const Point n = smooth ? Point{} : side * flat(t);
@@ -142,11 +149,51 @@ void Picture::triangles(const Mesh& mesh) {
       }
       add(v, mesh.items[t]);
     } else if (!planes_.empty()) {
-      std::array<Corner, 3> whole{corners[index[0]], corners[index[1]], corners[index[2]]};
+      std::array<Corner, 3> whole{corners[corner(t, 0)], corners[corner(t, 1)], corners[corner(t, 2)]};
       for (Corner& c : whole) c.normal = side * (smooth ? c.normal : flat(t));
       clipped(whole, mesh.items[t]);
     }
+  };
+  sort(front);
+  for (const std::uint32_t t : front) draw(t, 1);
+  if (back.size() >= Squares::many && has_squares()) farthest = farthest_of(squares);
+  sort(back);
+  for (const std::uint32_t t : back) draw(t, -1);
+}
+
+// Whether all of a triangle is on one side of the picture.
+bool Picture::is_beside(const Corners& v) const {
+  const Four across{0, 0, static_cast<float>(columns_), static_cast<float>(rows_)};
+  const auto sides = [&](const Vertex& corner) { return Four{-corner.place.x, -corner.place.y, corner.place.x, corner.place.y} > across; };
+  return v[0]->inside && v[1]->inside && v[2]->inside && bits(sides(*v[0]) & sides(*v[1]) & sides(*v[2])) != 0;
+}
+
+// The nearness of the farthest sample in each square.
+std::vector<float> Picture::farthest_of(const Squares& squares) const {
+  std::vector<float> result(static_cast<std::size_t>(squares.count()));
+  for (int square = 0; square < squares.count(); ++square) {
+    const int column = square % squares.across() * Squares::side, row = square / squares.across() * Squares::side;
+    const int end = std::min(column + Squares::side, columns_), last = std::min(row + Squares::side, rows_);
+    Four least = four(std::numeric_limits<float>::infinity());
+    for (int y = row; y < last; y += 2) {
+      const float* const to = depth_.data() + row_start(y) + 2 * end;
+      for (const float* from = depth_.data() + sample(column, y); from < to; from += 4) least = smaller(least, load<Four>(from));
+    }
+    result[static_cast<std::size_t>(square)] = std::min({least[0], least[1], least[2], least[3]});
   }
+  return result;
+}
+
+// Whether all samples of the squares in which a triangle lies are nearer.
+bool Picture::is_hidden(const Corners& v, const Squares& squares, const std::vector<float>& farthest) const {
+  const Point &a = v[0]->place, &b = v[1]->place, &c = v[2]->place;
+  const FourWhole from = squares.of({std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), 0});
+  const FourWhole to = squares.of({std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), 0});
+  const float nearest = std::max({a.z, b.z, c.z});
+  for (int row = from[1]; row <= to[1]; ++row)
+    for (int column = from[0]; column <= to[0]; ++column)
+      if (!(farthest[static_cast<std::size_t>(row * squares.across() + column)] > nearest)) return false;
+  return true;
 }
 
 // Sutherland and Hodgman: a triangle that loses corners to the planes has up to three more.

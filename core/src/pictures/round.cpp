@@ -24,7 +24,7 @@ void Picture::spheres(std::span<const double> centers, std::span<const double> r
     if (is_finite(middle.place) && std::isfinite(size))
       balls.push_back({middle.place.x, middle.place.y, size, c.z, r, packed(Paint{rgb[0], rgb[1], rgb[2], 1}) | to_be_lit, items[i]});
   }
-  if (balls.size() >= Squares::many) Squares(columns_, rows_).sort(balls, [](const Ball& ball) { return Point{ball.x, ball.y, 0}; });
+  if (balls.size() >= Squares::many) Squares(columns_, rows_).sort(std::span(balls), [](const Ball& ball) { return Point{ball.x, ball.y, 0}; });
   for (const Ball& ball : balls) sphere(ball);
 }
 

@@ -1,8 +1,10 @@
 // Squares of a picture: what is drawn one after the other, many at a time, finds the samples of its square in the cache.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "dalembert/math/large_memory.hpp"
@@ -13,29 +15,34 @@ namespace dalembert {
 class Squares {
  public:
   static constexpr std::size_t many = 1000;  // from so many on, sorting pays
+  static constexpr int side = 64;            // samples
 
   Squares(int columns, int rows) : columns_(columns), rows_(rows), across_(columns / side + 1), count_(across_ * (rows / side + 1)) {}
 
+  int across() const { return across_; }
+  int count() const { return count_; }
+  // Of a point in samples: its column and its row of squares, in the picture.
+  DALEMBERT_INLINE FourWhole of(Point place) const {
+    return whole(first_samples(Four{place.x, place.y}, Four{static_cast<float>(columns_), static_cast<float>(rows_)})) / side;
+  }
+
   // By squares, rows of them first; in each of them, the order stays. place_of: a point in samples.
   template <class T, class PlaceOf>
-  void sort(LargeVector<T>& list, const PlaceOf& place_of) const {
+  void sort(std::span<T> list, const PlaceOf& place_of) const {
     LargeVector<std::uint32_t> square(list.size());
     std::vector<std::size_t> starts(static_cast<std::size_t>(count_) + 1);
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const Point place = place_of(list[i]);
-      const FourWhole at = whole(first_samples(Four{place.x, place.y}, Four{static_cast<float>(columns_), static_cast<float>(rows_)})) / side;
+      const FourWhole at = of(place_of(list[i]));
       square[i] = static_cast<std::uint32_t>(at[1] * across_ + at[0]);
       ++starts[square[i] + 1];
     }
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
     LargeVector<T> sorted(list.size());
     for (std::size_t i = 0; i < list.size(); ++i) sorted[starts[square[i]]++] = list[i];
-    list.swap(sorted);
+    std::ranges::copy(sorted, list.begin());
   }
 
  private:
-  static constexpr int side = 64;  // samples
-
   int columns_, rows_, across_, count_;
 };
 

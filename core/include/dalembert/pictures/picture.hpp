@@ -14,6 +14,8 @@
 
 namespace dalembert {
 
+class Squares;
+
 struct Point {
   float x = 0, y = 0, z = 0;
 };
@@ -54,6 +56,7 @@ struct Mesh {
   std::span<const float> colors;     // 4 each
   std::span<const std::int32_t> triangles;  // 3 points each
   std::span<const std::int32_t> items;      // one number per triangle, for item_at
+  bool is_smooth() const { return !normals.empty(); }
 };
 
 class Picture {
@@ -139,6 +142,7 @@ class Picture {
   Point to_eye(const double* p) const;
   Point turned(const double* v) const;
   Vertex project(const Corner& corner) const;
+  void project(const Mesh& mesh);
   float nearness(float z, float weight) const { return perspective_ > 0 ? weight : -z; }
   bool is_inside(const Point& eye) const;
   std::size_t row_start(int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_); }
@@ -149,6 +153,9 @@ class Picture {
     return row_start(row & ~1) + static_cast<std::size_t>(2 * (column & ~1) + 2 * (row & 1) + (column & 1));
   }
   void begin();
+  bool is_beside(const Corners& v) const;
+  std::vector<float> farthest_of(const Squares& squares) const;
+  bool is_hidden(const Corners& v, const Squares& squares, const std::vector<float>& farthest) const;
   void clipped(const std::array<Corner, 3>& corners, std::int32_t item);
   void add(const Corners& corners, std::int32_t item);
   template <class Shade>
