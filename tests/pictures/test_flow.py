@@ -90,6 +90,23 @@ def test_moved_scenes_are_as_drawn_ones(item: Any) -> None:
         assert_same(flow.scene(), maker.scene(), maker.looks.size, "Torque" in item.name)
 
 
+@pytest.mark.parametrize("variable", ["_None", "Displacement"])
+def test_meshes_alone_are_drawn_again_in_single_precision(SC: Any, mbs: Any, variable: str) -> None:
+    """Also where nothing else is drawn, which would move with items."""
+    (item,) = (item for item in READY if item.name == "ObjectFFRFreducedOrder")
+    SC, mbs = run(item)
+    for kind in ("nodes", "markers", "loads", "sensors", "connectors"):
+        getattr(SC.visualizationSettings, kind).show = False
+    SC.visualizationSettings.contour.outputVariable = getattr(exu.OutputVariableType, variable)
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    flow = Flow(maker)
+    for seed in range(2):
+        move(mbs, seed)
+        moved = flow.scene()
+    assert_same(moved, maker.scene(), maker.looks.size, False)
+    assert {part.mesh.points.dtype.name for part in moved.instances if part.mesh.triangles.any()} == {"float32"}
+
+
 def test_many_that_look_alike_are_as_drawn_one_by_one(SC: Any, mbs: Any) -> None:
     """Equal graphics in lists of their own are alike; other colors, hidden bodies, and some with markers alone, are not."""
     rng = np.random.default_rng(2)

@@ -103,6 +103,16 @@ def measured(mbs: Any) -> None:
         mbs.AddSensor(sensor)
 
 
+def jointed(mbs: Any) -> None:
+    cuboid = dalembert.utilities.InertiaCuboid(1000, [0.4, 0.2, 0.1])
+    bodies = [mbs.CreateGround(), *(mbs.CreateRigidBody(referencePosition=[x, 0, 0], inertia=cuboid) for x in range(4))]
+    joints = (mbs.CreateRevoluteJoint, mbs.CreatePrismaticJoint, mbs.CreateSphericalJoint, mbs.CreateGenericJoint)
+    for number, joint in enumerate(joints):
+        axis = {"axis": [0, 0, 1]} if number < 2 else {}
+        joint(bodyNumbers=bodies[number : number + 2], position=[number, 0, 0], **axis)
+    mbs.CreateRigidBodySpringDamper(bodyNumbers=bodies[:2], stiffness=np.eye(6), damping=np.eye(6))
+
+
 def brick(mbs: Any) -> None:
     mbs.CreateGround(graphicsDataList=[graphics.Brick(size=[1, 1, 1])])
 
@@ -120,6 +130,11 @@ DRAWN: list[tuple[Any, dict[str, Any], dict[str, int]]] = [
     (tree, {"bodies.kinematicTree.showCOMframes": True}, {"instances": 6}),
     (tree, {"bodies.kinematicTree.showFramesNumbers": True}, {"labels": 1}),
     (measured, {"sensors.showNumbers": True}, {"labels": 2}),
+    (
+        jointed,
+        {"connectors.showJointAxes": True},
+        {"instances": 60},
+    ),  # five joints, two markers, three arrows of two parts
     (brick, {"openGL.drawFaceNormals": True}, {"lines": 12}),
     (brick, {"openGL.drawVertexNormals": True}, {"lines": 36}),
     (brick, {"openGL.advanced.showBoundingBox": True}, {"lines": 12}),

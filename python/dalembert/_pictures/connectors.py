@@ -74,12 +74,20 @@ def torsional_spring(pen: Pen, item: Item) -> None:
         pen.mesh(mesh, ends[0], _joint_frame(pen, item), color)
 
 
+def _axes(pen: Pen, item: Item) -> None:
+    """Draw the axes of a joint at both of its markers, as connectors.showJointAxes says."""
+    if not pen.looks.setting("connectors.showJointAxes"):
+        return
+    for index, marker in enumerate(item["markerNumbers"]):
+        if (place := pen.places.marker(marker)) is not None:
+            pen.stick("Marker", marker)
+            pen.frame(place, _joint_frame(pen, item, index), pen.looks.length("connectors.jointAxesLength", 0.08))
+
+
 def bushing(pen: Pen, item: Item) -> None:
-    """A helix, and the frame in which stiffness counts."""
+    """A helix; its axes are those in which stiffness counts."""
     spring(pen, item)
-    pen.stick("Marker", item["markerNumbers"][0])
-    if pen.looks.setting("connectors.showJointAxes") and (ends := _ends(pen, item)):
-        pen.frame(ends[0], _joint_frame(pen, item), pen.looks.length("connectors.jointAxesLength", 0.08))
+    _axes(pen, item)
 
 
 def rod(pen: Pen, item: Item) -> None:
@@ -213,6 +221,7 @@ def revolute(pen: Pen, item: Item) -> None:
         radius, length = _axes_size(pen, item, "axis")
         axis = 0.5 * length * _joint_frame(pen, item)[:, 2]
         pen.cylinder(ends[0] - axis, ends[0] + axis, radius, pen.looks.color(item, "connectors.defaultColor"))
+        _axes(pen, item)
 
 
 def prismatic(pen: Pen, item: Item) -> None:
@@ -223,12 +232,14 @@ def prismatic(pen: Pen, item: Item) -> None:
         pen.cylinder(ends[0], ends[1], 0.3 * radius, color)
         pen.box(ends[0], frame, [length, 1.2 * radius, 1.2 * radius], color)
         pen.box(ends[1], frame, [0.35 * length, 2.2 * radius, 2.2 * radius], GREY)
+        _axes(pen, item)
 
 
 def generic_joint(pen: Pen, item: Item) -> None:
     """A ball, with a rod along each axis about which the joint turns and a bar along each in which it slides."""
     if not (ends := _ends(pen, item)):
         return
+    _axes(pen, item)
     radius, length = _axes_size(pen, item, "axes")
     color, frame = pen.looks.color(item, "connectors.defaultColor"), _joint_frame(pen, item)
     constrained = list(item["constrainedAxes"])
@@ -253,6 +264,7 @@ def spherical(pen: Pen, item: Item) -> None:
         pen.stick("Marker", item["markerNumbers"][0], turns=False)
         radius = pen.looks.item_length(float(item["VjointRadius"]), 0.1, 0.02)
         pen.sphere(ends[0], radius, pen.looks.color(item, "connectors.defaultColor"))
+        _axes(pen, item)
 
 
 def planar_revolute(pen: Pen, item: Item) -> None:

@@ -82,15 +82,16 @@ class Flow:
         """Draw everything, and note what sticks to what."""
         self.forget()
         scene, pen = self._maker.draw(configuration, crowded=True)
-        if pen is None or pen.places.source is None or not len(frames := pen.frames.rows()):
+        if pen is None or pen.places.source is None:
             return scene
-        parts = _core._MovingParts(self._maker.mbs, frames)
+        parts = _core._MovingParts(self._maker.mbs, pen.frames.rows())
         if not parts.find(configuration):
             return scene
         if not np.isfinite(parts.frames()).all():
             return scene
         self._sort(scene, pen, parts)
-        self._extent = float(np.linalg.norm(np.ptp(parts.frames()[:, :, 3], axis=0)))
+        places = parts.frames()[:, :, 3]
+        self._extent = float(np.linalg.norm(np.ptp(places, axis=0))) if len(places) else 0.0
         self._parts = parts
         found = self._found(configuration)
         return scene if found is None else self._moved(pen.places, found)
