@@ -301,7 +301,7 @@ constexpr std::array<std::string_view, 4> VSettingsBodiesKinematicTree_rows{
     "length of the axes of joint and center of mass frames",
     "draw a frame at the center of mass of each link",
     "write object and link numbers at the frames",
-    "draw a frame at each joint",
+    "draw a frame at each joint of trees without graphics data, whose links would hide it",
 };
 
 constexpr std::array<std::string_view, 2> VSettingsBodiesShells_rows{

@@ -95,7 +95,10 @@ constexpr std::array<Row, 8> VSettingsMaterial_rows{{
     {.name = "shininess", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, shininess), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "specular", .storage = Storage::vector3, .offset = offsetof(VSettingsMaterial, specular), .role = Role::parameter, .unit = "1"},
 }};
-constexpr SettingsGroup VSettingsMaterial_group{"VSettingsMaterial", VSettingsMaterial_rows, {}};
+constexpr std::array<SettingRule, 1> VSettingsMaterial_rules{{
+    {.name = "name", .no_effect = "materials are known by their numbers"},
+}};
+constexpr SettingsGroup VSettingsMaterial_group{"VSettingsMaterial", VSettingsMaterial_rows, {}, VSettingsMaterial_rules};
 
 constexpr std::array<Row, 9> VSettingsNodes_rows{{
     {.name = "basisSize", .storage = Storage::real, .offset = offsetof(VSettingsNodes, basisSize), .role = Role::parameter, .unit = "m"},

@@ -166,7 +166,7 @@ def asked(viewer: Viewer, path: str, **headers: str) -> Any:
 
 def test_the_port_is_of_this_machine_only(viewer: Viewer) -> None:
     addresses = {row[4][0] for row in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)} - {"127.0.0.1"}
-    for address in (a for a in addresses if not a.startswith("127.")):
+    for address in addresses | {"127.0.0.2"}:  # which Linux has, so that a server of all addresses answers there
         with pytest.raises(OSError):
             socket.create_connection((address, viewer.server.port), timeout=2).close()
     socket.create_connection(("127.0.0.1", viewer.server.port), timeout=2).close()
@@ -208,6 +208,21 @@ def test_without_the_token_nothing_is_told(viewer: Viewer, token: str) -> None:
         reader.socket.recv(timeout=10)
     assert closed.value.rcvd is not None and closed.value.rcvd.code == 1008
     assert viewer.server.pages == 0 and len(viewer.server.token) == 32
+
+
+def test_tokens_differ_and_are_compared_in_constant_time(
+    SC: Any, viewer: Viewer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compared: list[tuple[bytes, bytes]] = []
+    monkeypatch.setattr(serving.hmac, "compare_digest", lambda a, b: compared.append((a, b)) or a == b)
+    with pytest.raises(ConnectionClosed):
+        Reader(viewer, "wrong").socket.recv(timeout=10)
+    assert compared == [(b"wrong", viewer.server.token.encode())]
+    other = serving.PageServer(lambda page, message: None, 0)
+    try:
+        assert other.token != viewer.server.token
+    finally:
+        other.stop()
 
 
 def test_who_says_nothing_is_sent_away(viewer: Viewer, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -805,6 +820,13 @@ def test_selection(SC: Any, viewer: Viewer) -> None:
     reader.press("n")
     reader.until(lambda: not viewer.settings.nodes.show)
     assert SC.renderer.GetItemSelection()[0] == -1
+    viewer.settings.interactive.advanced.selectionLeftMouseItemTypes = 31
+    for wanted in (True, False):
+        viewer.settings.interactive.advanced.selectionLeftMouse = wanted
+        reader.send("select", item=brick, scene=head["scene"], depth=2.5)
+        reader.press("n")
+        reader.until(lambda wanted=wanted: viewer.settings.nodes.show == wanted)  # by then, it is selected or not
+        assert (SC.renderer.GetItemSelection()[0] == 0) is wanted
 
 
 def test_what_was_picked_in_a_scene_before_is_selected_if_it_is_still_there(SC: Any, viewer: Viewer) -> None:

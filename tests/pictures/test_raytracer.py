@@ -344,6 +344,15 @@ def test_each_setting_of_each_material_has_its_effect(SC: Any, mbs: Any, number:
     np.testing.assert_array_equal(SC.renderer.RedrawAndGetImage(useRaytracer=True), before)
 
 
+def test_it_says_how_much_it_has_drawn_if_it_is_asked(SC: Any, mbs: Any, capfd: Any) -> None:
+    scene(SC, mbs)
+    for verbose in (0, 1):
+        SC.visualizationSettings.raytracer.verbose = verbose
+        SC.renderer.RedrawAndGetImage(useRaytracer=True)
+        told = [line for line in capfd.readouterr().out.splitlines() if line.startswith("ray tracer:")]
+        assert len(told) == verbose and all("pixels" in line and "shapes" in line for line in told)
+
+
 def test_lights_have_a_size(SC: Any, mbs: Any) -> None:
     settings = scene(SC, mbs)
     settings.openGL.light0.lightRadius, settings.raytracer.lightRadiusVariations = 2.0, 9

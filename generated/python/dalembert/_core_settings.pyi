@@ -664,7 +664,7 @@ class VSettingsMaterial(_Settings):
     ior: float
     """index of refraction of transparent materials; 1: none [1]; default: 1.0"""
     name: str
-    """name of the material; default: 'default'"""
+    """name of the material; no effect: materials are known by their numbers; default: 'default'"""
     reflectivity: float
     """share of light that is reflected, from 0 (rough) to 1 (mirror); costs rendering time [1]; default: 0.0"""
     shininess: float
@@ -743,7 +743,7 @@ class VSettingsBodiesKinematicTree(_Settings):
     showFramesNumbers: bool
     """write object and link numbers at the frames; default: False"""
     showJointFrames: bool
-    """draw a frame at each joint; default: True"""
+    """draw a frame at each joint of trees without graphics data, whose links would hide it; default: True"""
     def __init__(self) -> None: ...
 
 @final
