@@ -37,7 +37,7 @@ bool ModalMesh::has(OutputVariableType variable) const {
   return variable == OutputVariableType::Displacement || (variable != OutputVariableType::_None && variable == parameters().outputVariableTypeModeBasis);
 }
 
-void ModalMesh::numbers(MainSystem& main, OutputVariableType variable, int component, double* to) {
+void ModalMesh::numbers(const MainSystem& main, OutputVariableType variable, int component, double* to) {
   if (variable == OutputVariableType::Displacement) return displacements(main, component, to);
   const auto& p = parameters();
   if (!numbers_ || component != component_) {
@@ -50,18 +50,9 @@ void ModalMesh::numbers(MainSystem& main, OutputVariableType variable, int compo
   numbers_->numbers(weights(main), to);
 }
 
-void ModalMesh::displacements(MainSystem& main, int component, double* to) {
-  points().displacements(weights(main), frame(main, ConfigurationType::Visualization), frame(main, ConfigurationType::Reference), component, to);
-}
-
-std::array<double, 12> ModalMesh::frame(MainSystem& main, ConfigurationType configuration) const {
-  std::array<double, 12> rows;
-  std::vector<double> values;
-  main.system.body_output(object_, OutputVariableType::Position, {}, configuration, values);
-  for (std::size_t i = 0; i < 3; ++i) rows[4 * i + 3] = values[i];
-  main.system.body_output(object_, OutputVariableType::RotationMatrix, {}, configuration, values);
-  for (std::size_t i = 0; i < 9; ++i) rows[i + i / 3] = values[i];
-  return rows;
+void ModalMesh::displacements(const MainSystem& main, int component, double* to) {
+  const auto rows = [&](ConfigurationType configuration) { return main.system.pose(object_, configuration, totals_); };
+  points().displacements(weights(main), rows(ConfigurationType::Visualization), rows(ConfigurationType::Reference), component, to);
 }
 
 const ObjectFFRFreducedOrderParameters& ModalMesh::parameters() const { return static_cast<const ObjectFFRFreducedOrderRecord*>(record_.get())->parameters; }

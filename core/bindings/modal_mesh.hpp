@@ -1,7 +1,6 @@
 // Points and numbers of the mesh of an ObjectFFRFreducedOrder, for pictures that need not be exact to more than single precision.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,17 +21,17 @@ class ModalMesh {
   void points(const MainSystem& main, std::span<const double, 12> rows, float* to);
   // The variable of its mode basis, and displacements; one component, or the length (-1).
   bool has(OutputVariableType variable) const;
-  void numbers(MainSystem& main, OutputVariableType variable, int component, double* to);
+  void numbers(const MainSystem& main, OutputVariableType variable, int component, double* to);
 
  private:
   const ObjectFFRFreducedOrderParameters& parameters() const;
   std::span<const double> weights(const MainSystem& main) const;
   ModalPoints& points();
-  std::array<double, 12> frame(MainSystem& main, ConfigurationType configuration) const;
-  void displacements(MainSystem& main, int component, double* to);
+  void displacements(const MainSystem& main, int component, double* to);
 
   std::shared_ptr<const void> record_;
   int object_ = -1;
+  System::Values totals_;
   std::size_t nodes_ = 0;
   int coordinates_ = -1;  // the first modal one
   std::optional<ModalPoints> points_;

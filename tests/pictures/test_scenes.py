@@ -497,15 +497,14 @@ def test_nodes_of_a_mesh_move_with_its_frame(SC: Any, mbs: Any, when: str) -> No
     marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mesh[1], coordinate=0))
     load = mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=1))
     sensor = mbs.AddSensor(SensorNode(nodeNumber=mesh[2], outputVariableType=Variable.Position))
-    SC.visualizationSettings.nodes.showNumbers = True
+    nodes = SC.visualizationSettings.nodes
+    nodes.showNumbers = nodes.showBasis = when != "many at once"
     turn, here = RotationMatrixZ(np.pi / 2), FRAME
     if when == "before Assemble":
         scene = Studio(SC).scene()
     else:
         mbs.Assemble()
         flow = Flow(SceneMaker(mbs, SC.visualizationSettings))
-        if when == "many at once":
-            SC.visualizationSettings.nodes.showNumbers = False
         scene = Studio(SC).scene() if when == "one by one" else flow.scene()
         if when == "later":
             q = mbs.systemData.GetODE2Coordinates()
@@ -515,13 +514,35 @@ def test_nodes_of_a_mesh_move_with_its_frame(SC: Any, mbs: Any, when: str) -> No
             turn, here = RotationMatrixZ(np.pi / 2 + 0.3), FRAME + [0.5, 0, -1]
     places = here + MESH @ turn.T
     for number, place in zip(mesh, places, strict=True):
-        assert centers(scene, "Node", int(number)) == pytest.approx(place[None], abs=1e-12)
+        *axes, ball = centers(scene, "Node", int(number))
+        assert ball == pytest.approx(place, abs=1e-12)
+        if axes:
+            assert (axes[0] - place) / np.linalg.norm(axes[0] - place) == pytest.approx(turn[:, 0], abs=0.01)
         labels = [label.place for label in scene.labels if label.text == f"N{int(number)}"]
         assert labels == ([] if when == "many at once" else [pytest.approx(place)])
     assert centers(scene, "Marker", int(marker)) == pytest.approx(places[1:2], abs=1e-12)
-    assert np.linalg.norm(centers(scene, "Load", int(load)) - places[1], axis=1).max() < 1
+    along = np.diff([places[1], *centers(scene, "Load", int(load))], axis=0)
+    assert along / np.linalg.norm(along, axis=1)[:, None] == pytest.approx(np.tile(turn[:, 0], (2, 1)), abs=0.02)
     assert centers(scene, "Sensor", int(sensor)) == pytest.approx(places[2:3], abs=1e-12)
     assert centers(scene, "Object", int(body)) == pytest.approx(places.mean(axis=0)[None], abs=1e-12)
+
+
+def test_nodes_of_a_mesh_have_its_colors(SC: Any, mbs: Any) -> None:
+    """Displacements of the mesh are those in space, not those in its frame."""
+    body, mesh = add_mesh_in_a_frame(mbs)
+    mbs.Assemble()
+    q = mbs.systemData.GetODE2Coordinates()
+    q[:3], q[6:9] = [0.5, 0, 0], [0, 0, 0.1]
+    mbs.systemData.SetODE2Coordinates(q, Configuration.Visualization)
+    settings = SC.visualizationSettings.contour
+    settings.outputVariable, settings.outputVariableComponent = Variable.Displacement, -1
+    scene = Studio(SC).scene()
+    values = {
+        (scene.items[part.item].kind, scene.items[part.item].number): part.values for part in scene.instances
+    }  # fmt: skip
+    expected = [np.hypot(0.5, 0.1), 0.5, 0.5, 0.5]
+    assert values["Object", int(body)] == pytest.approx(expected)
+    assert [values["Node", int(node)][0] for node in mesh] == pytest.approx(expected)
 
 
 def test_traces_of_nodes_in_a_frame_move_with_it(SC: Any, mbs: Any) -> None:

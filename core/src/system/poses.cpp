@@ -84,18 +84,22 @@ void find_nodes(const SystemParts& parts, const Evaluation& e, const State& rest
   }
 }
 
-// Nodes of meshes in a floating frame, whose own positions are in that frame.
+// Nodes of meshes in a floating frame, whose own coordinates are in that frame, and along its axes.
 void place_nodes_in_frames(const SystemParts& parts, const Evaluation& e, double* rows) {
   std::size_t number = 0;
   std::vector<double> positions;
+  std::array<double, 12> frame;
   for (const auto& [first, count] : parts.object_runs) {
     if (first.batch->has_nodes_in_frame())
       for (int i = 0; i < count; ++i) {
         const auto mesh = parts.objects[number + static_cast<std::size_t>(i)].nodes.of(parts.references).subspan(1);
         if (!first.batch->mesh_outputs(first.entry + i, 0, static_cast<int>(mesh.size()), OutputVariableType::Position, e, positions)) continue;
+        first.batch->poses(first.entry + i, 1, e, frame.data());
         const double* from = positions.data();
-        for (const int node : mesh)
-          for (std::size_t axis = 0; axis < 3; ++axis) rows[12 * static_cast<std::size_t>(node) + 4 * axis + 3] = *from++;
+        for (const int node : mesh) {
+          for (std::size_t axis = 0; axis < 3; ++axis) frame[4 * axis + 3] = *from++;
+          std::ranges::copy(frame, rows + 12 * node);
+        }
       }
     number += static_cast<std::size_t>(count);
   }
@@ -121,6 +125,14 @@ void System::poses(ItemKind kind, ConfigurationType configuration, Poses& poses)
   } else {
     poses.rows.clear();
   }
+}
+
+std::array<double, 12> System::pose(int object, ConfigurationType configuration, Values& totals) const {
+  SystemParts& parts = *parts_;
+  const auto& [batch, entry] = parts.objects.at(static_cast<std::size_t>(object)).member;
+  std::array<double, 12> rows;
+  batch->poses(entry, 1, parts.output_evaluation(parts.state(configuration), totals), rows.data());
+  return rows;
 }
 
 int System::mesh_outputs(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const {

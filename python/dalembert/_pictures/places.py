@@ -110,15 +110,19 @@ class Places:
 
     def frame_of_output(self, node: int) -> tuple[FloatArray, FloatArray] | None:
         """Return position and rotation of the frame in whose components a node tells its outputs; None: global ones."""
+        return self._frame_of_node(node) if self._is_moved(node) else None
+
+    def _is_moved(self, node: int) -> bool:
+        """Return whether a node is elsewhere than its own output says."""
         own = self._asked("GetNodeOutput", node, Position)
-        moved = own is not None and not np.array_equal(own, np.asarray(self.node(node)))
-        return self._frame_of_node(node) if moved else None
+        return own is not None and not np.array_equal(own, np.asarray(self.node(node)))
 
     def node_rotation(self, number: int) -> FloatArray | None:
-        """Return the rotation matrix of a node."""
+        """Return the rotation matrix of a node: the axes of its coordinates."""
         if (known := self._turn("Node", int(number))) is not None:
             return known
-        return _matrix(self._asked("GetNodeOutput", number, RotationMatrix))
+        frame = self._frame_of_node(int(number)) if self.source is None else None
+        return _matrix(self._asked("GetNodeOutput", number, RotationMatrix)) if frame is None else frame[1]
 
     def body(self, number: int, local: Any = ORIGIN) -> FloatArray | None:
         """Return the position of a point of a body."""
@@ -164,6 +168,13 @@ class Places:
     def node_output(self, number: int, variable: Any) -> FloatArray | None:
         """Return any output of a node."""
         return self._asked("GetNodeOutput", number, variable)
+
+    def shown_output(self, node: int, variable: Any) -> FloatArray | None:
+        """Return an output of a node in global components, also of one that moves in a floating frame."""
+        if self._is_moved(node) and (known := self._nodes_in_frames().get(node)) is not None:
+            body, number, _ = known
+            return self.mesh_output(body, variable, number)
+        return self.node_output(node, variable)
 
     def marker(self, number: int) -> FloatArray | None:
         """Return the position of a marker; that of its node or body if it stands for coordinates."""
@@ -219,15 +230,19 @@ class Places:
 
     def _frame_of_node(self, number: int) -> tuple[FloatArray, FloatArray] | None:
         """Return position and rotation of the floating frame in which a node of a mesh moves; None if it is in none."""
-        if not hasattr(self, "_frames"):
-            self._frames: dict[int, int] = {}
+        known = self._nodes_in_frames().get(number)
+        return None if known is None else self.frame(known[2])
+
+    def _nodes_in_frames(self) -> dict[int, tuple[int, int, int]]:
+        """Return body, number of the mesh node, and node of the frame, for all nodes of meshes in floating frames."""
+        if not hasattr(self, "_meshes"):
+            self._meshes: dict[int, tuple[int, int, int]] = {}
             for body in range(self.mbs.systemData.NumberOfObjects()):
                 parameters = self.item("Object", body)
                 if parameters["objectType"] == "FFRF" and len(parameters["nodeNumbers"]):
                     frame, *mesh = (int(node) for node in parameters["nodeNumbers"])
-                    self._frames |= dict.fromkeys(mesh, frame)
-        frame_node = self._frames.get(number)
-        return None if frame_node is None else self.frame(frame_node)
+                    self._meshes |= {node: (body, number, frame) for number, node in enumerate(mesh)}
+        return self._meshes
 
     def frame(self, node: int) -> tuple[FloatArray, FloatArray] | None:
         """Return position and rotation of a node; None if it does not have both."""

@@ -25,7 +25,7 @@ def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
     radius = 0.5 * pen.looks.node_size(item)
     color = pen.looks.color(item, "nodes.defaultColor")
     pen.stick("Node", number)
-    value = pen.places.node_output(number, colors.variable) if colors.active else None
+    value = pen.places.shown_output(number, colors.variable) if colors.active else None
     if value is not None and radius > 0 and pen.looks.setting("contour.nodesColored"):
         ball = meshes.ball(8)
         pen.mesh(ball, place, radius * np.eye(3), None, np.full(len(ball.points), colors.number(value)))
@@ -94,18 +94,27 @@ def load(pen: Pen, number: int, item: Item) -> None:
     strength = float(np.linalg.norm(vector))
     if strength == 0:
         return
-    if item.get("bodyFixed"):
+    if axes_turn := bool(item.get("bodyFixed")):
         vector = pen.places.marker_rotation(marker_number) @ vector
+    elif (frame := _frame_of_coordinate(pen, item)) is not None:
+        vector, axes_turn = frame @ vector, True
     if pen.looks.setting("loads.fixedLoadSize"):
         size = pen.looks.length("loads.defaultSize", 0.08)
     else:
         size = strength * float(pen.looks.setting("loads.loadSizeFactor"))
     radius = pen.looks.length("loads.defaultRadius", 0.003)
-    pen.stick(*pen.places.seat(marker_number), turns=bool(item.get("bodyFixed")))
+    pen.stick(*pen.places.seat(marker_number), turns=axes_turn)
     if turns:
         pen.turning_arrow(place, vector, 0.5 * size, color)
     else:
         pen.arrow(place, size / strength * vector, radius, color)
+
+
+def _frame_of_coordinate(pen: Pen, item: Item) -> FloatArray | None:
+    """Return the axes along which a load acts on a coordinate of a node in a floating frame; None: global ones."""
+    node = pen.places.item("Marker", item["markerNumber"]).get("nodeNumber")
+    frame = None if item["loadType"] != "Coordinate" or node is None else pen.places.frame_of_output(int(node))
+    return None if frame is None else frame[1]
 
 
 def _direction(pen: Pen, item: Item) -> tuple[FloatArray, bool]:

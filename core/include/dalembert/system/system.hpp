@@ -229,6 +229,7 @@ class System {
     Values totals;
   };
   void poses(ItemKind kind, ConfigurationType configuration, Poses& poses) const;
+  std::array<double, 12> pose(int object, ConfigurationType configuration, Values& totals) const;  // of one of them
   // An output variable of all mesh nodes of a super element, one after the other; returns how many nodes, 0: they do not have it.
   int mesh_outputs(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const;
   void load_values(int load, double time, Values& values);
