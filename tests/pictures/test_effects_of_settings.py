@@ -240,6 +240,27 @@ def test_a_setting_changes_what_is_seen(model: Any, path: str) -> None:
     assert before != after
 
 
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_settings_of_each_view_change_what_it_shows(model: Any, number: int) -> None:
+    """Those of the scene, which all views have in common, are said to have no effect in others than the first."""
+    settings, view = model.visualizationSettings, f"view{number}."
+
+    def picture() -> bytes:
+        studio = Studio(model)
+        scene = studio.scene()
+        return studio.image(scene, studio.camera(scene, number), number).tobytes()
+
+    with changed(settings, {f"{view}window.renderWindowSize": [240, 180]}):
+        for first in (path for path in SETTINGS if path.startswith("view0.") and not path.startswith(ELSEWHERE)):
+            path = view + first.removeprefix("view0.")
+            fitting = [beginning for beginning in GIVEN if first.startswith(beginning)]
+            given = GIVEN[max(fitting, key=len)] if fitting else {}
+            with changed(settings, {name.replace("view0.", view): value for name, value in given.items()}):
+                before = picture()
+                with changed(settings, {path: other(first, attrgetter(path)(settings))}):
+                    assert (picture() == before) is (path in WITHOUT_EFFECT), path
+
+
 def test_settings_that_are_tested_elsewhere_are() -> None:
     texts = "".join(
         path.read_text() for path in sorted(Path(__file__).parent.glob("test_*.py")) if path != Path(__file__)
