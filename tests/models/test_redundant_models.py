@@ -164,6 +164,39 @@ def test_many_equations() -> None:
     assert (counts["degreeOfFreedom"], counts["redundantConstraints"]) == (loops, 3 * loops)
 
 
+def test_a_hundred_thousand_equations() -> None:
+    """The same with 5000 loops, from their items: what is redundant is found at the start, and steps go on with it. Steps keep the ladder together."""
+    loops, mbs = 5000, new_system()
+    ground = mbs.AddObject(exu.ObjectGround())
+    half_turn = np.sqrt(0.5)
+
+    def rod(x: float, y: float, upright: bool) -> Any:
+        turned = [half_turn, 0, 0, half_turn] if upright else [1, 0, 0, 0]
+        node = mbs.AddNode(exu.NodeRigidBodyEP(referenceCoordinates=[x, y, 0, *turned]))
+        return mbs.AddObject(exu.RigidBody(physicsMass=2.5, physicsInertia=[1e-3, 0.2, 0.2, 0, 0, 0], nodeNumber=node))
+
+    def join(*ends: tuple[Any, float]) -> None:
+        markers = [mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=b, localPosition=[x, 0, 0])) for b, x in ends]
+        mbs.AddObject(exu.RevoluteJointZ(markerNumbers=markers))
+
+    below = [(ground, 0.0), (ground, 1.0)]
+    for k in range(loops):
+        sides, rung = [rod(x, k + 0.5, True) for x in (0, 1)], rod(0.5, k + 1, False)
+        for foot, side, x in zip(below, sides, (-0.5, 0.5), strict=True):
+            join(foot, (side, -0.5))
+            join((side, 0.5), (rung, x))
+        below = [(rung, -0.5), (rung, 0.5)]
+    top = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=rung))
+    mbs.AddLoad(exu.Force(markerNumber=top, loadVector=[1e3, 0, 0]))
+    mbs.Assemble()
+    assert mbs.systemData.SystemSize() > 2e5
+    mbs.SolveDynamic(settings(2e-3, 2))
+    assert redundancy(mbs)["count"] == 3 * loops
+    heights = [mbs.GetObjectOutputBody(rung, Variable.Position, [x, 0, 0])[1] for x in (-0.5, 0.5)]
+    assert heights == pytest.approx([loops, loops], abs=1e-6)
+    assert mbs.GetObjectOutputBody(rung, Variable.Position, [0, 0, 0])[0] > 0.5
+
+
 def entries_of_factors(mbs: Any, eps: float) -> int:
     """Of masses and constraints, with eps of what each equation has by itself on the diagonal."""
     state = testing.State(mbs)

@@ -244,21 +244,22 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_))) return false;
   constexpr double eps = RedundantConstraints::regular_eps;
   if (redundant_.find_locally(*pattern_, matrix_) && regular && redundant_.count() == 0) return false;
-  auto factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
-  const bool at_once = redundant_.find_at_once(*pattern_, matrix_, eps, *factors);
+  auto factors = make_linear_solver(*pattern_, type_, redundant_.options(RedundantConstraints::options_to_find(options_))), closer = std::unique_ptr<LinearSolver>();
+  const bool local = redundant_.is_local(), at_once = redundant_.find_at_once(*pattern_, matrix_, eps, *factors);
   if (!at_once) {
-    factors = make_linear_solver(*pattern_, type_, RedundantConstraints::options_to_find(options_));
-    if (!redundant_.find(*pattern_, matrix_, RedundantConstraints::counting_eps, *factors)) return false;
+    closer = make_linear_solver(*pattern_, type_, RedundantConstraints::options_to_find(options_));
+    if (!redundant_.find(*pattern_, matrix_, RedundantConstraints::counting_eps, *closer)) return false;
   }
   if (regular && redundant_.count() == 0) return false;
   system.reactions_are_known(redundant_.equations());
   std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
   system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
   if (redundant_.count() == 0) return pass(singular);
-  redundant_.use(redundant_.eps_for_gaps(gaps, true, *pattern_, matrix_, *factors));
+  redundant_.use(redundant_.eps_for_gaps(gaps, true, *pattern_, matrix_, closer ? *closer : *factors));
   const std::vector<double> plain = matrix_;
   redundant_.regularize(*pattern_, matrix_, 1);
-  factors_ = at_once ? std::move(factors) : make_linear_solver(*pattern_, type_, redundant_.options(options_));
+  const bool serve = at_once || (local && redundant_.is_local());  // pivots, of the same combinations
+  factors_ = serve ? std::move(factors) : make_linear_solver(*pattern_, type_, redundant_.options(options_));
   singular = at_once && redundant_.eps() == eps ? LinearSolver::success : factors_->factorize(matrix_);
   if (singular != LinearSolver::success || !looks_beside_ || !fewer_follow_beside(system, state, conditions)) return true;
   matrix_ = plain;
@@ -335,13 +336,13 @@ bool ConstrainedMotion::same_follow_beside(System& system, const State& at, cons
   fill(system, moved, conditions);
   RedundantConstraints there;
   bool same = there.measure(system, *pattern_, matrix_, settings_.momentLength, 1) && there.take_over(redundant_);
-  if (same) {
+  if (same && !there.confirm_locally(*pattern_, matrix_)) {
     there.use(RedundantConstraints::counting_eps);
     there.regularize(*pattern_, matrix_, 1);
     same = factors_->factorize(matrix_) == LinearSolver::success && there.confirm(*pattern_, matrix_, *factors_);
+    factors_->factorize(here);
   }
   matrix_ = here;
-  factors_->factorize(matrix_);
   return same;
 }
 
@@ -570,6 +571,34 @@ bool is_smooth(const std::vector<double>* x) {
 
 }  // namespace
 
+// A state further along the velocities, which do not change on the way there, on the constraints.
+bool ConstrainedMotion::accelerations_beside(double part, const ConstrainedMotion& other, System& system, const State& start, const Conditions& conditions,
+                                             std::vector<double>& a, std::vector<double>& lambda) {
+  std::vector<double> step(start.v.size());
+  add_part(system, part, start.v, step);
+  if (!is_regular_beside(other, system, start, conditions, step)) return false;
+  State moved = start;
+  move_positions(system, step, moved.q);
+  if (!project(system, moved, conditions) || factorize(system, moved, conditions) != LinearSolver::success) return false;
+  std::vector<double> y_t(start.y.size());
+  a.resize(start.v.size());
+  lambda.resize(start.lambda.size());
+  system.right_hand_sides(moved, conditions, a, y_t);
+  return accelerations(system, moved, conditions, a, lambda);
+}
+
+// Where forces turn velocities before these have led away from a singular position, they still tell along which of the ways out of it accelerations lie.
+void ConstrainedMotion::follow_velocities(System& system, const State& start, const Conditions& conditions, std::span<double> a, std::span<double> lambda) {
+  std::vector<double> accelerations[3], multipliers[3];
+  for (int i = 0; i < 3; ++i) {
+    ConstrainedMotion beside;
+    if (!beside.accelerations_beside((i + 1) * part_of_motion, *this, system, start, conditions, accelerations[i], multipliers[i])) return;
+  }
+  if (!is_smooth(accelerations)) return;
+  extrapolate(accelerations, a);
+  extrapolate(multipliers, lambda);
+}
+
 // From three moments after the start, by a parabola. While constraints are still dependent to round-off, the motion could well be another one.
 bool ConstrainedMotion::leave_singular_position(System& system, const State& start, Conditions conditions, std::span<double> a,
                                                 std::span<double> lambda) {
@@ -592,11 +621,13 @@ bool ConstrainedMotion::leave_singular_position(System& system, const State& sta
     leaves = beside.accelerations_after(static_cast<double>(i + 1) * moment, system, start, conditions, accelerations[i], multipliers[i]);
   }
   if (!leaves || !is_smooth(accelerations)) {
+    follow_velocities(system, start, conditions, a, lambda);
     system.reactions_are_known(redundant_.equations());
     return false;
   }
   extrapolate(accelerations, a);
   extrapolate(multipliers, lambda);
+  if (!leaves_soon) follow_velocities(system, start, conditions, a, lambda);
   redundant_ = std::move(beside.redundant_);
   factors_ = std::move(beside.factors_);
   system.reactions_are_known(redundant_.equations());

@@ -135,8 +135,8 @@ std::vector<std::string> Solver::items_in_singular_position() {
 [[gnu::noinline]] void Solver::warn_of_undecided_start() {
   if (std::exchange(warned_of_undecided_start_, true)) return;
   warn(name() + ": the motion starts in a singular position, where the mechanism could go on in more ways than one; "
-       "which one it takes could not be told, and the accelerations and reactions at the start are the smallest that constraints allow. Start a "
-       "little beside this position, or with smaller forces and stiffness");
+       "which one it takes could not be told, and the accelerations and reactions at the start are those of the way that its velocities point to, or the "
+       "smallest that constraints allow. Start a little beside this position, or with smaller forces and stiffness");
 }
 
 [[gnu::noinline]] void Solver::passing_singular_position() {

@@ -404,6 +404,15 @@ bool RedundantConstraints::confirm(const Pattern& pattern, std::span<const doubl
     parts = parts_;
     if (Search search(*this, pattern, values, eps_, weight_, factors); !search.find_at_once(parts)) return false;
   }
+  return take_if_as_many(std::move(parts));
+}
+
+bool RedundantConstraints::confirm_locally(const Pattern& pattern, std::span<const double> values) {
+  std::vector<Part> parts = parts_;
+  return local_ && take_local_combinations(parts, pattern, values) && take_if_as_many(std::move(parts));
+}
+
+bool RedundantConstraints::take_if_as_many(std::vector<Part> parts) {
   const auto same = [](const Part& one, const Part& other) { return one.count == other.count; };
   if (!std::ranges::equal(parts, parts_, same)) return false;
   parts_ = std::move(parts);

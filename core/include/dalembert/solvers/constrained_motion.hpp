@@ -91,6 +91,9 @@ class ConstrainedMotion {
   bool fewer_follow_beside(System& system, const State& at, const Conditions& conditions);
   bool accelerations_after(double time, System& system, const State& start, const Conditions& conditions, std::vector<double>& a,
                            std::vector<double>& lambda);
+  bool accelerations_beside(double part, const ConstrainedMotion& other, System& system, const State& start, const Conditions& conditions,
+                            std::vector<double>& a, std::vector<double>& lambda);
+  void follow_velocities(System& system, const State& start, const Conditions& conditions, std::span<double> a, std::span<double> lambda);
   void weigh_again(System& system);
   void add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap);
   // Solutions for right-hand sides of the constraints alone; returns the part of the coordinates.

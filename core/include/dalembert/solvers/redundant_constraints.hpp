@@ -54,8 +54,11 @@ class RedundantConstraints {
   bool find_at_once(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors);
   // Whether what is known is what vanishes of the regularized matrix as well, evidently; its factors are at hand.
   bool confirm(const Pattern& pattern, std::span<const double> values, LinearSolver& factors);
+  // The same by the entries of the matrix alone, without eps and without factors. False: it is not, or entries do not tell.
+  bool confirm_locally(const Pattern& pattern, std::span<const double> values);
   // After `measure`: combinations that have been found for the same equations around another matrix. False: other equations have been measured.
   bool take_over(const RedundantConstraints& found);
+  bool is_local() const { return local_; }  // entries of the matrix alone have told
   int count() const { return count_; }
   double weakest() const { return weakest_; }  // the smallest eigenvalue of D^-1 S that is not zero
   // Whether combinations that vanish could be told from others, in spite of round-off.
@@ -132,6 +135,7 @@ class RedundantConstraints {
   // The combinations of each are all that there are. False: entries do not tell.
   bool take_local_combinations(std::vector<Part>& parts, const Pattern& pattern, std::span<const double> values) const;
   void count_parts();
+  bool take_if_as_many(std::vector<Part> parts);
   template <class F>
   void each_owner(F&& f, const System& system) const;
 
