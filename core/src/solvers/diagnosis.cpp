@@ -7,6 +7,7 @@
 
 #include "dalembert/model/model.hpp"
 #include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dependent_equations.hpp"
@@ -164,7 +165,31 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
               "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
 }
 
+// Joints that fit at the start do so in any motion that they allow, unless something drives them apart: what opens then is the motion's.
+bool Solver::has_left_constraints(std::span<const double> misfit) {
+  constexpr double none = 1e-3;
+  if (is_static()) return false;
+  const RedundantConstraints& constraints = redundant_constraints();
+  State first = initial();
+  std::ranges::fill(first.lambda, 0.0);
+  std::vector<double> gaps(misfit.size());
+  Conditions of_positions = conditions_;
+  of_positions.rate_level = false;
+  system().gaps(first, of_positions, gaps);
+  const std::vector<char> driven = driven_equations(system(), first, of_positions);
+  return constraints.largest(gaps) < none * constraints.largest(misfit) && std::ranges::none_of(driven, [](char d) { return d != 0; });
+}
+
 [[gnu::noinline]] void Solver::diagnose_contradiction(std::span<const double> misfit) {
+  const bool begun_before = largest_misfit_ > RedundantConstraints::silent_misfit;  // actions may have closed a joint that does not fit
+  if (begun_before && has_left_constraints(misfit)) {
+    Diagnosis& d = diagnose(FailureReason::open_constraints);
+    add_largest(d.values, misfit, "equation", sizes_.first_ae());
+    d.advice = {"joints have fitted together at the start; the motion has left what they allow, more with each step: use smaller steps "
+                "(timeIntegration.numberOfSteps), or numerical damping (generalizedAlpha.spectralRadius below 1)",
+                "let steps end on the constraints (exu.DynamicSolverType.ESDIRK43, DOPRI5)", "see how far the energy has drifted (mbs.Report())"};
+    return;
+  }
   Diagnosis& d = diagnose(FailureReason::contradiction);
   add_largest(d.values, misfit, "equation", sizes_.first_ae());
   d.dependent = redundant_constraints().contradictions(misfit, system());
@@ -191,7 +216,9 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
       lines.push_back(system().describe(owner) + ", equation " + std::to_string(worst - owner.first) + ": " +
                       format_number(misfit[static_cast<std::size_t>(worst)]));
   }
-  warn(name() + ": redundant constraints contradict each other; what the closest fit leaves open:" + indented(std::move(lines)));
+  const char* text = has_left_constraints(misfit) ? ": the motion leaves what redundant constraints allow, although they have fitted together at the start; by now by:"
+                                                  : ": redundant constraints contradict each other; what the closest fit leaves open:";
+  warn(name() + text + indented(std::move(lines)));
 }
 
 // Where round-off has hidden which constraints are redundant, it is what has grown.

@@ -288,7 +288,6 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
 // After Newton's method has converged. False: constraints contradict each other too much.
 [[gnu::noinline]] bool NewtonSolver::settle_multipliers() {
   const double misfit = misfit_.empty() ? 0 : redundant_.largest(misfit_);
-  largest_misfit_ = std::max(largest_misfit_, misfit);
   if (misfit > settings().redundantConstraints.largestMisfit) {
     conv.newtonConverged = false;
     conv.stopNewton = contradiction_ = true;
@@ -298,6 +297,7 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
   // What eps leaves open of weak constraints is no contradiction.
   const auto contradicts = [&] { return redundant_.largest(redundant_.misfit(misfit_)) > silent_misfit; };
   if (misfit > silent_misfit && !conditions_.rate_level && contradicts()) warn_of_contradiction(misfit_);
+  largest_misfit_ = std::max(largest_misfit_, misfit);
   const double eps = redundant_.eps_for(misfit, conditions_.rate_level);
   const bool other_eps = treatment_ == Treatment::lasting && eps != redundant_.eps();
   idle_ = Idle::at_factors;

@@ -242,7 +242,8 @@ void Solver::initial_conditions() {
     start_steps();
     start_of_step() = current();
     while (next_step()) {
-      if (multipliers_may_wait_ && it.endTime - it.currentTime < 1.5 * it.currentStepSize) told_multipliers();  // the last start remains to be seen
+      start_is_told_ = multipliers_may_wait_ && it.endTime - it.currentTime < 1.5 * it.currentStepSize;  // the last start remains to be seen
+      if (start_is_told_) told_multipliers();
       save_start_of_step();
       take_step();
     }
@@ -254,7 +255,7 @@ void Solver::initial_conditions() {
   return output.finishedSuccessfully;
 }
 
-// After an exception, which is what the user is to see, whatever else fails.
+// After an exception, which is what the user is to see, whatever else fails: multipliers that are not the smallest ones then belong to the same forces.
 [[gnu::noinline]] void Solver::return_to_start_of_step() {
   if (!step_completed_) current() = start_of_step();
   try {
@@ -265,8 +266,14 @@ void Solver::initial_conditions() {
 }
 
 void Solver::keep_told_multipliers() {
-  if (const std::vector<double>* told = told_multipliers()) std::ranges::copy(*told, current().lambda.begin());
+  const std::vector<double>* told = told_multipliers();
+  if (told != nullptr) std::ranges::copy(*told, current().lambda.begin());
+  const bool start_waits = told != nullptr || (multipliers_may_wait_ && !start_is_told_);
   multipliers_may_wait_ = false;
+  if (!start_waits || !step_completed_ || it.currentStepIndex < 2 || !redundant_constraints().in_use() || redundant_constraints().count() == 0) return;
+  ConstrainedMotion motion;
+  prepare(motion);
+  motion.take_off_idle_part(redundant_constraints(), *system_, start_of_step(), conditions_, start_of_step().lambda);
 }
 
 void Solver::take_step() {

@@ -219,6 +219,7 @@ class Solver {
   void diagnose_singular_matrix(const Pattern& pattern, std::span<const double> values);
   void diagnose_open_gaps();  // that no motion onto the constraints has closed
   // Of redundant constraints, by what no motion closes of their gaps.
+  bool has_left_constraints(std::span<const double> misfit);
   void diagnose_contradiction(std::span<const double> misfit);
   void warn_of_contradiction(std::span<const double> misfit);  // once
   void warn_of_undecided_start();  // once
@@ -394,7 +395,7 @@ class Solver {
   bool warned_minimum_ = false;
   bool step_completed_ = false;  // the state is that of the end of a step, not one that is tried
   bool silent_ = false;  // while all steps are solved: nothing happens at their ends
-  bool multipliers_may_wait_ = false;
+  bool multipliers_may_wait_ = false, start_is_told_ = false;
 };
 
 }  // namespace dalembert
