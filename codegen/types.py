@@ -19,6 +19,7 @@ class ParameterType:
     shape: Shape = ()
     check: str = "none"
     single: bool = False  # the interface keeps this value in single precision
+    takes_number: bool = False  # a number is a vector or matrix with this one entry
 
     @property
     def real(self) -> bool:
@@ -85,9 +86,9 @@ def _arrays() -> list[ParameterType]:
         matrix("Matrix6D", 6),
         matrix("FloatMatrix3D", 3, single=True),
         many("Vector", "double", "vector", "ArrayLike"),
-        many("NumpyVector", "double", "vector", "ArrayLike"),
+        ParameterType("NumpyVector", "std::vector<double>", "vector", "ArrayLike", (None,), takes_number=True),
         many("ArrayFloat", "double", "vector", "ArrayLike", single=True),
-        ParameterType("NumpyMatrix", "DynamicMatrix<double>", "matrix", "ArrayLike", (None, None)),
+        ParameterType("NumpyMatrix", "DynamicMatrix<double>", "matrix", "ArrayLike", (None, None), takes_number=True),
         ParameterType("NumpyMatrixI", "DynamicMatrix<int>", "integer_matrix", "ArrayLike", (None, None)),
         ParameterType("PyMatrixContainer", "MatrixContainer", "matrix_container", "MatrixLike | None", (None, None)),
         many("Vector3DList", "Vec<double, 3>", "vector3s", "Sequence[ArrayLike] | Vector3DList", 3),

@@ -138,6 +138,8 @@ def cpp_row(row: Parameter, offset: str, role: str, enum_number: int | None = No
         fields.append(f".named = Named::{row.named}")
     if size := required_length(row):
         fields.append(f".size = {size}")
+    if row.type.takes_number:
+        fields.append(".takes_number = true")
     if row.internal:
         fields.append(".internal = true")
     if row.optional and row.type.index:

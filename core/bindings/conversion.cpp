@@ -128,7 +128,7 @@ std::vector<double> read_vector(PyObject* value, int size) {
 
 void read(PyObject* value, const Row& row, std::vector<double>& out) {
   refuse_truth_values(value, row, "finite numbers");
-  out = read_vector(value, row.size);
+  out = row.takes_number && is_number(value) ? std::vector{read_real(value)} : read_vector(value, row.size);
 }
 
 // A matrix of numbers; negative sizes: any. `what` is the expectation.
@@ -190,7 +190,13 @@ void read(PyObject* value, const Row& row, DynamicMatrix<Number>& out) {
   }
   constexpr bool integers = std::is_same_v<Number, int>;
   const std::string what = integers ? "a matrix of integers" : "a matrix (2-dimensional array) of finite numbers";
-  if constexpr (!integers) refuse_truth_values(value, row, what);
+  if constexpr (!integers) {
+    refuse_truth_values(value, row, what);
+    if (row.takes_number && is_number(value)) {
+      out = {.rows = 1, .columns = 1, .values = {read_real(value)}};
+      return;
+    }
+  }
   out = read_matrix<Number>(value, -1, -1, what);
 }
 

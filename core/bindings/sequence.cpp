@@ -132,6 +132,8 @@ bool read_plain_reals(PyObject* value, int dimensions, std::span<double> out) {
   return plain && std::ranges::all_of(out, [](double x) { return std::isfinite(x); });
 }
 
+bool is_number(PyObject* value) { return PyFloat_Check(value) || PyLong_Check(value) || is_numpy_scalar(value); }
+
 double read_real(PyObject* value) {
   if (PyFloat_Check(value)) return finite(PyFloat_AS_DOUBLE(value));
   if (PyLong_Check(value)) {

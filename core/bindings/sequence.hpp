@@ -17,6 +17,9 @@ namespace dalembert {
 double read_real(PyObject* value);
 int read_integer(PyObject* value);
 
+// Whether the value is a number of Python or numpy, and no array.
+bool is_number(PyObject* value);
+
 // Whether the value is True or False, of Python or numpy, or a list, tuple or array that has one in it.
 bool holds_truth_values(PyObject* value);
 

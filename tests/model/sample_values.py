@@ -141,12 +141,9 @@ def bad_values(row: Parameter) -> dict[str, Any]:
         bad["string"] = "words"
     bad |= _bad_entries(row) if row.shape and storage != "matrix_container" else _bad_scalars(row)
     if storage in ("matrix", "matrix_container", "integer_matrix"):
-        bad |= {
-            "number": 1.0,
-            "list of numbers": [1.0, 2.0],
-            "ragged": [[1.0, 2.0], [3.0]],
-            "cube": np.zeros((2, 2, 2)),
-        }
+        bad |= {"list of numbers": [1.0, 2.0], "ragged": [[1.0, 2.0], [3.0]], "cube": np.zeros((2, 2, 2))}
+    if row.shape and not row.type.takes_number:
+        bad["number"] = 1.0
     checked = _BY_CHECK[row.effective_check]
     if storage.endswith("s") and row.shape and row.effective_check in CHECKED:
         checked = {kind: [value] for kind, value in checked.items()}
@@ -199,7 +196,6 @@ def _bad_entries(row: Parameter) -> dict[str, Any]:
     else:
         wrong |= {"real": 1.5, "huge": HUGE}
     bad = {name: _with_last(valid, entry) for name, entry in wrong.items()}
-    bad |= {"number": 1.0}
     if storage not in ("matrix", "integer_matrix", "vector3s", "vector6s", "matrix3s"):
         bad["None"] = None  # else: empty
     if row.shape[0]:

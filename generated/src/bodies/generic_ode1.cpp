@@ -25,12 +25,12 @@ constexpr Signature rhsUserFunction_signature{.arguments = rhsUserFunction_argum
 constexpr std::array<Row, 9> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .needs_assemble = true},
-    {.name = "systemMatrix", .storage = Storage::matrix, .offset = offsetof(Record, parameters.systemMatrix), .role = Role::parameter, .unit = "various"},
-    {.name = "rhsVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.rhsVector), .role = Role::parameter, .unit = "various"},
+    {.name = "systemMatrix", .storage = Storage::matrix, .offset = offsetof(Record, parameters.systemMatrix), .role = Role::parameter, .takes_number = true, .unit = "various"},
+    {.name = "rhsVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.rhsVector), .role = Role::parameter, .takes_number = true, .unit = "various"},
     {.name = "rhsUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.rhsUserFunction), .role = Role::parameter, .signature = &rhsUserFunction_signature},
     {.name = "coordinateIndexPerNode", .storage = Storage::integers, .offset = offsetof(Record, parameters.coordinateIndexPerNode), .role = Role::parameter, .internal = true},
-    {.name = "tempCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates), .role = Role::parameter, .internal = true, .unit = "various"},
-    {.name = "tempCoordinates_t", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates_t), .role = Role::parameter, .internal = true, .unit = "various"},
+    {.name = "tempCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates), .role = Role::parameter, .takes_number = true, .internal = true, .unit = "various"},
+    {.name = "tempCoordinates_t", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates_t), .role = Role::parameter, .takes_number = true, .internal = true, .unit = "various"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
 

@@ -19,7 +19,7 @@ using Record = ObjectANCFThinPlateRecord;
 
 constexpr std::array<Row, 13> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsThickness", .storage = Storage::vector, .offset = offsetof(Record, parameters.physicsThickness), .role = Role::parameter, .unit = "m"},
+    {.name = "physicsThickness", .storage = Storage::vector, .offset = offsetof(Record, parameters.physicsThickness), .role = Role::parameter, .takes_number = true, .unit = "m"},
     {.name = "physicsDensity", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsDensity), .role = Role::parameter, .check = Check::non_negative, .unit = "kg/m^3"},
     {.name = "physicsMassProportionalDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassProportionalDamping), .role = Role::parameter, .unit = "1/s"},
     {.name = "physicsStrainCoefficients", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.physicsStrainCoefficients), .role = Role::parameter, .unit = "N/m"},

@@ -16,7 +16,8 @@ namespace dalembert {
 template <RotatingNode Node, class S>
 NodeMotionOf<S> node_motion(const Coordinates<S, Node::size>& x) {
   const SpinMotion<S> own = Node::template spin_motion<S>(x);
-  return {own.spin, own.spin_rate, own.rotation, Node::template motion<S>(x).angular_velocity};
+  if constexpr (LieKernel<Node>) return {own.spin, own.spin_rate, own.rotation, own.rotation * own.spin};  // what `motion` finds as well
+  else return {own.spin, own.spin_rate, own.rotation, Node::template motion<S>(x).angular_velocity};
 }
 // Of the generalised forces of a load that is held fixed: by the rotation coordinates, in their rows.
 template <RotatingNode Node>

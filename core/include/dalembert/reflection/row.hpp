@@ -47,6 +47,7 @@ struct Row {
   Check check = Check::none;
   Named named = Named::no;
   std::uint8_t size = 0;                      // required length of a dynamic array; 0: any
+  bool takes_number = false;                  // a number is a vector or matrix with this one entry
   bool internal = false;                      // never a constructor argument; read-only from outside
   bool optional = false;                      // indices: may stay invalid
   bool needs_assemble = false;                // a change takes effect at the next Assemble only
