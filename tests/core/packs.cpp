@@ -1,10 +1,13 @@
 // Each of the numbers side by side gets what it gets alone; they find the way from their places in memory and back.
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "dalembert/batches/groups.hpp"
 #include "dalembert/math/pack.hpp"
+#include "dalembert/math/pack_functions.hpp"
 #include "dalembert/math/rotations.hpp"
 
 using namespace dalembert;
@@ -82,9 +85,33 @@ int functions_differ() {
   return failures;
 }
 
+// Numbers that compare in ways of their own, each with each.
+template <int N>
+int choices_differ() {
+  using Limits = std::numeric_limits<double>;
+  constexpr std::array all{-0.0, 0.0, Limits::quiet_NaN(), Limits::denorm_min(), 1.0, -1.0, Limits::infinity(), -Limits::infinity()};
+  const auto from = [&](std::size_t first) { return Pack<N>::of_each([&](int lane) { return all[(first + static_cast<std::size_t>(lane)) % all.size()]; }); };
+  const Pack<N> yes(1.0), no(0.0);
+  int failures = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      const Pack<N> a = from(i), b = from(j), is_less = Pack<N>::chosen(less(a, b), yes, no), is_equal = Pack<N>::chosen(equal(a, b), yes, no);
+      double any_less = 0;
+      for (int lane = 0; lane < N; ++lane) {
+        failures += is_less[lane] != (a[lane] < b[lane] ? 1 : 0) || is_equal[lane] != (a[lane] == b[lane] ? 1 : 0);
+        failures += std::bit_cast<long long>(larger(a, b)[lane]) != std::bit_cast<long long>(a[lane] > b[lane] ? a[lane] : b[lane]);
+        any_less += is_less[lane];
+      }
+      failures += Pack<N>::is_none(less(a, b)) != (any_less == 0);
+    }
+    for (int at = 0; at < N; ++at) failures += is_zero(Pack<N>::of_each([&](int lane) { return lane == at ? all[i] : -0.0; })) != (all[i] == 0);
+  }
+  return failures;
+}
+
 template <int N>
 int failures_of() {
-  int failures = arithmetic_differs<N>() + functions_differ<N>();
+  int failures = arithmetic_differs<N>() + functions_differ<N>() + choices_differ<N>();
   for (int count = 1; count <= N; ++count) failures += memory_differs<N, 3>(count) + memory_differs<N, 4>(count) + memory_differs<N, 6>(count) + memory_differs<N, 9>(count);
   if (failures > 0) std::printf("%d lanes: %d failures\n", N, failures);
   return failures;
@@ -92,4 +119,8 @@ int failures_of() {
 
 }  // namespace
 
-int main() { return failures_of<2>() + failures_of<4>() + failures_of<8>(); }
+int main() {
+  int in_registers = 0;  // of this processor
+  in_lanes([&in_registers]<int L>() { in_registers = choices_differ<L>(); });
+  return failures_of<2>() + failures_of<4>() + failures_of<8>() + in_registers;
+}

@@ -15,14 +15,18 @@ namespace dalembert {
 namespace {
 
 constexpr std::size_t most_pairings = 1024;  // that are kept
-using P = Pack<4>;
 
 constexpr std::uint32_t numbers = 4;  // of each sphere: pairs say where they begin
 
-DALEMBERT_INLINE inline std::array<P, 4> fours(const double* all, const std::uint32_t* which) {
-  return gather_fours<4>({all + which[0], all + which[1], all + which[2], all + which[3]});
+template <int L>
+DALEMBERT_INLINE inline std::array<Pack<L>, 4> fours(const double* all, const std::uint32_t* which) {
+  return columns_of<L>([&](int lane) DALEMBERT_INLINE { return Pack<4>::load(all + which[lane]); });
 }
-DALEMBERT_INLINE inline Vec3<P> vector_in(const std::array<P, 4>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+template <class P>
+DALEMBERT_INLINE inline Vec3<P> vector_in(const std::array<P, 4>& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
 }  // namespace
 
 void SpherePairs::take(const ContactSet& set) {
@@ -99,61 +103,69 @@ ContactPairing SpherePairs::pairing_of(const ContactSet& set, std::uint32_t firs
 }
 
 // As GeneralContact::force has it. Pairs that do not press add nothing, to the last bit: sums never are -0.
-template <bool rubs, bool alike>
-double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const ContactSet& set) {
+template <int L, bool rubs, bool alike>
+DALEMBERT_INLINE inline double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const ContactSet& set) {
+  using P = Pack<L>;
+  constexpr std::size_t lanes = L;
   const double zone = set.proportional_zone;
   const ContactPairing same = pairing_of(set, 0, 0);
   P least(std::numeric_limits<double>::infinity());
   const double *const places = &at.data()->x, *const velocities = &velocity.data()->x, *const spins = &spin.data()->x;
   double *const forces = &force.data()->x, *const moments = &moment.data()->x;
-  const auto four = [&](const std::uint32_t* first, const std::uint32_t* second, const std::uint32_t* target, auto count) DALEMBERT_INLINE {
-    const std::array<P, 4> at0 = fours(places, first), at1 = fours(places, second);
+  const auto some = [&](const std::uint32_t* first, const std::uint32_t* second, const std::uint32_t* target, auto count) DALEMBERT_INLINE {
+    const std::array<P, 4> at0 = fours<L>(places, first), at1 = fours<L>(places, second);
     const Vec3<P> span = vector_in(at1) - vector_in(at0);
     const P square = dot(span, span), reach = at0[3] + at1[3];
-    least = P(square.x < least.x ? square.x : least.x);
-    if (is_zero(P(square.x < (reach * reach).x ? 1.0 - P::Register{} : P::Register{}))) return;
-    const Vec3<P> approach = vector_in(fours(velocities, second)) - vector_in(fours(velocities, first));
+    const auto overlaps = less(square, reach * reach);
+    least = P::chosen(less(square, least), square, least);
+    if (P::is_none(overlaps)) return;
+    const Vec3<P> approach = vector_in(fours<L>(velocities, second)) - vector_in(fours<L>(velocities, first));
     const P distance = sqrt(one_for_zero(square));
     const Vec3<P> normal = (1.0 / distance) * span;
     const P away = dot(normal, approach);
     ContactPairingOf<P> law{same.stiffness, same.damping, same.friction};
-    const auto of = [&](int lane) DALEMBERT_INLINE { return pairing_of(set, first[lane], second[lane]); };
-    if constexpr (!alike) law = side_by_side({of(0), of(1), of(2), of(3)});
+    if constexpr (!alike) {
+      std::array<ContactPairing, lanes> laws;
+      for (std::size_t lane = 0; lane < lanes; ++lane) laws[lane] = pairing_of(set, first[lane], second[lane]);
+      law = side_by_side(laws);
+    }
     P pressure = law.pressure(distance - reach, away);
-    pressure = P(((square.x < (reach * reach).x) & (pressure.x > 0.0)) ? pressure.x : P::Register{});
+    pressure = P::chosen(overlaps & less(P(), pressure), pressure, P());
     if (is_zero(pressure)) return;
     Vec3<P> on_first = (-pressure) * normal;
     if constexpr (rubs) {
       const P half = 0.5 * (distance - reach), arm0 = at0[3] + half, arm1 = at1[3] + half;
-      const Vec3<P> turn = arm0 * vector_in(fours(spins, first)) + arm1 * vector_in(fours(spins, second));
+      const Vec3<P> turn = arm0 * vector_in(fours<L>(spins, first)) + arm1 * vector_in(fours<L>(spins, second));
       const Vec3<P> slip = approach - cross(turn, normal) - away * normal;
       const Vec3<P> drag = law.drag(pressure, slip, zone), torque = cross(normal, drag);
       on_first = on_first + drag;
       const Vec3<P> moment0 = arm0 * torque, moment1 = arm1 * torque;
-      const std::array<P, 4> on_second = rows_from<4>({moment1[0], moment1[1], moment1[2], P()});
-      each_row<4>({moment0[0], moment0[1], moment0[2], P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order
+      const std::array<Pack<4>, lanes> on_second = rows_from<L>({moment1[0], moment1[1], moment1[2], P()});
+      each_row<L>({moment0[0], moment0[1], moment0[2], P()}, count, [&](int lane, const Pack<4>& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order
         row.add_to(moments + first[lane]);
         on_second[static_cast<std::size_t>(lane)].add_to(moments + target[lane]);
       });
     }
-    each_row<4>({on_first[0], on_first[1], on_first[2], P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
+    each_row<L>({on_first[0], on_first[1], on_first[2], P()}, count, [&](int lane, const Pack<4>& row) DALEMBERT_INLINE {
       row.add_to(forces + first[lane]);
       row.subtract_from(forces + target[lane]);
     });
   };
-  const std::size_t whole = begin + (end - begin) / 4 * 4;
-  for (std::size_t p = begin; p < whole; p += 4) four(&firsts_[p], &seconds_[p], &targets_[p], std::integral_constant<int, 4>());
+  const std::size_t whole = begin + (end - begin) / lanes * lanes;
+  for (std::size_t p = begin; p < whole; p += lanes) some(&firsts_[p], &seconds_[p], &targets_[p], std::integral_constant<int, L>());
   if (whole < end) {
-    std::uint32_t first[4], second[4], target[4];
-    for (std::size_t lane = 0; lane < 4; ++lane) {
+    std::uint32_t first[lanes], second[lanes], target[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
       const std::size_t pair = std::min(whole + lane, end - 1);
       first[lane] = firsts_[pair];
       second[lane] = seconds_[pair];
       target[lane] = targets_[pair];
     }
-    four(first, second, target, static_cast<int>(end - whole));
+    some(first, second, target, static_cast<int>(end - whole));
   }
-  return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+  double nearest = least[0];
+  for (int lane = 1; lane < L; ++lane) nearest = std::min(nearest, least[lane]);
+  return nearest;
 }
 
 double SpherePairs::compute(int chunk, const ContactSet& set, Friction friction) {
@@ -169,10 +181,12 @@ double SpherePairs::compute(int chunk, const ContactSet& set, Friction friction)
   const std::size_t begin = first_pair_[c], end = first_pair_[c + 1];
   if (begin == end) return least;
   const bool alike = surfaces_.size() == 1;
-  in_registers_of_four([&, this] {
-    if (rubs) least = alike ? compute_pairs<true, true>(begin, end, set) : compute_pairs<true, false>(begin, end, set);
-    else least = alike ? compute_pairs<false, true>(begin, end, set) : compute_pairs<false, false>(begin, end, set);
-  });
+  const auto find = [&, this]<int L, bool with_friction>() DALEMBERT_INLINE {
+    least = alike ? compute_pairs<L, with_friction, true>(begin, end, set) : compute_pairs<L, with_friction, false>(begin, end, set);
+  };
+  if (!rubs) in_registers_of_four([&find] { find.template operator()<4, false>(); });
+  else if (numbers_in_register() == 8) run_in_widest_registers([&find] { find.template operator()<8, true>(); });  // without friction four take less time
+  else in_registers_of_four([&find] { find.template operator()<4, true>(); });
   return least;
 }
 

@@ -39,12 +39,12 @@ template <int N>
 DALEMBERT_INLINE inline HalfTurn<Pack<N>> half_turn(const Vec3<Pack<N>>& v) {
   const Pack<N> square = 0.25 * dot(v, v);
   HalfTurn<Pack<N>> half = small_half_turn(v, square);
-  const auto is_small = square.x < small;
-  const Pack<N> others(is_small ? typename Pack<N>::Register{} : square.x);
+  const auto is_small = less(square, Pack<N>(small));
+  const Pack<N> others = Pack<N>::chosen(is_small, Pack<N>(), square);
   if (is_zero(others)) return half;
   const HalfTurn<Pack<N>> any = any_half_turn(v, one_for_zero(others));
-  half.cosine = is_small ? half.cosine.x : any.cosine.x;
-  for (int i = 0; i < 3; ++i) half.sine_axis[i] = is_small ? half.sine_axis[i].x : any.sine_axis[i].x;
+  half.cosine = Pack<N>::chosen(is_small, half.cosine, any.cosine);
+  for (int i = 0; i < 3; ++i) half.sine_axis[i] = Pack<N>::chosen(is_small, half.sine_axis[i], any.sine_axis[i]);
   return half;
 }
 
@@ -52,8 +52,8 @@ constexpr double no_turn = 1e-300;
 inline double by_sine(double angle, double sine) { return sine < no_turn ? 1.0 : angle / sine; }
 template <int N>
 DALEMBERT_INLINE inline Pack<N> by_sine(const Pack<N>& angle, const Pack<N>& sine) {
-  const auto is_none = sine.x < no_turn;
-  return (is_none ? 1.0 - typename Pack<N>::Register{} : angle.x) / (is_none ? 1.0 - typename Pack<N>::Register{} : sine.x);
+  const auto is_none = less(sine, Pack<N>(no_turn));
+  return Pack<N>::chosen(is_none, Pack<N>(1.0), angle) / Pack<N>::chosen(is_none, Pack<N>(1.0), sine);
 }
 
 // The rotation vector of exp(v) exp(increment), by Euler parameters; its length is in [0, 2 pi], so that it goes on

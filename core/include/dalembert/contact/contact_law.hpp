@@ -22,7 +22,7 @@ S one_over_slip(const S& square, double zone, std::optional<bool> sticks = {}) {
 template <int N>
 DALEMBERT_INLINE inline Pack<N> one_over_slip(const Pack<N>& square, double zone) {
   const Pack<N> in_zone(1 / zone), beyond = 1.0 / sqrt(one_for_zero(square));
-  return square.x < zone * zone ? in_zone.x : beyond.x;
+  return Pack<N>::chosen(less(square, Pack<N>(zone * zone)), in_zone, beyond);
 }
 
 // All that two surfaces make together.
@@ -44,11 +44,13 @@ struct ContactPairingOf {
 };
 using ContactPairing = ContactPairingOf<double>;
 
-DALEMBERT_INLINE inline ContactPairingOf<Pack<4>> side_by_side(const std::array<ContactPairing, 4>& all) {
+template <std::size_t N>
+DALEMBERT_INLINE inline auto side_by_side(const std::array<ContactPairing, N>& all) {
+  using P = Pack<static_cast<int>(N)>;
   const auto numbers = [&all](double ContactPairing::*number) DALEMBERT_INLINE {
-    return Pack<4>(Pack<4>::Register{all[0].*number, all[1].*number, all[2].*number, all[3].*number});
+    return P::of_each([&](int lane) DALEMBERT_INLINE { return all[static_cast<std::size_t>(lane)].*number; });
   };
-  return {numbers(&ContactPairing::stiffness), numbers(&ContactPairing::damping), numbers(&ContactPairing::friction)};
+  return ContactPairingOf<P>{numbers(&ContactPairing::stiffness), numbers(&ContactPairing::damping), numbers(&ContactPairing::friction)};
 }
 
 }  // namespace dalembert

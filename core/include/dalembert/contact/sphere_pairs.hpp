@@ -1,4 +1,4 @@
-// Forces of spheres that are near each other, four pairs at once. Spheres come in chunks; what acts on a sphere of a later chunk waits
+// Forces of spheres that are near each other, four pairs at once, or eight. Spheres come in chunks; what acts on a sphere of a later chunk waits
 // in a place of its own until that chunk takes it, so that chunks may be computed side by side, and sums have one order.
 #pragma once
 
@@ -49,7 +49,7 @@ class SpherePairs {
   void collect(int chunk, bool rubs);
 
  private:
-  template <bool rubs, bool alike>
+  template <int L, bool rubs, bool alike>
   double compute_pairs(std::size_t begin, std::size_t end, const ContactSet& set);
   ContactPairing pairing_of(const ContactSet& set, std::uint32_t first, std::uint32_t second) const;  // by where they begin in numbers
   void list_collected(std::size_t places);

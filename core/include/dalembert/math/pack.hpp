@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -79,21 +80,40 @@ struct Pack {
   DALEMBERT_INLINE Pack& operator+=(const Pack& b) { return *this = *this + b; }
   DALEMBERT_INLINE Pack& operator-=(const Pack& b) { return *this = *this - b; }
   DALEMBERT_INLINE Pack& operator*=(const Pack& b) { return *this = *this * b; }
-  DALEMBERT_INLINE friend bool is_zero(const Pack& a) {
-    const auto differs = a.x != Register{};
-    auto any = differs[0];
-    for (int lane = 1; lane < N; ++lane) any |= differs[lane];
-    return any == 0;
+  // All bits of a lane that fulfils it are one. Eight numbers are compared in halves: GCC 12 knows no mask for all of them in a function for
+  // another processor than its file, and would take them one by one.
+  DALEMBERT_INLINE friend Mask less(const Pack& a, const Pack& b) {
+    if constexpr (N == 8) return joined(a.lower() < b.lower(), a.upper() < b.upper());
+    else return a.x < b.x;
   }
+  DALEMBERT_INLINE friend Mask equal(const Pack& a, const Pack& b) {
+    if constexpr (N == 8) return joined(a.lower() == b.lower(), a.upper() == b.upper());
+    else return a.x == b.x;
+  }
+  DALEMBERT_INLINE static Pack chosen(const Mask& first, const Pack& a, const Pack& b) {
+    if constexpr (N == 8) return std::bit_cast<Register>((std::bit_cast<Mask>(a.x) & first) | (std::bit_cast<Mask>(b.x) & ~first));
+    else return first ? a.x : b.x;
+  }
+  DALEMBERT_INLINE static bool is_none(const Mask& mask) {
+    if constexpr (N == 8) {
+      const auto half = __builtin_shufflevector(mask, mask, 0, 1, 2, 3) | __builtin_shufflevector(mask, mask, 4, 5, 6, 7);
+      return (half[0] | half[1] | half[2] | half[3]) == 0;
+    } else {
+      auto any = mask[0];
+      for (int lane = 1; lane < N; ++lane) any |= mask[lane];
+      return any == 0;
+    }
+  }
+  DALEMBERT_INLINE friend bool is_zero(const Pack& a) { return is_none(std::bit_cast<Mask>(a.x) << 1); }  // without the sign
   DALEMBERT_INLINE friend Pack sqrt(const Pack& a) {
     return of_each([&a](int lane) { return std::sqrt(a.x[lane]); });
   }
-  DALEMBERT_INLINE friend Pack magnitude(const Pack& a) { return a.x < 0 ? -a.x : a.x; }
-  DALEMBERT_INLINE friend Pack larger(const Pack& a, const Pack& b) { return a.x > b.x ? a.x : b.x; }
+  DALEMBERT_INLINE friend Pack magnitude(const Pack& a) { return chosen(less(a, Pack()), -a, a); }
+  DALEMBERT_INLINE friend Pack larger(const Pack& a, const Pack& b) { return chosen(less(b, a), a, b); }
   // Zero in other lanes, whatever is there.
-  DALEMBERT_INLINE friend Pack only_where(const Pack& flag, const Pack& a) { return flag.x != 0.0 ? a.x : Register{}; }
+  DALEMBERT_INLINE friend Pack only_where(const Pack& flag, const Pack& a) { return chosen(equal(flag, Pack()), Pack(), a); }
   // A divisor where there would be none.
-  DALEMBERT_INLINE friend Pack one_for_zero(const Pack& a) { return a.x == 0.0 ? 1.0 - Register{} : a.x; }
+  DALEMBERT_INLINE friend Pack one_for_zero(const Pack& a) { return chosen(equal(a, Pack()), Pack(1.0), a); }
 
   template <class F>
   DALEMBERT_INLINE static Pack of_each(const F& number) {
@@ -110,6 +130,13 @@ struct Pack {
   }
 
  private:
+  DALEMBERT_INLINE auto lower() const { return __builtin_shufflevector(x, x, 0, 1, 2, 3); }
+  DALEMBERT_INLINE auto upper() const { return __builtin_shufflevector(x, x, 4, 5, 6, 7); }
+  template <class Half>
+  DALEMBERT_INLINE static Mask joined(const Half& lower, const Half& upper) {
+    return std::bit_cast<Mask>(__builtin_shufflevector(lower, upper, 0, 1, 2, 3, 4, 5, 6, 7));
+  }
+
   using InMemory [[gnu::vector_size(N * sizeof(double)), gnu::aligned(alignof(double)), gnu::may_alias]] = double;
 };
 

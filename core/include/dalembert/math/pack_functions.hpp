@@ -27,11 +27,16 @@ DALEMBERT_INLINE inline Pack<N> polynomial(const std::array<double, count>& coef
 // 1 in lanes whose angle is beyond what the series below are good for, or not a number; `others` elsewhere.
 template <int N>
 DALEMBERT_INLINE inline Pack<N> one_if_large(const Pack<N>& angle, const Pack<N>& others) {
-  return magnitude(angle).x < 1e5 ? others.x : 1.0 - typename Pack<N>::Register{};
+  return Pack<N>::chosen(less(magnitude(angle), Pack<N>(1e5)), others, Pack<N>(1.0));
 }
 template <int N>
 DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine_of_any(const Pack<N>& angle) {
   return {Pack<N>::of_each([&angle](int lane) { return std::sin(angle[lane]); }), Pack<N>::of_each([&angle](int lane) { return std::cos(angle[lane]); })};
+}
+template <int N>
+DALEMBERT_INLINE inline typename Pack<N>::Mask has_bit(const typename Pack<N>::Mask& integers, int bit) {
+  if constexpr (N == 8) return integers << (63 - bit) >> 63;
+  else return (integers & (1LL << bit)) != 0;
 }
 template <int N>
 DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine_of_moderate(const Pack<N>& angle) {
@@ -48,9 +53,9 @@ DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine_of_moderate(const Pack<N
   constexpr std::array cosines{0.0416666666666666019037, -1.38888888888741095749e-3, 2.48015872894767294178e-5,
                                -2.75573143513906633035e-7, 2.08757232129817482790e-9, -1.13596475577881948265e-11};
   const Pack<N> sine = x + x * (square * polynomial(sines, square)), cosine = (1.0 - 0.5 * square.x) + (square * (square * polynomial(cosines, square))).x;
-  const Integers is_odd = (turns & 1) != 0, turns_sine = (turns & 2) != 0, turns_cosine = ((turns + 1) & 2) != 0;
-  const Register s = is_odd ? cosine.x : sine.x, c = is_odd ? sine.x : cosine.x;
-  return {Pack<N>(turns_sine ? -s : s), Pack<N>(turns_cosine ? -c : c)};
+  const Integers is_odd = has_bit<N>(turns, 0);
+  const Pack<N> s = Pack<N>::chosen(is_odd, cosine, sine), c = Pack<N>::chosen(is_odd, sine, cosine);
+  return {Pack<N>::chosen(has_bit<N>(turns, 1), -s, s), Pack<N>::chosen(has_bit<N>(turns + 1, 1), -c, c)};
 }
 // What is in one lane does not change what comes of another.
 template <int N>
@@ -59,8 +64,8 @@ DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine(const Pack<N>& angle) {
   const Pack<N> large = one_if_large(angle, Pack<N>());
   if (is_zero(large)) [[likely]] return moderate;
   const SineCosine<Pack<N>> any = sine_cosine_of_any(angle);
-  const auto is_large = large.x != 0.0;
-  return {is_large ? any.sine.x : moderate.sine.x, is_large ? any.cosine.x : moderate.cosine.x};
+  const auto is_moderate = equal(large, Pack<N>());
+  return {Pack<N>::chosen(is_moderate, moderate.sine, any.sine), Pack<N>::chosen(is_moderate, moderate.cosine, any.cosine)};
 }
 // Of one number, and with derivatives: both are computed once.
 template <class S>
@@ -78,20 +83,21 @@ SineCosine<Dual<N, T>> sine_cosine(const Dual<N, T>& angle) {
 // eighth of a turn has been taken off: the polynomial of fdlibm's arc tangent (Sun Microsystems, 1993).
 template <int N>
 DALEMBERT_INLINE inline Pack<N> angle_of(const Pack<N>& sine, const Pack<N>& cosine) {
-  using Register = typename Pack<N>::Register;
+  using P = Pack<N>;
   constexpr double eighth = 7.85398163397448278999e-01, rest = 3.06161699786838301793e-17;  // of a turn, and what is left of it
   constexpr std::array arc{3.33333333333329318027e-01,  -1.99999999998764832476e-01, 1.42857142725034663711e-01, -1.11111104054623557880e-01,
                            9.09088713343650656196e-02,  -7.69187620504482999495e-02, 6.66107313738753120669e-02, -5.83357013379057348645e-02,
                            4.97687799461593236017e-02,  -3.65315727442169155270e-02, 1.62858201153657823623e-02};
-  const Register a = magnitude(sine).x, b = magnitude(cosine).x, small = a > b ? b : a, large = a > b ? a : b;
-  const auto is_middle = small > 0.4375 * large;
-  const Register over = is_middle ? small - large : small, under = is_middle ? small + large : large;
-  const Pack<N> x(over / one_for_zero(Pack<N>(under)).x), square = x * x;
-  Register angle = (x - x * (square * polynomial(arc, square))).x;
-  angle = is_middle ? eighth + (angle + rest) : angle;
-  angle = a > b ? 2 * eighth - (angle - 2 * rest) : angle;
-  angle = cosine.x < 0.0 ? 4 * eighth - (angle - 4 * rest) : angle;
-  return sine.x < 0.0 ? -angle : angle;
+  const P a = magnitude(sine), b = magnitude(cosine);
+  const auto is_steep = less(b, a);
+  const P small = P::chosen(is_steep, b, a), large = P::chosen(is_steep, a, b);
+  const auto is_middle = less(0.4375 * large, small);
+  const P x = P::chosen(is_middle, small - large, small) / one_for_zero(P::chosen(is_middle, small + large, large)), square = x * x;
+  P angle = x - x * (square * polynomial(arc, square));
+  angle = P::chosen(is_middle, P(eighth) + (angle + rest), angle);
+  angle = P::chosen(is_steep, P(2 * eighth) - (angle - 2 * rest), angle);
+  angle = P::chosen(less(cosine, P()), P(4 * eighth) - (angle - 4 * rest), angle);
+  return P::chosen(less(sine, P()), -angle, angle);
 }
 inline double angle_of(double sine, double cosine) { return std::atan2(sine, cosine); }
 // keep(i, sine, cosine) for `count` angles, which are looked at together.

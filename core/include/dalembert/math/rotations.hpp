@@ -105,14 +105,14 @@ struct RodriguesSeries {
   template <int N>
   DALEMBERT_INLINE static void terms(const Pack<N>& angle_squared, Pack<N>& sinc, Pack<N>& versine, Pack<N>& residue) {
     of_small(angle_squared, sinc, versine, residue);
-    const auto is_small = angle_squared.x < small;
-    const Pack<N> others(is_small ? typename Pack<N>::Register{} : angle_squared.x);
+    const auto is_small = less(angle_squared, Pack<N>(small));
+    const Pack<N> others = Pack<N>::chosen(is_small, Pack<N>(), angle_squared);
     if (is_zero(others)) return;
     Pack<N> s, v, r;
     of_others(one_for_zero(others), s, v, r);
-    sinc = is_small ? sinc.x : s.x;
-    versine = is_small ? versine.x : v.x;
-    residue = is_small ? residue.x : r.x;
+    sinc = Pack<N>::chosen(is_small, sinc, s);
+    versine = Pack<N>::chosen(is_small, versine, v);
+    residue = Pack<N>::chosen(is_small, residue, r);
   }
 
  private:

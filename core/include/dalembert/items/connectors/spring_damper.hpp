@@ -121,10 +121,7 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
   static bool any_zero(const Traced&) { return false; }
   template <int N>
   DALEMBERT_INLINE static bool any_zero(const Pack<N>& square) {
-    const auto zero = square.x == typename Pack<N>::Register{};
-    auto any = zero[0];
-    for (int lane = 1; lane < N; ++lane) any |= zero[lane];
-    return any != 0;
+    return !Pack<N>::is_none(equal(square, Pack<N>()));
   }
   // The first value where `number` is zero, else the second. Of a single number, callers know that it is.
   template <OneNumber S, class V>
@@ -133,7 +130,7 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
   }
   template <int N>
   DALEMBERT_INLINE static Pack<N> where_zero(const Pack<N>& number, const Pack<N>& first, const Pack<N>& second) {
-    return Pack<N>(number.x == 0.0 ? first.x : second.x);
+    return Pack<N>::chosen(equal(number, Pack<N>()), first, second);
   }
   template <int N>
   DALEMBERT_INLINE static Vec3<Pack<N>> where_zero(const Pack<N>& number, const Vec3<Pack<N>>& first, const Vec3<Pack<N>>& second) {
