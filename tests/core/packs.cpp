@@ -9,6 +9,7 @@
 #include "dalembert/math/pack.hpp"
 #include "dalembert/math/pack_functions.hpp"
 #include "dalembert/math/rotations.hpp"
+#include "dalembert/math/wide_registers.hpp"
 
 using namespace dalembert;
 
@@ -120,7 +121,9 @@ int failures_of() {
 }  // namespace
 
 int main() {
-  int in_registers = 0;  // of this processor
-  in_lanes([&in_registers]<int L>() { in_registers = choices_differ<L>(); });
+  int in_registers = 0;
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) run_in_widest_registers([&in_registers] { in_registers = choices_differ<8>(); });
+#endif
   return failures_of<2>() + failures_of<4>() + failures_of<8>() + in_registers;
 }
