@@ -87,8 +87,10 @@ def refused(row: Parameter) -> str:
 
 
 def remarks(row: Parameter) -> str:
-    """What follows the description: refusals, and when a change takes effect."""
+    """What follows the description: what else is taken, refusals, and when a change takes effect."""
     facts = []
+    if row.type.takes_number and not row.internal:
+        facts.append("A number is taken as its one entry.")
     if words := refused(row):
         facts.append(f"Refused: {words}.")
     if row.needs_assemble:
