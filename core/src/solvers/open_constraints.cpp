@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constraint_states.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
@@ -12,15 +13,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr Weights along_velocities{.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0};
-constexpr Weights along_positions{.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0};
 constexpr int dense_limit = 40;  // unknowns
-
-double largest(std::span<const double> numbers) {
-  double size = 0;
-  for (const double x : numbers) size = std::max(size, std::abs(x));
-  return size;
-}
 
 // f(constraint, coordinate, derivative) of the constraint equations along the weights.
 template <class F>
@@ -32,16 +25,6 @@ void each_gradient(System& system, const State& state, const Conditions& conditi
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
     if (row >= s.first_ae() && column < s.ode2 && values[slot] != 0) f(row - s.first_ae(), column, values[slot]);
   });
-}
-
-State without_multipliers(State state) {
-  std::ranges::fill(state.lambda, 0.0);
-  return state;
-}
-
-Conditions at_level(Conditions conditions, bool of_rates) {
-  conditions.rate_level = of_rates;
-  return conditions;
 }
 
 const char* symbol(CoordinateUnit unit) {

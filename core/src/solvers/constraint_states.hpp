@@ -1,0 +1,50 @@
+// What the files about the motion along constraints share: states and conditions in which constraints are evaluated, and steps of positions.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/system/system.hpp"
+
+namespace dalembert {
+
+inline constexpr Weights along_positions{.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0};
+inline constexpr Weights along_velocities{.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0};
+inline constexpr double at_rest = 1e-10;  // speed
+
+inline State without_multipliers(State state) {
+  std::ranges::fill(state.lambda, 0.0);
+  return state;
+}
+
+inline Conditions at_level(Conditions conditions, bool of_rates) {
+  conditions.rate_level = of_rates;
+  return conditions;
+}
+
+inline double largest(std::span<const double> numbers) {
+  double size = 0;
+  for (const double x : numbers) size = std::max(size, std::abs(x));
+  return size;
+}
+
+inline void move_positions(System& system, std::span<const double> step, std::vector<double>& q) {
+  const std::vector<double> before = q, increment(step.begin(), step.end());
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] += increment[i];
+  if (system.has_lie_nodes()) system.compose(before, increment, q);
+}
+
+// Columns of ODE1 coordinates and of multipliers leave these out of the solution.
+inline void leave_out_ode1(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
+  for (int i = s.ode2; i < s.first_ae(); ++i) {
+    for_each_row(pattern, i, [&](int column) {
+      if (column >= s.first_ae()) matrix[pattern.slot(i, column)] = 0;
+    });
+    matrix[pattern.slot(i, i)] = 1;
+  }
+}
+
+}  // namespace dalembert
