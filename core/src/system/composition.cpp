@@ -55,18 +55,33 @@ DALEMBERT_INLINE inline Pack<N> by_sine(const Pack<N>& angle, const Pack<N>& sin
   const auto is_none = less(sine, Pack<N>(no_turn));
   return Pack<N>::chosen(is_none, Pack<N>(1.0), angle) / Pack<N>::chosen(is_none, Pack<N>(1.0), sine);
 }
+template <class S>
+DALEMBERT_INLINE inline S any_angle_by_sine(const S& sine_squared, const S& cosine) {
+  using std::sqrt;
+  const S sine = sqrt(sine_squared);
+  return by_sine(angle_of(sine, cosine), sine);
+}
+// An angle in [0, pi] by its sine.
+DALEMBERT_INLINE inline double angle_by_sine(double sine_squared, double cosine) {
+  return sine_squared < small && cosine > 0.0 ? small_angle_by_sine(sine_squared) : any_angle_by_sine(sine_squared, cosine);
+}
+template <int N>
+DALEMBERT_INLINE inline Pack<N> angle_by_sine(const Pack<N>& sine_squared, const Pack<N>& cosine) {
+  const Pack<N> series = small_angle_by_sine(sine_squared), one(1.0);
+  const Pack<N> others = Pack<N>::chosen(less(Pack<N>(), cosine), Pack<N>::chosen(less(sine_squared, Pack<N>(small)), Pack<N>(), one), one);
+  if (is_zero(others)) return series;
+  return Pack<N>::chosen(equal(others, Pack<N>()), series, any_angle_by_sine(sine_squared, cosine));
+}
 
 // The rotation vector of exp(v) exp(increment), by Euler parameters; its length is in [0, 2 pi], so that it goes on
 // steadily when a rotation passes pi.
 template <class S>
 DALEMBERT_INLINE inline Vec3<S> composed_rotation_vector(const Vec3<S>& v, const Vec3<S>& increment) {
-  using std::sqrt;
   const auto [c0, s0] = half_turn(v);
   const auto [c1, s1] = half_turn(increment);
   const S cosine = c0 * c1 - dot(s0, s1);
   const Vec3<S> sine_axis = c1 * s0 + c0 * s1 + cross(s0, s1);
-  const S sine = sqrt(dot(sine_axis, sine_axis));
-  return S(2.0 * by_sine(angle_of(sine, cosine), sine)) * sine_axis;
+  return S(2.0 * angle_by_sine(dot(sine_axis, sine_axis), cosine)) * sine_axis;
 }
 
 // Three translations come before the rotations.

@@ -163,6 +163,12 @@ Vec3<S> rotation_vector_rate(const Vec3<S>& v, const Vec3<S>& w) {
   const Vec3<S> vw = cross(v, w);
   return w + 0.5 * vw + factor * cross(v, vw);
 }
+// An angle by its sine, asin(x)/x in powers of x^2: to rounding for angles whose sine squared is below 0.01.
+template <class S>
+DALEMBERT_INLINE inline S small_angle_by_sine(const S& x) {
+  const S x2 = x * x, x4 = x2 * x2;
+  return (1.0 + x * (1.0 / 6) + x2 * (3.0 / 40 + x * (15.0 / 336))) + x4 * (105.0 / 3456 + x * (945.0 / 42240) + x2 * (10395.0 / 599040 + x * (135135.0 / 9676800)));
+}
 // Rotation vector of a rotation matrix, angle below pi: series near zero, where the angle itself has no derivative.
 template <class S>
 Vec3<S> rotation_vector_of(const Mat3<S>& r) {
@@ -170,10 +176,7 @@ Vec3<S> rotation_vector_of(const Mat3<S>& r) {
   using std::sqrt;
   const Vec3<S> sine_axis{0.5 * (r(2, 1) - r(1, 2)), 0.5 * (r(0, 2) - r(2, 0)), 0.5 * (r(1, 0) - r(0, 1))};
   const S square = dot(sine_axis, sine_axis), cosine = 0.5 * (r(0, 0) + r(1, 1) + r(2, 2) - 1.0);
-  if (square < 1e-4 && cosine > 0.0) {  // asin(x)/x in powers of x^2
-    const S factor = 1.0 + square * (1.0 / 6 + square * (3.0 / 40 + square * (15.0 / 336 + square * (105.0 / 3456))));
-    return factor * sine_axis;
-  }
+  if (square < 1e-4 && cosine > 0.0) return small_angle_by_sine(square) * sine_axis;
   const S sine = sqrt(square);
   return (atan2(sine, cosine) / sine) * sine_axis;
 }
