@@ -1,7 +1,9 @@
 // Where items are, for pictures: arrays of all items of a kind in one call, with memory of their own.
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -10,6 +12,7 @@
 #include "alike.hpp"
 #include "conversion.hpp"
 #include "dalembert/pictures/contour.hpp"
+#include "floating_frames.hpp"
 #include "item_arguments.hpp"
 #include "main_system.hpp"
 #include "modal_mesh.hpp"
@@ -58,6 +61,19 @@ class ScenePlaces {
     py::array_t<float> result({static_cast<py::ssize_t>(modal->nodes()), py::ssize_t{3}});
     modal->points(*main_, std::span<const double, 12>(rows.data(), 12), result.mutable_data());
     return result;
+  }
+  // The node of the floating frame in whose components a sensor's values are; None: they are global.
+  std::optional<int> frame_of_sensor(int sensor) {
+    const std::vector<int> frames = floating_frames_of_sensors(main_->model);
+    const bool there = sensor >= 0 && sensor < main_->model.count(ItemKind::sensor);
+    if (!there || frames[static_cast<std::size_t>(sensor)] < 0) return std::nullopt;
+    return frames[static_cast<std::size_t>(sensor)];
+  }
+  // Position and rotation of the floating frame of a sensor's node, for each row that the sensor has stored; None: its values are global.
+  py::object stored_frames(int sensor) {
+    const SensorTable frames = main_->sensor_storage.frames(sensor);
+    if (frames.columns == 0) return py::none();
+    return py::array_t<double>({static_cast<py::ssize_t>(frames.rows()), static_cast<py::ssize_t>(frames.columns)}, frames.values.data());
   }
   // For each item of a kind the first that looks like it.
   py::array look_alikes(int kind) {
@@ -122,6 +138,10 @@ void register_scene_places(py::module_& module) {
            "One number for each of these mesh nodes: a component of the output, or its length (-1).")
       .def("mesh_points", &ScenePlaces::mesh_points, py::arg("objectNumber"), py::arg("rows"), py::arg("configuration"),
            "Positions of these mesh nodes in single precision, of an object that stands as rows of rotation and position tell; None: mesh() may have them.")
+      .def("frame_of_sensor", &ScenePlaces::frame_of_sensor, py::arg("sensorNumber"),
+           "The node of the floating frame in whose components a sensor's values are; None: they are global.")
+      .def("stored_frames", &ScenePlaces::stored_frames, py::arg("sensorNumber"),
+           "Position and rotation (n x 12) of the floating frame of a sensor's node, for each row that the sensor has stored; None: its values are global.")
       .def("alike", &ScenePlaces::look_alikes, py::arg("kind"),
            "For each item of a kind the number of the first one that has its type and equal parameters of visualization.")
       .def("names", &ScenePlaces::names, py::arg("kind"), py::arg("numbers"), "Names of items.")

@@ -13,6 +13,7 @@
 #include "controllers.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
+#include "floating_frames.hpp"
 #include "interpreter_lock.hpp"
 #include "python_callback.hpp"
 #include "python_errors.hpp"
@@ -343,6 +344,7 @@ std::string measured_item(const Item& sensor) {
 }
 
 std::vector<SensorChannel> sensor_channels(const Model& model) {
+  const std::vector<int> frames = floating_frames_of_sensors(model);
   std::vector<SensorChannel> channels;
   for (const Item& sensor : model.items(ItemKind::sensor)) {
     SensorChannel& channel = channels.emplace_back();
@@ -352,6 +354,7 @@ std::vector<SensorChannel> sensor_channels(const Model& model) {
     const auto* variable = sensor_member<OutputVariableType>(sensor, "outputVariableType");
     channel.variable = variable_name(variable ? *variable : OutputVariableType::_None);
     channel.measured = measured_item(sensor);
+    channel.frame_node = frames[channels.size() - 1];
   }
   return channels;
 }

@@ -12,11 +12,13 @@ from typing import Any
 import numpy as np
 import pytest
 from test_items import READY, run
+from test_scenes import add_mesh_in_a_frame, spin
 
 import dalembert as exu
 from dalembert import _core
 from dalembert._live.histories import LONGEST, History
 from dalembert._pictures.studio import Studio
+from dalembert.itemInterface import SensorNode
 
 STEPS = 100  # with 130 items, some 10^4 of them
 
@@ -199,7 +201,7 @@ def test_traces_go_through_what_was_seen_until_all_is_stored(mbs: Any) -> None:
 
     def look(original: Any, t: float) -> bool:
         if shadow.follow()[0]:
-            seen.append(history.rows(sensor))
+            seen.append(history.rows(sensor)[0])
             with pytest.raises(ValueError, match="stores nothing"):
                 history.rows(silent)
         return True
@@ -213,6 +215,37 @@ def test_traces_go_through_what_was_seen_until_all_is_stored(mbs: Any) -> None:
         assert len(rows) == len(seen) > 3 and (np.diff(rows[:, 0]) > 0).all()
         np.testing.assert_allclose(rows[:, 3], -(rows[:, 0] ** 2), rtol=1e-9, atol=1e-12)
         shadow.follow()
-        stored = history.rows(sensor)
+        stored = history.rows(sensor)[0]
         np.testing.assert_array_equal(stored, mbs.GetSensorStoredData(sensor))
         np.testing.assert_allclose(stored[:, 0], np.linspace(0, 1, 11), atol=1e-4)
+
+
+def test_traces_of_nodes_in_a_frame_have_the_frames_of_their_time(mbs: Any) -> None:
+    """While a solver works, as afterwards: values of a mesh node are in the frame of its body, which turns."""
+    body, mesh = add_mesh_in_a_frame(mbs)
+    spin(mbs, mesh)
+    position = exu.OutputVariableType.Position
+    sensor = mbs.AddSensor(SensorNode(nodeNumber=mesh[0], outputVariableType=position, storeInternal=True))
+    mbs.Assemble()
+    shadow = _core._Shadow(mbs)
+    history, seen, places = History(mbs, shadow, exu.VisualizationSettings()), [], []
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 1000, 0.3
+    settings.solutionSettings.writeSolutionToFile = False
+
+    def look(original: Any, t: float) -> bool:
+        if shadow.follow()[0]:
+            seen.append(history.rows(sensor))
+            shown = exu.ConfigurationType.Visualization
+            places.append(shadow.system.GetObjectOutputSuperElement(body, position, 0, shown))
+        return True
+
+    shadow.follow()
+    mbs.SetPreStepUserFunction(look)
+    mbs.SolveDynamic(settings)
+    for rows, frames in (seen[-1], history.rows(sensor)):
+        assert rows.shape[1] == 4 and frames is not None and len(rows) == len(frames) > 3
+    assert np.ptp(np.array(places), axis=0).max() > 1
+    rows, frames = seen[-1]
+    in_space = np.einsum("nij,nj->ni", frames[:, 3:].reshape(-1, 3, 3), rows[:, 1:]) + frames[:, :3]
+    np.testing.assert_allclose(in_space, places, atol=1e-12)

@@ -20,8 +20,15 @@ import dalembert as exu
 from dalembert import graphics
 from dalembert._pictures import showing
 from dalembert._pictures.motion import Motion
-from dalembert._pictures.replay import SPARE_BITS, Packer
-from dalembert.itemInterface import NodePoint2DSlope1, ObjectANCFCable2D, VObjectANCFCable2D
+from dalembert._pictures.replay import SPARE_BITS, Packer, pack
+from dalembert.itemInterface import (
+    Force,
+    MarkerBodyRigid,
+    NodePoint2DSlope1,
+    ObjectANCFCable2D,
+    SensorBody,
+    VObjectANCFCable2D,
+)
 from dalembert.utilities import InertiaCuboid
 
 FOLDER = Path(exu.__file__).resolve().parent / "_pictures/page"
@@ -37,11 +44,32 @@ def unpacked(data: bytes) -> tuple[dict[str, Any], list[Any]]:
         offset += entry["bytes"]
         if entry["kind"] != "u1":
             part = part.reshape(4, -1).T.copy().view("<u4").ravel()
-        if entry["kind"] == "f4":  # differences of what is left of their bits
+        if entry["kind"] in ("f4", "carried"):  # differences of what is left of their bits
             part = (np.cumsum(part, dtype="<u4") << SPARE_BITS).view("<f4")
+        if entry["kind"] == "carried":
+            part = _carried(arrays[entry["by"]].reshape(3, 4, -1), part, entry["form"])
+            assert part.size == entry["count"]
         arrays.append(part)
     assert offset == len(whole)
     return head, arrays
+
+
+def _carried(rows: Any, local: Any, form: str) -> Any:
+    """Return the numbers of what stands still in a motion (3 x 4 x frames), number by number."""
+    square = np.concatenate(
+        [rows.transpose(2, 0, 1), np.broadcast_to([[[0, 0, 0, 1.0]]], (rows.shape[2], 1, 4))], axis=1
+    )
+    if form in ("points", "ball"):
+        points = np.column_stack([local[:-1] if form == "ball" else local]).reshape(-1, 3)
+        moved = (square[:, :3] @ np.column_stack([points, np.ones(len(points))]).T).transpose(0, 2, 1)
+        frames = moved.reshape(len(square), -1)
+        radius = np.full((len(square), 1), local[-1])
+        return (np.column_stack([frames, radius]) if form == "ball" else frames).T.ravel()
+    part = np.concatenate([local.reshape(3, 4), [[0, 0, 0, 1.0]]])
+    moved = square @ part
+    if form == "place":
+        moved[:, :3, :3] = part[:3, :3]
+    return moved[:, :3].reshape(len(square), 12).T.ravel()
 
 
 def data_of(text: str) -> bytes:
@@ -140,6 +168,65 @@ def test_size_of_a_file() -> None:
     mbs.SaveHTML("bodies.html", framesPerSecond=1000)
     assert len(unpacked(data_of(Path("bodies.html").read_text("utf-8")))[0]["times"]) == 1001
     assert 0.2e6 < Path("bodies.html").stat().st_size < 0.6e6
+
+
+def test_what_moves_with_a_body_costs_nothing_per_frame(mbs: Any) -> None:
+    """Markers, joints, axes, sensors and weight on bodies that turn are where they are in each scene of the motion."""
+    body = mbs.CreateGround()
+    for k in range(4):
+        before, body = body, mbs.CreateRigidBody(
+            referencePosition=[0.4 * k + 0.2, 0, 0], gravity=[0, 0.5, -9.81],
+            inertia=InertiaCuboid(1000, [0.4, 0.2, 0.1]),
+            graphicsDataList=[graphics.Brick(size=[0.4, 0.2, 0.1])],
+        )  # fmt: skip
+        mbs.CreateSphericalJoint(bodyNumbers=[before, body], position=[0.4 * k, 0, 0])
+    mbs.AddSensor(SensorBody(bodyNumber=body, outputVariableType=exu.OutputVariableType.Position))
+    end = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body, localPosition=[0.2, 0, 0]))
+    mbs.AddLoad(Force(markerNumber=end, loadVector=[0, 0, 1]))
+    spring = mbs.CreateSpringDamper(bodyNumbers=[0, body], localPosition1=[0.2, 0, 0], stiffness=10)
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 200, 0.5
+    settings.solutionSettings.solutionWritePeriod = 0.005
+    mbs.SolveDynamic(settings)
+    shown = mbs.GetSystemContainer().visualizationSettings
+    shown.nodes.showBasis = shown.markers.show = shown.connectors.showJointAxes = shown.sensors.show = True
+    motion = Motion(mbs, "test", None, 200, 1.0, None, None)
+    head, arrays = unpacked(pack(motion, {}))
+    count = len(motion.scenes)
+    kinds = [entry["form"] for entry in head["arrays"] if entry["kind"] == "carried"]
+    assert {"rows", "place", "ball"} <= set(kinds)
+    moving = [
+        head["items"][item][:2]
+        for mesh in head["meshes"] for item, place in zip(mesh["items"], mesh.get("places", []), strict=False)
+        if head["arrays"][place]["kind"] == "f4" and arrays[place].size > 12
+    ]  # fmt: skip
+    alone = [item for item in moving if item != ["Object", spring]]
+    assert len(alone) == 4, alone  # one for each body, and nothing else
+    found: dict[int, list[Any]] = {}
+    for mesh in head["meshes"]:
+        for item, place in zip(mesh["items"], mesh.get("places", []), strict=False):
+            found.setdefault(item, []).append(np.broadcast_to(arrays[place].reshape(12, -1), (12, count)))
+    names = [(item.kind, item.number, item.system) for item in motion.scenes[0].items]
+    for at, scene in enumerate(motion.scenes):
+        drawn: dict[int, list[Any]] = {}
+        for part in scene.instances:
+            drawn.setdefault(part.item, []).append(np.column_stack([part.matrix, part.place]).ravel())
+        for item, parts in drawn.items():
+            assert names[item][0] == head["items"][item][0]
+            if names[item][:2] == ("Object", spring):
+                continue  # it is deformed
+            known = np.array([part[:, at] for part in found[item]])
+            for part in parts:
+                seen = [2, 3, 6, 7, 10, 11]  # axis and place: parts may be round
+                assert np.abs(known - part)[:, seen].max(axis=1).min() < 5e-5, names[item]
+    for center, *_, item in motion.scenes[-1].spheres:
+        places = [
+            arrays[p].reshape(4, -1)[:3, -1]
+            for p, i in zip(*map(head["spheres"].get, ("places", "items")), strict=True)
+            if i == item
+        ]
+        assert min(np.abs(place - center).max() for place in places) < 5e-5
 
 
 def test_pages_have_the_ending_that_browsers_know(mbs: Any) -> None:

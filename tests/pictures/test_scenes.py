@@ -16,6 +16,7 @@ from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.studio import Studio, item_at
 from dalembert.itemInterface import (
     Cable2D,
+    CoordinateConstraint,
     LoadCoordinate,
     MarkerBodyRigid,
     MarkerKinematicTreeRigid,
@@ -32,6 +33,7 @@ from dalembert.itemInterface import (
     ReevingSystemSprings,
     SensorBody,
     SensorNode,
+    SensorSuperElement,
     SpringDamper,
     VCable2D,
     VNodePoint,
@@ -474,6 +476,17 @@ def add_mesh_in_a_frame(mbs: Any) -> tuple[Any, list[Any]]:
     return body, mesh
 
 
+def spin(mbs: Any, mesh: list[Any]) -> None:
+    """Let the frame of that mesh travel and turn with all nodes but the first one at rest in it; the first one swings."""
+    mbs.SetNodeParameter(0, "initialVelocities", [1, 2, 3, 0, 0, 8])
+    mbs.SetNodeParameter(mesh[0], "initialCoordinates", [0, 0, 0.01])
+    ground = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
+    for node in mesh[1:]:
+        for coordinate in range(3):
+            held = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=coordinate))
+            mbs.AddObject(CoordinateConstraint(markerNumbers=[ground, held]))
+
+
 def centers(scene: Any, kind: str, number: int) -> Any:
     """Return the middles of the meshes and spheres that an item is drawn by."""
     whole = scene.unbound()
@@ -545,23 +558,36 @@ def test_nodes_of_a_mesh_have_its_colors(SC: Any, mbs: Any) -> None:
     assert [values["Node", int(node)][0] for node in mesh] == pytest.approx(expected)
 
 
-def test_traces_of_nodes_in_a_frame_move_with_it(SC: Any, mbs: Any) -> None:
-    _, mesh = add_mesh_in_a_frame(mbs)
+def test_traces_of_nodes_in_a_frame_are_where_the_nodes_were(SC: Any, mbs: Any) -> None:
+    """Of a frame that turns and travels: at each time, the path goes through where the mesh was in space."""
+    body, mesh = add_mesh_in_a_frame(mbs)
+    spin(mbs, mesh)
     sensors = [
         mbs.AddSensor(SensorNode(nodeNumber=mesh[0], outputVariableType=variable, storeInternal=True))
         for variable in (Variable.Position, Variable.Displacement)
     ]
+    seen = mbs.AddSensor(
+        SensorSuperElement(
+            bodyNumber=body, meshNodeNumber=0, outputVariableType=Variable.Position, storeInternal=True
+        )
+    )  # fmt: skip
     mbs.Assemble()
     settings = exu.SimulationSettings()
-    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 4, 0.1
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 20, 0.2
+    settings.solutionSettings.sensorsWritePeriod = 0.01
     mbs.SolveDynamic(settings)
     traces = SC.visualizationSettings.sensors.traces
     traces.showPositionTrace = traces.showVectors = True
     traces.listOfPositionSensors, traces.listOfVectorSensors = [sensors[0]], [sensors[1]]
-    mbs.GetSensorStoredData(sensors[0])
     scene = Studio(SC).scene()
     (line,) = [points for points, _, _, item in scene.lines if scene.items[item].kind == "Trace"]
-    assert line == pytest.approx(np.tile(FRAME + RotationMatrixZ(np.pi / 2) @ MESH[0], (len(line), 1)), abs=1e-6)
+    path = mbs.GetSensorStoredData(seen)[:, 1:]
+    assert np.ptp(path[:, 0]) > 1 and len(line) == 21
+    assert line == pytest.approx(path, abs=1e-9)
+    own = mbs.GetSensorStoredData(sensors[0])
+    assert (
+        own.shape == (21, 4) and np.abs(own[-1, 1:] - path[-1]).max() > 1
+    )  # sensors tell what they measure, in the frame
 
 
 def test_a_mesh_of_modes_stands_in_its_frame_before_assemble(SC: Any, mbs: Any) -> None:

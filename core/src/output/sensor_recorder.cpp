@@ -1,6 +1,7 @@
 #include "dalembert/output/sensor_recorder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -64,7 +65,7 @@ void SensorRecorder::record(System& system, double time) {
     const int sensor = static_cast<int>(i);
     system.sensor_values(sensor, ConfigurationType::Current, values_);
     if (targets_[i].file != nullptr) write(*targets_[i].file, time);
-    if (targets_[i].stored) store(sensor);
+    if (targets_[i].stored) store(system, sensor);
   }
   if (storage_ == nullptr) return;
   if (!begun_) storage_->begin(columns_, rows_);
@@ -83,7 +84,7 @@ void SensorRecorder::write(OutputFile& file, double time) {
   flush_ ? file.flush() : file.written();
 }
 
-void SensorRecorder::store(int sensor) {
+void SensorRecorder::store(System& system, int sensor) {
   SensorColumns& columns = columns_[static_cast<std::size_t>(sensor)];
   const int count = static_cast<int>(values_.size());
   const SensorColumns before = begun_ ? columns : storage_->columns(sensor);
@@ -92,8 +93,14 @@ void SensorRecorder::store(int sensor) {
                              std::to_string(before.count) + " to " + std::to_string(count) +
                              ", which storeInternal=True cannot keep; write this sensor to a file instead");
   }
-  columns = {static_cast<int>(row_.size()), count};
+  const int frame = channels_[static_cast<std::size_t>(sensor)].frame_node;
+  columns = {static_cast<int>(row_.size()), count, frame >= 0};
   row_.insert(row_.end(), values_.begin(), values_.end());
+  if (frame < 0) return;
+  for (const OutputVariableType part : {OutputVariableType::Position, OutputVariableType::RotationMatrix}) {
+    system.node_output(frame, part, ConfigurationType::Current, values_);
+    row_.insert(row_.end(), values_.begin(), values_.end());
+  }
 }
 
 std::vector<double> SensorRecorder::lengths() {
@@ -119,7 +126,7 @@ void SensorRecorder::close() {
 
 void SensorStorage::begin(const std::vector<SensorColumns>& columns, std::size_t rows) {
   Chunk& chunk = chunks_.emplace_back(Chunk{columns, 1, std::max<std::size_t>(rows, 1), {}});
-  for (const SensorColumns& c : chunk.columns) chunk.width += static_cast<std::size_t>(c.count);
+  for (const SensorColumns& c : chunk.columns) chunk.width += static_cast<std::size_t>(c.width());
   chunk.values.reserve(chunk.rows * chunk.width);
 }
 
@@ -142,11 +149,29 @@ SensorTable SensorStorage::table(int sensor) const {
   SensorTable table;
   for (const Chunk& chunk : chunks_) {
     if (i >= chunk.columns.size() || chunk.columns[i].first < 0) continue;
-    const auto [first, count] = chunk.columns[i];
+    const auto [first, count, framed] = chunk.columns[i];
     table.columns = count + 1;
     for (auto row = chunk.values.begin(); row != chunk.values.end(); row += static_cast<std::ptrdiff_t>(chunk.width)) {
       table.values.push_back(*row);
       table.values.insert(table.values.end(), row + first, row + first + count);
+    }
+  }
+  return table;
+}
+
+// A node that was not yet in a floating frame has been where it says.
+SensorTable SensorStorage::frames(int sensor) const {
+  constexpr std::array<double, SensorColumns::frame> global{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const auto i = static_cast<std::size_t>(sensor);
+  SensorTable table;
+  if (!columns(sensor).framed) return table;
+  table.columns = SensorColumns::frame;
+  for (const Chunk& chunk : chunks_) {
+    if (i >= chunk.columns.size() || chunk.columns[i].first < 0) continue;
+    const SensorColumns& c = chunk.columns[i];
+    for (auto row = chunk.values.begin(); row != chunk.values.end(); row += static_cast<std::ptrdiff_t>(chunk.width)) {
+      const double* const frame = c.framed ? &*row + c.first + c.count : global.data();
+      table.values.insert(table.values.end(), frame, frame + SensorColumns::frame);
     }
   }
   return table;

@@ -10,10 +10,12 @@ from typing import Any
 
 import numpy as np
 
+from dalembert import _core
 from dalembert._checks import FloatArray
-from dalembert._core import ConfigurationType
+from dalembert._core import ConfigurationType, OutputVariableType
 
 LONGEST = 4096  # rows of a track
+FRAME = 12  # numbers of a frame: position and rotation matrix
 
 
 class Track:
@@ -53,12 +55,17 @@ class History:
     def __init__(self, original: Any, shadow: Any, settings: Any) -> None:
         self._original, self._shadow, self._settings = original, shadow, settings
         self._seen: dict[int, Track] = {}
+        self._frames: dict[int, int | None] = {}  # nodes of floating frames in whose components values of sensors are
 
-    def rows(self, number: int) -> Any:
-        """Return time and values of a sensor, row by row; ValueError if it is not to store anything."""
+    def rows(self, number: int) -> tuple[Any, FloatArray | None]:
+        """Return time and values of a sensor, row by row, and their floating frames if the values are not global.
+
+        ValueError if it is not to store anything.
+        """
         if not self._shadow.solving:
             self._seen.pop(number, None)
-            return self._original.GetSensorStoredData(number)
+            stored = self._original.GetSensorStoredData(number)
+            return stored, _core._ScenePlaces(self._original).stored_frames(number)
         system, track = self._shadow.system, self._seen.get(number)
         if not system.GetSensor(number)["storeInternal"]:
             raise ValueError(f"sensor {number} stores nothing")
@@ -66,7 +73,20 @@ class History:
         last = -np.inf if track is None else float(track.rows()[-1, 0])
         if track is None or time != last:
             values = np.ravel(system.GetSensorValues(number, ConfigurationType.Visualization))
-            if track is None or time < last:  # another solution
-                track = self._seen[number] = Track(1 + len(values))
-            track.add(np.array([time, *values]), time - (float(self._settings.sensors.traces.timeSpan) or np.inf))
-        return track.rows()
+            again = track is None or time < last  # another solution
+            if again:
+                self._frames[number] = _core._ScenePlaces(system).frame_of_sensor(number)
+            row = np.array([time, *values, *self._frame(self._frames[number])])
+            if track is None or again:
+                track = self._seen[number] = Track(len(row))
+            track.add(row, time - (float(self._settings.sensors.traces.timeSpan) or np.inf))
+        rows = track.rows()
+        return (rows, None) if self._frames[number] is None else (rows[:, :-FRAME], rows[:, -FRAME:])
+
+    def _frame(self, node: int | None) -> list[float]:
+        """Return position and rotation of a node as it is shown."""
+        if node is None:
+            return []
+        outputs = (OutputVariableType.Position, OutputVariableType.RotationMatrix)
+        ask = self._shadow.system.GetNodeOutput
+        return [x for output in outputs for x in ask(node, output, ConfigurationType.Visualization)]

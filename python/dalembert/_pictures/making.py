@@ -48,7 +48,7 @@ class SceneMaker:
         self.source = _core._ScenePlaces(mbs)  # of the places of all items, once the system is assembled
         self._items: Parameters = {}  # as they have been since the last of the changes
         self._changes = 0
-        self.stored: traces.Stored = mbs.GetSensorStoredData
+        self.stored: traces.Stored = lambda sensor: (mbs.GetSensorStoredData(sensor), self.source.stored_frames(sensor))
         self._sized = False
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:

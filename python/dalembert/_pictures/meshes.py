@@ -27,6 +27,7 @@ class Mesh:
     materials: IntArray | None = None  # n, for the ray tracer: 0: none; 1 + number; -1 - number: with its own color
     sharp: IntArray | None = None  # see sharp_edges
     extreme: FloatArray | None = None  # see extremes
+    is_round: bool = False  # looks the same when it is turned about its z axis
 
 
 def same_form(a: Mesh, b: Mesh) -> bool:
@@ -141,7 +142,7 @@ def revolved(radii: npt.ArrayLike, heights: npt.ArrayLike, tiles: int) -> Mesh:
             points.append(circle * r + np.array([0, 0, z]))
             normals.append(normal)
         triangles.append(grid_triangles(2, tiles + 1) + 2 * number * (tiles + 1))
-    return Mesh(np.concatenate(points), np.concatenate(triangles), np.concatenate(normals))
+    return Mesh(np.concatenate(points), np.concatenate(triangles), np.concatenate(normals), is_round=True)
 
 
 def swept(line: FloatArray, radius: float, tiles: int) -> Mesh:
@@ -188,7 +189,7 @@ def ball(tiles: int) -> Mesh:
     """Return a sphere of radius 1."""
     theta, phi = np.meshgrid(np.linspace(0, np.pi, tiles + 1), np.linspace(0, 2 * np.pi, 2 * tiles + 1), indexing="ij")
     points = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], -1).reshape(-1, 3)
-    return Mesh(points, grid_triangles(tiles + 1, 2 * tiles + 1), points)
+    return Mesh(points, grid_triangles(tiles + 1, 2 * tiles + 1), points, is_round=True)
 
 
 @lru_cache(maxsize=64)

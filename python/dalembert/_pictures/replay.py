@@ -1,9 +1,11 @@
 """A motion as data for the page: what each scene draws, once, and how it moves, frame by frame.
 
 The data are a JSON head and arrays behind it. What does not change is stored once; what moves as a whole has 12 numbers
-per frame (the rows of x = matrix @ point + place), what is deformed its points. Floats lose the last bits that nobody
-sees; what is left of their bits is a whole number, of which the difference to the one before is kept, as numbers of one
-frame after the other are nearly equal. Bytes are sorted by significance, so that all of it packs well.
+per frame (the rows of x = matrix @ point + place), what is deformed its points. What moves with something else is kept
+as it stands there, without a number per frame (carrying.py); pages find its numbers when they read it. Floats lose the
+last bits that nobody sees; what is left of their bits is a whole number, of which the difference to the one before is
+kept, as numbers of one frame after the other are nearly equal. Bytes are sorted by significance, so that all of it
+packs well.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from __future__ import annotations
 import gzip
 import json
 from collections import defaultdict
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,6 +21,7 @@ import numpy.typing as npt
 
 from dalembert._checks import FloatArray
 from dalembert._pictures import contour
+from dalembert._pictures.carrying import Carried, Carriers
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.meshes import Mesh, same_form, sharp_edges
 from dalembert._pictures.scene import Instance, Scene
@@ -47,14 +51,32 @@ class Packer:
         bits = np.ascontiguousarray(values, dtype="<f4").ravel().view("<u4") >> SPARE_BITS
         return self._words("f4", np.diff(bits, prepend=bits.dtype.type(0)))
 
-    def moving(self, frames: npt.ArrayLike) -> int:
-        """Keep numbers per frame (frames x numbers), one number after the other; a single frame if nothing changes."""
+    def moving(self, frames: npt.ArrayLike, carried: Callable[[FloatArray], Carried | None] | None = None) -> int:
+        """Keep numbers per frame (frames x numbers), one number after the other; a single frame if nothing changes.
+
+        `carried` finds what moves with something else.
+        """
         array = np.asarray(frames, dtype=float)
         if len(array) > 1 and np.ptp(array, axis=0).max(initial=0) <= 1e-7 * max(
             float(np.abs(array).max(initial=0)), 1e-30
         ):
             array = array[:1]
+        elif len(array) > 1 and carried is not None and (found := carried(array)) is not None:
+            number = self.floats(found.numbers)
+            self.table[number] |= {"kind": "carried", "count": array.size, "by": found.by, "form": found.form}
+            return number
         return self.floats(array.T)
+
+    def part(self, frames: FloatArray, carriers: Carriers, is_round: bool) -> int:
+        """Keep a rigid part (frames x rows of matrix and place).
+
+        What moves by itself may carry others, and what does not turn with its body what is beside it.
+        """
+        number = self.moving(frames, lambda rows: carriers.part(rows, is_round))
+        entry = self.table[number]
+        if entry["count"] > frames[0].size and entry.get("form", "place") == "place":
+            carriers.add(frames, number)
+        return number
 
     def integers(self, values: npt.ArrayLike) -> int:
         """Keep numbers of points."""
@@ -87,8 +109,9 @@ def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
             if items.setdefault((item.kind, item.number, item.system), len(names)) == len(names):
                 names.append([item.kind, item.number, item.type_name, item.name])
     numbered = [[items[item.kind, item.number, item.system] for item in scene.items] for scene in scenes]
+    carriers = Carriers()
     head = {
-        "version": 2,
+        "version": 3,
         **words,
         "rate": motion.rate,
         "times": [scene.time for scene in scenes],
@@ -99,9 +122,9 @@ def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
             "zoom": camera.zoom,
         },
         "background": list(looks.setting("general.backgroundColor"))[:3],
-        "meshes": _meshes(packer, scenes, numbered, looks, limits),
-        "spheres": _spheres(packer, scenes, numbered),
-        "lines": _lines(packer, scenes, numbered),
+        "meshes": _meshes(packer, carriers, scenes, numbered, looks, limits),
+        "spheres": _spheres(packer, carriers, scenes, numbered),
+        "lines": _lines(packer, carriers, scenes, numbered),
         "contour": _contour(scenes, looks, limits),
     }
     return packer.data(head)
@@ -132,7 +155,12 @@ def _keyed(parts: list[tuple[int, Any]]) -> dict[Key, Any]:
 
 
 def _meshes(
-    packer: Packer, scenes: list[Scene], numbered: list[list[int]], looks: Looks, limits: tuple[float, float]
+    packer: Packer,
+    carriers: Carriers,
+    scenes: list[Scene],
+    numbered: list[list[int]],
+    looks: Looks,
+    limits: tuple[float, float],
 ) -> list[dict[str, Any]]:
     """Return meshes: rigid ones with all their places, and deformed ones with their points."""
     frames = [
@@ -148,11 +176,12 @@ def _meshes(
                 rigid[id(known[0].mesh), known[0].color].append((key, history))
             else:
                 result.append(_deformed(packer, key, history, looks, limits))
-    for group in rigid.values():
-        first = next(part for part in group[0][1] if part is not None)
+    # What is round comes last: it may turn otherwise than the body that it is on, and carries nothing then.
+    groups = ((next(part for part in group[0][1] if part is not None), group) for group in rigid.values())
+    for first, group in sorted(groups, key=lambda known: known[0].mesh.is_round):
         entry = _shape(packer, first.mesh, first)
-        places = [[_rows(part) for part in history] for _, history in group]
-        entry["places"] = [packer.moving(place) for place in places]
+        places = [np.array([_rows(part) for part in history]) for _, history in group]
+        entry["places"] = [packer.part(place, carriers, first.mesh.is_round) for place in places]
         entry["items"] = [key[0] for key, _ in group]
         result.append(entry)
     return result
@@ -222,7 +251,7 @@ def _deformed(
     return entry
 
 
-def _spheres(packer: Packer, scenes: list[Scene], numbered: list[list[int]]) -> dict[str, Any]:
+def _spheres(packer: Packer, carriers: Carriers, scenes: list[Scene], numbered: list[list[int]]) -> dict[str, Any]:
     frames = [
         _keyed([(numbers[item], (center, radius, color)) for center, radius, color, item in scene.spheres])
         for scene, numbers in zip(scenes, numbered, strict=True)
@@ -232,13 +261,13 @@ def _spheres(packer: Packer, scenes: list[Scene], numbered: list[list[int]]) -> 
     places = [[[*frame.get(key, nothing)[0], frame.get(key, nothing)[1]] for frame in frames] for key in keys]
     colors = [next(frame[key][2] for frame in frames if key in frame)[:3] for key in keys]
     return {
-        "places": [packer.moving(place) for place in places],
+        "places": [packer.moving(place, carriers.ball) for place in places],
         "colors": packer.shades(np.array(colors).reshape(-1, 3)),
         "items": [key[0] for key in keys],
     }
 
 
-def _lines(packer: Packer, scenes: list[Scene], numbered: list[list[int]]) -> list[dict[str, Any]]:
+def _lines(packer: Packer, carriers: Carriers, scenes: list[Scene], numbered: list[list[int]]) -> list[dict[str, Any]]:
     """Return lines; one that gains points on the way, such as a trace, waits at its end with the points to come."""
     frames = [
         _keyed([(numbers[item], (points, color)) for points, color, _, item in scene.lines if len(points) > 1])
@@ -254,6 +283,6 @@ def _lines(packer: Packer, scenes: list[Scene], numbered: list[list[int]]) -> li
         for frame in frames:
             points = frame[key][0] if key in frame else last
             history.append(np.concatenate([points, np.repeat(points[-1:], most - len(points), axis=0)]).ravel())
-        frames_of_line = packer.moving(np.array(history))
+        frames_of_line = packer.moving(np.array(history), carriers.points)
         result.append({"frames": frames_of_line, "count": most, "color": list(color), "item": key[0]})
     return result

@@ -12,7 +12,9 @@ from dalembert._core import OutputVariableType
 from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.pen import Pen
 
-Stored = Callable[[int], Any]  # time and values, row by row, that a sensor has stored
+# Time and values, row by row, that a sensor has stored; and position and rotation of the floating frame of each row if
+# the values are in its components, not in global ones.
+Stored = Callable[[int], tuple[Any, FloatArray | None]]
 
 
 def wanted(looks: Looks) -> bool:
@@ -27,33 +29,34 @@ def draw(pen: Pen, time: float, stored: Stored) -> None:
     numbers = [int(n) for n in traces.listOfPositionSensors] or _position_sensors(pen)
     palette = np.asarray(traces.traceColors, float).reshape(-1, 4)
     for order, number in enumerate(numbers):
-        rows = _rows(stored, traces, number, time)
-        if rows is None or len(rows) < 2:
+        known = _rows(stored, traces, number, time)
+        if known is None or len(known[0]) < 2:
             continue
+        rows = known[0]
         color = rgba(palette[order % len(palette)]) if len(palette) else (0.2, 0.2, 0.2, 1.0)
-        positions = _turned(pen, number, rows[:, 1:4], True)
+        positions = _in_space(*known, are_places=True)
         if traces.showPositionTrace:
             pen.line(positions[:: max(int(traces.positionsShowEvery), 1)], color, float(traces.lineWidth))
         if traces.showVectors and order < len(traces.listOfVectorSensors):
-            vectors = _rows(stored, traces, int(traces.listOfVectorSensors[order]), time)
-            for i in _chosen(rows, vectors, traces.vectorsShowEvery, traces.showCurrent):
-                assert vectors is not None
-                vector = _turned(pen, int(traces.listOfVectorSensors[order]), vectors[i, 1:4], False)
-                pen.arrow(positions[i], float(traces.vectorScaling) * vector, 0.002 * pen.looks.size, color)
+            measured = _rows(stored, traces, int(traces.listOfVectorSensors[order]), time)
+            chosen = _chosen(rows, measured, traces.vectorsShowEvery, traces.showCurrent)
+            vectors = float(traces.vectorScaling) * _in_space(*measured) if measured else rows[:0]
+            for i in chosen:
+                pen.arrow(positions[i], vectors[i], 0.002 * pen.looks.size, color)
         if traces.showTriads and order < len(traces.listOfTriadSensors):
             turned = _rows(stored, traces, int(traces.listOfTriadSensors[order]), time)
             for i in _chosen(rows, turned, traces.triadsShowEvery, traces.showCurrent):
                 assert turned is not None
-                pen.frame(positions[i], turned[i, 1:10].reshape(3, 3), float(traces.triadSize))
+                pen.frame(positions[i], turned[0][i, 1:10].reshape(3, 3), float(traces.triadSize))
 
 
-def _turned(pen: Pen, number: int, values: FloatArray, are_places: bool) -> FloatArray:
-    """Return values of a sensor in global components: nodes in a floating frame tell theirs in its present axes."""
-    node = pen.places.item("Sensor", number).get("nodeNumber")
-    frame = None if node is None else pen.places.frame_of_output(int(node))
-    if frame is None:
-        return values
-    return values @ frame[1].T + (frame[0] if are_places else 0)
+def _in_space(rows: FloatArray, frames: FloatArray | None, are_places: bool = False) -> FloatArray:
+    """Return vectors of rows in global components, as they were at the time of each row."""
+    vectors = rows[:, 1:4]
+    if frames is None:
+        return vectors
+    turned = np.einsum("nij,nj->ni", frames[:, 3:].reshape(-1, 3, 3), vectors)
+    return turned + frames[:, :3] if are_places else turned
 
 
 def _position_sensors(pen: Pen) -> list[int]:
@@ -65,24 +68,25 @@ def _position_sensors(pen: Pen) -> list[int]:
     ]
 
 
-def _rows(stored: Stored, traces: Any, number: int, time: float) -> FloatArray | None:
-    """Return time and values of a sensor, as much of the past and the future as is to be shown."""
+def _rows(stored: Stored, traces: Any, number: int, time: float) -> tuple[FloatArray, FloatArray | None] | None:
+    """Return time and values of a sensor, with frames, as much of the past and the future as is to be shown."""
     try:
-        rows = np.atleast_2d(np.asarray(stored(number), float))
+        values, frames = stored(number)
     except (RuntimeError, ValueError):
         return None
+    rows = np.atleast_2d(np.asarray(values, float))
     if rows.ndim != 2 or rows.shape[1] < 4:
         return None
     span = float(traces.timeSpan) or np.inf
     wanted = np.abs(rows[:, 0] - time) <= span
     wanted &= (rows[:, 0] <= time + 1e-12) if not traces.showFuture else True
     wanted &= (rows[:, 0] >= time - 1e-12) if not traces.showPast else True
-    return rows[wanted]
+    return rows[wanted], None if frames is None else frames[wanted]
 
 
-def _chosen(rows: FloatArray, others: FloatArray | None, every: int, current: bool) -> list[int]:
+def _chosen(rows: FloatArray, others: tuple[FloatArray, Any] | None, every: int, current: bool) -> list[int]:
     """Return which rows have an arrow or a triad: every so many, and the last one."""
-    if others is None or len(others) != len(rows):
+    if others is None or len(others[0]) != len(rows):
         return []
     chosen = set(range(0, len(rows), max(int(every), 1)))
     return sorted(chosen | {len(rows) - 1} if current else chosen)

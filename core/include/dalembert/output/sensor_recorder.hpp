@@ -18,6 +18,7 @@ struct SensorChannel {
   bool write_to_file = true, store_internal = false;
   std::string measured;  // "Node number = 3"; "UserFunction"
   std::string variable;  // "Position"
+  int frame_node = -1;   // of the floating frame in whose components the sensor's node tells its values; -1: they are global
 };
 
 // Rows of time and values, one after the other.
@@ -30,6 +31,9 @@ struct SensorTable {
 // Where the values of a sensor stand in a row of all sensors.
 struct SensorColumns {
   int first = -1, count = 0;  // first < 0: the sensor is not stored
+  bool framed = false;        // position and rotation of the floating frame follow, for traces in space
+  static constexpr int frame = 12;
+  int width() const { return count + (framed ? frame : 0); }
 };
 
 // What sensors with storeInternal have recorded; belongs to the main system and outlives the solver. A row has the time and the
@@ -42,6 +46,7 @@ class SensorStorage {
   void append(const std::vector<double>& row);
   SensorColumns columns(int sensor) const;  // in the last rows that have the sensor
   SensorTable table(int sensor) const;
+  SensorTable frames(int sensor) const;  // position and rotation of the floating frame, row by row; no columns: values are global
 
  private:
   struct Chunk {
@@ -73,12 +78,12 @@ class SensorRecorder {
     bool stored = false;
   };
   void write(OutputFile& file, double time);
-  void store(int sensor);
+  void store(System& system, int sensor);
 
   std::vector<SensorChannel> channels_;
   std::vector<OutputFile> files_;
   std::vector<Target> targets_;
-  std::vector<double> values_, row_;  // of the sensor being recorded, and of all that are stored
+  std::vector<double> values_, row_;  // of the sensor or the frame being recorded, and of all that are stored
   SensorStorage* storage_ = nullptr;  // null: nothing is stored
   std::vector<SensorColumns> columns_;
   bool active_ = false, flush_ = false, headers_ = false, begun_ = false;

@@ -22,18 +22,46 @@ function summed(differences) {
   return new Float32Array(differences.map((difference) => (bits = (bits + difference) | 0) << SPARE_BITS).buffer);
 }
 
+// Numbers of all frames, of what stands still in something that moves by its rows; number by number, as those are.
+function carried(rows, local, form) {
+  const frames = rows.length / 12, ball = form === "ball", result = new Float32Array(local.length * frames);
+  const stay = (i) => result.fill(local[i], i * frames, (i + 1) * frames);
+  // Three numbers, so far from each other: a point if it goes with the place, or a vector.
+  const move = (first, step, goes) => {
+    const [x, y, z] = [0, 1, 2].map((k) => local[first + k * step]);
+    for (let row = 0; row < 3; ++row) {
+      const [a, b, c, d] = [0, 1, 2, 3].map((k) => rows.subarray((4 * row + k) * frames, (4 * row + k + 1) * frames));
+      const target = result.subarray((first + row * step) * frames, (first + row * step + 1) * frames);
+      for (let i = 0; i < frames; ++i) target[i] = a[i] * x + b[i] * y + c[i] * z + (goes ? d[i] : 0);
+    }
+  };
+  if (form === "points" || ball) {
+    for (let first = 0; first + 2 < local.length; first += 3) move(first, 1, true);
+    if (ball) stay(3);
+    return result;
+  }
+  if (form === "place") local.forEach((_, i) => stay(i));
+  else for (let column = 0; column < 3; ++column) move(column, 4, false);
+  move(3, 4, true);
+  return result;
+}
+
 export async function read(base64) {
   const bytes = await unpacked(base64);
   const length = new DataView(bytes.buffer).getUint32(0, true);
   const head = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
   let offset = 4 + length;
-  const arrays = head.arrays.map(({ kind, count, bytes: size }) => {
+  const arrays = [];
+  for (const { kind, bytes: size, by, form } of head.arrays) {
     const part = bytes.subarray(offset, offset + size);
     offset += size;
-    if (kind === "u1") return part.slice();
-    const words = gathered(part, count);
-    return kind === "f4" ? summed(words) : words;
-  });
+    if (kind === "u1") {
+      arrays.push(part.slice());
+      continue;
+    }
+    const words = gathered(part, size / 4);
+    arrays.push(kind === "u4" ? words : kind === "f4" ? summed(words) : carried(arrays[by], summed(words), form));
+  }
   return { head, arrays };
 }
 

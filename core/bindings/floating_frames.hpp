@@ -1,0 +1,13 @@
+// Sensors on nodes of meshes that move in a floating frame: such nodes tell their outputs in components of the frame.
+#pragma once
+
+#include <vector>
+
+#include "dalembert/model/model.hpp"
+
+namespace dalembert {
+
+// The node of the frame, by number of the sensor; -1: values of the sensor are global.
+std::vector<int> floating_frames_of_sensors(const Model& model);
+
+}  // namespace dalembert
