@@ -554,7 +554,7 @@ class VSettingsViewScene(_Settings):
     drawCoordinateSystem: int
     """coordinate system in the corner: 0 none, 1 lines with text, 2 arrows, 3 arrows with text; default: 2"""
     drawWorldBasis: bool
-    """draw the global frame at the origin; default: False"""
+    """draw the global frame at the origin; that of view0 is for all views; default: False"""
     facesTransparent: bool
     """draw all faces transparent, so that what they hide can be seen; default: False"""
     showFaceEdges: bool
@@ -564,11 +564,11 @@ class VSettingsViewScene(_Settings):
     showLines: bool
     """draw lines, other than edges; default: True"""
     showMeshEdges: bool
-    """draw the edges of finite elements; default: True"""
+    """draw the edges of finite elements; that of view0 is for all views; default: True"""
     showMeshFaces: bool
-    """draw the faces of finite elements; default: True"""
+    """draw the faces of finite elements; that of view0 is for all views; default: True"""
     worldBasisSize: float
-    """length of the axes of the global frame [m]; default: 1.0"""
+    """length of the axes of the global frame; that of view0 is for all views [m]; default: 1.0"""
     def __init__(self) -> None: ...
 
 @final

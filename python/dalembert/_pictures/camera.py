@@ -93,8 +93,9 @@ def named(view: Any, up: int = 2) -> FloatArray:
 
 
 def automatic(box: FloatArray | None, up: int) -> FloatArray:
-    """Return from where a system is seen best: from the front if it is flat, otherwise so that all axes are seen."""
+    """Return from where a system is seen best: from the front if it is flat there, otherwise so that axes are seen."""
     if box is None:
         return FRONT
     size = box[1] - box[0]
-    return FRONT if size[2] <= 0.25 * max(size[0], size[1]) else axonometric(up)
+    is_flat = size[2] <= 0.25 * max(size[0], size[1]) and size[2] <= 2 * size[1]
+    return FRONT if is_flat else axonometric(up)

@@ -236,7 +236,10 @@ def prismatic(pen: Pen, item: Item) -> None:
 
 
 def generic_joint(pen: Pen, item: Item) -> None:
-    """A ball, with a rod along each axis about which the joint turns and a bar along each in which it slides."""
+    """A ball, with a rod along each axis about which the joint turns and a bar along each in which it slides.
+
+    What has slid away is at the end of a thin rod.
+    """
     if not (ends := _ends(pen, item)):
         return
     _axes(pen, item)
@@ -256,6 +259,9 @@ def generic_joint(pen: Pen, item: Item) -> None:
             sizes = np.full(3, 0.7 * radius)
             sizes[i] = length
             pen.box(ends[0], frame, sizes, GREY)
+    if not all(constrained[:3]) and len(ends) == 2:
+        pen.stick_between(*item["markerNumbers"])
+        pen.cylinder(ends[0], ends[1], 0.3 * radius, color)
 
 
 def spherical(pen: Pen, item: Item) -> None:

@@ -19,6 +19,7 @@ from dalembert._pictures.places import Places, frame_along
 Item = dict[str, Any]
 NO_EDGES: IntArray = np.empty((0, 2), int)
 LINE_WIDTH = 3.0  # pixels, of beams whose section nobody has given
+FEW = 50  # nodes of a body without a mesh, between which lines can be told apart
 
 
 def _stations(pen: Pen, length: float) -> FloatArray:
@@ -210,7 +211,7 @@ class MeshBodies:
         self._known: dict[int, tuple[IntArray, IntArray, IntArray]] = {}  # what was given, triangles and edges
 
     def draw(self, pen: Pen, colors: Contour, number: int, item: Item) -> None:
-        """Draw the triangles of the mesh, deformed; its nodes if there are no triangles."""
+        """Draw the triangles of the mesh, deformed; without them its nodes, and lines where stiffness couples them."""
         default = rgba(pen.looks.setting("bodies.defaultColor"))
         shapes = user_shapes(self.mbs, number, item, default, f"object {number} '{item['name']}'")
         graphics_data.draw(pen, shapes, np.zeros(3), np.eye(3))
@@ -230,6 +231,9 @@ class MeshBodies:
                 color=color,
                 values=self._values(pen, colors, number, len(points)),
             )
+        if not len(triangles):
+            for pair in _coupled(pen, item):
+                pen.line(points[pair], color)
         if item.get("VshowNodes") or not len(triangles):
             radius = 0.5 * pen.looks.length("nodes.defaultSize", 0.015)
             for point in points:
@@ -275,6 +279,16 @@ class MeshBodies:
         if known is not None and len(known) == count:
             return known
         return np.array([colors.number(pen.places.mesh_output(number, colors.variable, node)) for node in range(count)])
+
+
+def _coupled(pen: Pen, item: Item) -> IntArray:
+    """Return pairs of nodes of a body of few nodes between which there is stiffness."""
+    if item["objectType"] != "GenericODE2" or len(item["nodeNumbers"]) > FEW:
+        return np.empty((0, 2), int)
+    nodes = [pen.places.item("Node", node) for node in item["nodeNumbers"]]
+    of_nodes = np.repeat(np.arange(len(nodes)), [len(node["referenceCoordinates"]) for node in nodes])
+    pairs = of_nodes[np.argwhere(item["stiffnessMatrix"].Convert2DenseMatrix())].reshape(-1, 2)
+    return np.unique(pairs[pairs[:, 0] < pairs[:, 1]], axis=0)
 
 
 def _reference_points(pen: Pen, item: Item) -> FloatArray | None:

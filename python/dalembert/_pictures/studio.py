@@ -21,8 +21,7 @@ from dalembert._pictures.renderer import state_of
 from dalembert._pictures.scene import DrawnItem, Instance, Scene
 
 BAR = 0.14  # part of the width that the bar of colors needs
-# Settings of the scene, which is one for all views: there are those of view0.
-OF_ALL_VIEWS = ("drawWorldBasis", "showMeshEdges", "showMeshFaces", "worldBasisSize")
+OF_VIEW0 = "that of view0 is for all views"  # in descriptions: what says how the scene is, which all views show
 
 
 def joined(scenes: list[Scene]) -> Scene:
@@ -180,10 +179,10 @@ def settings_without_effect() -> dict[str, tuple[Any, str]]:
                 visit(entry, f"{path}{name}.")
             elif "no effect: " in entry["description"]:
                 found[path + name] = entry["value"], entry["description"].rpartition("no effect: ")[2].rstrip(")")
+            elif OF_VIEW0 in entry["description"] and not path.startswith("view0."):
+                found[path + name] = entry["value"], OF_VIEW0
 
     visit(_core.VisualizationSettings().GetDictionaryWithTypeInfo(), "")
-    for path in (f"view{number}.scene.{name}" for number in (1, 2, 3) for name in OF_ALL_VIEWS):
-        found[path] = attrgetter(path)(_core.VisualizationSettings()), "that of view0 is for all views"
     return found
 
 

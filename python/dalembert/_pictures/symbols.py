@@ -69,7 +69,7 @@ def _slopes(pen: Pen, number: int, item: Item, place: FloatArray) -> None:
 
 
 def marker(pen: Pen, number: int, item: Item) -> None:
-    """A small cube; balls at the mesh nodes that the marker is the mean of."""
+    """A small cube; balls at the mesh nodes that the marker is the mean of, and lines to them or between two bodies."""
     if (place := pen.places.marker(number)) is None:
         return
     size = pen.looks.length("markers.defaultSize", 0.009)
@@ -77,11 +77,15 @@ def marker(pen: Pen, number: int, item: Item) -> None:
     pen.stick(*pen.places.seat(number), turns=pen.places.stands("Marker", number))
     pen.box(place, pen.places.marker_rotation(number), 3 * [size], color)
     pen.stick()
+    if "bodyNumbers" in item:
+        ends = [pen.places.body(body) for body in item["bodyNumbers"]]
+        pen.line([end for end in ends if end is not None], color)
     if item.get("VshowMarkerNodes") and "meshNodeNumbers" in item:
         for mesh_node in item["meshNodeNumbers"]:
             point = pen.places.mesh_output(item["bodyNumber"], OutputVariableType.Position, mesh_node)
             if point is not None:
                 pen.sphere(point, 0.35 * size, color)
+                pen.line([place, point], color)
 
 
 def load(pen: Pen, number: int, item: Item) -> None:
