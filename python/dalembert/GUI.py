@@ -6,13 +6,24 @@ What is typed is checked by the settings themselves: a value that they refuse st
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from enum import Enum
 from typing import Any
 
 import numpy as np
 
 __all__ = ["Edit", "EditDictionary", "EditDictionaryWithTypeInfo", "IsArrayInt", "IsFloat", "IsVector"]
+
+# Scripts change these before a dialog is opened.
+treeEditDefaultWidth, treeEditDefaultHeight = 1024, 800  # pixels of dialogs of settings
+treeEditMaxInitialHeight = 1440  # on screens that have room for more
+treeEditOpenItems = ["bodies", "connectors", "nodes", "general"]  # what is open at first
+dialogDefaultWidth, dialogDefaultHeight = 800, 600  # pixels of dialogs of dictionaries
+treeviewDefaultFontSize = 9  # points
+textHeightFactor = 1.45  # distance of lines by size of the font
+useRenderWindowDisplayScaling = True  # no effect: dialogs are scaled as the screen is that they open on
+
+_FREE_SHARE = 1.2  # height of a screen by that of the tallest dialog
 
 
 def IsFloat(v: Any) -> bool:
@@ -62,7 +73,7 @@ class Edit:
             below = (*path, str(key))
             leaf = isinstance(value, Mapping) and "value" in value and "type" in value if self._is_settings else False
             if leaf:
-                yield below, _text(value["value"]), str(value.get("description", ""))
+                yield below, _text(value["value"]), str(value.get("description", "")).replace("``", "")
             elif isinstance(value, Mapping):
                 yield below, "", ""
                 yield from self._rows(value, below)
@@ -135,19 +146,34 @@ def _tkinter() -> Any:
         raise RuntimeError(f"there is no display for dialogs ({error}); set the attributes instead") from None
 
 
-def _show(edit: Edit, title: str, editable: bool) -> None:
-    """Open the dialog, and return when it is closed."""
+def _tree_height(screen: int) -> int:
+    """Return the height of a dialog of settings on a screen of so many pixels."""
+    return max(treeEditDefaultHeight, min(treeEditMaxInitialHeight, int(screen / _FREE_SHARE)))
+
+
+def _show(edit: Edit, title: str, editable: bool, size: Callable[[int], tuple[int, int]]) -> None:
+    """Open the dialog, with width and height for the height of the screen, and return when it is closed."""
     tk, root = _tkinter()
     root.title(title)
+    width, height = size(root.winfo_screenheight())
+    root.geometry(f"{width}x{height}")
+    font, style = (None, treeviewDefaultFontSize), tk.ttk.Style(root)
+    row = round(treeviewDefaultFontSize * textHeightFactor * root.winfo_fpixels("1p"))
+    style.configure("Treeview", font=font, rowheight=row)
+    style.configure("Treeview.Heading", font=font)
     tree = tk.ttk.Treeview(root, columns=("value", "help"), height=30)
     for column, width, text in (("#0", 300, "name"), ("value", 200, "value"), ("help", 500, "meaning")):
         tree.column(column, width=width)
         tree.heading(column, text=text, anchor="w")
     for path, text, words in edit.rows():
-        tree.insert("/".join(path[:-1]), "end", "/".join(path), text=path[-1], values=(text, words))
+        is_open = path[-1] in treeEditOpenItems
+        tree.insert("/".join(path[:-1]), "end", "/".join(path), text=path[-1], values=(text, words), open=is_open)
     message = tk.StringVar(root)
+    tk.Label(root, textvariable=message, anchor="w").pack(side="bottom", fill="x")  # it keeps its room in small windows
+    bar = tk.ttk.Scrollbar(root, command=tree.yview)
+    bar.pack(side="right", fill="y")
+    tree.configure(yscrollcommand=bar.set)
     tree.pack(fill="both", expand=True)
-    tk.Label(root, textvariable=message, anchor="w").pack(fill="x")
 
     def begin(event: Any) -> None:
         name = tree.focus()
@@ -181,10 +207,11 @@ def _show(edit: Edit, title: str, editable: bool) -> None:
 
 def EditDictionaryWithTypeInfo(settingsStructure: Any, exu: Any = None, dictionaryName: str = "edit") -> None:
     """Show settings, such as SimulationSettings() or SC.visualizationSettings, in a dialog, and change them there."""
-    _show(Edit(settingsStructure), dictionaryName, True)
+    _show(Edit(settingsStructure), dictionaryName, True, lambda screen: (treeEditDefaultWidth, _tree_height(screen)))
 
 
 def EditDictionary(dictionaryData: dict[str, Any], dictionaryIsEditable: bool = True, dialogName: str = "") -> Any:
     """Show a dictionary, such as mbs.GetObject(0), in a dialog; return it, with what was changed there."""
-    _show(Edit(dictionaryData), dialogName or "dictionary", dictionaryIsEditable)
+    size = (dialogDefaultWidth, dialogDefaultHeight)
+    _show(Edit(dictionaryData), dialogName or "dictionary", dictionaryIsEditable, lambda _: size)
     return dictionaryData
