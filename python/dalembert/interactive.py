@@ -11,7 +11,7 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import as_number, as_positive, check_integer, check_type, shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, Print
-from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution
+from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution, check_solution_of
 
 _noticed: set[str] = set()
 
@@ -292,6 +292,7 @@ def SolutionViewer(
     check_integer("SolutionViewer: runMode", runMode, 0, 2)
     data = solution_of_last_simulation(mainSystem, "SolutionViewer") if solution is None else solution
     check_solution("SolutionViewer", data)
+    check_solution_of(mainSystem, "SolutionViewer", data)
     check_integer("SolutionViewer: rowIncrement", rowIncrement, 1, data["nRows"])
     from dalembert._pictures.showing import show_solution
 

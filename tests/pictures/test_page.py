@@ -102,10 +102,17 @@ def falling(mbs: Any) -> Any:
     return mbs
 
 
+def _of(values: Any) -> bytes:
+    packer = Packer()
+    packer.floats(values)
+    return packer.data({})
+
+
 def test_numbers_are_kept_to_the_fifth_digit() -> None:
     packer = Packer()
     values = np.random.default_rng(1).normal(size=200) * 10.0 ** np.random.default_rng(2).integers(-6, 6, 200)
     packer.floats(values)
+    assert np.isfinite(unpacked(_of([1e300, -1e300]))[1][0]).all()  # bodies that are thrown away
     packer.integers(range(300))
     packer.shades([0, 0.5, 1.0])
     packer.moving([[1, 2], [1, 2], [1, 2]])

@@ -197,8 +197,73 @@ def test_videos_need_ffmpeg(pendulum: Any) -> None:
 def test_a_film_needs_a_solution(pendulum: Any) -> None:
     with pytest.raises(ValueError, match="DrawSolution: no simulation has been run yet"):
         pendulum.DrawSolution("film.gif")
-    with pytest.raises(ValueError, match="framesPerSecond and speed: expected positive"):
-        pendulum.DrawSolution("film.gif", framesPerSecond=0)
+    mbs = pendulum
+    for arguments, words in (
+        ({"framesPerSecond": 0}, "framesPerSecond: expected a positive number"),
+        ({"framesPerSecond": np.inf}, "framesPerSecond: expected a finite number"),
+        ({"speed": -1}, "speed: expected a positive number"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            mbs.DrawSolution("film.gif", **arguments)
+
+
+def test_solutions_that_do_not_fit_are_refused_by_whoever_gets_them(pendulum: Any) -> None:
+    """With the reason: another model, a row that is damaged, no rows."""
+    mbs = pendulum
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps = 10
+    settings.timeIntegration.verboseMode = 0
+    mbs.SolveDynamic(settings)
+    solution = exu.utilities.LoadSolutionFile("coordinatesSolution.txt", verbose=False)
+    data = np.asarray(solution["data"], float)
+    broken = data.copy()
+    broken[3, 1] = np.nan
+    uses = {
+        "SolutionViewer": lambda s: mbs.SolutionViewer(s),
+        "SaveHTML": lambda s: mbs.SaveHTML("a.html", solution=s),
+        "SaveGLB": lambda s: mbs.SaveGLB("a.glb", solution=s),
+        "DrawSolution": lambda s: mbs.DrawSolution("a.gif", solution=s),
+    }
+    cases = (
+        ({"data": broken}, r"row 3 \(time .* s\) has numbers that are not finite"),
+        ({"data": data[:0]}, "it has no rows"),
+        ({"data": data[:, :3]}, f"expected rows of {data.shape[1]} numbers, as columnsExported says, received 3"),
+    )
+    for name, use in uses.items():
+        for change, words in cases:
+            with pytest.raises(ValueError, match=f"{name}: solution: {words}"):
+                use(solution | change)
+    mbs.CreateMassPoint(physicsMass=1)
+    mbs.Assemble()
+    for name, use in uses.items():
+        with pytest.raises(ValueError, match=rf"{name}: solution: it has \d+ ODE2Coordinates, but the system has \d+"):
+            use(solution)
+
+
+@pytest.mark.parametrize(
+    ("state", "words"),
+    [
+        (5, "expected a dictionary, as of GetState, received 5"),
+        ({"zoom": "a"}, "zoom: expected a finite number"),
+        ({"zoom": np.nan}, "zoom: expected a finite number"),
+        ({"modelRotation": np.zeros((3, 3))}, "modelRotation: expected a rotation matrix"),
+        ({"modelRotation": np.eye(2)}, "modelRotation: expected a 3x3 matrix"),
+    ],
+)
+def test_views_that_show_nothing_are_refused(SC: Any, pendulum: Any, state: Any, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        SC.renderer.SetState(state)
+    assert "zoom" in SC.renderer.GetState()
+
+
+def test_images_and_letters_have_limits(SC: Any, pendulum: Any) -> None:
+    window = SC.visualizationSettings.view0.window
+    SC.visualizationSettings.general.textSize = 1e5
+    window.renderWindowSize = [60, 40]
+    assert SC.renderer.RedrawAndGetImage().shape == (40, 60, 3)
+    window.renderWindowSize = [20000, 40]
+    with pytest.raises(ValueError, match="view0.window.renderWindowSize: expected at most 16000 pixels"):
+        SC.renderer.RedrawAndGetImage()
 
 
 def test_states_of_views(SC: Any, pendulum: Any) -> None:

@@ -46,6 +46,26 @@ def check_solution(where: str, solution: Any) -> None:
         raise shape_error(f"{where}: solution", "what LoadSolutionFile(fileName) returns", solution)
 
 
+def check_solution_of(mbs: Any, where: str, solution: dict[str, Any]) -> None:
+    """Refuse a solution without rows, with numbers that are not finite, or of another system."""
+    data, columns = np.asarray(solution["data"], float), [int(n) for n in solution["columnsExported"]]
+    if data.ndim != 2 or len(data) == 0:
+        raise ValueError(f"{where}: solution: it has no rows")
+    if data.shape[1] != 1 + sum(columns):
+        numbers = f"{1 + sum(columns)} numbers, as columnsExported says"
+        raise ValueError(f"{where}: solution: expected rows of {numbers}, received {data.shape[1]}")
+    for name, count in zip(COLUMNS, columns, strict=True):
+        wanted = len(getattr(mbs.systemData, f"Get{name}")(ConfigurationType.Visualization))
+        if count != wanted and (count or name == "ODE2Coordinates"):  # others need not be exported
+            raise ValueError(
+                f"{where}: solution: it has {count} {name}, but the system has {wanted}: it belongs to another model, "
+                "or items have come or gone since it was computed"
+            )
+    if not np.isfinite(data).all():
+        row = int(np.argmin(np.isfinite(data).all(axis=1)))
+        raise ValueError(f"{where}: solution: row {row} (time {data[row, 0]:g} s) has numbers that are not finite")
+
+
 def SetSolutionState(
     mbs: Any,
     solution: dict[str, Any],

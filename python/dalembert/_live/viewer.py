@@ -252,8 +252,10 @@ class Viewer:
             self.studio.settings_changed()
             self._words = {}
         self._dirty = False
+        begun = self.studio.begun()
         scene = self.studio.flow()
-        self._know_settings()  # the scene may have some that change back before the next look at them
+        if self.studio.begun() != begun:
+            self._know_settings()  # the scene may keep some that change back before the next look at them
         studio = self.studio
 
         def camera() -> Camera:

@@ -101,9 +101,11 @@ def around(scenes: list[Scene]) -> Scene:
 
 
 def _size(windowSize: Any) -> tuple[int, int]:
+    from dalembert._pictures.studio import LARGEST
+
     size = as_array("windowSize", windowSize, "width and height in pixels")
-    if size.shape != (2,) or not (size >= 1).all() or not (size <= 16000).all():
-        raise shape_error("windowSize", "width and height in pixels, each from 1 to 16000", windowSize)
+    if size.shape != (2,) or not (size >= 1).all() or not (size <= LARGEST).all():
+        raise shape_error("windowSize", f"width and height in pixels, each from 1 to {LARGEST}", windowSize)
     return int(size[0]), int(size[1])
 
 

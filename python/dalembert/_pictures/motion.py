@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray, IntArray
+from dalembert._checks import FloatArray, IntArray, as_positive
 from dalembert._core import ConfigurationType
-from dalembert._io.solution_states import SetSolutionState, check_solution
+from dalembert._io.solution_states import SetSolutionState, check_solution, check_solution_of
 from dalembert._pictures import draw
 from dalembert._pictures.films import times_of
 from dalembert._pictures.looks import Looks
@@ -40,14 +40,15 @@ class Motion:
 
         `optional`: without a solution, the system as it is visualized is the only scene.
         """
-        if not (framesPerSecond > 0 and speed > 0):
-            received = f"{framesPerSecond}, {speed}"
-            raise ValueError(f"{caller}: framesPerSecond and speed: expected positive, received {received}")
+        self.rate, speed = (
+            as_positive(f"{caller}: framesPerSecond", framesPerSecond),
+            as_positive(f"{caller}: speed", speed),
+        )
         if solution is not None:
             check_solution(caller, solution)
         self.studio = Studio(mbs.GetSystemContainer(), [mbs])
         self._tracked: list[Any] = []  # what the camera follows, for each scene
-        self.rate, self.size = float(framesPerSecond), size or self.studio.size(0)
+        self.size = size or self.studio.size(0)
         try:
             data = solution_of_last_simulation(mbs, caller) if solution is None else solution
         except (ValueError, OSError):
@@ -55,6 +56,7 @@ class Motion:
                 raise
             self.scenes = [self._scene()]
         else:
+            check_solution_of(mbs, caller, data)
             times = np.asarray(data["data"], float)[:, 0]
             rows = np.arange(len(times)) if every_row else self._rows(times, speed)
             self.scenes = self._scenes(mbs, data, rows)

@@ -35,7 +35,7 @@ def _bytes(color: Any) -> tuple[int, ...]:
 def add(image: npt.NDArray[np.uint8], scene: Scene, camera: Camera, looks: Looks, view: Any) -> npt.NDArray[np.uint8]:
     """Return the image with texts, axes and bar of colors."""
     canvas = Pillow.fromarray(image)
-    size = float(view.window.globalFontSize)
+    size = min(float(view.window.globalFontSize), float(max(canvas.size)))  # larger letters are not seen
     ink = _bytes(looks.setting("general.textColor"))
     _add_labels(canvas, scene, camera, looks, size)
     lines = list(scene.information)

@@ -96,7 +96,7 @@ class Places:
         except (RuntimeError, ValueError, NotImplementedError, IndexError):
             return None
         array = np.asarray(value, float).reshape(-1)
-        return array if math.isfinite(array @ array) else None
+        return array if math.isfinite(array.dot(array)) else None
 
     def node(self, number: int) -> FloatArray | None:
         """Return the position of a node; that of its body if it has none itself."""

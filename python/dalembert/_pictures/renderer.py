@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dalembert import _core
-from dalembert._checks import as_array, as_vector
+from dalembert._checks import as_matrix, as_number, as_vector, shape_error
 
 if TYPE_CHECKING:
     from dalembert._live.viewer import Viewer
@@ -215,14 +215,17 @@ def GetState(self: Any, viewID: int = 0) -> dict[str, Any]:
 def SetState(self: Any, renderState: dict[str, Any], waitForRendererFullStartup: bool = True, viewID: int = 0) -> None:
     """Set the view, with entries of the dictionary that GetState gives."""
     number = _view_number("SetState", viewID)
+    here = "SC.renderer.SetState(...)"
+    if not isinstance(renderState, dict):
+        raise shape_error(f"{here}: renderState", "a dictionary, as of GetState", renderState)
     if "modelRotation" in renderState:
-        rotation = as_array("SC.renderer.SetState(...): modelRotation", renderState["modelRotation"])
-        if rotation.shape != (3, 3):
-            raise ValueError(
-                f"SC.renderer.SetState(...): modelRotation: expected a 3x3 matrix, received {rotation.shape}"
-            )
+        rotation = as_matrix(f"{here}: modelRotation", renderState["modelRotation"], (3, 3))
+        if not np.allclose(rotation @ rotation.T, np.eye(3), rtol=0, atol=1e-3):  # states may be rounded
+            raise shape_error(f"{here}: modelRotation", "a rotation matrix", renderState["modelRotation"])
     if "centerPoint" in renderState:
-        as_vector("SC.renderer.SetState(...): centerPoint", renderState["centerPoint"], 3)
+        as_vector(f"{here}: centerPoint", renderState["centerPoint"], 3)
+    if "zoom" in renderState:
+        as_number(f"{here}: zoom", renderState["zoom"])
     state_of(self, number).update(renderState)
     _tell_pages(self, number)
 

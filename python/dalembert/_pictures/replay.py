@@ -29,6 +29,7 @@ from dalembert._pictures.scene import Instance, Scene
 if TYPE_CHECKING:
     from dalembert._pictures.motion import Motion, Still
 
+LARGEST = float(np.finfo(np.float32).max)
 SPARE_BITS = 7  # of 23 of a mantissa: places are right to 1e-5 of their size
 Key = tuple[int, int]  # item, and how manieth of its parts
 
@@ -48,7 +49,8 @@ class Packer:
 
     def floats(self, values: npt.ArrayLike) -> int:
         """Keep real numbers."""
-        bits = np.ascontiguousarray(values, dtype="<f4").ravel().view("<u4") >> SPARE_BITS
+        single = np.clip(np.asarray(values, float), -LARGEST, LARGEST).astype("<f4")
+        bits = np.ascontiguousarray(single).ravel().view("<u4") >> SPARE_BITS
         return self._words("f4", np.diff(bits, prepend=bits.dtype.type(0)))
 
     def moving(self, frames: npt.ArrayLike, carried: Callable[[FloatArray], Carried | None] | None = None) -> int:

@@ -20,6 +20,7 @@ from dalembert._pictures.places import Places
 from dalembert._pictures.renderer import state_of
 from dalembert._pictures.scene import DrawnItem, Instance, Scene
 
+LARGEST = 16000  # pixels of an image, in each direction
 BAR = 0.14  # part of the width that the bar of colors needs
 OF_VIEW0 = "that of view0 is for all views"  # in descriptions: what says how the scene is, which all views show
 
@@ -84,6 +85,9 @@ class Studio:
     def size(self, number: int) -> tuple[int, int]:
         """Return width and height of the images of a view, in pixels."""
         width, height = (max(int(n), 1) for n in self.view(number).window.renderWindowSize)
+        if max(width, height) > LARGEST:
+            here = f"visualizationSettings.view{number}.window.renderWindowSize"
+            raise ValueError(f"{here}: expected at most {LARGEST} pixels each, received {width} x {height}")
         return width, height
 
     def scene(self, configuration: Any = None) -> Scene:
@@ -95,6 +99,10 @@ class Studio:
         if len(self._flows) != len(self.makers):
             self._flows = [Flow(maker) for maker in self.makers]
         return joined([flow.scene() for flow in self._flows]) if self._flows else Scene()
+
+    def begun(self) -> int:
+        """Return how often flow() has drawn everything since settings were said to have changed."""
+        return sum(flow.begun for flow in self._flows)
 
     def moving(self) -> Flow | None:
         """Return the flow of the only system, if all that it draws is moved and nothing is drawn again."""
