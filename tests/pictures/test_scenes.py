@@ -647,3 +647,42 @@ def test_a_mass_that_is_drawn_as_its_node_is_highlighted(SC: Any, mbs: Any) -> N
     assert [scene.items[item].number for _, _, color, item in scene.spheres if color[:3] == pytest.approx(bright)] == [
         1
     ]
+
+
+@pytest.mark.parametrize("drawn", [None, 5, "text", [3]])
+def test_functions_that_draw_nothing_that_is_known_are_named(mbs: Any, SC: Any, drawn: Any) -> None:
+    mbs.CreateGround(name="floor", graphicsDataUserFunction=lambda mbs, number: drawn)
+    with pytest.raises(
+        ValueError, match="object 0 'floor': graphicsDataUserFunction: expected a list of graphics data"
+    ):
+        Studio(SC).scene()
+
+
+def test_functions_that_raise_are_named(mbs: Any, SC: Any) -> None:
+    mbs.CreateGround(name="floor", graphicsDataUserFunction=lambda mbs, number: 1 / 0)
+    with pytest.raises(ZeroDivisionError) as caught:
+        Studio(SC).scene()
+    assert caught.value.__notes__ == ["raised by the graphicsDataUserFunction of object 0 'floor'"]
+
+
+def test_graphics_data_without_its_parts_are_told(mbs: Any, SC: Any) -> None:
+    mbs.CreateGround(name="floor", graphicsDataUserFunction=lambda mbs, number: [{"type": "Line"}])
+    with pytest.raises(ValueError, match=r"'floor': graphicsDataUserFunction: graphicsData\[0\]: a Line needs 'data'"):
+        Studio(SC).scene()
+
+
+def test_meshes_without_points_are_drawn_and_saved(mbs: Any, SC: Any) -> None:
+    mbs.CreateGround(graphicsDataList=[{"type": "TriangleList", "points": [], "triangles": [], "colors": []}])
+    mbs.Assemble()
+    assert Studio(SC).scene().instances
+    mbs.SaveHTML("empty.html")
+    mbs.SaveGLB("empty.glb")
+
+
+def test_springs_have_no_more_windings_than_can_be_told_apart(mbs: Any, SC: Any) -> None:
+    ground, mass = mbs.CreateGround(), mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1)
+    spring = mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=1)
+    SC.visualizationSettings.connectors.springNumberOfWindings = 10**6
+    scene = Studio(SC).scene()
+    (helix,) = (part for part in scene.instances if is_of(scene, part.item, "Object", int(spring)))
+    assert len(helix.mesh.points) < 1e6

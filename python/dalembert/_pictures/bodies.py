@@ -120,4 +120,9 @@ def user_shapes(mbs: Any, number: int, item: Item, default: Any, owner: str) -> 
     function = item.get("VgraphicsDataUserFunction")
     if not callable(function):
         return []
-    return graphics_data.shapes(function(mbs, number), default, f"{owner}: graphicsDataUserFunction")
+    try:
+        drawn = function(mbs, number)
+    except Exception as error:
+        error.add_note(f"raised by the graphicsDataUserFunction of {owner}")
+        raise
+    return graphics_data.shapes(drawn, default, f"{owner}: graphicsDataUserFunction")

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray, IntArray
+from dalembert._checks import FloatArray, IntArray, shape_error
 from dalembert._pictures.looks import rgba
 from dalembert._pictures.meshes import Mesh, Rgba, rows
 from dalembert._pictures.pen import Pen
@@ -15,6 +15,12 @@ from dalembert._pictures.places import frame_along
 from dalembert.graphics import material
 
 Shape = tuple[str, Any, Any]  # kind, what, and its color or size
+NEEDED = {
+    "TriangleList": ("points", "triangles"),
+    "Line": ("data",),
+    "Circle": ("position", "radius"),
+    "Text": ("position", "text"),
+}
 
 
 @dataclass
@@ -33,11 +39,18 @@ def shapes(data: Any, default: Rgba, owner: str, known: Known | None = None) -> 
     What is equal to a mesh that is `known` becomes the same mesh.
     """
     known = known or Known()
+    if not isinstance(data, (list, tuple)) or not all(isinstance(entry, dict) for entry in data):
+        raise shape_error(owner, "a list of graphics data, such as [graphics.Sphere(radius=0.1)]", data)
     return [_shape(entry, default, f"{owner}: graphicsData[{number}]", known) for number, entry in enumerate(data)]
 
 
 def _shape(entry: dict[str, Any], default: Rgba, where: str, known: Known) -> Shape:
     kind = entry.get("type")
+    if kind not in NEEDED:
+        raise ValueError(f"{where}: 'type': expected TriangleList, Line, Circle or Text, received {kind!r}")
+    for name in NEEDED[kind]:
+        if name not in entry:
+            raise ValueError(f"{where}: a {kind} needs '{name}'")
     if kind == "TriangleList":
         if id(entry) not in known.entries:
             parts = ("points", "triangles", "colors", "normals", "edges", "edgeColor")
@@ -54,9 +67,7 @@ def _shape(entry: dict[str, Any], default: Rgba, where: str, known: Known) -> Sh
         circle = np.stack([np.cos(angles), np.sin(angles), np.zeros_like(angles)], 1)
         normal = np.asarray(entry.get("normal", (0, 0, 1)), float)
         return "line", np.asarray(entry["position"]) + entry["radius"] * circle @ frame_along(normal).T, color
-    if kind == "Text":
-        return "text", (np.asarray(entry["position"], float), str(entry["text"])), (color, entry.get("fontSize", 0.0))
-    raise ValueError(f"{where}: 'type': expected TriangleList, Line, Circle or Text, received {kind!r}")
+    return "text", (np.asarray(entry["position"], float), str(entry["text"])), (color, entry.get("fontSize", 0.0))
 
 
 def _mesh(entry: dict[str, Any], default: Rgba, where: str) -> Mesh:
@@ -71,7 +82,7 @@ def _mesh(entry: dict[str, Any], default: Rgba, where: str) -> Mesh:
     if len(colors) and (colors.min() < 0 or colors[:, 3].max() > 1):
         unique, which = np.unique(colors, axis=0, return_inverse=True)
         colors = np.array([rgba(color, default) for color in unique])[which.ravel()]
-    normals = rows(entry["normals"], 3) if len(entry.get("normals", [])) == points.size else None
+    normals = rows(entry["normals"], 3) if points.size and len(entry.get("normals", [])) == points.size else None
     if normals is not None and not normals.any(axis=1).all():
         normals = None  # some are zero: nobody has computed them
     edges = rows(entry.get("edges", []), 2, int)

@@ -30,6 +30,9 @@ def _below(settings: Any, path: str) -> Any:
     return settings
 
 
+MOST_WINDINGS = 500  # of a spring: more cannot be told apart
+
+
 @dataclass
 class Looks:
     """Settings, and the size of the scene: lengths that nobody has chosen are in proportion to it."""
@@ -80,7 +83,7 @@ class Looks:
 
     def windings(self, number: int, slenderness: float) -> int:
         """Return how many windings a spring has in all pictures of a film; unless it is set, more if it is long."""
-        wanted = max(int(self.setting("connectors.springNumberOfWindings")), 1)
+        wanted = min(max(int(self.setting("connectors.springNumberOfWindings")), 1), MOST_WINDINGS)
         if not self.is_default("connectors.springNumberOfWindings"):
             return wanted
         return self._windings.setdefault(number, int(min(max(0.7 * slenderness, wanted), 5 * wanted)))

@@ -166,7 +166,8 @@ def _meshes(
 ) -> list[dict[str, Any]]:
     """Return meshes: rigid ones with all their places, and deformed ones with their points."""
     frames = [
-        _keyed([(numbers[i.item], i) for i in scene.instances]) for scene, numbers in zip(scenes, numbered, strict=True)
+        _keyed([(numbers[i.item], i) for i in scene.instances if len(i.mesh.points)])
+        for scene, numbers in zip(scenes, numbered, strict=True)
     ]
     keys = list(dict.fromkeys(key for frame in frames for key in frame))
     rigid: dict[tuple[int, Any], list[tuple[Key, list[Instance | None]]]] = defaultdict(list)
