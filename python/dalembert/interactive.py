@@ -38,6 +38,28 @@ class LabelText:
         return str(self._item.get("text", ""))
 
 
+NEEDED = {  # by items of dialogs, besides their type
+    "label": ("text",),
+    "button": ("callFunction",),
+    "entry": ("variable",),
+    "check": ("variable",),
+    "slider": ("variable",),
+    "radio": ("variable", "textValueList"),
+}
+
+
+def _check_dialog_items(items: Any) -> None:
+    """Refuse what the page cannot show, before anything runs."""
+    if not isinstance(items, (list, tuple)) or not all(isinstance(item, dict) for item in items):
+        raise shape_error("InteractiveDialog: dialogItems", "a list of dictionaries", items)
+    for number, item in enumerate(items):
+        here, kind = f"InteractiveDialog: dialogItems[{number}]", item.get("type")
+        if kind not in NEEDED:
+            raise shape_error(f"{here}: type", " or ".join(NEEDED), kind)
+        if missing := [name for name in NEEDED[kind] if name not in item]:
+            raise ValueError(f"{here}: a {kind} needs '{missing[0]}'")
+
+
 class InteractiveDialog:
     """A simulation in periods of real time, with values that dialog items set in mbs.variables (or mbs.sys).
 
@@ -68,6 +90,8 @@ class InteractiveDialog:
         useSysVariables: bool = False,
     ) -> None:
         """Store what the dialog needs, initialize the solver and, with runOnStart, run; period in s."""
+        check_type("InteractiveDialog: simulationSettings", simulationSettings, _core.SimulationSettings)
+        _check_dialog_items(dialogItems)
         self.mbs, self.SC = mbs, mbs.GetSystemContainer()
         self.simulationSettings, self.simulationFunction = simulationSettings, simulationFunction
         self.dialogItems, self.plots = dialogItems, plots or []

@@ -304,6 +304,23 @@ def test_a_dialog_without_window_runs_the_simulation(model):
     assert mbs.systemData.GetTime() == pytest.approx(0.1)
 
 
+@pytest.mark.parametrize(
+    ("items", "words"),
+    [
+        ("label", "dialogItems: expected a list of dictionaries"),
+        ([{"type": "knob"}], r"dialogItems\[0\]: type: expected label or button or .*, received 'knob'"),
+        ([{"type": "label", "text": "a"}, {"type": "slider"}], r"dialogItems\[1\]: a slider needs 'variable'"),
+        ([{"type": "button", "text": "a"}], r"dialogItems\[0\]: a button needs 'callFunction'"),
+    ],
+)
+def test_dialog_items_that_cannot_be_shown_are_refused_before_anything_runs(model, items, words):
+    mbs, _, settings = model
+    with pytest.raises(ValueError, match=words):
+        interactive.InteractiveDialog(mbs, settings, lambda mbs, dialog: None, items)
+    with pytest.raises(TypeError, match="InteractiveDialog: simulationSettings"):
+        interactive.InteractiveDialog(mbs, 5, lambda mbs, dialog: None, [])
+
+
 def test_modes_become_visible_states(model):
     mbs, _, _ = model
     modes = np.eye(7)
