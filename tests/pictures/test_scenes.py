@@ -686,3 +686,20 @@ def test_springs_have_no_more_windings_than_can_be_told_apart(mbs: Any, SC: Any)
     scene = Studio(SC).scene()
     (helix,) = (part for part in scene.instances if is_of(scene, part.item, "Object", int(spring)))
     assert len(helix.mesh.points) < 1e6
+
+
+@pytest.mark.parametrize("scale", [1e-12, 1e-9, 1e-3, 1e9])
+def test_scenes_of_any_size_look_alike(scale: float) -> None:
+    """From molecules to planets: the picture is that of one meter."""
+    images = []
+    for size in (1.0, scale):
+        container = exu.SystemContainer()
+        mbs = container.AddSystem()
+        body = mbs.CreateRigidBody(
+            referencePosition=[2 * size, 0, 0], inertia=InertiaCuboid(1000, [size, size, size]),
+            graphicsDataList=[graphics.Brick(size=[size, 0.5 * size, 0.3 * size], color=graphics.color.orange)],
+        )  # fmt: skip
+        mbs.CreateSpringDamper(bodyNumbers=[mbs.CreateGround(), body], stiffness=1)
+        mbs.Assemble()
+        images.append(np.asarray(mbs.Draw(windowSize=[160, 120]), int))
+    assert np.mean(np.abs(images[0] - images[1]).max(axis=2) > 40) < 0.01

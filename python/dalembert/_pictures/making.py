@@ -20,7 +20,8 @@ from dalembert._pictures.places import Parameters, Places
 from dalembert._pictures.scene import DrawnItem, Herd, Instance, Scene
 from dalembert._pictures.trees import Trees
 
-TINY = 1e-9  # m, of symbols while the size of the scene is found
+TINY = 1e-30  # m, of symbols while the size of the scene is found
+NOTHING = 1e-13  # of coordinates: sizes that are rounding errors
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 # What has no place in space: its coordinates are those of a controller, a hydraulic circuit or a field.
 WITHOUT_PLACE = {
@@ -188,7 +189,8 @@ class SceneMaker:
             rough.herds.append(Herd(mesh, None, np.full(len(numbers), pen.item), rows))
         box = rough.box()
         size = 0.0 if box is None else float(np.linalg.norm(box[1] - box[0]))
-        self.looks.size = size if size > 100 * TINY else 1.0
+        rounding = 0.0 if box is None else NOTHING * float(np.abs(box).max())
+        self.looks.size = size if size > max(100 * TINY, rounding) else 1.0
 
     def _places_of_nodes(self, places: Places) -> FloatArray:
         """Return where nodes are (n x 3), as far as they have a place."""

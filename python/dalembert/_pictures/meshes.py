@@ -51,7 +51,8 @@ def extremes(mesh: Mesh) -> FloatArray:
 def sharp_edges(mesh: Mesh) -> IntArray:
     """Return the edges where faces meet at more than 30 degrees or end, as pairs of points; computed once per mesh."""
     if mesh.sharp is None:
-        _, same = np.unique(np.round(mesh.points, 9), axis=0, return_inverse=True)
+        size = float(np.abs(mesh.points).max(initial=0)) or 1.0
+        _, same = np.unique(np.round(mesh.points / size, 9), axis=0, return_inverse=True)
         a, b, c = (same.ravel()[mesh.triangles[:, k]] for k in range(3))
         triangles = mesh.triangles[(a != b) & (b != c) & (c != a)]
         a, b, c = (mesh.points[triangles[:, k]] for k in range(3))
