@@ -68,10 +68,11 @@ def _group(name: str, path: str, table: Mapping[str, Any], shared: Shared, enums
 
 
 def _setting(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Setting:
-    check_keys(row, (*PARAMETER_KEYS, "range", "no_effect"))
+    check_keys(row, (*PARAMETER_KEYS, "range", "no_effect", "acts_with"))
     fields = parameter_fields(row, enums)
     if "range" in fields:
         fields["range"] = read_range(fields["range"])
+    fields["acts_with"] = tuple(fields.get("acts_with", ()))
     result = Setting(name=name, **fields)
     if result.type.storage in ("enumeration", "output_variable"):
         values = [v.name for v in enums[result.type.name].values]

@@ -52,6 +52,7 @@ class Setting(Parameter):
 
     range: Range | None = None
     no_effect: str = ""  # why it is accepted although nothing here depends on it
+    acts_with: tuple[str, ...] = ()  # flags beside it, one of which has to be true for it to have an effect
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -82,6 +83,11 @@ class SettingsGroup:
         check_documented(self.summary, "summary")
         if self.beyond_reference is not None:
             check_documented(self.beyond_reference, "beyond_reference")
+        flags = [row.name for row in self.rows if row.type.storage == "boolean"]
+        for row in self.rows:
+            for flag in row.acts_with:
+                if flag not in flags or flag == row.name:
+                    raise SpecError(f"{row.name}: acts_with: {flag!r} is no flag beside it; {nearest(flag, flags)}")
 
     def walk(self, prefix: str = "") -> Iterator[tuple[str, SettingsGroup]]:
         """This group and all below it, with their dotted paths, children first."""

@@ -16,7 +16,7 @@ PARAMETER_KEYS = (
     "named", "beyond_reference", "doc",
 )  # fmt: skip
 _KEY_TYPES: dict[str, type] = {
-    "size": int, "optional": bool, "internal": bool, "aliases": list, "typical": list,
+    "size": int, "optional": bool, "internal": bool, "aliases": list, "typical": list, "acts_with": list,
     "range": str, "no_effect": str,
     "doc": str, "unit": str, "symbol": str, "check": str, "change": str, "named": str,
     "summary": str, "beyond_reference": str,

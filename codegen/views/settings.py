@@ -34,7 +34,7 @@ class Struct:
     @property
     def ruled(self) -> tuple[Setting, ...]:
         """Rows of which more is known than types and signs."""
-        return tuple(row for row in self.rows if row.range or row.no_effect)
+        return tuple(row for row in self.rows if row.range or row.no_effect or row.acts_with)
 
 
 def structs(settings: Settings) -> list[Struct]:
@@ -96,6 +96,8 @@ def cpp_rule(row: Setting) -> str:
         fields += [*_cpp_bounds(row.range), f".words = {cpp_string(row.range.words)}"]
     if row.no_effect:
         fields.append(f".no_effect = {cpp_string(row.no_effect)}")
+    if row.acts_with:
+        fields.append(f".acts_with = {{{', '.join(map(cpp_string, row.acts_with))}}}")
     return "{" + ", ".join(fields) + "}"
 
 
@@ -108,6 +110,7 @@ def _cpp_bounds(bounds: Range) -> list[str]:
 def setting_notes(row: Setting) -> str:
     """` [s; greater than 0]; no effect: ...`: what a docstring adds to a description."""
     note = row_note(row, row.range.words if row.range else "")
+    note += f"; acts with {' or '.join(row.acts_with)} only" if row.acts_with else ""
     return note + (f"; no effect: {doc_text(row.no_effect)}" if row.no_effect else "")
 
 
@@ -115,4 +118,6 @@ def described_setting(row: Setting) -> str:
     """Description, range and remarks as sentences."""
     note = f"**No effect here:** {row.no_effect}. " if row.no_effect else ""
     refusal = f"Refused: what is not {row.range.words}." if row.range else remarks(row)
-    return f"{note}{sentence(row.doc)} {refusal}".strip()
+    flags = " or ".join(f"``{flag}``" for flag in row.acts_with)
+    condition = f" Acts with {flags} only." if flags else ""
+    return f"{note}{sentence(row.doc)}{condition} {refusal}".strip()

@@ -297,6 +297,7 @@ std::string setting_doc(const SettingsGroup& group, const Row& row) {
   }
   if (row.size > 0) text += " of length " + std::to_string(row.size);
   if (has_unit(row)) text += ", in " + std::string(row.unit);
+  if (rule != nullptr && !rule->flags().empty()) text += "; " + rule->condition();
   if (rule != nullptr && !rule->no_effect.empty()) text += "; no effect: " + std::string(rule->no_effect);
   return text;
 }

@@ -18,10 +18,11 @@ constexpr std::array<Row, 8> NewtonNumericalDifferentiationSettings_rows{{
     {.name = "minimumCoordinateSize", .storage = Storage::real, .offset = offsetof(NewtonNumericalDifferentiationSettings, minimumCoordinateSize), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "relativeEpsilon", .storage = Storage::real, .offset = offsetof(NewtonNumericalDifferentiationSettings, relativeEpsilon), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
 }};
-constexpr std::array<SettingRule, 3> NewtonNumericalDifferentiationSettings_rules{{
+constexpr std::array<SettingRule, 4> NewtonNumericalDifferentiationSettings_rules{{
+    {.name = "addReferenceCoordinatesToEpsilon", .acts_with = {"doSystemWideDifferentiation", "forAE", "forODE2", "forODE2connectors"}},
     {.name = "jacobianConnectorDerivative", .no_effect = "exact derivatives always include the change of the directions of forces, at no cost worth saving"},
-    {.name = "minimumCoordinateSize", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
-    {.name = "relativeEpsilon", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1"},
+    {.name = "minimumCoordinateSize", .lower = 0.0, .lower_open = true, .words = "greater than 0", .acts_with = {"doSystemWideDifferentiation", "forAE", "forODE2", "forODE2connectors"}},
+    {.name = "relativeEpsilon", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1", .acts_with = {"doSystemWideDifferentiation", "forAE", "forODE2", "forODE2connectors"}},
 }};
 constexpr SettingsGroup NewtonNumericalDifferentiationSettings_group{"NewtonNumericalDifferentiationSettings", NewtonNumericalDifferentiationSettings_rows, {}, NewtonNumericalDifferentiationSettings_rules};
 
@@ -40,9 +41,13 @@ constexpr std::array<Row, 13> NewtonSettings_rows{{
     {.name = "useNewtonSolver", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, useNewtonSolver), .role = Role::parameter},
     {.name = "weightTolerancePerCoordinate", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, weightTolerancePerCoordinate), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 4> NewtonSettings_rules{{
+constexpr std::array<SettingRule, 8> NewtonSettings_rules{{
     {.name = "maximumSolutionNorm", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
     {.name = "maxIterations", .lower = 1.0, .words = "at least 1"},
+    {.name = "maxModifiedNewtonIterations", .acts_with = {"useModifiedNewton"}},
+    {.name = "maxModifiedNewtonRestartIterations", .acts_with = {"useModifiedNewton"}},
+    {.name = "modifiedNewtonContractivity", .acts_with = {"useModifiedNewton"}},
+    {.name = "modifiedNewtonJacUpdatePerStep", .acts_with = {"useModifiedNewton"}},
     {.name = "newtonResidualMode", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
     {.name = "relativeTolerance", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
 }};
@@ -158,8 +163,9 @@ constexpr std::array<Row, 27> SolutionSettings_rows{{
     {.name = "writeRestartFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeRestartFile), .role = Role::parameter},
     {.name = "writeSolutionToFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeSolutionToFile), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 1> SolutionSettings_rules{{
+constexpr std::array<SettingRule, 2> SolutionSettings_rules{{
     {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
+    {.name = "restartWritePeriod", .acts_with = {"writeRestartFile"}},
 }};
 constexpr SettingsGroup SolutionSettings_group{"SolutionSettings", SolutionSettings_rows, {}, SolutionSettings_rules};
 
@@ -172,10 +178,13 @@ constexpr std::array<Row, 7> StaticSolverArcLengthSettings_rows{{
     {.name = "maximumSteps", .storage = Storage::integer, .offset = offsetof(StaticSolverArcLengthSettings, maximumSteps), .role = Role::parameter, .check = Check::non_negative},
     {.name = "singularPoints", .storage = Storage::boolean, .offset = offsetof(StaticSolverArcLengthSettings, singularPoints), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 3> StaticSolverArcLengthSettings_rules{{
-    {.name = "desiredIterations", .lower = 1.0, .words = "at least 1"},
-    {.name = "lowestLoadFactor", .upper = 0.0, .words = "at most 0"},
-    {.name = "maximumSteps", .lower = 1.0, .words = "at least 1"},
+constexpr std::array<SettingRule, 6> StaticSolverArcLengthSettings_rules{{
+    {.name = "branchStep", .acts_with = {"active"}},
+    {.name = "desiredIterations", .lower = 1.0, .words = "at least 1", .acts_with = {"active"}},
+    {.name = "largestStep", .acts_with = {"active"}},
+    {.name = "lowestLoadFactor", .upper = 0.0, .words = "at most 0", .acts_with = {"active"}},
+    {.name = "maximumSteps", .lower = 1.0, .words = "at least 1", .acts_with = {"active"}},
+    {.name = "singularPoints", .acts_with = {"active"}},
 }};
 constexpr SettingsGroup StaticSolverArcLengthSettings_group{"StaticSolverArcLengthSettings", StaticSolverArcLengthSettings_rows, {}, StaticSolverArcLengthSettings_rules};
 
@@ -199,10 +208,12 @@ constexpr std::array<Row, 18> StaticSolverSettings_rows{{
     {.name = "verboseMode", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, verboseMode), .role = Role::parameter, .check = Check::non_negative},
     {.name = "verboseModeFile", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, verboseModeFile), .role = Role::parameter, .check = Check::non_negative},
 }};
-constexpr std::array<SettingRule, 3> StaticSolverSettings_rules{{
-    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1"},
-    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1"},
-    {.name = "loadStepGeometricRange", .lower = 1.0, .lower_open = true, .words = "greater than 1"},
+constexpr std::array<SettingRule, 5> StaticSolverSettings_rules{{
+    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1", .acts_with = {"adaptiveStep"}},
+    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1", .acts_with = {"adaptiveStep"}},
+    {.name = "adaptiveStepRecoveryIterations", .acts_with = {"adaptiveStep"}},
+    {.name = "adaptiveStepRecoverySteps", .acts_with = {"adaptiveStep"}},
+    {.name = "loadStepGeometricRange", .lower = 1.0, .lower_open = true, .words = "greater than 1", .acts_with = {"loadStepGeometric"}},
 }};
 constexpr std::array<SettingsChild, 3> StaticSolverSettings_children{{
     {"arcLength", &StaticSolverArcLengthSettings_group, offsetof(StaticSolverSettings, arcLength)},
@@ -240,9 +251,10 @@ constexpr std::array<Row, 10> TimeIntegrationGeneralizedAlphaSettings_rows{{
     {.name = "useIndex2Constraints", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, useIndex2Constraints), .role = Role::parameter},
     {.name = "useNewmark", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, useNewmark), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 3> TimeIntegrationGeneralizedAlphaSettings_rules{{
-    {.name = "newmarkBeta", .lower = 0.0, .upper = 1.0, .lower_open = true, .words = "greater than 0 and at most 1"},
-    {.name = "newmarkGamma", .lower = 0.0, .upper = 1.5, .lower_open = true, .words = "greater than 0 and at most 1.5"},
+constexpr std::array<SettingRule, 4> TimeIntegrationGeneralizedAlphaSettings_rules{{
+    {.name = "lieGroupAddTangentOperator", .acts_with = {"lieGroupSimplifiedKinematicRelations"}},
+    {.name = "newmarkBeta", .lower = 0.0, .upper = 1.0, .lower_open = true, .words = "greater than 0 and at most 1", .acts_with = {"useNewmark"}},
+    {.name = "newmarkGamma", .lower = 0.0, .upper = 1.5, .lower_open = true, .words = "greater than 0 and at most 1.5", .acts_with = {"useNewmark"}},
     {.name = "spectralRadius", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
 }};
 constexpr SettingsGroup TimeIntegrationGeneralizedAlphaSettings_group{"TimeIntegrationGeneralizedAlphaSettings", TimeIntegrationGeneralizedAlphaSettings_rows, {}, TimeIntegrationGeneralizedAlphaSettings_rules};
@@ -272,12 +284,16 @@ constexpr std::array<Row, 23> TimeIntegrationSettings_rows{{
     {.name = "verboseMode", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, verboseMode), .role = Role::parameter, .check = Check::non_negative},
     {.name = "verboseModeFile", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, verboseModeFile), .role = Role::parameter, .check = Check::non_negative},
 }};
-constexpr std::array<SettingRule, 8> TimeIntegrationSettings_rules{{
+constexpr std::array<SettingRule, 12> TimeIntegrationSettings_rules{{
     {.name = "absoluteTolerance", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
-    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1"},
-    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1"},
+    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1", .acts_with = {"adaptiveStep", "automaticStepSize"}},
+    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1", .acts_with = {"adaptiveStep", "automaticStepSize"}},
+    {.name = "adaptiveStepRecoveryIterations", .acts_with = {"adaptiveStep", "automaticStepSize"}},
+    {.name = "adaptiveStepRecoverySteps", .acts_with = {"adaptiveStep", "automaticStepSize"}},
     {.name = "computeLoadsJacobian", .lower = 0.0, .upper = 2.0, .words = "from 0 to 2"},
     {.name = "numberOfSteps", .lower = 1.0, .upper = 1000000000000000.0, .words = "from 1 to 1e+15"},
+    {.name = "realtimeFactor", .acts_with = {"simulateInRealtime"}},
+    {.name = "realtimeWaitMicroseconds", .acts_with = {"simulateInRealtime"}},
     {.name = "relativeTolerance", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
     {.name = "stepSizeMaxIncrease", .lower = 1.0, .words = "at least 1"},
     {.name = "stepSizeSafety", .lower = 0.0, .upper = 1.0, .lower_open = true, .words = "greater than 0 and at most 1"},

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from typing import Any
@@ -52,10 +53,7 @@ def other_value(value: Any) -> Any:
     return not value if isinstance(value, bool) else value + 1
 
 
-def test_those_without_effect_say_so_once() -> None:
-    """In a process of its own: what was told before is not told again."""
-    changes = "\n".join(f"settings.{path} = {other_value(ALL[path]['value'])!r}" for path in sorted(IDLE))
-    script = f"""
+SCRIPT = """
 import dalembert as exu
 mbs = exu.SystemContainer().AddSystem()
 node = mbs.AddNode(exu.Node1D(referenceCoordinates=[0], initialVelocities=[1]))
@@ -64,19 +62,54 @@ mbs.Assemble()
 settings = exu.SimulationSettings()
 settings.solutionSettings.writeSolutionToFile = False
 settings.staticSolver.stabilizerODE2term = 1
+settings.timeIntegration.numberOfSteps = 2
 mbs.SolveDynamic(settings)
-print("---")
-{changes}
-for _ in range(2):
-    mbs.SolveDynamic(settings)
 """
+
+
+def told_after(changes: dict[str, Any]) -> list[str]:
+    """Settings of which two solutions say that they have no effect; in a process of its own, as what was told is not told again."""
+    lines = [f"settings.{path} = {value!r}" for path, value in sorted(changes.items())]
+    script = "\n".join([SCRIPT, 'print("---")', *lines, "mbs.SolveDynamic(settings)", "mbs.SolveDynamic(settings)"])
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
     assert done.returncode == 0, done.stderr
     before, after = done.stdout.split("---")
     assert "no effect" not in before
     told = [line for line in after.splitlines() if "has no effect" in line]
-    assert sorted(line.split()[1] for line in told) == sorted(f"simulationSettings.{path}" for path in IDLE)
     assert all(line.partition("has no effect: ")[2] for line in told)
+    return sorted(line.split()[1].removeprefix("simulationSettings.") for line in told)
+
+
+def test_those_without_effect_say_so_once() -> None:
+    assert told_after({path: other_value(ALL[path]["value"]) for path in IDLE}) == sorted(IDLE)
+
+
+# ---- what acts with a flag beside it only --------------------------------------------------------------------------------
+
+FLAGS = {
+    path: [f"{path.rpartition('.')[0]}.{flag}" for flag in said.group(1).split(" or ")]
+    for path, known in ALL.items()
+    if (said := re.search(r"; acts with (.*) only", known["description"]))
+}
+
+
+@pytest.mark.parametrize("path", FLAGS)
+def test_without_its_flag_it_makes_no_difference(path: str) -> None:
+    case = CASES[path]
+    given = {**case.given, **dict.fromkeys(FLAGS[path], False)}
+    before, after = (
+        case.observe(solve(case.model, {**given, **change}, case.solver, case.times))
+        for change in ({}, {path: case.value})
+    )
+    assert after == before
+
+
+@pytest.mark.parametrize("on", [False, True])
+def test_it_says_that_its_flag_is_missing(on: bool) -> None:
+    changes = {path: CASES[path].value for path in FLAGS}
+    flags = {flag: on for all_flags in FLAGS.values() for flag in all_flags}
+    assert len(FLAGS) > 20
+    assert told_after({**changes, **flags}) == ([] if on else sorted(FLAGS))
 
 
 # ---- where more than one solver reads a setting, or there are more than two values ---------------------------------------

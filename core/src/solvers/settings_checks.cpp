@@ -27,14 +27,17 @@ struct Idle {
   std::string path;
   std::size_t offset;  // in SimulationSettings
   Storage storage;
-  std::string_view reason;
+  std::string reason;
+  std::vector<std::size_t> flags;  // offsets of those, one of which gives it an effect
 };
 
 void collect(const SettingsGroup& group, const std::string& path, std::size_t offset, std::vector<Idle>& found) {
   for (const SettingRule& rule : group.rules) {
-    if (rule.no_effect.empty()) continue;
-    const Row& row = *std::ranges::find(group.rows, rule.name, &Row::name);
-    found.push_back({path + std::string(rule.name), offset + row.offset, row.storage, rule.no_effect});
+    const auto row = [&group](std::string_view name) { return *std::ranges::find(group.rows, name, &Row::name); };
+    Idle idle{path + std::string(rule.name), offset + row(rule.name).offset, row(rule.name).storage, std::string(rule.no_effect), {}};
+    for (const std::string_view flag : rule.flags()) idle.flags.push_back(offset + row(flag).offset);
+    if (!idle.flags.empty()) idle.reason = "it " + rule.condition();
+    if (!idle.reason.empty()) found.push_back(std::move(idle));
   }
   for (const SettingsChild& child : group.children)
     collect(*child.group, path + std::string(child.name) + ".", offset + child.offset, found);
@@ -57,6 +60,11 @@ bool equal(const Idle& setting, const SimulationSettings& a, const SimulationSet
   });
 }
 
+bool acts(const Idle& setting, const SimulationSettings& settings) {
+  const char* const start = reinterpret_cast<const char*>(&settings);
+  return std::ranges::any_of(setting.flags, [start](std::size_t offset) { return *reinterpret_cast<const bool*>(start + offset); });
+}
+
 bool is_new(const std::string& path) {
   static std::mutex mutex;
   static std::set<std::string> told;
@@ -71,8 +79,8 @@ void tell_settings_without_effect(const SimulationSettings& settings, const std:
   static const SimulationSettings defaults;
   if (!warn) return;
   for (const Idle& setting : idle) {
-    if (!equal(setting, settings, defaults) && is_new(setting.path))
-      warn(setting.path + " has no effect: " + std::string(setting.reason));
+    if (!equal(setting, settings, defaults) && !acts(setting, settings) && is_new(setting.path))
+      warn(setting.path + " has no effect: " + setting.reason);
   }
 }
 

@@ -23,7 +23,7 @@ class NewtonNumericalDifferentiationSettings(_Settings):
     """Jacobians by numerical differentiation"""
 
     addReferenceCoordinatesToEpsilon: bool
-    """true: the size of a coordinate, which scales its increment, includes the reference value; default: False"""
+    """true: the size of a coordinate, which scales its increment, includes the reference value; acts with doSystemWideDifferentiation or forAE or forODE2 or forODE2connectors only; default: False"""
     doSystemWideDifferentiation: bool
     """true: the whole system is differentiated at once, with all dependencies, at a cost that grows with the square of its size; false: item by item; default: False"""
     forAE: bool
@@ -35,9 +35,9 @@ class NewtonNumericalDifferentiationSettings(_Settings):
     jacobianConnectorDerivative: bool
     """true: exact derivatives of connectors include the change of the directions of their forces; false: they leave it out; no effect: exact derivatives always include the change of the directions of forces, at no cost worth saving; default: True"""
     minimumCoordinateSize: float
-    """smallest size of a coordinate that is used for its increment, in the units of the coordinate [various; greater than 0]; default: 0.01"""
+    """smallest size of a coordinate that is used for its increment, in the units of the coordinate [various; greater than 0]; acts with doSystemWideDifferentiation or forAE or forODE2 or forODE2connectors only; default: 0.01"""
     relativeEpsilon: float
-    """increment of a coordinate relative to its size [1; greater than 0 and less than 1]; default: 1e-07"""
+    """increment of a coordinate relative to its size [1; greater than 0 and less than 1]; acts with doSystemWideDifferentiation or forAE or forODE2 or forODE2connectors only; default: 1e-07"""
     def __init__(self) -> None: ...
 
 @final
@@ -53,13 +53,13 @@ class NewtonSettings(_Settings):
     maxIterations: int
     """number of iterations of all kinds after which a step has failed [at least 1]; default: 25"""
     maxModifiedNewtonIterations: int
-    """number of iterations with an old Jacobian after which it is computed anew; default: 8"""
+    """number of iterations with an old Jacobian after which it is computed anew; acts with useModifiedNewton only; default: 8"""
     maxModifiedNewtonRestartIterations: int
-    """number of iterations with a renewed Jacobian after which the step goes on with full Newton; default: 7"""
+    """number of iterations with a renewed Jacobian after which the step goes on with full Newton; acts with useModifiedNewton only; default: 7"""
     modifiedNewtonContractivity: float
-    """largest ratio of the errors of two iterations that an old Jacobian may show; above it the Jacobian is computed anew [1]; default: 0.5"""
+    """largest ratio of the errors of two iterations that an old Jacobian may show; above it the Jacobian is computed anew [1]; acts with useModifiedNewton only; default: 0.5"""
     modifiedNewtonJacUpdatePerStep: bool
-    """true: modified Newton computes the Jacobian once per step; false: only when convergence asks for it; default: False"""
+    """true: modified Newton computes the Jacobian once per step; false: only when convergence asks for it; acts with useModifiedNewton only; default: False"""
     newtonResidualMode: int
     """quantity that measures the error: 0 the residual, 1 the increment of the coordinates of differential equations [from 0 to 1]; default: 0"""
     relativeTolerance: float
@@ -215,7 +215,7 @@ class SolutionSettings(_Settings):
     restartFileName: str
     """restart file, with its path; it takes the place of the one before when it is complete and on the disk, and the one before is kept under the same name with .bck behind; default: 'restartFile.txt'"""
     restartWritePeriod: float
-    """simulated time between two updates of the restart file [s]; default: 0.01"""
+    """simulated time between two updates of the restart file [s]; acts with writeRestartFile only; default: 0.01"""
     sensorsAppendToFile: bool
     """true: sensor values are appended to existing files and stored values; false: these are replaced; default: False"""
     sensorsStoreAndWriteFiles: bool
@@ -251,17 +251,17 @@ class StaticSolverArcLengthSettings(_Settings):
     active: bool
     """true: each step has a length, the norm of the displacements of second order coordinates, and the load factor follows; the path ends at load factor 1 or at ``lowestLoadFactor``. The first step is as long as the displacements of one load step of ``numberOfLoadSteps``, and none changes the load by much more than such a step does. Solution and sensors are written after every step, with the quasi-time that belongs to the load; default: False"""
     branchStep: float
-    """largest coordinate of the step along the null vector of the matrix by which the path leaves the first bifurcation point, positive or negative: two sides of a branch; 0: bifurcation points are passed [various]; default: 0.0"""
+    """largest coordinate of the step along the null vector of the matrix by which the path leaves the first bifurcation point, positive or negative: two sides of a branch; 0: bifurcation points are passed [various]; acts with active only; default: 0.0"""
     desiredIterations: int
-    """number of Newton iterations that steps are meant to take: longer steps follow those that took fewer, shorter steps those that took more [at least 1]; default: 4"""
+    """number of Newton iterations that steps are meant to take: longer steps follow those that took fewer, shorter steps those that took more [at least 1]; acts with active only; default: 4"""
     largestStep: float
-    """largest length of a step, the norm of the displacements of all second order coordinates; 0: no bound [various]; default: 0.0"""
+    """largest length of a step, the norm of the displacements of all second order coordinates; 0: no bound [various]; acts with active only; default: 0.0"""
     lowestLoadFactor: float
-    """load factor below which the path ends as well, where it turns back so far [1; at most 0]; default: -1.0"""
+    """load factor below which the path ends as well, where it turns back so far [1; at most 0]; acts with active only; default: -1.0"""
     maximumSteps: int
-    """number of steps after which a path that has met neither of its ends is an error [at least 1]; default: 1000"""
+    """number of steps after which a path that has met neither of its ends is an error [at least 1]; acts with active only; default: 1000"""
     singularPoints: bool
-    """true: look for steps in which an eigenvalue of the matrix changes its sign, and end a step at the point where it does; a few eigenvalues next to zero are followed; default: True"""
+    """true: look for steps in which an eigenvalue of the matrix changes its sign, and end a step at the point where it does; a few eigenvalues next to zero are followed; acts with active only; default: True"""
     def __init__(self) -> None: ...
 
 @final
@@ -271,13 +271,13 @@ class StaticSolverSettings(_Settings):
     adaptiveStep: bool
     """true: a load step that fails is repeated with a smaller step; false: it is an error; default: True"""
     adaptiveStepDecrease: float
-    """factor of the step size when a step has failed [1; greater than 0 and less than 1]; default: 0.25"""
+    """factor of the step size when a step has failed [1; greater than 0 and less than 1]; acts with adaptiveStep only; default: 0.25"""
     adaptiveStepIncrease: float
-    """factor of the step size when it may grow again after a reduction, up to its regular value; 1: it does not grow [1; at least 1]; default: 2.0"""
+    """factor of the step size when it may grow again after a reduction, up to its regular value; 1: it does not grow [1; at least 1]; acts with adaptiveStep only; default: 2.0"""
     adaptiveStepRecoveryIterations: int
-    """a step counts for recovery if it took at most this number of Newton and discontinuous iterations; default: 7"""
+    """a step counts for recovery if it took at most this number of Newton and discontinuous iterations; acts with adaptiveStep only; default: 7"""
     adaptiveStepRecoverySteps: int
-    """number of steps after a reduction before the step size is increased; default: 4"""
+    """number of steps after a reduction before the step size is increased; acts with adaptiveStep only; default: 4"""
     computeLoadsJacobian: bool
     """take derivatives of loads with respect to the coordinates into the Jacobian; needed for good convergence if loads depend on coordinates; default: True"""
     constrainODE1coordinates: bool
@@ -287,7 +287,7 @@ class StaticSolverSettings(_Settings):
     loadStepGeometric: bool
     """true: the load factors form a geometric series, for problems that need small first steps; false: equal load steps; default: False"""
     loadStepGeometricRange: float
-    """range of the geometric series: load factor i of n is this number to the power (i - n)/(n - 1) [1; greater than 1]; default: 1000.0"""
+    """range of the geometric series: load factor i of n is this number to the power (i - n)/(n - 1) [1; greater than 1]; acts with loadStepGeometric only; default: 1000.0"""
     loadStepStart: float
     """quasi-time at which the load steps start [s]; default: 0.0"""
     minimumStepSize: float
@@ -349,13 +349,13 @@ class TimeIntegrationGeneralizedAlphaSettings(_Settings):
     computeInitialAccelerations: bool
     """true: initial accelerations are computed from the equations of motion; false: they are taken from the system or set to zero; default: True"""
     lieGroupAddTangentOperator: bool
-    """true: the tangent operator of the Lie group nodes is part of the Jacobian, for better convergence; only with ``lieGroupSimplifiedKinematicRelations``; default: True"""
+    """true: the tangent operator of the Lie group nodes is part of the Jacobian, for better convergence; acts with lieGroupSimplifiedKinematicRelations only; default: True"""
     lieGroupSimplifiedKinematicRelations: bool
     """true: kinematic relations of Lie group nodes after Brüls and Cardona; false: more accurate ones; default: False"""
     newmarkBeta: float
-    """parameter beta of the Newmark method; 1/4 with gamma 1/2 is the trapezoidal rule [1; greater than 0 and at most 1]; default: 0.25"""
+    """parameter beta of the Newmark method; 1/4 with gamma 1/2 is the trapezoidal rule [1; greater than 0 and at most 1]; acts with useNewmark only; default: 0.25"""
     newmarkGamma: float
-    """parameter gamma of the Newmark method; 1/2 gives no numerical damping [1; greater than 0 and at most 1.5]; default: 0.5"""
+    """parameter gamma of the Newmark method; 1/2 gives no numerical damping [1; greater than 0 and at most 1.5]; acts with useNewmark only; default: 0.5"""
     resetAccelerations: bool
     """true: initial accelerations that are not computed are set to zero; false: they continue from the system; only without ``computeInitialAccelerations``; default: False"""
     spectralRadius: float
@@ -377,13 +377,13 @@ class TimeIntegrationSettings(_Settings):
     adaptiveStep: bool
     """true: an implicit step that fails is repeated with a smaller step size; false: it is an error; default: True"""
     adaptiveStepDecrease: float
-    """factor of the step size when a step has failed [1; greater than 0 and less than 1]; default: 0.5"""
+    """factor of the step size when a step has failed [1; greater than 0 and less than 1]; acts with adaptiveStep or automaticStepSize only; default: 0.5"""
     adaptiveStepIncrease: float
-    """factor of the step size when it may grow again after a reduction, up to its regular value; 1: it does not grow [1; at least 1]; default: 2.0"""
+    """factor of the step size when it may grow again after a reduction, up to its regular value; 1: it does not grow [1; at least 1]; acts with adaptiveStep or automaticStepSize only; default: 2.0"""
     adaptiveStepRecoveryIterations: int
-    """a step counts for recovery if it took at most this number of Newton and discontinuous iterations; default: 7"""
+    """a step counts for recovery if it took at most this number of Newton and discontinuous iterations; acts with adaptiveStep or automaticStepSize only; default: 7"""
     adaptiveStepRecoverySteps: int
-    """number of steps after a reduction before the step size is increased; default: 10"""
+    """number of steps after a reduction before the step size is increased; acts with adaptiveStep or automaticStepSize only; default: 10"""
     automaticStepSize: bool
     """true: integrators with an error estimate choose the step size; (endTime - startTime)/numberOfSteps is its upper bound; false: constant step size; default: True"""
     computeLoadsJacobian: int
@@ -397,9 +397,9 @@ class TimeIntegrationSettings(_Settings):
     numberOfSteps: float
     """number of steps of equal size from startTime to endTime; a whole number, but for rounding [1; from 1 to 1e+15]; default: 100.0"""
     realtimeFactor: float
-    """simulated seconds per second of real time when simulating in real time: greater than 1 is fast motion, smaller than 1 slow motion [1]; default: 1.0"""
+    """simulated seconds per second of real time when simulating in real time: greater than 1 is fast motion, smaller than 1 slow motion [1]; acts with simulateInRealtime only; default: 1.0"""
     realtimeWaitMicroseconds: int
-    """waiting time in microseconds between two looks at the clock when simulating in real time; small values are more accurate and cost more CPU time; default: 1000"""
+    """waiting time in microseconds between two looks at the clock when simulating in real time; small values are more accurate and cost more CPU time; acts with simulateInRealtime only; default: 1000"""
     relativeTolerance: float
     """relative tolerance of the error control of explicit integrators [1; from 0 to 1]; default: 1e-08"""
     reuseConstantMassMatrix: bool

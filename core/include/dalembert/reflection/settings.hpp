@@ -1,9 +1,12 @@
 // What is known of a settings structure at run time: its rows, and the structures inside it. Written by the generator.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "dalembert/reflection/row.hpp"
@@ -26,9 +29,17 @@ struct SettingRule {
   bool lower_open = false, upper_open = false;  // the bound itself is left out
   std::string_view words = {};                  // of the range: "from 0 to 1"
   std::string_view no_effect = {};              // why nothing depends on it
+  std::array<std::string_view, 4> acts_with = {};  // flags beside it, one of which has to be true
 
   constexpr bool admits(double value) const {
     return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
+  }
+  std::span<const std::string_view> flags() const { return {acts_with.begin(), std::ranges::find(acts_with, std::string_view())}; }
+  // "acts with a or b only"; empty: it acts by itself.
+  std::string condition() const {
+    std::string text;
+    for (const std::string_view flag : flags()) text += (text.empty() ? "acts with " : " or ") + std::string(flag);
+    return text.empty() ? text : text + " only";
   }
 };
 
