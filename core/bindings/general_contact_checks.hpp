@@ -34,8 +34,8 @@ inline double require(const ValueSource& by, const std::string& parameter, doubl
   refuse_value(by, parameter, text_of(value), std::string(positive ? "a positive number" : "a number that is not negative") + " (unit " + unit + ")");
 }
 inline int require_material(const ValueSource& by, int material) {
-  if (material >= 0) return material;
-  refuse_value(by, "frictionMaterialIndex", std::to_string(material), "a number from 0, of a row of frictionPairings");
+  if (material >= -1) return material;
+  refuse_value(by, "frictionMaterialIndex", std::to_string(material), "a number from 0, of a row of frictionPairings, or -1: without friction");
 }
 inline ContactSurface surface_of(const ValueSource& by, double stiffness, double damping, int material) {
   return {require(by, "contactStiffness", stiffness, true, "N/m"), require(by, "contactDamping", damping, false, "Ns/m"), require_material(by, material)};

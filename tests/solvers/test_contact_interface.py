@@ -485,7 +485,7 @@ REFUSED: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("AddSphereWithMarker", {"radius": float("nan")}, ValueError, "radius"),
     ("AddSphereWithMarker", {"contactStiffness": 0.0}, ValueError, "contactStiffness"),
     ("AddSphereWithMarker", {"contactDamping": -1.0}, ValueError, "contactDamping"),
-    ("AddSphereWithMarker", {"frictionMaterialIndex": -1}, ValueError, "frictionMaterialIndex"),
+    ("AddSphereWithMarker", {"frictionMaterialIndex": -2}, ValueError, "or -1: without friction"),
     ("AddSphereWithMarker", {"markerIndex": 7}, IndexError, "marker"),
     ("AddSphereWithMarker", {"markerIndex": exu.NodeIndex(0)}, TypeError, "NodeIndex"),
     ("AddTrianglesRigidBodyBased", {"triangleList": [[0, 1, 3]]}, ValueError, r"triangleList\[0\].*from 0 to 2"),

@@ -307,6 +307,29 @@ def test_time_of_contact() -> None:
     assert world.output(body, "Position")[2] == pytest.approx(0.1 + duration, abs=1e-6)
 
 
+@pytest.mark.parametrize("solver", [IMPLICIT, EXPLICIT])
+def test_material_minus_one_has_no_friction(solver: Any) -> None:
+    """As a material with a row of zeros, to the bit: of triangles and balls that rub others."""
+    spins = []
+    for none, table in ((-1, [[0.5]]), (1, [[0.5, 0.0], [0.0, 0.0]])):
+        world, rng = World(friction=table), np.random.default_rng(6)
+        world.mesh(*grid_mesh(1.0, 3))
+        balls = [
+            world.ball(
+                [x, y, 0.0999],
+                rng.uniform(-1, 1, 3) * [1, 1, 0],
+                gravity=[0, 0, -9.81],
+                surface={"material": material, "damping": 10.0},
+            )
+            for x, y, material in ((0, 0, none), (0.19, 0, none), (-0.6, 0, 0), (-0.41, 0, none))
+        ]
+        world.solve(0.02, 200, solver)
+        spins.append([world.output(ball, "AngularVelocity") for ball in balls])
+    assert np.array_equal(spins[0], spins[1])
+    assert np.abs(spins[0][:2] + spins[0][3:]).max() == 0
+    assert np.abs(spins[0][2]).max() > 1e-3
+
+
 def cloud(friction: float, seed: int = 1, **options: Any) -> tuple[World, list[Any]]:
     world, rng = World(friction=friction, zone=0.02), np.random.default_rng(seed)
     places = 0.22 * np.array(list(itertools.product(range(4), repeat=3))) + rng.uniform(-0.005, 0.005, (64, 3))

@@ -16,7 +16,7 @@ namespace dalembert {
 
 struct ContactSurface {
   double stiffness = 0, damping = 0;
-  int material = 0;  // row and column of the coefficients of friction
+  int material = 0;  // row and column of the coefficients of friction; -1: without friction
 };
 struct ContactSphere {
   int marker = -1;
@@ -75,7 +75,8 @@ class ContactSet final : public SystemTermSource {
 
   ContactPairing pairing(const ContactSurface& a, const ContactSurface& b) const {
     const double stiffness = a.stiffness * b.stiffness / (a.stiffness + b.stiffness);
-    return {stiffness, a.damping + b.damping, friction[static_cast<std::size_t>(a.material * materials + b.material)]};
+    const bool rubs = a.material >= 0 && b.material >= 0;
+    return {stiffness, a.damping + b.damping, rubs ? friction[static_cast<std::size_t>(a.material * materials + b.material)] : 0.0};
   }
   // Settings of the interface that change nothing here; kept to be read again.
   std::map<std::string, double> without_effect;
