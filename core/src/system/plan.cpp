@@ -102,7 +102,7 @@ void find_needed_markers(SystemParts& parts) {
     for (std::size_t k = 0; k < term->markers().size(); ++k)
       if (term->needs_port(k)) need(term->markers()[k]);
   parts.leaves_markers_to_terms = parts.needs_totals = false;
-  const auto adds_up_totals = [&](const Term* term) { return term->is_inertia_alone() || std::ranges::find(parts.system_terms, term) != parts.system_terms.end(); };
+  const auto reads_totals = [](const auto* batch) { return batch->reads_totals(); };
   const auto among_needed = [&](const MarkerBatch* batch) { return needed.contains(batch); };
   for (RegionPlan& region : parts.plan.regions) {
     region.needed.clear();
@@ -110,7 +110,7 @@ void find_needed_markers(SystemParts& parts) {
     std::ranges::copy_if(region.moving, std::back_inserter(region.needed), among_needed);
     std::ranges::copy_if(region.pulled, std::back_inserter(region.needed_pulled), among_needed);
     parts.leaves_markers_to_terms |= region.needed.size() < region.moving.size();
-    parts.needs_totals |= !region.nodes.empty() || !region.needed.empty() || !std::ranges::all_of(region.terms, adds_up_totals);
+    parts.needs_totals |= !region.needed.empty() || std::ranges::any_of(region.nodes, reads_totals) || std::ranges::any_of(region.terms, reads_totals);
   }
 }
 

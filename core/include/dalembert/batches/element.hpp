@@ -71,7 +71,7 @@ class ElementBatch : public Term {
                                                         : add_tangent(entries_[i], call.evaluation, call.weights, slots_of(i), call.sums);
   }
   bool has_mass() const override { return n > 0; }
-  bool is_inertia_alone() const override { return PureInertia<E>; }
+  bool reads_totals() const override { return !PureInertia<E>; }
   bool add_diagonal_masses(const Evaluation& evaluation, double* diagonal) const override {
     if constexpr (is_diagonal && PureInertia<E>)
       for (const Entry& e : entries_) add_mass(e, evaluation, 1.0, e.dofs.data(), diagonal);

@@ -58,6 +58,7 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
     masses_[static_cast<std::size_t>(entry)] = Body::mass_properties(entries_[entry].parameters);
     round_[static_cast<std::size_t>(entry)] = masses_[static_cast<std::size_t>(entry)].round();
   }
+  bool reads_totals() const override { return false; }
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
     each_group(0, entries_.size(), [&]<int L>(const Group<L>& group) {
       if (!evaluation.inertia && std::ranges::all_of(group.each([&](std::size_t i) { return round_[i]; }), [](char round) { return round != 0; })) return;

@@ -57,6 +57,7 @@ class RotatingNodes final : public RotatingNodeBatch {
       store_numbers(node_motion<Node>(coordinates(evaluation, group)).numbers(), places);
     });
   }
+  bool reads_totals() const override { return !LieKernel<Node>; }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     in_wide_registers([&] {
       for (const Entry& e : entries_)
@@ -105,7 +106,10 @@ class RotatingNodes final : public RotatingNodeBatch {
   template <int L>
   Coordinates<Numbers<L>, n> coordinates(const Evaluation& evaluation, const Group<L>& group) const {
     const auto of = [&](const double* from) { return gathered<n>(group.each([&](std::size_t i) { return from + entries_[i].dofs[0]; })); };
-    return {of(evaluation.q), of(evaluation.v), evaluation.inertia ? of(evaluation.a) : Vec<Numbers<L>, n>{}};
+    const bool adds_up = evaluation.reads_nodes && !reads_totals();
+    auto totals = of(adds_up ? evaluation.reference : evaluation.q);
+    if (adds_up) totals += of(evaluation.u);
+    return {totals, of(evaluation.v), evaluation.inertia ? of(evaluation.a) : Vec<Numbers<L>, n>{}};
   }
 
   std::vector<Entry> entries_;

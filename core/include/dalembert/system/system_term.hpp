@@ -36,6 +36,7 @@ class SystemTerm : public Term {
   virtual void find_nodes(const System&) {}
   // Whether it reads those itself where Evaluation::reads_nodes says so, and leaves forces there; of the others it needs ports.
   virtual bool reads_nodes() const { return false; }
+  bool reads_totals() const override { return !reads_nodes(); }
   virtual bool needs_port(std::size_t /*of_markers*/) const { return true; }
   // Explicit integration needs neither search nor history of it: without these it finds what acts in each evaluation.
   virtual bool direct() const { return false; }

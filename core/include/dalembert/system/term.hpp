@@ -154,8 +154,8 @@ class Term : public Batch {
   // Adds the mass matrix alone; writes the same blocks as `tangent`.
   virtual void mass(const Evaluation&, Ports&, double*) const {}
   virtual bool has_mass() const { return false; }
-  // Its residual is zero, whatever the state is, where inertia plays no part.
-  virtual bool is_inertia_alone() const { return false; }
+  // False: where inertia plays no part, its residual does not look at the totals of coordinates.
+  virtual bool reads_totals() const { return true; }
   // Adds its masses by coordinate, if in this state none couples two of them; false: some do, and what it has added is of no use.
   virtual bool add_diagonal_masses(const Evaluation&, double* /*diagonal*/) const { return !has_mass(); }
   virtual bool constant_mass() const { return true; }
@@ -193,6 +193,8 @@ class Term : public Batch {
 class RotatingNodeBatch : public Batch {
  public:
   virtual void evaluate(const Evaluation& evaluation, Ports& ports) const = 0;
+  // False: where terms add up totals by themselves, these nodes do so as well.
+  virtual bool reads_totals() const { return true; }
   virtual void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const = 0;
   // r -= generalised forces of the loads; values -= their derivatives with the loads held fixed.
   virtual void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const = 0;
