@@ -1,18 +1,16 @@
 // ObjectJointSliding, specs/joints/sliding.toml
 #pragma once
 
-#include "dalembert/items/joints/along_cable.hpp"
+#include "dalembert/items/joints/sliding_along_cable.hpp"
 #include "dalembert/joints/sliding_parameters.hpp"
 
 namespace dalembert {
 
-struct ObjectJointSliding : AlongCable<ObjectJointSlidingParameters> {
+struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0> {
   using Parameters = ObjectJointSlidingParameters;
 
   // ---- unknowns: the way within the step, multipliers of the position, multipliers of the rotation -------------------------------
   static int algebraic_equations(const Parameters& p, std::span<const int>) { return turns(p) ? 7 : 4; }
-  static bool is_multiplier(const Parameters&, int k) { return k != way; }
-  static bool forces_follow_motion(const Parameters&) { return true; }
 
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
@@ -33,26 +31,10 @@ struct ObjectJointSliding : AlongCable<ObjectJointSlidingParameters> {
         on_cable[static_cast<std::size_t>(3 * i + d)] += here.weights.value[i] * force[d] + here.weights.slope[i] * couple[d];
   }
 
-  static constexpr bool has_history = true;
-  static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
-    return take_over(p, x, h, h.algebraic[way]);
-  }
-  static PostNewton settle(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
-    return leave(p, x, h.data[start_of_step] + x.unknowns[way], h.data);
-  }
-  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
-    find_switch(p, x, c.data[start_of_step] + x.unknowns[way], c.data, switches);
-  }
-
   static bool output(const Parameters&, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
-    const PointFrame<double>& frame = x.frame<PointPort>(body);
-    switch (variable) {
-      case OutputVariableType::Position: values.assign(frame.position.x.begin(), frame.position.x.end()); return true;
-      case OutputVariableType::Velocity: values.assign(frame.velocity.x.begin(), frame.velocity.x.end()); return true;
-      case OutputVariableType::SlidingCoordinate: values = {c.data[start_of_step] + x.unknowns[way]}; return true;
-      case OutputVariableType::Force: values.assign(&x.unknowns[first_force], &x.unknowns[first_force] + 3); return true;
-      default: return false;
-    }
+    if (variable != OutputVariableType::Force) return output_of_motion(c, x, variable, values);
+    values.assign(&x.unknowns[first_force], &x.unknowns[first_force] + 3);
+    return true;
   }
 
   static void check(const Parameters& p, const Connections& on) {
@@ -65,7 +47,7 @@ struct ObjectJointSliding : AlongCable<ObjectJointSlidingParameters> {
   }
 
  private:
-  enum Unknown { way = 0, first_force = 1, first_moment = 4 };
+  enum Unknown { first_force = 1, first_moment = 4 };
 
   static bool turns(const Parameters& p) { return p.constrainRotations[1] || p.constrainRotations[2]; }
   static bool holds(const Parameters& p) {
@@ -78,30 +60,6 @@ struct ObjectJointSliding : AlongCable<ObjectJointSlidingParameters> {
       if (p.constrainRotations[static_cast<std::size_t>(i)])
         call(column(x.template frame<RigidPort>(body).rotation, 3 - i), x.unknowns[static_cast<std::size_t>(first_moment + i)], first_moment + i);
   }
-
-  // The cable at a place, against the body.
-  template <class S>
-  struct Cable {
-    CubicHermite<S> weights;
-    Vec3<S> slope, bend, gap;
-
-    Cable(const Parameters& p, const Context& c, const Exchange<S>& x, const S& way)
-        : weights(way + start(p, c), length(x)),
-          slope(curve<3>(weights.slope, x.values(cable).data())),
-          bend(curve<3>(weights.bend, x.values(cable).data())),
-          gap(curve<3>(weights.value, x.values(cable).data()) - x.template frame<PointPort>(body).position) {}
-
-    // Velocity of the cable against the body, and rate of its slope, both at a fixed place.
-    struct Rates {
-      Vec3<S> gap, slope;
-    };
-    Rates rates(const Exchange<S>& x) const {
-      const S* v = x.values(cable).data() + x.selected(cable);
-      return {curve<3>(weights.value, v) - x.template frame<PointPort>(body).velocity, curve<3>(weights.slope, v)};
-    }
-    // Nearest to the body, after one step of Newton's method.
-    S nearest(const S& way) const { return way - dot(gap, slope) / (dot(slope, slope) + dot(gap, bend)); }
-  };
 
   template <class S>
   static void set_equations(const Parameters& p, const Context& c, Exchange<S>& x, const Cable<S>& here, const Vec3<S>& force) {
@@ -126,10 +84,9 @@ struct ObjectJointSliding : AlongCable<ObjectJointSlidingParameters> {
     const Vec3<S> closing = cross(rates.slope, foot.gap) + cross(foot.slope, rates.gap);
     const Vec3<S> both = (1.0 / square) * cross(closing, foot.slope) + (dot(here.gap, here.slope) / square) * foot.slope;
     for (int i = 0; i < 3; ++i) x.equations[static_cast<std::size_t>(first_force + i)] = both[i];
-    const S slide = -dot(rates.gap, foot.slope) / square;
     each_axis(p, x, [&](const Vec3<S>& axis, const S&, int row) {
       const Vec3<S>& spin = x.template frame<RigidPort>(body).angular_velocity;
-      x.equations[static_cast<std::size_t>(row)] = dot(rates.slope + slide * foot.bend, axis) + dot(foot.slope, cross(spin, axis));
+      x.equations[static_cast<std::size_t>(row)] = dot(rates.slope + rates.slide * foot.bend, axis) + dot(foot.slope, cross(spin, axis));
     });
   }
 };

@@ -1,18 +1,16 @@
 // ObjectJointSliding2D, specs/joints/sliding_2d.toml
 #pragma once
 
-#include "dalembert/items/joints/along_cable.hpp"
+#include "dalembert/items/joints/sliding_along_cable.hpp"
 #include "dalembert/joints/sliding_2d_parameters.hpp"
 
 namespace dalembert {
 
-struct ObjectJointSliding2D : AlongCable<ObjectJointSliding2DParameters> {
+struct ObjectJointSliding2D : SlidingAlongCable<ObjectJointSliding2DParameters, 2, 2> {
   using Parameters = ObjectJointSliding2DParameters;
 
   // ---- unknowns: two multipliers, the way within the step, and a multiplier for the rotation -----------------------------------
   static int algebraic_equations(const Parameters& p, std::span<const int>) { return p.constrainRotation ? 4 : 3; }
-  static bool is_multiplier(const Parameters&, int k) { return k != way; }
-  static bool forces_follow_motion(const Parameters&) { return true; }
 
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
@@ -35,26 +33,10 @@ struct ObjectJointSliding2D : AlongCable<ObjectJointSliding2DParameters> {
       for (int d = 0; d < 2; ++d) on_cable[2 * i + d] += here.weights.value[i] * force[d] + here.weights.slope[i] * couple[d];
   }
 
-  static constexpr bool has_history = true;
-  static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
-    return take_over(p, x, h, h.algebraic[way]);
-  }
-  static PostNewton settle(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
-    return leave(p, x, h.data[start_of_step] + x.unknowns[way], h.data);
-  }
-  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
-    find_switch(p, x, c.data[start_of_step] + x.unknowns[way], c.data, switches);
-  }
-
   static bool output(const Parameters&, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
-    const PointFrame<double>& frame = x.frame<PointPort>(body);
-    switch (variable) {
-      case OutputVariableType::Position: values.assign(frame.position.x.begin(), frame.position.x.end()); return true;
-      case OutputVariableType::Velocity: values.assign(frame.velocity.x.begin(), frame.velocity.x.end()); return true;
-      case OutputVariableType::SlidingCoordinate: values = {c.data[start_of_step] + x.unknowns[way]}; return true;
-      case OutputVariableType::Force: values = {x.unknowns[0], x.unknowns[1], 0}; return true;
-      default: return false;
-    }
+    if (variable != OutputVariableType::Force) return output_of_motion(c, x, variable, values);
+    values = {x.unknowns[0], x.unknowns[1], 0};
+    return true;
   }
 
   static void check(const Parameters& p, const Connections& on) {
@@ -65,7 +47,7 @@ struct ObjectJointSliding2D : AlongCable<ObjectJointSliding2DParameters> {
   }
 
  private:
-  enum Unknown { way = 2, rotation = 3 };
+  static constexpr std::size_t rotation = 3;  // number of its multiplier
 
   template <class S>
   static Vec<S, 2> across(const Vec<S, 2>& v) {
@@ -75,33 +57,6 @@ struct ObjectJointSliding2D : AlongCable<ObjectJointSliding2DParameters> {
   static Vec<S, 2> planar(const Vec3<S>& v) {
     return {v[0], v[1]};
   }
-
-  // The cable at a place, against the body.
-  template <class S>
-  struct Cable {
-    CubicHermite<S> weights;
-    Vec<S, 2> slope, bend, gap;
-
-    Cable(const Parameters& p, const Context& c, const Exchange<S>& x, const S& way)
-        : weights(way + start(p, c), length(x)),
-          slope(curve<2>(weights.slope, x.values(cable).data())),
-          bend(curve<2>(weights.bend, x.values(cable).data())),
-          gap(curve<2>(weights.value, x.values(cable).data()) - planar(x.template frame<PointPort>(body).position)) {}
-
-    // Velocity of the cable against the body, and rate of its slope, both at a fixed place; how fast the body slides.
-    struct Rates {
-      Vec<S, 2> gap, slope;
-      S slide;
-    };
-    Rates rates(const Exchange<S>& x) const {
-      const S* v = x.values(cable).data() + x.selected(cable);
-      Rates r{curve<2>(weights.value, v) - planar(x.template frame<PointPort>(body).velocity), curve<2>(weights.slope, v), S(0)};
-      r.slide = -dot(r.gap, slope) / dot(slope, slope);
-      return r;
-    }
-    // Nearest to the body, after one step of Newton's method.
-    S nearest(const S& way) const { return way - dot(gap, slope) / (dot(slope, slope) + dot(gap, bend)); }
-  };
 
   // The y axis of the body is normal to the slope: t n = 0. As the body turns when it slides along a curved cable, the moment
   // comes with a force along the cable: the joint does no work.
