@@ -29,11 +29,13 @@ bool is_scalar_array(PyObject* value) {
   return is_array(value) && py::reinterpret_borrow<py::array>(value).ndim() == 0;
 }
 
+// What stands for a number without being one of Python's.
+bool is_other_number(PyObject* value) { return is_numpy_scalar(value) || is_scalar_array(value) || is_symbolic_real(value); }
+
 double slow_real(PyObject* value) {
   ItemKind kind{};
   int number = 0;
-  const bool numeric = is_numpy_scalar(value) || is_scalar_array(value) || is_symbolic_real(value);
-  if (read_index(value, kind, number) || !numeric || PyComplex_Check(value) || PyNumber_Check(value) == 0)
+  if (read_index(value, kind, number) || !is_other_number(value) || PyComplex_Check(value) || PyNumber_Check(value) == 0)
     refuse_type("a number");
   PyObject* converted = PyNumber_Float(value);
   if (converted == nullptr) {
@@ -132,7 +134,7 @@ bool read_plain_reals(PyObject* value, int dimensions, std::span<double> out) {
   return plain && std::ranges::all_of(out, [](double x) { return std::isfinite(x); });
 }
 
-bool is_number(PyObject* value) { return PyFloat_Check(value) || PyLong_Check(value) || is_numpy_scalar(value); }
+bool is_number(PyObject* value) { return PyFloat_Check(value) || PyLong_Check(value) || is_other_number(value); }
 
 double read_real(PyObject* value) {
   if (PyFloat_Check(value)) return finite(PyFloat_AS_DOUBLE(value));
