@@ -327,7 +327,7 @@ constexpr std::array<std::string_view, 10> VSettingsConnectors_rows{
     "draw contact points and lines of contacts between circles and cables",
     "draw the axes of joints in space",
     "draw the numbers of connectors",
-    "number of windings of springs",
+    "number of windings of springs; more than 500 are drawn as 500",
 };
 
 constexpr std::array<std::string_view, 5> VSettingsMarkers_rows{

@@ -816,7 +816,7 @@ class VSettingsConnectors(_Settings):
     showNumbers: bool
     """draw the numbers of connectors; default: False"""
     springNumberOfWindings: int
-    """number of windings of springs; default: 8"""
+    """number of windings of springs; more than 500 are drawn as 500; default: 8"""
     def __init__(self) -> None: ...
 
 @final
