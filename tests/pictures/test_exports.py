@@ -92,7 +92,7 @@ def test_glb_has_the_motion(spinning: Any) -> None:
         if channel.target.node == number:
             found[channel.target.path] = array(file, file.animations[0].samplers[channel.sampler].output)
     assert set(found) == {"translation", "rotation"}
-    for frame, scene in enumerate(motion.scenes):
+    for frame, scene in enumerate(scene.unbound() for scene in motion.scenes):
         [part] = [i for i in scene.instances if scene.items[i.item].name == "brick <&>"]
         assert found["translation"][frame] == pytest.approx(part.place, abs=1e-6)
         assert Rotation.from_quat(found["rotation"][frame]).as_matrix() == pytest.approx(part.matrix, abs=1e-6)
@@ -116,7 +116,7 @@ def test_glb_has_what_is_deformed(spinning: Any) -> None:
     weights = array(file, file.animations[0].samplers[sampler].output).reshape(11, -1)
     rest = array(file, mesh.primitives[0].attributes.POSITION)
     targets = [array(file, target["POSITION"]) for target in mesh.primitives[0].targets]
-    for frame, scene in enumerate(motion.scenes):
+    for frame, scene in enumerate(scene.unbound() for scene in motion.scenes):
         [part] = [i for i in scene.instances if scene.items[i.item].type_name == "ANCFCable2D"]
         points = rest + sum(w * t for w, t in zip(weights[frame], targets, strict=True))
         drawn = part.mesh.points[part.mesh.triangles].reshape(-1, 3)
@@ -209,7 +209,8 @@ def test_a_spring_that_stretches_is_one_mesh(SC: Any, mbs: Any) -> None:
     settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 4, 100
     mbs.SolveDynamic(settings)
     motion = Motion(mbs, "test", None, 25, 1.0, None, (80, 60))
-    parts = [part for s in motion.scenes for part in s.instances if "Spring" in s.items[part.item].type_name]
+    scenes = [scene.unbound() for scene in motion.scenes]
+    parts = [part for s in scenes for part in s.instances if "Spring" in s.items[part.item].type_name]
     lengths = [np.linalg.norm(part.matrix[:, 2]) for part in parts]
     assert len(parts) == len(motion.scenes) and max(lengths) > 2**0.5 * min(lengths)
     assert len({id(part.mesh) for part in parts}) == 1

@@ -215,7 +215,7 @@ def test_what_moves_with_a_body_costs_nothing_per_frame(mbs: Any) -> None:
         for item, place in zip(mesh["items"], mesh.get("places", []), strict=False):
             found.setdefault(item, []).append(np.broadcast_to(arrays[place].reshape(12, -1), (12, count)))
     names = [(item.kind, item.number, item.system) for item in motion.scenes[0].items]
-    for at, scene in enumerate(motion.scenes):
+    for at, scene in enumerate(scene.unbound() for scene in motion.scenes):
         drawn: dict[int, list[Any]] = {}
         for part in scene.instances:
             drawn.setdefault(part.item, []).append(np.column_stack([part.matrix, part.place]).ravel())
@@ -227,7 +227,7 @@ def test_what_moves_with_a_body_costs_nothing_per_frame(mbs: Any) -> None:
             for part in parts:
                 seen = [2, 3, 6, 7, 10, 11]  # axis and place: parts may be round
                 assert np.abs(known - part)[:, seen].max(axis=1).min() < 5e-5, names[item]
-    for center, *_, item in motion.scenes[-1].spheres:
+    for center, *_, item in motion.scenes[-1].unbound().spheres:
         places = [
             arrays[p].reshape(4, -1)[:3, -1]
             for p, i in zip(*map(head["spheres"].get, ("places", "items")), strict=True)

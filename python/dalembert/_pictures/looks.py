@@ -75,9 +75,12 @@ class Looks:
         return part * self.size if abs(value - default) < 1e-6 else value
 
     def slenderness(self, number: int, value: float) -> float:
-        """Return for which slenderness a spring is drawn: one of few, the same until it is twice or half as long."""
-        known = self._slenderness.get(number, 0.0)
-        if not known / _core._MovingParts.stretch < value < known * _core._MovingParts.stretch:
+        """Return for which slenderness a spring is drawn: one of few, the same until it is much longer or shorter.
+
+        It is another one when a span has become another one, to whose length it was rounded at first.
+        """
+        known, much = self._slenderness.get(number, 0.0), _core._MovingParts.stretch**0.7
+        if not known / much < value < known * much:
             known = self._slenderness[number] = float(2.0 ** (0.5 * round(2 * log2(max(value, 1e-3)))))
         return known
 

@@ -76,7 +76,7 @@ class Motion:
 
     def _scene(self) -> Scene:
         self._tracked.append(self.studio.tracked())
-        return self.studio.scene()
+        return self.studio.flow()
 
     def _rows(self, recorded: FloatArray, speed: float) -> IntArray:
         """Return the rows that are nearest to the times of the frames."""

@@ -102,7 +102,8 @@ class Packer:
 
 def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
     """Return the data of a motion, and what else the page is to know."""
-    packer, scenes, camera, looks = Packer(), motion.scenes, motion.camera, motion.looks
+    packer, camera, looks = Packer(), motion.camera, motion.looks
+    scenes = [scene.unbound() for scene in motion.scenes]
     limits = _limits(scenes)
     items: dict[tuple[str, int, int], int] = {}
     names: list[list[Any]] = []
