@@ -184,8 +184,7 @@ def _meshes(
     groups = ((next(part for part in group[0][1] if part is not None), group) for group in rigid.values())
     for first, group in sorted(groups, key=lambda known: known[0].mesh.is_round):
         entry = _shape(packer, first.mesh, first)
-        places = [np.array([_rows(part) for part in history]) for _, history in group]
-        entry["places"] = [packer.part(place, carriers, first.mesh.is_round) for place in places]
+        entry["places"] = [packer.part(_rows(history), carriers, first.mesh.is_round) for _, history in group]
         entry["items"] = [key[0] for key, _ in group]
         result.append(entry)
     return result
@@ -231,9 +230,13 @@ def _shape(packer: Packer, mesh: Mesh, first: Instance, points: FloatArray | Non
     return entry
 
 
-def _rows(part: Instance | None) -> FloatArray:
-    """Return matrix and place, row by row; zeros where there is nothing to be seen."""
-    return np.zeros(12) if part is None else np.column_stack([part.matrix, part.place]).ravel()
+def _rows(history: list[Instance | None]) -> FloatArray:
+    """Return matrix and place, row by row, in each frame; zeros where there is nothing to be seen."""
+    rows = np.zeros((len(history), 3, 4))
+    there = [number for number, part in enumerate(history) if part is not None]
+    parts = [part for part in history if part is not None]
+    rows[there, :, :3], rows[there, :, 3] = [part.matrix for part in parts], [part.place for part in parts]
+    return rows.reshape(len(history), 12)
 
 
 def _deformed(
