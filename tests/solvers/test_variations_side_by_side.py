@@ -131,6 +131,27 @@ def test_chains_of_masses() -> None:
     assert results.sideBySide.all()
 
 
+@pytest.mark.parametrize("common", [0.0, 1.0])
+def test_a_number_that_leaves_what_others_have_in_common(common: float) -> None:
+    """Products with one, and sums of products with zero, are left out where all variations have them."""
+    dampings = np.array([common, 0.3])
+
+    def damped(value: float) -> Any:
+        mbs = chain(3)
+        for spring in (1, 3, 5):
+            mbs.SetObjectParameter(exu.ObjectIndex(spring), "damping", common)
+        mbs.SetObjectParameter(exu.ObjectIndex(3), "damping", value)
+        return mbs
+
+    varied = {(exu.ObjectIndex(3), "damping"): dampings}
+    results = damped(common).SolveVariations(
+        varied, settings(), storeHistories=True, storeCoordinates=True, numberOfThreads=1
+    )
+    systems = [damped(value) for value in dampings]
+    assert_equal(results, [alone(mbs, lambda mbs=mbs: mbs.SolveDynamic(settings())) for mbs in systems])
+    assert results.sideBySide.all()
+
+
 def held_together() -> Any:
     """Two masses with the same motion: rows change places in the elimination, which ones depends on the masses."""
     mbs = chain(2)

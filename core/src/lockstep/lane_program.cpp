@@ -33,7 +33,9 @@ bool ConstantClasses::refine(std::span<const double> constants) {
     const auto [place, is_new] = places.try_emplace({mine, bits(i)}, count());
     if (is_new) {
       first_.push_back(i);
-      always_.push_back(known ? before[static_cast<std::size_t>(mine)] : constants[static_cast<std::size_t>(i)]);
+      const std::optional<double> all_before = known ? before[static_cast<std::size_t>(mine)] : constants[static_cast<std::size_t>(i)];
+      const bool still = all_before && std::bit_cast<std::uint64_t>(*all_before) == bits(i);  // not so if this part left the class by its value
+      always_.push_back(still ? all_before : std::nullopt);
     }
     mine = place->second;
   }
