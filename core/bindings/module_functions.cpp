@@ -63,16 +63,31 @@ void end_writing_to_file() {
   config().file.close();
 }
 
+// A reader that has seen enough, as head has, ends no run: what else goes there is read by nobody, also what is left in buffers at the end.
+void leave_to_nobody(const py::object& out) {
+  if (!out.is(py::module_::import("sys").attr("__stdout__"))) return;
+  const py::module_ os = py::module_::import("os");
+  const py::object nobody = os.attr("open")(os.attr("devnull"), os.attr("O_WRONLY"));
+  os.attr("dup2")(nobody, out.attr("fileno")());
+  os.attr("close")(nobody);
+}
+
+void write_to_stdout(const std::string& text, bool flush) {
+  const py::object out = py::module_::import("sys").attr("stdout");
+  if (out.is_none()) return;
+  try {
+    out.attr("write")(text);
+    if (flush) out.attr("flush")();
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_BrokenPipeError)) throw;
+    leave_to_nobody(out);
+  }
+}
+
 // The GIL is held.
 void write(const std::string& text, bool flush) {
   Config& c = config();
-  if (c.printToConsole) {
-    const py::object out = py::module_::import("sys").attr("stdout");
-    if (!out.is_none()) {
-      out.attr("write")(text);
-      if (flush || c.printFlushAlways) out.attr("flush")();
-    }
-  }
+  if (c.printToConsole) write_to_stdout(text, flush || c.printFlushAlways);
   if (c.printToFile) write_to_file(text, flush || c.flushFileAlways || c.printFlushAlways);
   if (c.printDelayMilliSeconds > 0) {
     const py::gil_scoped_release release;

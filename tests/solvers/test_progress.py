@@ -83,3 +83,43 @@ def test_a_terminal_shows_one_line_and_a_file_has_the_last_alone() -> None:
     assert "\r" not in in_file
     (line,) = (line for line in in_file.splitlines() if line.startswith("STEP"))
     assert "(100 %)" in line and "timeToGo" not in line
+
+
+TALKATIVE = """
+import sys
+import dalembert as exu
+
+mbs = exu.SystemContainer().AddSystem()
+mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, -9.81])
+mbs.Assemble()
+settings = exu.SimulationSettings()
+settings.timeIntegration.numberOfSteps = 2000
+settings.timeIntegration.verboseMode = 2
+settings.solutionSettings.writeSolutionToFile = False
+mbs.SolveDynamic(settings)
+print(mbs.systemData.GetTime(), file=sys.stderr)
+exu.Print("more than anybody reads")
+print("also what is left in a buffer")
+"""
+
+
+def test_a_reader_that_has_seen_enough_ends_no_solution() -> None:
+    """As `python model.py | head -1`: the solution goes on to its end, files and all, and nothing is said."""
+    with subprocess.Popen(
+        [sys.executable, "-c", TALKATIVE], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as run:
+        assert run.stdout is not None and run.stderr is not None
+        assert run.stdout.readline()
+        run.stdout.close()
+        assert run.stderr.read() == "1.0\n"
+    assert run.returncode == 0
+
+
+def test_other_errors_of_what_takes_the_output_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Full:
+        def write(self, text: str) -> None:
+            raise OSError("no space is left")
+
+    monkeypatch.setattr(sys, "stdout", Full())
+    with pytest.raises(OSError, match="no space is left"):
+        exu.Print("something")
