@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "constraint_states.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/model.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
@@ -437,13 +438,8 @@ std::vector<double> Solver::gaps_and_rates() {
   const auto n = static_cast<std::size_t>(sizes_.ae);
   std::vector<double> gaps(2 * n);
   if (n == 0) return gaps;
-  State still = current();
-  std::ranges::fill(still.lambda, 0.0);
-  Conditions conditions = conditions_;
-  for (const bool of_rates : {false, true}) {
-    conditions.rate_level = of_rates;
-    system_->gaps(still, conditions, std::span(gaps).subspan(of_rates ? n : 0, n));
-  }
+  const State still = without_multipliers(current());
+  for (const bool of_rates : {false, true}) system_->gaps(still, at_level(conditions_, of_rates), std::span(gaps).subspan(of_rates ? n : 0, n));
   return gaps;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constraint_states.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/second_order.hpp"
@@ -9,8 +10,6 @@
 namespace dalembert {
 
 namespace {
-
-constexpr Weights along_velocities{.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0};
 
 // Which equations constrain velocities, if the velocities at the start do not fulfil them within the digits that people type: then the
 // first step jumps, and nothing is known of derivatives along these velocities.
@@ -40,10 +39,8 @@ std::vector<char> jumping_equations(System& system, const State& state, const Co
 InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions) {
   const Sizes& s = system.sizes();
   std::vector<double> x(static_cast<std::size_t>(s.total()), 0.0);
-  State still = state;
-  std::fill(still.lambda.begin(), still.lambda.end(), 0.0);
-  Conditions position = conditions;
-  position.rate_level = false;
+  const State still = without_multipliers(state);
+  const Conditions position = at_level(conditions, false);
   InitialAccelerations result;
   const std::vector<char> jumping = jumping_equations(system, still, position, motion.pattern());
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));

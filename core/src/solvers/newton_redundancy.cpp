@@ -243,9 +243,7 @@ bool NewtonSolver::treat_from_start_of_step() {
   const bool first = std::exchange(predicted_, false);
   const double harmless = first ? std::max(RedundantConstraints::round_off_of_gaps, harmless_multiple * redundant_.eps()) : RedundantConstraints::round_off_of_gaps;
   const auto multipliers = std::span<double>(increment_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
-  const bool open = !full_newton_ || std::ranges::any_of(redundant_.rows(), [&](int k) {
-    return std::abs(redundant_.left_open(k, multipliers[static_cast<std::size_t>(k)])) > harmless * redundant_.unit(k);
-  });
+  const bool open = !full_newton_ || redundant_.leaves_open(multipliers, harmless);
   if (!open) return;
   const std::vector<double> before(multipliers.begin(), multipliers.end());
   redundant_.take_off_idle_solution(*linear_, increment_);

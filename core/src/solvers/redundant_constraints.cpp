@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "constraint_states.hpp"
 #include "dalembert/math/decompositions.hpp"
-#include "dalembert/solvers/numerical_tangent.hpp"
 #include "finite.hpp"
 #include "number_sequence.hpp"
 
@@ -130,6 +130,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   parts_.clear();
   slots_.clear();
   entries_.clear();
+  harmless_.clear();
   local_ = false;
   certain_ = true;
   const auto n = static_cast<std::size_t>(s.ae);
@@ -266,6 +267,15 @@ double RedundantConstraints::largest(std::span<const double> gaps) const {
   return size;
 }
 
+// In each iteration: factors of rows, which gaps and their units have in common, and products that do not change are left out.
+bool RedundantConstraints::leaves_open(std::span<const double> multipliers, double share) const {
+  if (harmless_.empty())
+    for (const int k : rows_) harmless_.push_back(unit_[static_cast<std::size_t>(k)] / (eps_ * weight_[static_cast<std::size_t>(k)]));
+  bool any = false;
+  for (std::size_t i = 0; i < rows_.size(); ++i) any |= std::abs(multipliers[static_cast<std::size_t>(rows_[i])]) > share * harmless_[i];
+  return any;
+}
+
 double RedundantConstraints::eps_for(double misfit, bool of_rates) const {
   const double weak = std::max(smallest_eps, share_of_weakest * weakest_);
   if (of_rates) return std::min(weak, largest_eps);
@@ -367,7 +377,7 @@ bool treats_redundancy(const Sizes& sizes, const RedundantConstraintsSettings& s
 namespace {
 
 // The gradients of constraints around a diagonal: any metric serves for counting, and one without zeros makes the matrix regular whatever the model is.
-std::vector<double> gradients_beside(std::span<const double> diagonal, System& system, const State& still, Conditions conditions, const Pattern& pattern) {
+std::vector<double> gradients_beside(std::span<const double> diagonal, System& system, const State& still, const Conditions& conditions, const Pattern& pattern) {
   const Sizes& s = system.sizes();
   std::vector<double> matrix(static_cast<std::size_t>(pattern.values())), part(matrix.size());
   for (int j = 0; j < s.first_ae(); ++j) matrix[static_cast<std::size_t>(pattern.slot(j, j))] = j < s.ode2 ? diagonal[static_cast<std::size_t>(j)] : 1;
@@ -376,18 +386,11 @@ std::vector<double> gradients_beside(std::span<const double> diagonal, System& s
       if (wanted(row, column)) matrix[slot] = part[slot];
     });
   };
-  conditions.rate_level = false;
-  system.tangent(still, conditions, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, pattern, part);
+  system.tangent(still, at_level(conditions, false), along_positions, pattern, part);
   take([&](int row, int column) { return column >= s.first_ae() && (row < s.ode2 || row >= s.first_ae()); });
-  conditions.rate_level = true;
-  system.tangent(still, conditions, {.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0}, pattern, part);
+  system.tangent(still, at_level(conditions, true), along_velocities, pattern, part);
   take([&](int row, int column) { return row >= s.first_ae() && column < s.ode2; });
   return matrix;
-}
-
-State without_multipliers(State state) {
-  std::ranges::fill(state.lambda, 0.0);
-  return state;
 }
 
 // With ones where there is no mass.

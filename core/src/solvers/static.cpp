@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "arc_length.hpp"
+#include "constraint_states.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 
 namespace dalembert {
@@ -157,14 +158,13 @@ void StaticSolver::move(std::span<const double> step) {
 void StaticSolver::compute_jacobian() { compute_jacobian(settings().staticSolver.computeLoadsJacobian ? 1 : 0); }
 
 void StaticSolver::compute_jacobian(double load_dependencies) {
-  constexpr Weights weights{.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0};
   turn_multipliers();
   Conditions conditions = conditions_;
   conditions.load_dependencies = load_dependencies;
   if (wants_differences(newton_settings.numericalDifferentiation)) {
-    numerical_tangent(system(), current(), conditions, weights, newton_settings.numericalDifferentiation, pattern(), jacobian_);
+    numerical_tangent(system(), current(), conditions, along_positions, newton_settings.numericalDifferentiation, pattern(), jacobian_);
   } else {
-    system().tangent(current(), conditions, weights, pattern(), jacobian_);
+    system().tangent(current(), conditions, along_positions, pattern(), jacobian_);
   }
   turn_multipliers();
   const bool constrain = settings().staticSolver.constrainODE1coordinates && sizes_.ode1 > 0;

@@ -431,6 +431,13 @@ bool RedundantConstraints::take_over(const RedundantConstraints& found) {
   return true;
 }
 
+bool RedundantConstraints::serve_as(const RedundantConstraints& found) {
+  if (!found.in_use() || found.rows_ != rows_) return false;
+  weakest_ = found.weakest_;
+  use(found.eps_);
+  return true;
+}
+
 // f(part, owner, rows, first) for the rows of each owner in the combinations of each part, of which the first is rows[first] there.
 template <class F>
 void RedundantConstraints::each_owner(F&& f, const System& system) const {

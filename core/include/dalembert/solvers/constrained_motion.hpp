@@ -54,7 +54,8 @@ class ConstrainedMotion {
   // Moves the state by the smallest changes, in the metric of the masses, that close gaps and end their rates, with the factors at
   // hand. False: they do not get small enough.
   bool project(System& system, State& state, const Conditions& conditions);
-  // Makes multipliers of a state the smallest ones, by factors as above.
+  // Makes multipliers of a state the smallest ones, where `known` has found that some constraints follow from others. To be prepared, and for this
+  // alone.
   void take_off_idle_part(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions, std::span<double> lambda);
   // A state further on, on the constraints: along the velocities, and where any forces would lead, by this part of the size of the model, or so many
   // radians. To be prepared.
@@ -79,8 +80,8 @@ class ConstrainedMotion {
   // With constant velocities, and those that are prescribed in time.
   std::vector<double> gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions);
   void find_driven(System& system, const State& state, const Conditions& conditions);
-  void fill(System& system, const State& state, const Conditions& conditions);
-  void fill_for_constraints(System& system, const State& state, const Conditions& conditions);
+  void fill(System& system, const State& state, const Conditions& conditions, bool by_forces_alone = false);
+  void fill_for_constraints(System& system, const State& state, const Conditions& conditions, bool by_forces_alone = false);
   int examine_filled(System& system, const State& state, const Conditions& conditions);
   bool look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
   int pass_singular_matrix(System& system, int singular);
@@ -107,6 +108,7 @@ class ConstrainedMotion {
   RedundantConstraintsSettings settings_;
   const Pattern* pattern_ = nullptr;
   int ode2_ = 0, first_ae_ = 0;
+  int followed_ = 0;  // combinations that factors for idle parts have been made for
   bool treats_redundancy_ = false, is_driven_ = false, looks_beside_ = true, examines_anew_ = false;
   Knowledge knowledge_ = Knowledge::none;
   double examined_at_ = 0;  // time

@@ -58,6 +58,8 @@ class RedundantConstraints {
   bool confirm_locally(const Pattern& pattern, std::span<const double> values);
   // After `measure`: combinations that have been found for the same equations around another matrix. False: other equations have been measured.
   bool take_over(const RedundantConstraints& found);
+  // After `measure`: the same for taking off idle parts alone, for which no combinations are needed.
+  bool serve_as(const RedundantConstraints& found);
   bool is_local() const { return local_; }  // entries of the matrix alone have told
   int count() const { return count_; }
   double weakest() const { return weakest_; }  // the smallest eigenvalue of D^-1 S that is not zero
@@ -91,6 +93,7 @@ class RedundantConstraints {
   void use(double eps) {  // zero: not any more
     eps_ = eps;
     entries_.clear();
+    harmless_.clear();
   }
   LinearSolverOptions options(LinearSolverOptions options) const;
   void regularize(const Pattern& pattern, std::span<double> values, double rate_factor);
@@ -99,6 +102,8 @@ class RedundantConstraints {
   void take_off_idle_part(LinearSolver& factors, std::span<double> multipliers);
   // From a solution for all unknowns: the same, and what this part has moved, as equations that no longer vanish exactly let it do.
   void take_off_idle_solution(LinearSolver& factors, std::span<double> unknowns);
+  // Whether these multipliers leave more than a share of one in the gap of any equation.
+  bool leaves_open(std::span<const double> multipliers, double share) const;
   // The gap that an equation is left with by its multiplier.
   double left_open(int equation, double multiplier) const {
     return eps_ * row_factor(equation) * weight_[static_cast<std::size_t>(equation)] * multiplier;
@@ -158,6 +163,7 @@ class RedundantConstraints {
   std::vector<double> x_, idle_;
   std::vector<int> slots_;  // of the diagonal, by rows_
   std::vector<double> entries_;  // that take the place of zeros there
+  mutable std::vector<double> harmless_;  // multipliers that leave one in the gap, by rows_
 };
 
 // Whether solvers go on in spite of them.
