@@ -259,8 +259,21 @@ def test_views_that_show_nothing_are_refused(SC: Any, pendulum: Any, state: Any,
 def test_images_and_letters_have_limits(SC: Any, pendulum: Any) -> None:
     window = SC.visualizationSettings.view0.window
     SC.visualizationSettings.general.textSize = 1e5
+    window.renderWindowSize = [160, 160]
+    assert SC.renderer.RedrawAndGetImage().shape == (160, 160, 3)
     window.renderWindowSize = [60, 40]
     assert SC.renderer.RedrawAndGetImage().shape == (40, 60, 3)
+    for part in (1e9, 1e-9, 1.0):
+        SC.visualizationSettings.general.coordinateSystemSize = part
+        SC.renderer.RedrawAndGetImage()
+    SC.visualizationSettings.general.textSize = 1e-3
+    texts = [
+        exu.graphics.Text(point=[x, 0, 0], text="far", fontSize=size) for x in (0, 1e200, -1e12) for size in (0, 1e6)
+    ]
+    pendulum.CreateGround(graphicsDataList=texts)
+    SC.renderer.SetState({"zoom": 1.0, "centerPoint": [0, 0, 0]})
+    window.renderWindowSize = [200, 200]
+    assert SC.renderer.RedrawAndGetImage().shape == (200, 200, 3)
     window.renderWindowSize = [20000, 40]
     with pytest.raises(ValueError, match="view0.window.renderWindowSize: expected at most 16000 pixels"):
         SC.renderer.RedrawAndGetImage()

@@ -25,7 +25,7 @@ def font(size: int) -> Any:
     """Return the font that comes with matplotlib."""
     import matplotlib
 
-    return ImageFont.truetype(str(Path(matplotlib.get_data_path(), "fonts/ttf/DejaVuSans.ttf")), size)
+    return ImageFont.truetype(str(Path(matplotlib.get_data_path(), "fonts/ttf/DejaVuSans.ttf")), max(size, 1))
 
 
 def _bytes(color: Any) -> tuple[int, ...]:
@@ -56,10 +56,13 @@ def _add_labels(canvas: Pillow.Image, scene: Scene, camera: Camera, looks: Looks
     if not scene.labels:
         return
     draw = ImageDraw.Draw(canvas)
+    largest = float(max(canvas.size))
     places = camera.pixels(np.array([label.place for label in scene.labels]), *canvas.size)
     standing: dict[tuple[int, int], float] = {}  # how far down texts at one point reach
     for label, (x, y, _) in zip(scene.labels, places, strict=True):
-        height = max(round(label.size or size), 4)
+        if not (-largest < x < 2 * largest and -largest < y < 2 * largest):
+            continue  # far from the image, or nowhere
+        height = round(min(max(label.size or size, 4), largest))
         letters, point = font(height), (round(x), round(y))
         below = standing.get(point, 0.0)
         standing[point] = below + 1.2 * height
@@ -70,7 +73,9 @@ def _add_labels(canvas: Pillow.Image, scene: Scene, camera: Camera, looks: Looks
 
 def _add_axes(canvas: Pillow.Image, camera: Camera, looks: Looks, size: float) -> None:
     """Draw the directions of the global axes in the lower left corner, the nearest one last."""
-    half = round(float(looks.setting("general.coordinateSystemSize")) * size * 0.9)
+    half = round(min(float(looks.setting("general.coordinateSystemSize")) * size * 0.9, 0.5 * min(canvas.size)))
+    if half < 1:
+        return
     sheet = Pillow.new("RGBA", (2 * half * FINE, 2 * half * FINE), (255, 255, 255, 0))
     draw, middle = ImageDraw.Draw(sheet), half * FINE
     axes = camera.rotation.T  # a row per axis: right, up, towards the viewer
