@@ -131,7 +131,7 @@ WRONG: list[tuple[str, str, Any, str]] = [
     ("spheres", "contactStiffness", [1, -1], r"spheres\[1\], parameter 'contactStiffness': received -1.0"),
     ("spheres", "contactDamping", [1, -1], r"spheres\[1\], parameter 'contactDamping': received -1.0"),
     ("spheres", "frictionMaterialIndex", [0, 0.5], r"spheres\[1\], parameter 'frictionMaterialIndex': received 0.5"),
-    ("spheres", "frictionMaterialIndex", [0, -1], r"spheres\[1\].*'frictionMaterialIndex': received -1"),
+    ("spheres", "frictionMaterialIndex", [0, -2], r"spheres\[1\].*'frictionMaterialIndex': received -2"),
     ("spheres", "markerIndex", [0, 9], r"generalContacts\[0\].spheres.markerIndex: received 9, but the file has 1 markers"),
     ("spheres", "markerIndex", ["foot", 0], r"spheres.markerIndex: there is no marker named 'foot'"),
     ("spheres", "radius", [0.1], r"'spheres.radius': received a list of length 1, but expected length 2"),

@@ -326,7 +326,7 @@ def test_material_minus_one_has_no_friction(solver: Any) -> None:
         world.solve(0.02, 200, solver)
         spins.append([world.output(ball, "AngularVelocity") for ball in balls])
     assert np.array_equal(spins[0], spins[1])
-    assert np.abs(spins[0][:2] + spins[0][3:]).max() == 0
+    assert np.abs(spins[0][:2] + spins[0][3:]).max() < 1e-15  # rad/s: levers of pressure are zero to rounding
     assert np.abs(spins[0][2]).max() > 1e-3
 
 

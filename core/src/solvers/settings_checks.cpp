@@ -1,8 +1,10 @@
 #include "settings_checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -27,17 +29,16 @@ struct Idle {
   std::string path;
   std::size_t offset;  // in SimulationSettings
   Storage storage;
-  std::string reason;
-  std::vector<std::size_t> flags;  // offsets of those, one of which gives it an effect
+  const SettingRule* rule;
+  std::array<std::size_t, std::tuple_size_v<decltype(SettingRule::acts_with)>> flags;  // offsets of those, one of which gives it an effect
 };
 
 void collect(const SettingsGroup& group, const std::string& path, std::size_t offset, std::vector<Idle>& found) {
   for (const SettingRule& rule : group.rules) {
-    const auto row = [&group](std::string_view name) { return *std::ranges::find(group.rows, name, &Row::name); };
-    Idle idle{path + std::string(rule.name), offset + row(rule.name).offset, row(rule.name).storage, std::string(rule.no_effect), {}};
-    for (const std::string_view flag : rule.flags()) idle.flags.push_back(offset + row(flag).offset);
-    if (!idle.flags.empty()) idle.reason = "it " + rule.condition();
-    if (!idle.reason.empty()) found.push_back(std::move(idle));
+    if (rule.no_effect.empty() && rule.flags().empty()) continue;
+    const auto row = [&group](std::string_view name) -> const Row& { return *std::ranges::find(group.rows, name, &Row::name); };
+    Idle& idle = found.emplace_back(path + std::string(rule.name), offset + row(rule.name).offset, row(rule.name).storage, &rule);
+    std::ranges::transform(rule.flags(), idle.flags.begin(), [&](std::string_view flag) { return offset + row(flag).offset; });
   }
   for (const SettingsChild& child : group.children)
     collect(*child.group, path + std::string(child.name) + ".", offset + child.offset, found);
@@ -62,7 +63,8 @@ bool equal(const Idle& setting, const SimulationSettings& a, const SimulationSet
 
 bool acts(const Idle& setting, const SimulationSettings& settings) {
   const char* const start = reinterpret_cast<const char*>(&settings);
-  return std::ranges::any_of(setting.flags, [start](std::size_t offset) { return *reinterpret_cast<const bool*>(start + offset); });
+  return std::ranges::any_of(std::span(setting.flags).first(setting.rule->flags().size()),
+                             [start](std::size_t offset) { return *reinterpret_cast<const bool*>(start + offset); });
 }
 
 bool is_new(const std::string& path) {
@@ -80,7 +82,7 @@ void tell_settings_without_effect(const SimulationSettings& settings, const std:
   if (!warn) return;
   for (const Idle& setting : idle) {
     if (!equal(setting, settings, defaults) && !acts(setting, settings) && is_new(setting.path))
-      warn(setting.path + " has no effect: " + setting.reason);
+      warn(setting.path + " has no effect: " + (setting.rule->no_effect.empty() ? "it " + setting.rule->condition() : std::string(setting.rule->no_effect)));
   }
 }
 
