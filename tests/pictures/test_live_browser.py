@@ -64,10 +64,10 @@ def tab(browser: Browser, viewer: Viewer) -> Iterator[Tab]:
     opened.close()
 
 
-def solving(mbs: Any) -> threading.Thread:
+def solving(mbs: Any, end: int = 1000) -> threading.Thread:
     settings = exu.SimulationSettings()
-    settings.timeIntegration.endTime = 1000
-    settings.timeIntegration.numberOfSteps = 1_000_000
+    settings.timeIntegration.endTime = end
+    settings.timeIntegration.numberOfSteps = 1000 * end
     settings.timeIntegration.verboseMode = 0
     settings.solutionSettings.writeSolutionToFile = False
     thread = threading.Thread(target=lambda: mbs.SolveDynamic(settings), daemon=True)
@@ -277,7 +277,7 @@ def test_a_picture_that_is_saved_is_what_is_seen(SC: Any, viewer: Viewer, tab: T
 def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> None:
     other = browser.tab(viewer.server.address)
     other.wait("page.frames > 0")
-    thread = solving(model)
+    thread = solving(model, 100_000)  # it goes on until it is stopped, however long pages take to come to the front
     for page in (tab, other):
         page.call("Page.bringToFront")  # browsers draw only what is seen
         frames = page.value("page.frames")
