@@ -64,7 +64,8 @@ def tab(browser: Browser, viewer: Viewer) -> Iterator[Tab]:
     opened.close()
 
 
-def solving(mbs: Any, end: int = 1000) -> threading.Thread:
+def solving(mbs: Any, end: int = 100_000) -> threading.Thread:
+    """A thread that solves until it is stopped, however long pages take."""
     settings = exu.SimulationSettings()
     settings.timeIntegration.endTime = end
     settings.timeIntegration.numberOfSteps = 1000 * end
@@ -277,7 +278,7 @@ def test_a_picture_that_is_saved_is_what_is_seen(SC: Any, viewer: Viewer, tab: T
 def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> None:
     other = browser.tab(viewer.server.address)
     other.wait("page.frames > 0")
-    thread = solving(model, 100_000)  # it goes on until it is stopped, however long pages take to come to the front
+    thread = solving(model)
     for page in (tab, other):
         page.call("Page.bringToFront")  # browsers draw only what is seen
         frames = page.value("page.frames")

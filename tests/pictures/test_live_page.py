@@ -35,6 +35,7 @@ from dalembert._pictures.looks import Looks
 from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.meshes import Mesh
 from dalembert._pictures.scene import DrawnItem, Herd, Instance, Label, Scene
+from dalembert._pictures.studio import Studio
 from dalembert.utilities import InertiaCuboid
 
 Shown = exu.ConfigurationType.Visualization
@@ -520,6 +521,40 @@ def test_settings_that_change_back_before_the_next_look(
     SC.visualizationSettings.nodes.defaultSize = 0.3
     reader.until(lambda: len(drawn) > 1)
     assert drawn[0] < drawn[-1]
+
+
+def test_traces_that_are_hidden_as_long_as_the_last_state_is_drawn(
+    SC: Any, swinging: Any, viewer: Viewer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Scenes that are moved draw traces anew, with settings of the moment: these may change back as soon as they are seen."""
+    position, traces = exu.OutputVariableType.Position, SC.visualizationSettings.sensors.traces
+    swinging.AddSensor(exu.itemInterface.SensorBody(bodyNumber=1, outputVariableType=position, storeInternal=True))
+    swinging.Assemble()
+    swinging.SolveDynamic(settings(100))
+    traces.showPositionTrace = True
+    reader, lines = Reader(viewer), []
+    flow, publish = Studio.flow, viewer.server.publish
+
+    def noted(self: Studio) -> Scene:
+        if hidden := "hide" in lines:
+            lines.remove("hide")
+            traces.showPositionTrace = False
+        scene = flow(self)
+        lines.append("hidden" if hidden else len(scene.lines))
+        return scene
+
+    def shown_again(picture: Picture) -> None:
+        publish(picture)
+        traces.showPositionTrace = True
+
+    monkeypatch.setattr(Studio, "flow", noted)
+    monkeypatch.setattr(viewer.server, "publish", shown_again)
+    viewer.redraw()
+    reader.until(lambda: lines and not viewer._dirty)
+    with_trace = lines[-1]
+    lines.append("hide")
+    swinging.SendRedrawSignal()
+    reader.until(lambda: "hidden" in lines and lines[-1] == with_trace)
 
 
 def test_a_viewer_changes_no_result(swinging: Any, viewer: Viewer) -> None:

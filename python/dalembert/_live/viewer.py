@@ -252,10 +252,8 @@ class Viewer:
             self.studio.settings_changed()
             self._words = {}
         self._dirty = False
-        begun = self.studio.begun()
         scene = self.studio.flow()
-        if self.studio.begun() != begun:
-            self._know_settings()  # the scene may keep some that change back before the next look at them
+        self._know_settings()  # those that the scene was made with may change back before the next look at them
         studio = self.studio
 
         def camera() -> Camera:

@@ -31,7 +31,6 @@ class Flow:
 
     def __init__(self, maker: SceneMaker) -> None:
         self._maker, self._changes = maker, maker.changes()
-        self.begun = 0  # how often everything was drawn
         self._parts: Any = None  # _MovingParts
         self._complete = False
         self._extent = 0.0  # of the places of all frames, at first
@@ -82,7 +81,6 @@ class Flow:
     def _begin(self, configuration: ConfigurationType) -> Scene:
         """Draw everything, and note what sticks to what."""
         self.forget()
-        self.begun += 1
         scene, pen = self._maker.draw(configuration, crowded=True)
         if pen is None or pen.places.source is None:
             return scene

@@ -100,10 +100,6 @@ class Studio:
             self._flows = [Flow(maker) for maker in self.makers]
         return joined([flow.scene() for flow in self._flows]) if self._flows else Scene()
 
-    def begun(self) -> int:
-        """Return how often flow() has drawn everything since settings were said to have changed."""
-        return sum(flow.begun for flow in self._flows)
-
     def moving(self) -> Flow | None:
         """Return the flow of the only system, if all that it draws is moved and nothing is drawn again."""
         only = self._flows[0] if len(self._flows) == len(self.makers) == 1 else None
