@@ -151,6 +151,25 @@ def as_points(name: str, value: Any, columns: int = 3) -> FloatArray:
     return array
 
 
+def as_rows(name: str, value: Any, columns: int) -> FloatArray:
+    """Convert rows of so many numbers, or all of them one after the other, to rows; ValueError otherwise."""
+    expected = f"rows of {columns} numbers each, or all of these numbers one after the other"
+    array = as_array(name, value, expected)
+    if array.size > 0 and (array.ndim == 0 or (array.size if array.ndim == 1 else array.shape[-1]) % columns != 0):
+        raise shape_error(name, expected, value)
+    return array.reshape(-1, columns)
+
+
+def as_point_numbers(name: str, value: Any, columns: int, points: int) -> IntArray:
+    """Convert numbers of points, of which there are so many, to rows; ValueError otherwise."""
+    numbers = as_rows(name, value, columns)
+    wrong = numbers[~((numbers >= 0) & (numbers < points) & (numbers == np.floor(numbers)))]
+    if wrong.size > 0:
+        known = f"0 to {points - 1}" if points > 0 else "of which there are none"
+        raise ValueError(f"{name}: expected numbers of points, {known}, received {wrong[0]:g}")
+    return numbers.astype(int)
+
+
 def unit_vector(name: str, value: Any, size: int = 3) -> FloatArray:
     """Return the vector divided by its length; ValueError if it has none."""
     vector = as_vector(name, value, size)

@@ -204,9 +204,34 @@ def test_user_functions_give_shapes(SC: Any, mbs: Any) -> None:
     assert asked == [0] * len(asked)
 
 
-def test_graphics_data_that_cannot_be_drawn_name_the_body(SC: Any, mbs: Any) -> None:
-    mbs.CreateGround(name="floor", graphicsDataUserFunction=lambda mbs, n: [{"type": "Cube"}])
-    with pytest.raises(ValueError, match=r"object 0 'floor': .*\[0\]: 'type': expected TriangleList.*received 'Cube'"):
+TRIANGLE = {"type": "TriangleList", "points": np.eye(3), "triangles": [0, 1, 2]}
+
+
+@pytest.mark.parametrize(
+    ("entry", "text"),
+    [
+        ({"type": "Cube"}, "'type': expected TriangleList.*received 'Cube'"),
+        ({**TRIANGLE, "points": np.arange(8)}, "'points': expected rows of 3 numbers"),
+        ({**TRIANGLE, "triangles": [0, 1]}, "'triangles': expected rows of 3 numbers"),
+        ({**TRIANGLE, "triangles": [0, 1, 9]}, "'triangles': expected numbers of points, 0 to 2, received 9"),
+        ({**TRIANGLE, "triangles": [0, 1, 1.5]}, "'triangles': expected numbers of points, 0 to 2, received 1.5"),
+        ({**TRIANGLE, "edges": [0, 3]}, "'edges': expected numbers of points, 0 to 2, received 3"),
+        (
+            {**TRIANGLE, "colors": [1, 0, 0, 1]},
+            "'colors': expected 4 numbers for each of 3 points, or none, received 4",
+        ),
+        (
+            {**TRIANGLE, "normals": np.eye(3)[:2]},
+            "'normals': expected 3 numbers for each of 3 points, or none, received 6",
+        ),
+        ({"type": "Line", "data": [0, 0, 0, 1, 1]}, "'data': expected rows of 3 numbers"),
+        ({"type": "Text", "position": [0, 0], "text": "A"}, "'position': expected a vector with 3 components"),
+        ({"type": "Circle", "position": [0, 0, 0], "radius": "1"}, "'radius': expected a finite number"),
+    ],
+)
+def test_graphics_data_that_cannot_be_drawn_name_the_body(SC: Any, mbs: Any, entry: dict[str, Any], text: str) -> None:
+    mbs.CreateGround(name="floor", graphicsDataUserFunction=lambda mbs, n: [entry])
+    with pytest.raises(ValueError, match=rf"object 0 'floor': .*\[0\]: {text}"):
         Studio(SC).scene()
 
 

@@ -377,6 +377,14 @@ def test_bearing_rings_are_closed_and_leave_room_for_the_balls():
         (lambda: gr.Lines([[0, 0]]), "pList: expected a list of points with 3 coordinates each"),
         (lambda: gr.ToPointsAndTrigs(gr.Text()), "expected 'TriangleList', received 'Text'"),
         (lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, 2]], [1, 2]), "color: expected 4 RGBA values"),
+        (
+            lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, 3]]),
+            "triangles: expected numbers of points, 0 to 2, received 3",
+        ),
+        (lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, -1]]), "numbers of points, 0 to 2, received -1"),
+        (lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, 1.5]]), "numbers of points, 0 to 2, received 1.5"),
+        (lambda: gr.FromPointsAndTrigs(np.zeros((6, 2)), [[0, 1, 2]]), "points: expected rows of 3 numbers"),
+        (lambda: gr.FromPointsAndTrigs([], [[0, 1, 2]]), "of which there are none, received 0"),
     ],
 )
 def test_wrong_arguments_are_named(call, text):

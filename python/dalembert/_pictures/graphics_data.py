@@ -7,9 +7,18 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray, IntArray, shape_error
+from dalembert._checks import (
+    FloatArray,
+    IntArray,
+    as_array,
+    as_number,
+    as_point_numbers,
+    as_rows,
+    as_vector,
+    shape_error,
+)
 from dalembert._pictures.looks import rgba
-from dalembert._pictures.meshes import Mesh, Rgba, rows
+from dalembert._pictures.meshes import Mesh, Rgba
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import frame_along
 from dalembert.graphics import material
@@ -54,40 +63,51 @@ def _shape(entry: dict[str, Any], default: Rgba, where: str, known: Known) -> Sh
     if kind == "TriangleList":
         if id(entry) not in known.entries:
             parts = ("points", "triangles", "colors", "normals", "edges", "edgeColor")
-            key = tuple(np.asarray(entry.get(part, ()), float).tobytes() for part in parts)
+            key = tuple(as_array(f"{where}: '{part}'", entry.get(part, ())).tobytes() for part in parts)
             if key not in known.meshes:
                 known.meshes[key] = _mesh(entry, default, where)
             known.entries[id(entry)] = entry, known.meshes[key]
         return "mesh", known.entries[id(entry)][1], None
     color = rgba(entry.get("color", (-1, -1, -1, 1)), default)
     if kind == "Line":
-        return "line", rows(entry["data"], 3), color
+        return "line", as_rows(f"{where}: 'data'", entry["data"], 3), color
+    position = as_vector(f"{where}: 'position'", entry["position"], 3)
     if kind == "Circle":
         angles = np.linspace(0, 2 * np.pi, 33)
         circle = np.stack([np.cos(angles), np.sin(angles), np.zeros_like(angles)], 1)
-        normal = np.asarray(entry.get("normal", (0, 0, 1)), float)
-        return "line", np.asarray(entry["position"]) + entry["radius"] * circle @ frame_along(normal).T, color
-    return "text", (np.asarray(entry["position"], float), str(entry["text"])), (color, entry.get("fontSize", 0.0))
+        normal = as_vector(f"{where}: 'normal'", entry.get("normal", (0, 0, 1)), 3)
+        radius = as_number(f"{where}: 'radius'", entry["radius"])
+        return "line", position + radius * circle @ frame_along(normal).T, color
+    return "text", (position, str(entry["text"])), (color, entry.get("fontSize", 0.0))
 
 
 def _mesh(entry: dict[str, Any], default: Rgba, where: str) -> Mesh:
-    points = rows(entry["points"], 3)
-    triangles = rows(entry["triangles"], 3, int)
-    if len(triangles) and not 0 <= triangles.min() <= triangles.max() < len(points):
-        wrong = triangles[(triangles < 0) | (triangles >= len(points))][0]
-        raise ValueError(f"{where}: 'triangles': expected numbers of points, 0 to {len(points) - 1}, received {wrong}")
-    colors = np.asarray(entry.get("colors", []), float)
-    colors = rows(colors, 4) if colors.size == 4 * len(points) else np.tile(np.array(default), (len(points), 1))
+    points = as_rows(f"{where}: 'points'", entry["points"], 3)
+    triangles = as_point_numbers(f"{where}: 'triangles'", entry["triangles"], 3, len(points))
+    colors = _one_each(f"{where}: 'colors'", entry.get("colors", ()), 4, points)
+    if colors is None:
+        colors = np.tile(np.array(default), (len(points), 1))
     materials = _materials(colors)
     if len(colors) and (colors.min() < 0 or colors[:, 3].max() > 1):
         unique, which = np.unique(colors, axis=0, return_inverse=True)
         colors = np.array([rgba(color, default) for color in unique])[which.ravel()]
-    normals = rows(entry["normals"], 3) if points.size and len(entry.get("normals", [])) == points.size else None
+    normals = _one_each(f"{where}: 'normals'", entry.get("normals", ()), 3, points)
     if normals is not None and not normals.any(axis=1).all():
         normals = None  # some are zero: nobody has computed them
-    edges = rows(entry.get("edges", []), 2, int)
+    edges = as_point_numbers(f"{where}: 'edges'", entry.get("edges", ()), 2, len(points))
     edge_color = rgba(entry.get("edgeColor", (0.2, 0.2, 0.2, 1.0)))
     return Mesh(points, triangles, normals, colors, edges, edge_color, materials)
+
+
+def _one_each(where: str, values: Any, columns: int, points: FloatArray) -> FloatArray | None:
+    """Return so many numbers for each point; None if there are none at all."""
+    result = as_rows(where, values, columns)
+    if len(result) == 0:
+        return None
+    if len(result) != len(points):
+        expected = f"{columns} numbers for each of {len(points)} points, or none"
+        raise ValueError(f"{where}: expected {expected}, received {result.size}")
+    return result
 
 
 def _materials(colors: FloatArray) -> IntArray | None:

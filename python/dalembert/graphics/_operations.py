@@ -9,7 +9,17 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, IntArray, as_color, as_matrix, as_vector, shape_error
+from dalembert._checks import (
+    FloatArray,
+    IntArray,
+    as_array,
+    as_color,
+    as_matrix,
+    as_point_numbers,
+    as_rows,
+    as_vector,
+    shape_error,
+)
 from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals, unit_rows
 
 
@@ -58,16 +68,17 @@ def FromPointsAndTrigs(
     normals: npt.ArrayLike | None = None,
 ) -> GraphicsData:
     """Return a TriangleList from n points, triangles of indices, one colour or n colours, and optional n normals."""
-    p = np.array(points, dtype=float).reshape(-1, 3)
-    rgba = np.array(color, dtype=float)
+    p = as_rows("FromPointsAndTrigs: points", points, 3).copy()
+    corners = as_point_numbers("FromPointsAndTrigs: triangles", triangles, 3, len(p))
+    rgba = as_array("FromPointsAndTrigs: color", color)
     if rgba.size != 4 and rgba.size != 4 * len(p):
         expected = f"4 RGBA values or 4 values for each of the {len(p)} points"
         raise shape_error("FromPointsAndTrigs: color", expected, color)
-    n = None if normals is None else np.array(normals, dtype=float).reshape(-1, 3)
+    n = None if normals is None else as_rows("FromPointsAndTrigs: normals", normals, 3).copy()
     if n is not None and len(n) != len(p):
         raise shape_error("FromPointsAndTrigs: normals", f"{len(p)} vectors, one per point", normals)
     colors = rgba.ravel() if rgba.size == 4 else rgba.reshape(-1, 4)
-    return triangle_list(p, np.array(triangles, dtype=int), colors, n)
+    return triangle_list(p, corners, colors, n)
 
 
 def ToPointsAndTrigs(g: GraphicsData) -> list[list[npt.NDArray[Any]]]:
