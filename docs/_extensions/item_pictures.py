@@ -22,6 +22,8 @@ import sys, json
 import numpy as np
 import dalembert as exu
 from dalembert import itemInterface
+from dalembert._pictures import painting
+from dalembert._pictures.draw import camera_for
 from dalembert._pictures.studio import Studio
 
 names = {name: value for name, value in vars(itemInterface).items() if not name.startswith("_")}
@@ -29,6 +31,7 @@ folder, examples = json.load(sys.stdin)
 
 
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
+SIZE = 560, 380  # pixels
 
 
 def show(mbs, item):
@@ -53,9 +56,27 @@ def add_symbols(SC, scene, item):
     settings.nodes.showBasis = True
     settings.nodes.basisSize = sides.max() * (0.85 if is_single else 0.12)
     kind = next(kind for kind in KINDS if item.startswith(kind))
+    if kind == "Marker":
+        settings.markers.defaultSize = sides.max() * 0.05
+        settings.nodes.showBasis = is_single  # where there is anything else, frames hide what is about as large
     for group in ("bodies", "connectors") if kind == "Object" else (f"{kind.lower()}s",):
         getattr(settings, group).showNumbers = True
     return is_single
+
+
+def fill_picture(SC, zoom):
+    # The camera is set where the box of the scene is not what is seen: what lies along its diagonal fills little of the
+    # picture, and axes of nodes reach beyond it.
+    studio = Studio(SC)
+    scene = studio.scene()
+    camera = camera_for(studio, scene, None, SIZE, 0.5 * zoom)
+    seen = np.argwhere(painting.items(scene, camera, studio.makers[0].looks, studio.view(0), SIZE) >= 0)
+    (top, left), (bottom, right) = seen.min(axis=0), seen.max(axis=0)
+    part = 2 * max((right - left) / SIZE[0], (bottom - top) / SIZE[1])
+    if not 0.6 < part < 0.97:
+        shift = np.array([left + right - SIZE[0], SIZE[1] - top - bottom, 0]) * camera.zoom / SIZE[1]
+        state = {"modelRotation": camera.rotation.T, "centerPoint": camera.center + shift @ camera.rotation}
+        SC.renderer.SetState(state | {"zoom": 0.5 * part / 0.8 * zoom * camera.zoom})
 
 
 for item, code in examples.items():
@@ -66,7 +87,8 @@ for item, code in examples.items():
     scene = Studio(SC).scene()
     if scene.instances or scene.spheres or scene.lines:
         zoom = 0.7 if add_symbols(SC, scene, item) else 0.95
-        mbs.Draw(f"{folder}/{item}.png", windowSize=[560, 380], zoom=zoom)
+        fill_picture(SC, zoom)
+        mbs.Draw(f"{folder}/{item}.png", windowSize=SIZE, zoom=zoom)
 """
 
 
