@@ -123,6 +123,28 @@ def test_a_driven_constraint() -> None:
     assert abs(mbs.systemData.GetAECoordinates()[0]) == pytest.approx(9 * np.sin(3), abs=1e-5)
 
 
+@pytest.mark.parametrize("solver", [Solver.RK44, Solver.DOPRI5, Solver.ESDIRK43])
+def test_user_functions_are_not_asked_long_after_the_end(solver: Any) -> None:
+    """Tables end there. What drives constraints is looked for at a few times, and by differences; loads do not tell."""
+    mbs, node = carried_mass()
+    times: dict[str, list[float]] = {"offset": [], "load": []}
+
+    def offset(mbs: Any, t: float, number: int, offset: float) -> float:
+        times["offset"].append(t)
+        return float(0.5 * np.sin(3 * t))
+
+    def load(mbs: Any, t: float, load: float) -> float:
+        times["load"].append(t)
+        return load
+
+    mbs.SetObjectParameter(1, "offsetUserFunction", offset)
+    marker = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=1))
+    mbs.AddLoad(exu.LoadCoordinate(markerNumber=marker, load=1.0, loadUserFunction=load))
+    mbs.Assemble()
+    mbs.SolveDynamic(settings(0.5, 20), solverType=solver)
+    assert 0.5 < max(times["offset"]) < 0.501 and max(times["load"]) == pytest.approx(0.5, abs=1e-12)
+
+
 def test_verlet_refuses_joints() -> None:
     with pytest.raises(ValueError, match="DOPRI5, which keeps all constraints"):
         Bricard({}).mbs.SolveDynamic(settings(1, 10), solverType=Solver.VelocityVerlet)

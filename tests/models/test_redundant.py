@@ -12,6 +12,7 @@ from bricard_reference import third_corners
 from scipy.spatial.transform import Rotation
 from solving import Solver, Variable, new_system, settings
 from test_bricard import Bricard
+from tolerances import by_tolerance
 
 import dalembert as exu
 from dalembert import _core
@@ -435,6 +436,37 @@ def test_hinges_that_do_not_fit_are_refused(misplaced: float, solver: Any) -> No
         assert abs(apart) == pytest.approx(misplaced, rel=1e-3)
 
 
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ODE23])
+def test_errors_of_hinges_that_do_not_fit_are_not_laid_on_jumps(solver: Any) -> None:
+    """Tolerances are smaller than what the first step has to close, however short it is."""
+    door = Door(misplaced=1e-6)
+    (doubt,) = door.mbs.SolveDynamic(by_tolerance(settings(0.2, 20), 1e-8), solverType=solver).doubts
+    assert doubt.startswith("errors above the tolerances in ") and "jumps" not in doubt
+    assert "contradict each other" in doubt and "'hinge 0'" in doubt and "'hinge 1'" in doubt
+
+
+def test_steps_that_never_close_hinges_that_do_not_fit_say_so() -> None:
+    s = by_tolerance(settings(0.2, 20), 1e-8)
+    s.redundantConstraints.largestMisfit = 1e-4
+    with pytest.raises(SolverError) as ended:
+        Door(misplaced=1e-5).mbs.SolveDynamic(s)
+    advice = ended.value.advice[0]
+    assert "contradict each other" in advice and "'hinge 0'" in advice and "'hinge 1'" in advice
+
+
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5])
+def test_errors_of_doors_beside_their_hinges_are_not_laid_on_jumps(solver: Any) -> None:
+    """Where these could fit, initial values are to blame."""
+    door = Door()
+    moved = np.array(door.mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Initial))
+    moved[0] += 1e-7
+    door.mbs.systemData.SetODE2Coordinates(moved, exu.ConfigurationType.Initial)
+    (doubt,) = door.mbs.SolveDynamic(by_tolerance(settings(0.2, 20), 1e-8), solverType=solver).doubts
+    assert "ComputeConsistentInitialConditions" in doubt and "contradict" not in doubt and "'hinge 0'" in doubt
+    door.mbs.ComputeConsistentInitialConditions()
+    assert door.mbs.SolveDynamic(by_tolerance(settings(0.2, 20), 1e-8), solverType=solver) is True
+
+
 def test_a_larger_misfit_may_be_allowed() -> None:
     s = settings(0.1, 10)
     s.redundantConstraints.largestMisfit = 1e-4
@@ -485,6 +517,31 @@ def test_bricard_by_all_kinds_of_newton(level: str, modified: bool) -> None:
     wanted = third_corners()[1.0]
     errors = [np.linalg.norm(mechanism.third_corner() - wanted) for mechanism in (full, freed)]
     assert errors[0] < 2 * errors[1]
+
+
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43])
+def test_what_is_redundant_is_known_after_the_last_restart_file(solver: Any) -> None:
+    s = settings(0.1, 20)
+    s.solutionSettings.writeRestartFile = True
+    s.redundantConstraints.momentLength = LENGTH_OF_CUBE
+    mbs = Bricard({}).mbs
+    mbs.SolveDynamic(s, solverType=solver)
+    assert redundancy(mbs)["count"] == 1
+    assert_smallest(mbs, LENGTH_OF_CUBE)
+
+
+@pytest.mark.parametrize("level", ["index 3", "index 2"])
+@pytest.mark.parametrize("modified", [False, True])
+def test_reactions_are_the_smallest_with_all_kinds_of_newton(level: str, modified: bool) -> None:
+    """Matrices of earlier states have other forces, and those of index 2 rows that velocities turn."""
+    s = settings(0.5, 200)
+    s.redundantConstraints.momentLength = LENGTH_OF_CUBE
+    s.timeIntegration.newton.useModifiedNewton = modified
+    s.timeIntegration.generalizedAlpha.useIndex2Constraints = level == "index 2"
+    s.timeIntegration.generalizedAlpha.useNewmark = level == "index 2"
+    mbs = Bricard({}).mbs
+    mbs.SolveDynamic(s)
+    assert_smallest(mbs, LENGTH_OF_CUBE)
 
 
 def test_motions_that_leave_joints_are_told_from_joints_that_do_not_fit(capfd: Any) -> None:

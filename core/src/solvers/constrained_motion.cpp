@@ -79,11 +79,12 @@ void add_rows_of_forces(const Sizes& s, const Pattern& pattern, std::span<double
 }  // namespace
 
 void ConstrainedMotion::prepare(System& system, LinearSolverType type, const LinearSolverOptions& options,
-                                const RedundantConstraintsSettings& settings) {
+                                const RedundantConstraintsSettings& settings, double end_time) {
   *this = ConstrainedMotion();
   type_ = type;
   options_ = options;
   settings_ = settings;
+  end_time_ = end_time;
   treats_redundancy_ = treats_redundancy(system.sizes(), settings, options.ignore_singular);
   pattern_ = &system.pattern(is_dense(type));
   ode2_ = system.sizes().ode2;
@@ -331,7 +332,7 @@ std::vector<double> ConstrainedMotion::gap_accelerations_of_velocities(System& s
 
 void ConstrainedMotion::find_driven(System& system, const State& state, const Conditions& conditions) {
   if (driven_.size() == state.lambda.size()) return;
-  driven_ = driven_equations(system, state, conditions);
+  driven_ = driven_equations(system, state, conditions, end_time_);
   is_driven_ = std::ranges::any_of(driven_, [](char d) { return d != 0; });
 }
 
@@ -403,13 +404,13 @@ void ConstrainedMotion::take_off_idle_part(const RedundantConstraints& known, Sy
 }
 
 // User functions are asked at a few times: one that is constant there does not drive.
-std::vector<char> driven_equations(System& system, const State& state, const Conditions& conditions) {
+std::vector<char> driven_equations(System& system, const State& state, const Conditions& conditions, double end_time) {
   State moved = without_multipliers(state);
   std::vector<char> driven(state.lambda.size(), 0);
   std::vector<double> now(driven.size()), later(driven.size());
   system.gaps(moved, at_level(conditions, false), now);
   for (const double after : {1e-3, 0.1, 1.0, 10.0}) {
-    moved.time = state.time + after;
+    moved.time = std::min(state.time + after, end_time);
     system.gaps(moved, at_level(conditions, false), later);
     for (std::size_t k = 0; k < driven.size(); ++k) driven[k] |= later[k] != now[k];
   }

@@ -176,7 +176,7 @@ bool Solver::has_left_constraints(std::span<const double> misfit) {
   Conditions of_positions = conditions_;
   of_positions.rate_level = false;
   system().gaps(first, of_positions, gaps);
-  const std::vector<char> driven = driven_equations(system(), first, of_positions);
+  const std::vector<char> driven = driven_equations(system(), first, of_positions, last_time());
   return constraints.largest(gaps) < none * constraints.largest(misfit) && std::ranges::none_of(driven, [](char d) { return d != 0; });
 }
 
@@ -199,7 +199,7 @@ bool Solver::has_left_constraints(std::span<const double> misfit) {
 
 // One line per item, the worst equation of each.
 [[gnu::noinline]] void Solver::warn_of_contradiction(std::span<const double> misfit) {
-  if (std::exchange(warned_of_contradiction_, true)) return;
+  if (!told_contradiction_.empty()) return;
   const RedundantConstraints& constraints = redundant_constraints();
   std::vector<std::string> lines;
   for (const System::EquationOwner& owner : system().equation_owners()) {
@@ -216,9 +216,10 @@ bool Solver::has_left_constraints(std::span<const double> misfit) {
       lines.push_back(system().describe(owner) + ", equation " + std::to_string(worst - owner.first) + ": " +
                       format_number(misfit[static_cast<std::size_t>(worst)]));
   }
-  const char* text = has_left_constraints(misfit) ? ": the motion leaves what redundant constraints allow, although they have fitted together at the start; by now by:"
-                                                  : ": redundant constraints contradict each other; what the closest fit leaves open:";
-  warn(name() + text + indented(std::move(lines)));
+  const char* text = has_left_constraints(misfit) ? "the motion leaves what redundant constraints allow, although they have fitted together at the start; by now by:"
+                                                  : "redundant constraints contradict each other; what the closest fit leaves open:";
+  told_contradiction_ = text + indented(std::move(lines));
+  warn(name() + ": " + told_contradiction_);
 }
 
 // Where round-off has hidden which constraints are redundant, it is what has grown.

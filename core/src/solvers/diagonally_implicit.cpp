@@ -456,7 +456,7 @@ bool DiagonallyImplicitSolver::back_onto_constraints() {
     if (!motion_.project(system(), current(), conditions_)) return leave_open_gaps();
   }
   largest_misfit_ = std::max(largest_misfit_, motion_.largest_misfit());
-  if (!warned_of_contradiction_)
+  if (told_contradiction_.empty())
     if (const std::vector<double> misfit = motion_.misfit(system(), current(), conditions_); !misfit.empty()) [[unlikely]] warn_of_contradiction(misfit);
   return true;
 }

@@ -29,7 +29,7 @@ bool ExplicitSolver::back_onto_constraints() {
   off_constraints_ = !motion_.project(system(), now, conditions_);
   if (off_constraints_) return false;
   largest_misfit_ = std::max(largest_misfit_, motion_.largest_misfit());
-  if (!warned_of_contradiction_)
+  if (told_contradiction_.empty())
     if (const std::vector<double> misfit = motion_.misfit(system(), now, conditions_); !misfit.empty()) [[unlikely]] warn_of_contradiction(misfit);
   return true;
 }

@@ -130,7 +130,7 @@ void SecondOrderSolver::end_swings() {
 
 // The motion that rates of gaps, or their accelerations, belong to.
 std::span<const double> SecondOrderSolver::move_across(std::span<const double> rates) {
-  if (driven_.size() != rates.size()) driven_ = driven_equations(system(), current(), conditions_);
+  if (driven_.size() != rates.size()) driven_ = driven_equations(system(), current(), conditions_, last_time());
   const auto first = static_cast<std::size_t>(sizes_.first_ae());
   const double factor = conditions_.rate_level ? rate_factor() : 1;  // of rows
   std::ranges::fill(increment_, 0.0);

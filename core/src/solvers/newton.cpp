@@ -63,7 +63,8 @@ void NewtonSolver::pattern_revised() {
 void NewtonSolver::take_pattern() {
   const Pattern* pattern = &system().pattern(dense());
   const auto make = [&](const LinearSolverOptions& options) { return make_linear_solver(*pattern, linear_type(), options); };
-  if (idle_ == Idle::at_factors) idle_ = Idle::at_start;
+  if (idle_ == Idle::at_factors) idle_ = Idle::at_state;
+  forces_.reset();
   linear_ = make(redundant_.in_use() ? redundant_.options(newton_options()) : newton_options());
   if (plain_) plain_ = make(newton_options());
   factorized_ = false;
@@ -120,7 +121,7 @@ void NewtonSolver::begin_newton() {
   full_newton_ = !newton_settings.useModifiedNewton;
   loop_ = Loop();
   if (treatment_ != Treatment::none) [[unlikely]] {
-    if (idle_ == Idle::at_factors) idle_ = Idle::at_start;
+    if (idle_ == Idle::at_factors) idle_ = Idle::at_state;
     misfit_.clear();
     predicted_ = full_newton_ && !conditions_.rate_level && !(largest_misfit_ > RedundantConstraints::silent_misfit);
     if (std::exchange(treatment_failed_, false)) drop_treatment();

@@ -1,9 +1,9 @@
 // Newton's method with constraints that follow from others, contradict each other a little, or are about to become dependent.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
-#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/newton.hpp"
 
 namespace dalembert {
@@ -269,16 +269,16 @@ double NewtonSolver::residual_without_misfit() {
   return norm_of(unscaled_residual());
 }
 
-// Multipliers start from zero in each step: what is idle of them is taken off where somebody looks.
+// Multipliers start from zero in each step: what is idle of them is taken off where somebody looks, by the forces of this state where those of the
+// factors are others. This changes no motion.
 const std::vector<double>* NewtonSolver::told_multipliers() {
   const Idle idle = std::exchange(idle_, Idle::none);
   if (idle == Idle::at_factors) redundant_.take_off_idle_part(*linear_, current().lambda);
-  if (idle == Idle::at_start) {
-    ConstrainedMotion motion;
-    prepare(motion);
+  if (idle == Idle::at_state) {
+    if (!forces_) prepare(*(forces_ = std::make_unique<ConstrainedMotion>()));
     RedundantConstraints known = redundant_;
     if (!known.in_use()) known.use(first_eps);
-    motion.take_off_idle_part(known, system(), current(), conditions_, current().lambda);
+    forces_->take_off_idle_part(known, system(), current(), conditions_, current().lambda);
   }
   return nullptr;
 }
@@ -298,7 +298,8 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
   largest_misfit_ = std::max(largest_misfit_, misfit);
   const double eps = redundant_.eps_for(misfit, conditions_.rate_level);
   const bool other_eps = treatment_ == Treatment::lasting && eps != redundant_.eps();
-  idle_ = Idle::at_factors;
+  // Factors of an earlier state have its forces, and rows of rates are not those of forces: velocities turn them.
+  idle_ = full_newton_ && !conditions_.rate_level ? Idle::at_factors : Idle::at_state;
   if (!multipliers_may_wait() || treatment_ != Treatment::lasting || other_eps) told_multipliers();
   if (!confirmed_ && treatment_ == Treatment::lasting && !(largest_misfit_ > silent_misfit)) confirmed_ = redundant_.confirm(*pattern_, jacobian_, *linear_);
   if (other_eps) {

@@ -156,12 +156,25 @@ void Solver::check_constraints() {
   warn(text + ", and leads to large velocities and forces in the next step: let the action leave positions and velocities that fulfil all constraints.");
 }
 
+// First steps that close what is open by more than the tolerances have large errors, whatever their size.
+[[gnu::noinline]] std::string Solver::constraints_that_close_at_start() {
+  if (sizes_.ae == 0 || !enforces_constraints()) return {};
+  const double tolerance = settings_->timeIntegration.absoluteTolerance;
+  const auto open = open_constraints(*system_, initial(), conditions_, {tolerance, tolerance, true});
+  if (open.empty()) return {};
+  const std::string text = "the first steps close what initial values leave open by more than the tolerances, of " + listed(open, *system_) + "\n  ";
+  if (told_contradiction_.empty()) return text + "Begin with mbs.ComputeConsistentInitialConditions(), or allow larger errors";
+  return text + "No state fulfils all: " + told_contradiction_ +
+         "\n  Move or turn the markers of these joints until they fit, free equations that others state as well, or allow larger errors";
+}
+
 void Solver::look_back() {
   const auto steps = [](StepCount n) { return std::to_string(n) + (n == 1 ? " step" : " steps"); };
   if (it.stepsAboveTolerance > 0) {
     doubts_.push_back("errors above the tolerances in " + steps(it.stepsAboveTolerance) +
-                      ": look for jumps, or lower timeIntegration.minimumStepSize; a mechanism that "
-                      "passes a singular position cannot be computed more accurately there");
+                      ": " + (closing_at_start_.empty() ? "look for jumps, or lower timeIntegration.minimumStepSize; a mechanism that "
+                                                          "passes a singular position cannot be computed more accurately there"
+                                                        : closing_at_start_));
   }
   if (it.unsettledSteps > 0) {
     doubts_.push_back("contact or friction that has not settled in " + steps(it.unsettledSteps) +

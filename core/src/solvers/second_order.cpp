@@ -136,7 +136,7 @@ bool SecondOrderSolver::find_accelerations() {
   LinearSolverOptions options = linear_options();
   if (full_newton_ && sizes_.ae > 0) options.unsettled_matrices = 1;  // shares the analysis with Newton's first matrix; masses alone are less work by themselves
   ConstrainedMotion motion;
-  motion.prepare(system(), linear_type(), options, settings().redundantConstraints);
+  motion.prepare(system(), linear_type(), options, settings().redundantConstraints, last_time());
   return find_accelerations(motion, motion.factorize(system(), current(), conditions_));
 }
 

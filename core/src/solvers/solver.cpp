@@ -102,7 +102,11 @@ LinearSolverOptions Solver::linear_options() const {
   return {.pivot_threshold = s.pivotThreshold, .ignore_singular = s.ignoreSingularJacobian};
 }
 
-void Solver::prepare(ConstrainedMotion& motion) const { motion.prepare(*system_, linear_type(), linear_options(), settings_->redundantConstraints); }
+void Solver::prepare(ConstrainedMotion& motion) const {
+  motion.prepare(*system_, linear_type(), linear_options(), settings_->redundantConstraints, last_time());
+}
+
+double Solver::last_time() const { return is_static() ? std::numeric_limits<double>::infinity() : settings_->timeIntegration.endTime; }
 
 bool Solver::check_system() {
   const auto refuse_system = [](const std::string& text) { throw ModelError(ErrorKind::state, text); };
@@ -139,7 +143,9 @@ void Solver::initialize_data() {
   it = SolverIterationData();
   singular_position_step_ = aside_step_ = -2;
   passing_steps_ = steps_above_tolerance_ = 0;
-  warned_minimum_ = warned_of_contradiction_ = warned_of_undecided_start_ = warned_of_actions_ = false;
+  warned_minimum_ = warned_of_undecided_start_ = warned_of_actions_ = false;
+  told_contradiction_.clear();
+  closing_at_start_.clear();
   largest_misfit_ = 0;
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
@@ -336,6 +342,7 @@ void Solver::begin_step() {
     conv.stepReductionFailed = true;
     if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});
     name_singular_position();
+    if (!closing_at_start_.empty()) diagnosis_.advice.insert(diagnosis_.advice.begin(), closing_at_start_);
     advise_on_angles();
     advise_on_weak_constraints();
     return;

@@ -274,6 +274,7 @@ void Solver::write_restart() {
   last_restart_ = t;
   if (multipliers_may_wait_) told_multipliers();  // as the state has them that the solver goes on with
   write_restart_file(settings_->solutionSettings.restartFileName, restart_data());
+  if (last) return;
   forget();
   compare_constraints_with(current());
 }

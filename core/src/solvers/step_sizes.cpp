@@ -41,6 +41,7 @@ void Solver::count_step_size() {
     warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
          "; the error becomes larger than the tolerances");
     warned_minimum_ = true;
+    if (it.currentStepIndex <= 1) closing_at_start_ = constraints_that_close_at_start();
   }
   if (++steps_above_tolerance_ > most) {
     diagnose_error_control();

@@ -283,7 +283,7 @@ std::span<const double> System::negative_forces(const State& state, const Condit
 void System::gaps(const State& state, const Conditions& conditions, std::span<double> g) {
   ports_hold(nullptr);
   SystemParts& parts = *parts_;
-  find_residual_in_work(parts, view_of(parts, state, conditions), true);
+  find_residual_in_work(parts, view_of(parts, state, conditions), false);
   for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
 }
 

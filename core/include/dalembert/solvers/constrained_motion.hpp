@@ -2,6 +2,7 @@
 // [G  0  ] [lambda] = [-(G v)_q v     ]   at any state, also with redundant constraints; and the way back onto the constraints.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -14,7 +15,9 @@ namespace dalembert {
 
 class ConstrainedMotion {
  public:
-  void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options, const RedundantConstraintsSettings& settings);
+  // Whether user functions drive constraints is not asked after `end_time`, where they may not be defined.
+  void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options, const RedundantConstraintsSettings& settings,
+               double end_time = std::numeric_limits<double>::infinity());
   // Which constraints are redundant shows where they hold: at starts of steps, and not in what is tried from there. At the first of them, and
   // once again after something has been found, or singular matrices have been passed.
   bool to_be_examined(const State& start_of_step) const;
@@ -112,14 +115,14 @@ class ConstrainedMotion {
   bool treats_redundancy_ = false, is_driven_ = false, looks_beside_ = true, examines_anew_ = false;
   Knowledge knowledge_ = Knowledge::none;
   double examined_at_ = 0;  // time
-  double largest_misfit_ = 0;
+  double largest_misfit_ = 0, end_time_ = 0;
   std::unique_ptr<LinearSolver> factors_;
   std::vector<double> matrix_, part_, x_, rest_, kept_;
   std::vector<char> of_velocities_, driven_;
   RedundantConstraints redundant_;
 };
 
-// Constraint equations whose gaps are prescribed in time, by user functions.
-std::vector<char> driven_equations(System& system, const State& state, const Conditions& conditions);
+// Constraint equations whose gaps are prescribed in time, by user functions, which may not be defined after `end_time`.
+std::vector<char> driven_equations(System& system, const State& state, const Conditions& conditions, double end_time);
 
 }  // namespace dalembert

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/large_vectors.hpp"
@@ -139,10 +140,11 @@ class NewtonSolver : public Solver {
   Loop loop_;
   RedundantConstraints redundant_;
   Treatment treatment_ = Treatment::none;
-  // Where a part of the multipliers from which no force comes has been left in them: in the current state, whose factors are at hand, or in the one
-  // that a step has started from.
-  enum class Idle { none, at_factors, at_start };
+  // Where a part of the multipliers from which no force comes has been left in them: in a state whose factors are at hand, or in one without, such as
+  // that which a step has started from.
+  enum class Idle { none, at_factors, at_state };
   Idle idle_ = Idle::none;
+  std::unique_ptr<ConstrainedMotion> forces_;  // of constraints, for those without
   bool predicted_ = false;      // not corrected yet in this loop, in a solution without misfit
   bool looks_at_next_ = false;  // at the next matrix
   bool contradiction_ = false;  // it has converged, and left too much open

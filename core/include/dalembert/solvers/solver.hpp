@@ -137,6 +137,7 @@ class Solver {
   bool dense() const { return is_dense(linear_type_); }
   LinearSolverOptions linear_options() const;  // of the settings
   void prepare(ConstrainedMotion& motion) const;
+  double last_time() const;  // of the solution, after which user functions may not be defined
   // Sets back what a discontinuous iteration has moved: everything except data.
   virtual void reset_to_start_of_step();
   virtual void save_start_of_step();
@@ -247,7 +248,8 @@ class Solver {
   bool hold_at_minimum();
   virtual void diagnose_error_control();
   int steps_above_tolerance_ = 0;  // in a row
-  bool warned_of_contradiction_ = false, warned_of_undecided_start_ = false, warned_of_actions_ = false;
+  std::string told_contradiction_;  // of redundant constraints, as it has been told
+  bool warned_of_undecided_start_ = false, warned_of_actions_ = false;
   double largest_misfit_ = 0;
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
@@ -264,6 +266,7 @@ class Solver {
   friend class Lockstep;
   void choose_linear_solver();
   void check_constraints();  // warns of initial values that do not fulfil them, or refuses these
+  std::string constraints_that_close_at_start();
   // ---- going on from a restart file (continuation.cpp) -------------------------------------------------------------
   void read_continuation();
   void take_continuation();
@@ -393,6 +396,7 @@ class Solver {
   EqualSteps equal_steps_;
   bool end_reached_ = false;
   bool warned_minimum_ = false;
+  std::string closing_at_start_;  // why errors of the first steps are above the tolerances
   bool step_completed_ = false;  // the state is that of the end of a step, not one that is tried
   bool silent_ = false;  // while all steps are solved: nothing happens at their ends
   bool multipliers_may_wait_ = false, start_is_told_ = false;
