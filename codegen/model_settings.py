@@ -10,6 +10,8 @@ from codegen.names import nearest
 from codegen.ranges import Range
 from codegen.types import TYPES, VALUE_TYPES, ParameterType, ValueType
 
+MOST_FLAGS = 4  # in acts_with: room in SettingRule
+
 
 @dataclass(frozen=True)
 class EnumValue:
@@ -85,6 +87,8 @@ class SettingsGroup:
             check_documented(self.beyond_reference, "beyond_reference")
         flags = [row.name for row in self.rows if row.type.storage == "boolean"]
         for row in self.rows:
+            if len(row.acts_with) > MOST_FLAGS:
+                raise SpecError(f"{row.name}: acts_with: {len(row.acts_with)} flags; there may be {MOST_FLAGS}")
             for flag in row.acts_with:
                 if flag not in flags or flag == row.name:
                     raise SpecError(f"{row.name}: acts_with: {flag!r} is no flag beside it; {nearest(flag, flags)}")

@@ -33,8 +33,9 @@ inline double require(const ValueSource& by, const std::string& parameter, doubl
   if (std::isfinite(value) && (positive ? value > 0 : value >= 0)) return value;
   refuse_value(by, parameter, text_of(value), std::string(positive ? "a positive number" : "a number that is not negative") + " (unit " + unit + ")");
 }
+constexpr bool is_material(int index) { return index >= -1; }
 inline int require_material(const ValueSource& by, int material) {
-  if (material >= -1) return material;
+  if (is_material(material)) return material;
   refuse_value(by, "frictionMaterialIndex", std::to_string(material), "a number from 0, of a row of frictionPairings, or -1: without friction");
 }
 inline ContactSurface surface_of(const ValueSource& by, double stiffness, double damping, int material) {

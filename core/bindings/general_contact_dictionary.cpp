@@ -177,7 +177,7 @@ class Columns {
   ContactSurface surface(std::size_t first, std::size_t i) const {
     const double stiffness = real(first, i), damping = real(first + 1, i);
     const int material = whole(first + 2, i, "frictionMaterialIndex");
-    if (stiffness > 0 && damping >= 0 && material >= -1 && std::isfinite(stiffness) && std::isfinite(damping)) return {stiffness, damping, material};
+    if (stiffness > 0 && damping >= 0 && is_material(material) && std::isfinite(stiffness) && std::isfinite(damping)) return {stiffness, damping, material};
     return surface_of(at(i), stiffness, damping, material);
   }
 

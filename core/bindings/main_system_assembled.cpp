@@ -168,8 +168,8 @@ void register_outputs(Class& main_system) {
 }
 
 bool keeps_values(const Item& sensor) {
-  const Row* row = find_row(*sensor.type, "storeInternal");
-  return row == nullptr || *static_cast<const bool*>(member(sensor.record.get(), *row));
+  const bool* stores = member_of<bool>(sensor, "storeInternal");
+  return stores == nullptr || *stores;
 }
 
 void register_loads_and_sensors(Class& main_system) {

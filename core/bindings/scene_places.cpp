@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -62,13 +61,7 @@ class ScenePlaces {
     modal->points(*main_, std::span<const double, 12>(rows.data(), 12), result.mutable_data());
     return result;
   }
-  // The node of the floating frame in whose components a sensor's values are; None: they are global.
-  std::optional<int> frame_of_sensor(int sensor) {
-    const std::vector<int> frames = floating_frames_of_sensors(main_->model);
-    const bool there = sensor >= 0 && sensor < main_->model.count(ItemKind::sensor);
-    if (!there || frames[static_cast<std::size_t>(sensor)] < 0) return std::nullopt;
-    return frames[static_cast<std::size_t>(sensor)];
-  }
+  std::vector<int> frames_of_sensors() { return floating_frames_of_sensors(main_->model); }
   // Position and rotation of the floating frame of a sensor's node, for each row that the sensor has stored; None: its values are global.
   py::object stored_frames(int sensor) {
     const SensorTable frames = main_->sensor_storage.frames(sensor);
@@ -138,8 +131,8 @@ void register_scene_places(py::module_& module) {
            "One number for each of these mesh nodes: a component of the output, or its length (-1).")
       .def("mesh_points", &ScenePlaces::mesh_points, py::arg("objectNumber"), py::arg("rows"), py::arg("configuration"),
            "Positions of these mesh nodes in single precision, of an object that stands as rows of rotation and position tell; None: mesh() may have them.")
-      .def("frame_of_sensor", &ScenePlaces::frame_of_sensor, py::arg("sensorNumber"),
-           "The node of the floating frame in whose components a sensor's values are; None: they are global.")
+      .def("frames_of_sensors", &ScenePlaces::frames_of_sensors,
+           "For each sensor the node of the floating frame in whose components its values are; -1: they are global.")
       .def("stored_frames", &ScenePlaces::stored_frames, py::arg("sensorNumber"),
            "Position and rotation (n x 12) of the floating frame of a sensor's node, for each row that the sensor has stored; None: its values are global.")
       .def("alike", &ScenePlaces::look_alikes, py::arg("kind"),

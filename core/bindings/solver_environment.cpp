@@ -327,12 +327,6 @@ void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& mai
   };
 }
 
-template <class T>
-const T* sensor_member(const Item& sensor, std::string_view name) {
-  const Row* row = find_row(*sensor.type, name);
-  return row ? static_cast<const T*>(member(sensor.record.get(), *row)) : nullptr;
-}
-
 // "Node number = 3": what the header of a sensor's file calls the sensor's item.
 std::string measured_item(const Item& sensor) {
   std::string text(sensor.type->type_name);
@@ -348,10 +342,10 @@ std::vector<SensorChannel> sensor_channels(const Model& model) {
   std::vector<SensorChannel> channels;
   for (const Item& sensor : model.items(ItemKind::sensor)) {
     SensorChannel& channel = channels.emplace_back();
-    if (const auto* name = sensor_member<std::string>(sensor, "fileName")) channel.file_name = *name;
-    if (const auto* write = sensor_member<bool>(sensor, "writeToFile")) channel.write_to_file = *write;
-    if (const auto* store = sensor_member<bool>(sensor, "storeInternal")) channel.store_internal = *store;
-    const auto* variable = sensor_member<OutputVariableType>(sensor, "outputVariableType");
+    if (const auto* name = member_of<std::string>(sensor, "fileName")) channel.file_name = *name;
+    if (const auto* write = member_of<bool>(sensor, "writeToFile")) channel.write_to_file = *write;
+    if (const auto* store = member_of<bool>(sensor, "storeInternal")) channel.store_internal = *store;
+    const auto* variable = member_of<OutputVariableType>(sensor, "outputVariableType");
     channel.variable = variable_name(variable ? *variable : OutputVariableType::_None);
     channel.measured = measured_item(sensor);
     channel.frame_node = frames[channels.size() - 1];

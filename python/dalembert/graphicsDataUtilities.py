@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert import graphics
-from dalembert._checks import FloatArray, IntArray, as_matrix, as_points, as_vector
+from dalembert._checks import FloatArray, IntArray, as_matrix, as_point_numbers, as_points, as_vector
 from dalembert.graphics._mesh import GraphicsData, triangle_normals, unit_rows
 from dalembert.graphics._styles import color, colorList
 
@@ -77,6 +77,7 @@ def Compute6NodeTrigsNormals(elementNodes: npt.ArrayLike) -> FloatArray:
 def RefineMesh(points: npt.ArrayLike, triangles: npt.ArrayLike) -> list[list[npt.NDArray[Any]]]:
     """Return [points, triangles] of the mesh with each triangle divided into 4; new points are shared on edges."""
     newPoints = list(as_points("RefineMesh: points", points))
+    corners = as_point_numbers("RefineMesh: triangles", triangles, 3, len(newPoints))
     newTriangles: list[IntArray] = []
     middles: dict[frozenset[int], int] = {}
 
@@ -87,7 +88,7 @@ def RefineMesh(points: npt.ArrayLike, triangles: npt.ArrayLike) -> list[list[npt
             newPoints.append(0.5 * (newPoints[a] + newPoints[b]))
         return middles[key]
 
-    for a, b, c in np.asarray(triangles, dtype=int).reshape(-1, 3).tolist():
+    for a, b, c in corners.tolist():
         ca, ab, bc = middle(c, a), middle(a, b), middle(b, c)
         newTriangles += [np.array(t) for t in ([a, ab, ca], [b, bc, ab], [c, ca, bc], [ca, ab, bc])]
     return [newPoints, newTriangles]
@@ -101,7 +102,7 @@ def ShrinkMeshNormalToSurface(
     The shift of a triangle is distance along its inner normal; points must not be duplicated.
     """
     p = as_points("ShrinkMeshNormalToSurface: points", points)
-    t = np.asarray(triangles, dtype=int).reshape(-1, 3)
+    t = as_point_numbers("ShrinkMeshNormalToSurface: triangles", triangles, 3, len(p))
     shifts = np.repeat(-distance * triangle_normals(p, t), 3, axis=0)
     lower, upper = np.zeros_like(p), np.zeros_like(p)
     np.minimum.at(lower, t.ravel(), shifts)
@@ -138,7 +139,8 @@ def ComputeTriangularMesh(vertices: npt.ArrayLike, segments: npt.ArrayLike) -> A
     tri = Delaunay(as_points("ComputeTriangularMesh: vertices", vertices, 2))
     if len(np.unique(tri.simplices)) < len(tri.points):
         warnings.warn("ComputeTriangularMesh: some vertices are in no triangle; are vertices duplicated?", stacklevel=2)
-    inside = _inside(tri.simplices, tri.neighbors, np.asarray(segments, dtype=int).reshape(-1, 2))
+    ends = as_point_numbers("ComputeTriangularMesh: segments", segments, 2, len(tri.points))
+    inside = _inside(tri.simplices, tri.neighbors, ends)
     tri.simplices = tri.simplices[inside]
     return tri
 

@@ -29,6 +29,7 @@ from dalembert.itemInterface import (
     NodeRigidBodyRxyz,
     ObjectFFRF,
     ObjectFFRFreducedOrder,
+    ObjectGenericODE2,
     ObjectKinematicTree,
     ReevingSystemSprings,
     SensorBody,
@@ -39,6 +40,7 @@ from dalembert.itemInterface import (
     VNodePoint,
     VObjectFFRF,
     VObjectFFRFreducedOrder,
+    VObjectGenericODE2,
 )
 from dalembert.utilities import InertiaCuboid, RotationMatrixZ
 
@@ -232,6 +234,21 @@ TRIANGLE = {"type": "TriangleList", "points": np.eye(3), "triangles": [0, 1, 2]}
 def test_graphics_data_that_cannot_be_drawn_name_the_body(SC: Any, mbs: Any, entry: dict[str, Any], text: str) -> None:
     mbs.CreateGround(name="floor", graphicsDataUserFunction=lambda mbs, n: [entry])
     with pytest.raises(ValueError, match=rf"object 0 'floor': .*\[0\]: {text}"):
+        Studio(SC).scene()
+
+
+@pytest.mark.parametrize(
+    ("triangles", "text"),
+    [([[0, 1, 3]], "expected numbers of points, 0 to 2, received 3"), ([[0, 1]], "expected rows of 3 numbers")],
+)
+def test_triangles_of_nodes_that_are_not_there_name_the_body(
+    SC: Any, mbs: Any, triangles: list[list[int]], text: str
+) -> None:
+    nodes = [mbs.AddNode(NodePoint(referenceCoordinates=[i, i * i, 0])) for i in range(3)]
+    looks = VObjectGenericODE2(triangleMesh=triangles)
+    mbs.AddObject(ObjectGenericODE2(name="sheet", nodeNumbers=nodes, massMatrix=np.eye(9), visualization=looks))
+    mbs.Assemble()
+    with pytest.raises(ValueError, match=rf"object 0 'sheet': VtriangleMesh: {text}"):
         Studio(SC).scene()
 
 

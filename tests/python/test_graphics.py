@@ -385,6 +385,16 @@ def test_bearing_rings_are_closed_and_leave_room_for_the_balls():
         (lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, 1.5]]), "numbers of points, 0 to 2, received 1.5"),
         (lambda: gr.FromPointsAndTrigs(np.zeros((6, 2)), [[0, 1, 2]]), "points: expected rows of 3 numbers"),
         (lambda: gr.FromPointsAndTrigs([], [[0, 1, 2]]), "of which there are none, received 0"),
+        (
+            lambda: gr.ToPointsAndTrigs({"type": "TriangleList", "points": np.eye(3), "triangles": [0, 1, 3]}),
+            "received 3",
+        ),
+        (
+            lambda: gdu.RefineMesh(np.eye(3), [[0, 1, -3]]),
+            "RefineMesh: triangles: expected numbers of points.*received -3",
+        ),
+        (lambda: gdu.ShrinkMeshNormalToSurface(np.eye(3), [[0, 1, 2.5]], 0.1), "triangles: .*received 2.5"),
+        (lambda: gdu.ComputeTriangularMesh([[0, 0], [1, 0], [0, 1]], [[0, 5]]), "segments: .*0 to 2, received 5"),
     ],
 )
 def test_wrong_arguments_are_named(call, text):

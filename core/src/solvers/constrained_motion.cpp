@@ -70,7 +70,7 @@ void add_forces_of_multipliers(System& system, const State& state, const Conditi
 }
 
 // Rows of constraints as if forces acted along the gradients, as most do: which multipliers exert none is seen by these forces alone.
-void add_rows_of_forces(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
+void replace_gradients_by_forces(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
     if (column >= s.first_ae() && row < s.ode2) matrix[static_cast<std::size_t>(pattern.slot(column, row))] = matrix[slot];
   });
@@ -99,15 +99,14 @@ void ConstrainedMotion::free_memory() {
   for (std::vector<double>* numbers : {&matrix_, &part_, &x_, &rest_}) *numbers = {};
 }
 
-void ConstrainedMotion::fill(System& system, const State& state, const Conditions& conditions, bool by_forces_alone) {
+void ConstrainedMotion::fill(System& system, const State& state, const Conditions& conditions) {
   const State still = without_multipliers(state);
   const Conditions of_positions = at_level(conditions, false);
   system.mass_matrix(still, *pattern_, matrix_);
   if (system.sizes().ae > 0) {
     part_.resize(matrix_.size());
     add_forces_of_multipliers(system, still, of_positions, *pattern_, matrix_, part_);
-    if (by_forces_alone) add_rows_of_forces(system.sizes(), *pattern_, matrix_);
-    else add_gradients(system, still, of_positions, *pattern_, matrix_, part_);
+    add_gradients(system, still, of_positions, *pattern_, matrix_, part_);
   }
   leave_out_ode1(system.sizes(), *pattern_, matrix_);
 }
@@ -147,8 +146,8 @@ bool ConstrainedMotion::to_be_examined(const State& start_of_step) const {
 }
 
 // In the metric of the masses, with ones where there are none.
-void ConstrainedMotion::fill_for_constraints(System& system, const State& state, const Conditions& conditions, bool by_forces_alone) {
-  fill(system, state, conditions, by_forces_alone);
+void ConstrainedMotion::fill_for_constraints(System& system, const State& state, const Conditions& conditions) {
+  fill(system, state, conditions);
   for (int j = 0; j < ode2_; ++j)
     if (double& mass = matrix_[static_cast<std::size_t>(pattern_->slot(j, j))]; !(mass > 0)) mass = 1;
 }
@@ -396,7 +395,8 @@ int ConstrainedMotion::factorize(const RedundantConstraints& known, System& syst
 // Combinations only tell the solver in which order to take the equations.
 void ConstrainedMotion::take_off_idle_part(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions,
                                            std::span<double> lambda) {
-  fill_for_constraints(system, state, conditions, true);
+  fill_for_constraints(system, state, conditions);
+  replace_gradients_by_forces(system.sizes(), *pattern_, matrix_);
   if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || !redundant_.serve_as(known)) return;
   redundant_.regularize(*pattern_, matrix_, 1);
   if (std::exchange(followed_, known.count()) != known.count()) factors_ = make_linear_solver(*pattern_, type_, known.options(options_));

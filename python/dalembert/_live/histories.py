@@ -55,7 +55,8 @@ class History:
     def __init__(self, original: Any, shadow: Any, settings: Any) -> None:
         self._original, self._shadow, self._settings = original, shadow, settings
         self._seen: dict[int, Track] = {}
-        self._frames: dict[int, int | None] = {}  # nodes of floating frames in whose components values of sensors are
+        self._frames: dict[int, int | None] = {}  # nodes of floating frames in whose components rows of sensors are
+        self._frames_now: list[int] = []  # for all sensors; -1: none
 
     def rows(self, number: int) -> tuple[Any, FloatArray | None]:
         """Return time and values of a sensor, row by row, and their floating frames if the values are not global.
@@ -75,13 +76,23 @@ class History:
             values = np.ravel(system.GetSensorValues(number, ConfigurationType.Visualization))
             again = track is None or time < last  # another solution
             if again:
-                self._frames[number] = _core._ScenePlaces(system).frame_of_sensor(number)
+                self._frames[number] = self._frame_of(number)
             row = np.array([time, *values, *self._frame(self._frames[number])])
             if track is None or again:
                 track = self._seen[number] = Track(len(row))
             track.add(row, time - (float(self._settings.sensors.traces.timeSpan) or np.inf))
         rows = track.rows()
         return (rows, None) if self._frames[number] is None else (rows[:, :-FRAME], rows[:, -FRAME:])
+
+    def forget_frames(self) -> None:
+        """Look anew for the floating frames of sensors: the system has other items."""
+        self._frames_now = []
+
+    def _frame_of(self, number: int) -> int | None:
+        """Return the node of the floating frame in whose components a sensor measures; None: there is none."""
+        self._frames_now = self._frames_now or _core._ScenePlaces(self._shadow.system).frames_of_sensors()
+        node = self._frames_now[number]
+        return None if node < 0 else node
 
     def _frame(self, node: int | None) -> list[float]:
         """Return position and rotation of a node as it is shown."""

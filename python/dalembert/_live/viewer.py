@@ -304,6 +304,7 @@ class Viewer:
             self.studio = Studio(self.container, [shadow.system for shadow in self.shadows])
             for maker, history in zip(self.studio.makers, self._histories, strict=True):
                 maker.stored = history.rows
+                history.forget_frames()
             self._home = self._home or changed or structure
         if again or items:
             self._flow = None

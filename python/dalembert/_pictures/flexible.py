@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray, IntArray
+from dalembert._checks import FloatArray, IntArray, as_point_numbers
 from dalembert._core import ConfigurationType, CrossSectionType, OutputVariableType
 from dalembert._pictures import graphics_data, meshes
 from dalembert._pictures.bodies import user_shapes
@@ -218,7 +218,7 @@ class MeshBodies:
         points = self._points(pen, number, item)
         if points is None:
             return
-        triangles, edges = self._faces(number, item)
+        triangles, edges = self._faces(number, item, len(points))
         color = pen.looks.color(item, "bodies.defaultColor")
         if len(triangles):
             if not pen.looks.setting("view0.scene.showMeshEdges"):
@@ -239,14 +239,15 @@ class MeshBodies:
             for point in points:
                 pen.sphere(point, radius, color)
 
-    def _faces(self, number: int, item: Item) -> tuple[IntArray, IntArray]:
+    def _faces(self, number: int, item: Item, points: int) -> tuple[IntArray, IntArray]:
         """Return the triangles of a mesh, and their edges."""
         given = np.asarray(item.get("VtriangleMesh", []))
         known = self._known.get(number)
         if known is not None and known[0] is not given and np.array_equal(known[0], given):
             known = self._known[number] = given, *known[1:]
         if known is None or known[0] is not given:
-            triangles = given.astype(int).reshape(-1, 3)
+            name = f"object {number} '{item['name']}': VtriangleMesh"
+            triangles = as_point_numbers(name, given, 3, points)
             sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
             self._known[number] = given, triangles, np.unique(np.sort(sides, axis=1), axis=0)
         return self._known[number][1:]

@@ -11,7 +11,7 @@ import numpy.typing as npt
 from dalembert import graphicsDataUtilities as meshes
 from dalembert._checks import FloatArray, as_color, as_matrix, as_vector
 from dalembert._io.files import file_to_read, file_to_write, replacing
-from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals
+from dalembert.graphics._mesh import GraphicsData, mesh_of, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
 
 _BINARY_FACET = np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -214,10 +214,8 @@ def ExportSTL(
     invertTriangles: bool = True,
 ) -> None:
     """Write a TriangleList to a text STL file, by default with inverted normals and orientation of the triangles."""
-    require_type("ExportSTL", graphicsData, "TriangleList")
+    points, triangles = mesh_of("ExportSTL", graphicsData)
     fileName = file_to_write("ExportSTL: fileName", fileName)
-    points = np.asarray(graphicsData["points"], dtype=float).reshape(-1, 3)
-    triangles = np.asarray(graphicsData["triangles"], dtype=int).reshape(-1, 3)
     normals = (-1.0 if invertNormals else 1.0) * triangle_normals(points, triangles) + 0.0  # no negative zeros
     corners = points[triangles[:, [0, 2, 1] if invertTriangles else [0, 1, 2]]]
     lines = [f"solid {solidName}"]

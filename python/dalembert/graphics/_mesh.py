@@ -8,7 +8,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, IntArray, as_array, as_color, check_colors, shape_error
+from dalembert._checks import (
+    FloatArray,
+    IntArray,
+    as_array,
+    as_color,
+    as_point_numbers,
+    as_rows,
+    check_colors,
+    shape_error,
+)
 
 GraphicsData = dict[str, Any]
 
@@ -91,3 +100,11 @@ def require_type(where: str, graphicsData: GraphicsData, kind: str) -> None:
     received = graphicsData.get("type")
     if received != kind:
         raise shape_error(f"{where}: graphicsData['type']", f"'{kind}'", received)
+
+
+def mesh_of(where: str, graphicsData: GraphicsData) -> tuple[FloatArray, IntArray]:
+    """Return copies of the points and the triangles of a TriangleList, one per row."""
+    require_type(where, graphicsData, "TriangleList")
+    points = as_rows(f"{where}: graphicsData['points']", graphicsData["points"], 3).copy()
+    name = f"{where}: graphicsData['triangles']"
+    return points, as_point_numbers(name, graphicsData["triangles"], 3, len(points))

@@ -20,15 +20,7 @@ from dalembert._checks import (
     as_vector,
     shape_error,
 )
-from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals, unit_rows
-
-
-def _points(g: GraphicsData) -> FloatArray:
-    return np.array(g["points"], dtype=float).reshape(-1, 3)
-
-
-def _triangles(g: GraphicsData) -> IntArray:
-    return np.array(g["triangles"], dtype=int).reshape(-1, 3)
+from dalembert.graphics._mesh import GraphicsData, mesh_of, require_type, triangle_list, triangle_normals, unit_rows
 
 
 def BoundingBoxSingle(graphicsData: GraphicsData) -> list[FloatArray | None]:
@@ -83,8 +75,8 @@ def FromPointsAndTrigs(
 
 def ToPointsAndTrigs(g: GraphicsData) -> list[list[npt.NDArray[Any]]]:
     """Return [points, triangles] of a TriangleList, both as lists of arrays with 3 entries."""
-    require_type("ToPointsAndTrigs", g, "TriangleList")
-    return [list(_points(g)), list(_triangles(g))]
+    points, triangles = mesh_of("ToPointsAndTrigs", g)
+    return [list(points), list(triangles)]
 
 
 def _normalized(normals: FloatArray, where: str, warn: bool = True) -> FloatArray:
@@ -127,7 +119,7 @@ def Transform(
     for name in {"colors", "triangles", "edges", "edgeColor"} & result.keys():
         result[name] = np.array(result[name])
     if invertTriangles:
-        result["triangles"] = _triangles(graphicsData)[:, [1, 0, 2]].ravel()
+        result["triangles"] = mesh_of("Transform", graphicsData)[1][:, [1, 0, 2]].ravel()
     if "normals" in result:
         normals = np.array(graphicsData["normals"], dtype=float).reshape(-1, 3)
         if normalizeNormals:
@@ -178,10 +170,9 @@ def InvertTriangles(
 
 def InconsistentTriangles(graphicsData: GraphicsData) -> int:
     """Return the number of triangle corners whose point normal is opposed to the normal of the triangle."""
-    require_type("InconsistentTriangles", graphicsData, "TriangleList")
+    points, triangles = mesh_of("InconsistentTriangles", graphicsData)
     if "normals" not in graphicsData:
         raise ValueError("InconsistentTriangles: graphicsData has no normals")
-    points, triangles = _points(graphicsData), _triangles(graphicsData)
     normals = np.array(graphicsData["normals"], dtype=float).reshape(-1, 3)[triangles]
     return int(np.count_nonzero(np.einsum("tci,ti->tc", normals, triangle_normals(points, triangles)) < 0))
 
@@ -239,11 +230,10 @@ def AddEdgesAndSmoothenNormals(
     with the areas of the triangles; at edges, every triangle gets points of its own. An empty triangleColor keeps
     the colours.
     """
-    require_type("AddEdgesAndSmoothenNormals", graphicsData, "TriangleList")
-    points = _points(graphicsData)
+    points, triangles = mesh_of("AddEdgesAndSmoothenNormals", graphicsData)
     colors = _point_colors(graphicsData, len(points), triangleColor)
     points, first, inverse = _merged_points(points, roundDigits)
-    triangles, colors = inverse[_triangles(graphicsData)], colors[first]
+    triangles, colors = inverse[triangles], colors[first]
     a, b, c = points[triangles[:, 0]], points[triangles[:, 1]], points[triangles[:, 2]]
     areaNormals = 0.5 * np.cross(b - a, c - a)
     normals = unit_rows(areaNormals)

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "dalembert/enums.hpp"
+#include "dalembert/model/item.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -14,6 +15,13 @@ namespace dalembert {
 inline void* member(void* record, const Row& row) { return static_cast<char*>(record) + row.offset; }
 inline const void* member(const void* record, const Row& row) {
   return static_cast<const char*>(record) + row.offset;
+}
+
+// The member of this name; nullptr if the item has none.
+template <class T>
+const T* member_of(const Item& item, std::string_view name) {
+  const Row* row = find_row(*item.type, name);
+  return row == nullptr ? nullptr : static_cast<const T*>(member(item.record.get(), *row));
 }
 
 // The member type of one storage tag, as a value to pass on: type_of<T>.

@@ -29,7 +29,7 @@ struct SettingRule {
   bool lower_open = false, upper_open = false;  // the bound itself is left out
   std::string_view words = {};                  // of the range: "from 0 to 1"
   std::string_view no_effect = {};              // why nothing depends on it
-  std::array<std::string_view, 4> acts_with = {};  // flags beside it, one of which has to be true
+  std::array<std::string_view, 4> acts_with = {};  // flags beside it, one of which has to be true; codegen keeps to the room
 
   constexpr bool admits(double value) const {
     return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);

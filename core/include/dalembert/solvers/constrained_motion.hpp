@@ -83,8 +83,8 @@ class ConstrainedMotion {
   // With constant velocities, and those that are prescribed in time.
   std::vector<double> gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions);
   void find_driven(System& system, const State& state, const Conditions& conditions);
-  void fill(System& system, const State& state, const Conditions& conditions, bool by_forces_alone = false);
-  void fill_for_constraints(System& system, const State& state, const Conditions& conditions, bool by_forces_alone = false);
+  void fill(System& system, const State& state, const Conditions& conditions);
+  void fill_for_constraints(System& system, const State& state, const Conditions& conditions);
   int examine_filled(System& system, const State& state, const Conditions& conditions);
   bool look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
   int pass_singular_matrix(System& system, int singular);
