@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -520,9 +521,10 @@ def test_bricard_by_all_kinds_of_newton(level: str, modified: bool) -> None:
 
 
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43])
-def test_what_is_redundant_is_known_after_the_last_restart_file(solver: Any) -> None:
+def test_what_is_redundant_is_known_after_the_last_restart_file(solver: Any, tmp_path: Path) -> None:
     s = settings(0.1, 20)
     s.solutionSettings.writeRestartFile = True
+    s.solutionSettings.restartFileName = str(tmp_path / "restart.txt")
     s.redundantConstraints.momentLength = LENGTH_OF_CUBE
     mbs = Bricard({}).mbs
     mbs.SolveDynamic(s, solverType=solver)
