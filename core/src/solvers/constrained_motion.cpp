@@ -215,18 +215,19 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_))) return false;
   constexpr double eps = RedundantConstraints::regular_eps;
   if (redundant_.find_locally(*pattern_, matrix_) && regular && redundant_.count() == 0) return false;
+  std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
+  system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
+  redundant_.allow_for(gaps);
   const LinearSolverOptions to_find = RedundantConstraints::options_to_find(options_);
   auto factors = make_linear_solver(*pattern_, type_, redundant_.options(to_find));
   std::unique_ptr<LinearSolver> closer;
   const bool local = redundant_.is_local(), at_once = redundant_.find_at_once(*pattern_, matrix_, eps, *factors);
   if (!at_once) {
     closer = make_linear_solver(*pattern_, type_, to_find);
-    if (!redundant_.find(*pattern_, matrix_, RedundantConstraints::counting_eps, *closer)) return false;
+    if (!redundant_.find(*pattern_, matrix_, redundant_.counting(), *closer)) return false;
   }
   if (regular && redundant_.count() == 0) return false;
   system.reactions_are_known(redundant_.equations());
-  std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
-  system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
   if (redundant_.count() == 0) return pass(singular);
   redundant_.use(redundant_.eps_for_gaps(gaps, true, *pattern_, matrix_, closer ? *closer : *factors));
   const std::vector<double> plain = matrix_;

@@ -4,13 +4,14 @@
 #include <memory>
 #include <utility>
 
+#include "constraint_states.hpp"
 #include "dalembert/solvers/newton.hpp"
 
 namespace dalembert {
 
 namespace {
 
-constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfit = RedundantConstraints::silent_misfit;
+constexpr double silent_misfit = RedundantConstraints::silent_misfit;
 // Logarithm of the square of a step size, beyond which weights are those of other matrices.
 constexpr double other_step = 4.6;
 constexpr double harmless_multiple = 0.01;  // of eps may be left open, in units of gaps, by multipliers from which no force comes
@@ -90,7 +91,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::regularized_solver() const {
 // With the factors; none: the matrix is singular for other reasons as well.
 std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   auto factors = make_linear_solver(*pattern_, linear_type(), RedundantConstraints::options_to_find(newton_options()));
-  if (!redundant_.find(*pattern_, jacobian_, counting_eps, *factors)) factors.reset();
+  if (!redundant_.find(*pattern_, jacobian_, redundant_.counting(), *factors)) factors.reset();
   return factors;
 }
 
@@ -109,6 +110,11 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   const auto plain = make_linear_solver(*pattern_, linear_type(), newton_options());
   const bool regular = plain->factorize(jacobian_) == LinearSolver::success;
   if (regular && !redundant_.suspected(*plain)) return;
+  Conditions of_positions = conditions_;
+  of_positions.rate_level = false;
+  std::vector<double> gaps(static_cast<std::size_t>(sizes_.ae));
+  system().gaps(without_multipliers(current()), of_positions, gaps);
+  redundant_.allow_for(gaps);
   const auto factors = find_redundancy();
   if (factors && redundant_.count() > 0) begin_treatment(*factors);
 }
@@ -175,7 +181,7 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   compute_residual();
   compute_jacobian();
   conv.jacobianUpdateRequested = true;
-  if (!redundant_.find(*pattern_, jacobian_, counting_eps, *linear_) && !find_redundancy()) return;
+  if (!redundant_.find(*pattern_, jacobian_, redundant_.counting(), *linear_) && !find_redundancy()) return;
   const bool gone = redundant_.count() == 0;
   system().reactions_are_known(redundant_.equations());
   redundant_.use(gone ? 0 : redundant_.eps_for(0, conditions_.rate_level));

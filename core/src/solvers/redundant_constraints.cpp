@@ -267,6 +267,12 @@ double RedundantConstraints::largest(std::span<const double> gaps) const {
   return size;
 }
 
+void RedundantConstraints::allow_for(std::span<const double> gaps) {
+  constexpr double largest_ratio = 3;  // of what is left to the gap
+  const double left = largest_ratio * largest(gaps);
+  counting_ = std::clamp(left * left, counting_eps, largest_eps);
+}
+
 // In each iteration: factors of rows, which gaps and their units have in common, and products that do not change are left out.
 bool RedundantConstraints::leaves_open(std::span<const double> multipliers, double share) const {
   if (harmless_.empty())

@@ -363,7 +363,7 @@ void RedundantConstraints::Part::rescale(std::span<const int> equations, std::sp
 // Combinations that are known from a state close by become those of this one by one application of P. A vector at random beside them tells
 // whether there are more. Large systems are taken apart, such that few vectors are enough for many combinations.
 bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors) {
-  const bool counts = eps == counting_eps;
+  const bool counts = eps == counting_;
   const std::span<const double> weights = counts ? own_weight_ : weight_;
   Search search(*this, pattern, values, eps, weights, factors);
   if (!search.factorize()) return false;
@@ -423,6 +423,7 @@ bool RedundantConstraints::take_over(const RedundantConstraints& found) {
   if (found.rows_ != rows_) return false;
   parts_ = found.parts_;
   local_ = found.local_;
+  counting_ = found.counting_;
   for (Part& part : parts_) part.rescale(rows_, found.weight_, weight_);
   count_ = found.count_;
   certain_ = found.certain_;

@@ -73,6 +73,10 @@ class RedundantConstraints {
   // The largest of gaps, in units of their equations.
   double largest(std::span<const double> gaps) const;
 
+  // Between combinations that vanish and others: joints that are apart by gaps leave some of what vanishes where they fit.
+  void allow_for(std::span<const double> gaps);
+  double counting() const { return counting_; }
+
   // By how much each item would be apart if all others were fulfilled, of those that could be: lines for a diagnosis.
   std::vector<std::string> contradictions(std::span<const double> misfit, const System& system) const;
 
@@ -159,6 +163,7 @@ class RedundantConstraints {
   int count_ = 0;
   bool consistent_ = true, certain_ = true;
   std::vector<Part> parts_;
+  double counting_ = counting_eps;
   bool local_ = false;              // combinations of parts are those of their entries
   std::vector<double> x_, idle_;
   std::vector<int> slots_;  // of the diagonal, by rows_
