@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <vector>
+
+#include "dalembert/math/wide_registers.hpp"
 
 namespace dalembert {
 namespace {
@@ -32,15 +35,22 @@ void contour_shades(std::span<const double> numbers, double low, double high, st
   const std::size_t above = table.size() / bytes_of_shade - 1;
   const auto steps = static_cast<double>(above - 2);
   const double scale = steps / (high - low), first = -tolerance * steps, last = steps - first;
+  std::vector<std::array<std::uint8_t, 4>> shades(above + 1);
+  for (std::size_t i = 0; i <= above; ++i) std::memcpy(&shades[i], table.data() + bytes_of_shade * i, bytes_of_shade);
   std::array<std::int32_t, block> places;
   for (std::size_t begin = 0; begin < numbers.size(); begin += block) {
     const std::size_t count = std::min(block, numbers.size() - begin);
-    for (std::size_t k = 0; k < count; ++k) {
-      const double part = (numbers[begin + k] - low) * scale, inside = std::clamp(part, 0.0, steps) + 1.5;
-      const double row = part > last ? static_cast<double>(above) : part >= first ? inside : 0.0;
-      places[k] = static_cast<std::int32_t>(row);
-    }
-    for (std::size_t k = 0; k < count; ++k, bytes += bytes_of_shade) std::memcpy(bytes, table.data() + bytes_of_shade * static_cast<std::size_t>(places[k]), bytes_of_shade);
+    in_registers_of_four([=, number = numbers.data() + begin, place = places.data()] {
+      for (std::size_t k = 0; k < count; ++k) {
+        const double part = (number[k] - low) * scale, inside = std::min(std::max(0.0, part), steps);  // 0 if it is none
+        const double beyond = (part > last ? 1.0 : 0.0) - (part >= first ? 0.0 : 1.0);
+        place[k] = static_cast<std::int32_t>(inside + beyond + 1.5);
+      }
+    });
+    // Four bytes at once, of which the next shade replaces the last.
+    for (std::size_t k = 0; k + 1 < count; ++k, bytes += bytes_of_shade) std::memcpy(bytes, &shades[static_cast<std::size_t>(places[k])], sizeof shades[0]);
+    std::memcpy(bytes, &shades[static_cast<std::size_t>(places[count - 1])], bytes_of_shade);
+    bytes += bytes_of_shade;
   }
 }
 

@@ -32,10 +32,15 @@ void ModalPoints::place(std::span<const double> weights, Rows rows, float* to) {
   for (std::size_t first = 0; first < planes_.nodes(); first += ModePlanes::block) {
     const std::size_t count = planes_.size_of_block(first);
     const float *const x = rest_.data() + 3 * first, *const u = deformation_.data() + 3 * first;
-    for (std::size_t k = 0; k < count; ++k) {
-      const float y0 = x[k] + u[k], y1 = x[count + k] + u[count + k], y2 = x[2 * count + k] + u[2 * count + k];
-      for (std::size_t i = 0; i < 12; i += 4) *to++ = frame[i] * y0 + frame[i + 1] * y1 + frame[i + 2] * y2 + frame[i + 3];
-    }
+    in_registers_of_four([f = frame, x, u, count, to] {
+      for (std::size_t k = 0; k < count; ++k) {
+        const float y0 = x[k] + u[k], y1 = x[count + k] + u[count + k], y2 = x[2 * count + k] + u[2 * count + k];
+        to[3 * k] = f[0] * y0 + f[1] * y1 + f[2] * y2 + f[3];
+        to[3 * k + 1] = f[4] * y0 + f[5] * y1 + f[6] * y2 + f[7];
+        to[3 * k + 2] = f[8] * y0 + f[9] * y1 + f[10] * y2 + f[11];
+      }
+    });
+    to += 3 * count;
   }
 }
 
