@@ -68,7 +68,7 @@ def _group(name: str, path: str, table: Mapping[str, Any], shared: Shared, enums
 
 
 def _setting(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Setting:
-    check_keys(row, (*PARAMETER_KEYS, "range", "no_effect", "acts_with"))
+    check_keys(row, (*PARAMETER_KEYS, "range", "no_effect", "acts_with", "only_in"))
     fields = parameter_fields(row, enums)
     if "range" in fields:
         fields["range"] = read_range(fields["range"])

@@ -55,6 +55,12 @@ class Setting(Parameter):
     range: Range | None = None
     no_effect: str = ""  # why it is accepted although nothing here depends on it
     acts_with: tuple[str, ...] = ()  # flags beside it, one of which has to be true for it to have an effect
+    only_in: str = ""  # the structure of the root whose own counts, for all structures like it
+
+    @property
+    def elsewhere(self) -> str:
+        """Why those in other structures have no effect."""
+        return f"that of {self.only_in} is for all {self.only_in.rstrip('0123456789')}s" if self.only_in else ""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -107,6 +113,14 @@ class Settings:
     path: str
     root: SettingsGroup
     shared: tuple[SettingsGroup, ...] = ()
+
+    def __post_init__(self) -> None:
+        known = [child.name for child in self.root.children]
+        for path, group in self.root.walk():
+            for row in group.rows:
+                if row.only_in and row.only_in not in known:
+                    where = f"{path}.{row.name}" if path else row.name
+                    raise SpecError(f"{where}: only_in: {row.only_in!r} is no structure; {nearest(row.only_in, known)}")
 
     @property
     def name(self) -> str:

@@ -34,7 +34,7 @@ class Struct:
     @property
     def ruled(self) -> tuple[Setting, ...]:
         """Rows of which more is known than types and signs."""
-        return tuple(row for row in self.rows if row.range or row.no_effect or row.acts_with)
+        return tuple(row for row in self.rows if row.range or row.no_effect or row.acts_with or row.only_in)
 
 
 def structs(settings: Settings) -> list[Struct]:
@@ -98,6 +98,8 @@ def cpp_rule(row: Setting) -> str:
         fields.append(f".no_effect = {cpp_string(row.no_effect)}")
     if row.acts_with:
         fields.append(f".acts_with = {{{', '.join(map(cpp_string, row.acts_with))}}}")
+    if row.only_in:
+        fields += [f".only_in = {cpp_string(row.only_in)}", f".elsewhere = {cpp_string(row.elsewhere)}"]
     return "{" + ", ".join(fields) + "}"
 
 
@@ -111,6 +113,7 @@ def setting_notes(row: Setting) -> str:
     """` [s; greater than 0]; no effect: ...`: what a docstring adds to a description."""
     note = row_note(row, row.range.words if row.range else "")
     note += f"; acts with {' or '.join(row.acts_with)} only" if row.acts_with else ""
+    note += f"; {row.elsewhere}" if row.only_in else ""
     return note + (f"; no effect: {doc_text(row.no_effect)}" if row.no_effect else "")
 
 
@@ -120,4 +123,5 @@ def described_setting(row: Setting) -> str:
     refusal = f"Refused: what is not {row.range.words}." if row.range else remarks(row)
     flags = " or ".join(f"``{flag}``" for flag in row.acts_with)
     condition = f" Acts with {flags} only." if flags else ""
-    return f"{note}{sentence(row.doc)}{condition} {refusal}".strip()
+    doc = f"{row.doc}; {row.elsewhere}" if row.only_in else row.doc
+    return f"{note}{sentence(doc)}{condition} {refusal}".strip()

@@ -342,6 +342,14 @@ void register_settings(py::module_& module) {
   }
   for (const auto& [name, structure] : class_names)
     if (py::hasattr(module, structure)) module.attr(name) = module.attr(structure);
+  module.def(
+      "_visualization_settings_without_effect",
+      [] {
+        py::dict found;
+        find_settings_without_effect(visualization_settings_group(), "", found);
+        return found;
+      },
+      "Why visualization settings have no effect, by their paths.");
 }
 
 }  // namespace dalembert

@@ -251,6 +251,15 @@ py::dict settings_dictionary_with_types(const SettingsView& view) {
   return values;
 }
 
+void find_settings_without_effect(const SettingsGroup& group, const std::string& path, py::dict& found) {
+  for (const SettingRule& rule : group.rules) {
+    const bool is_elsewhere = !rule.only_in.empty() && !path.starts_with(std::string(rule.only_in) + ".");
+    const std::string_view reason = rule.no_effect.empty() && is_elsewhere ? rule.elsewhere : rule.no_effect;
+    if (!reason.empty()) found[py::str(path + std::string(rule.name))] = py::str(reason);
+  }
+  for (const SettingsChild& child : group.children) find_settings_without_effect(*child.group, path + std::string(child.name) + ".", found);
+}
+
 void set_settings_dictionary(const SettingsView& view, const py::dict& values) {
   SettingsView copy = view;
   copy.root = view.tree->operations.copy(view.root.get());
@@ -298,6 +307,7 @@ std::string setting_doc(const SettingsGroup& group, const Row& row) {
   if (row.size > 0) text += " of length " + std::to_string(row.size);
   if (has_unit(row)) text += ", in " + std::string(row.unit);
   if (rule != nullptr && !rule->flags().empty()) text += "; " + rule->condition();
+  if (rule != nullptr && !rule->elsewhere.empty()) text += "; " + std::string(rule->elsewhere);
   if (rule != nullptr && !rule->no_effect.empty()) text += "; no effect: " + std::string(rule->no_effect);
   return text;
 }

@@ -226,14 +226,14 @@ constexpr std::array<std::string_view, 11> VSettingsViewCamera_rows{
 
 constexpr std::array<std::string_view, 9> VSettingsViewScene_rows{
     "coordinate system in the corner: 0 none, 1 lines with text, 2 arrows, 3 arrows with text",
-    "draw the global frame at the origin; that of view0 is for all views",
+    "draw the global frame at the origin",
     "draw all faces transparent, so that what they hide can be seen",
     "draw the edges of faces",
     "draw faces; without them and with edges, a wire frame is left",
     "draw lines, other than edges",
-    "draw the edges of finite elements; that of view0 is for all views",
-    "draw the faces of finite elements; that of view0 is for all views",
-    "length of the axes of the global frame; that of view0 is for all views",
+    "draw the edges of finite elements",
+    "draw the faces of finite elements",
+    "length of the axes of the global frame",
 };
 
 constexpr std::array<std::string_view, 9> VSettingsViewWindow_rows{

@@ -39,7 +39,13 @@ constexpr std::array<Row, 9> VSettingsViewScene_rows{{
     {.name = "showMeshFaces", .storage = Storage::boolean, .offset = offsetof(VSettingsViewScene, showMeshFaces), .role = Role::parameter},
     {.name = "worldBasisSize", .storage = Storage::real, .offset = offsetof(VSettingsViewScene, worldBasisSize), .role = Role::parameter, .check = Check::positive, .unit = "m"},
 }};
-constexpr SettingsGroup VSettingsViewScene_group{"VSettingsViewScene", VSettingsViewScene_rows, {}};
+constexpr std::array<SettingRule, 4> VSettingsViewScene_rules{{
+    {.name = "drawWorldBasis", .only_in = "view0", .elsewhere = "that of view0 is for all views"},
+    {.name = "showMeshEdges", .only_in = "view0", .elsewhere = "that of view0 is for all views"},
+    {.name = "showMeshFaces", .only_in = "view0", .elsewhere = "that of view0 is for all views"},
+    {.name = "worldBasisSize", .only_in = "view0", .elsewhere = "that of view0 is for all views"},
+}};
+constexpr SettingsGroup VSettingsViewScene_group{"VSettingsViewScene", VSettingsViewScene_rows, {}, VSettingsViewScene_rules};
 
 constexpr std::array<Row, 9> VSettingsViewWindow_rows{{
     {.name = "alwaysOnTop", .storage = Storage::boolean, .offset = offsetof(VSettingsViewWindow, alwaysOnTop), .role = Role::parameter},

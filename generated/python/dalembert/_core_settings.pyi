@@ -568,7 +568,7 @@ class VSettingsViewScene(_Settings):
     showMeshFaces: bool
     """draw the faces of finite elements; that of view0 is for all views; default: True"""
     worldBasisSize: float
-    """length of the axes of the global frame; that of view0 is for all views [m]; default: 1.0"""
+    """length of the axes of the global frame [m]; that of view0 is for all views; default: 1.0"""
     def __init__(self) -> None: ...
 
 @final

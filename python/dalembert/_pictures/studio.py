@@ -22,7 +22,6 @@ from dalembert._pictures.scene import DrawnItem, Instance, Scene
 
 LARGEST = 16000  # pixels of an image, in each direction
 BAR = 0.14  # part of the width that the bar of colors needs
-OF_VIEW0 = "that of view0 is for all views"  # in descriptions: what says how the scene is, which all views show
 
 
 def joined(scenes: list[Scene]) -> Scene:
@@ -175,19 +174,9 @@ class Studio:
 @lru_cache(maxsize=1)
 def settings_without_effect() -> dict[str, tuple[Any, str]]:
     """Return defaults and reasons of the settings that change nothing that is drawn here, by their paths."""
-    found = {}
-
-    def visit(entries: dict[str, Any], path: str) -> None:
-        for name, entry in entries.items():
-            if "itemIdentifier" not in entry:
-                visit(entry, f"{path}{name}.")
-            elif "no effect: " in entry["description"]:
-                found[path + name] = entry["value"], entry["description"].rpartition("no effect: ")[2].rstrip(")")
-            elif OF_VIEW0 in entry["description"] and not path.startswith("view0."):
-                found[path + name] = entry["value"], OF_VIEW0
-
-    visit(_core.VisualizationSettings().GetDictionaryWithTypeInfo(), "")
-    return found
+    defaults = _core.VisualizationSettings()
+    reasons = _core._visualization_settings_without_effect()
+    return {path: (attrgetter(path)(defaults), reason) for path, reason in reasons.items()}
 
 
 _told: set[str] = set()

@@ -30,6 +30,8 @@ struct SettingRule {
   std::string_view words = {};                  // of the range: "from 0 to 1"
   std::string_view no_effect = {};              // why nothing depends on it
   std::array<std::string_view, 4> acts_with = {};  // flags beside it, one of which has to be true; codegen keeps to the room
+  std::string_view only_in = {};                // the structure of the root whose own counts, for all structures like it
+  std::string_view elsewhere = {};              // why those in other structures have no effect
 
   constexpr bool admits(double value) const {
     return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
