@@ -301,6 +301,46 @@ def test_a_browser_shows_it_offline(falling: Any) -> None:
         assert tab.requests == [address] and not tab.errors
 
 
+def test_saved_pages_look_as_settings_say(falling: Any) -> None:
+    """Edges, clear faces, the plane that cuts, and texts, which go with what they are at and are only where they are told."""
+
+    def texts(mbs: Any, number: int) -> list[Any]:
+        time = mbs.systemData.GetTime(exu.ConfigurationType.Visualization)
+        return [graphics.Text(point=[0, 0, 0], text="late" if time > 0.75 else "early")]
+
+    falling.SetObjectParameter(0, "VgraphicsDataUserFunction", texts)
+    settings = falling.GetSystemContainer().visualizationSettings
+    view = settings.view0
+    view.scene.showFaceEdges = view.scene.facesTransparent = settings.bodies.showNumbers = True
+    settings.openGL.faceTransparencyGlobal = 0.25
+    view.camera.clippingPlaneNormal, view.camera.clippingPlaneDistance = [0, 0, 1], 0.5
+    falling.SaveHTML("looks.html", framesPerSecond=10)
+    with browser.running() as program:
+        tab = program.tab(Path("looks.html").resolve().as_uri())
+        tab.wait("page.drawn > 0")
+        opacity = tab.value("page.objects.filter((object) => object.isMesh).map((object) => object.material.opacity)")
+        assert opacity and opacity == pytest.approx([0.25] * len(opacity))
+        assert tab.value("page.objects.filter((object) => object.userData.edges).every((object) => object.visible)")
+        assert tab.value("page.renderer.clippingPlanes.map(({ normal, constant }) => [normal.z, constant])") == [
+            [-1, 0.5]
+        ]
+        words = "[...page.labels.children].filter((label) => !label.hidden).map((label) => label.textContent)"
+        place = "[...page.labels.children].find((label) => label.textContent === 'O0').style.transform"
+        tab.value("page.play(false), page.show(0), page.render()")
+        first = tab.value(place)
+        assert {"early", "O0"} < set(tab.value(words)) and "late" not in tab.value(words)
+        tab.value("page.show(9), page.render()")
+        assert {"late", "O0"} < set(tab.value(words)) and "early" not in tab.value(words)
+        assert tab.value(place) != first
+        view.scene.showFaces = False
+        falling.SaveHTML("looks.html", framesPerSecond=10)
+        tab.go(Path("looks.html").resolve().as_uri() + "?again")
+        tab.wait(
+            "page.drawn > 0 && page.objects.filter((object) => object.isMesh).every((object) => !object.material.visible)"
+        )
+        assert not tab.errors
+
+
 def test_the_solution_viewer_shows_a_page_where_there_is_a_display(
     falling: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:

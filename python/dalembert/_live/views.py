@@ -6,7 +6,7 @@ from typing import Any
 
 from dalembert._live.messages import palette
 from dalembert._pictures.camera import Camera
-from dalembert._pictures.looks import Looks
+from dalembert._pictures.looks import Looks, clip
 from dalembert._pictures.renderer import state_of
 from dalembert._pictures.scene import Scene
 from dalembert._pictures.studio import Studio
@@ -14,14 +14,9 @@ from dalembert._pictures.studio import Studio
 
 def words(settings: Any, scene: Scene, looks: Looks) -> dict[str, Any]:
     """Return what pages have to know besides what is drawn."""
-    view, gl = settings.view0, settings.openGL
     return {
-        "background": list(settings.general.backgroundColor)[:3],
+        **looks.of_pages(),
         "contour": {"name": scene.value_name, "colors": palette(looks)} if scene.value_name else None,
-        "transparent": float(gl.faceTransparencyGlobal) if view.scene.facesTransparent else 1.0,
-        "edges": bool(view.scene.showFaceEdges),
-        "faces": bool(view.scene.showFaces),
-        "clip": clip(view),
         "marks": bool(settings.interactive.advanced.selectionHighlights),
         "steps": [
             float(settings.interactive.advanced.keypressTranslationStep),
@@ -39,11 +34,6 @@ def beside(container: Any, studio: Studio, scene: Scene) -> list[dict[str, Any]]
         for n, state in states.items()
         if state.get("viewEnabled")
     ]
-
-
-def clip(view: Any) -> list[float]:
-    """Return normal and distance of the plane that cuts a view."""
-    return [*(float(x) for x in view.camera.clippingPlaneNormal), float(view.camera.clippingPlaneDistance)]
 
 
 def seen_from(seen: Camera) -> dict[str, Any]:

@@ -30,6 +30,11 @@ def _below(settings: Any, path: str) -> Any:
     return settings
 
 
+def clip(view: Any) -> list[float]:
+    """Return normal and distance of the plane that cuts a view."""
+    return [*(float(x) for x in view.camera.clippingPlaneNormal), float(view.camera.clippingPlaneDistance)]
+
+
 MOST_WINDINGS = 500  # of a spring: more cannot be told apart
 
 
@@ -60,6 +65,17 @@ class Looks:
         if path not in self._kept:
             self._kept[path] = _below(self.settings, path)
         return self._kept[path]
+
+    def of_pages(self) -> dict[str, Any]:
+        """Return what pages are told of settings that act on all that is drawn."""
+        view = self.settings.view0
+        return {
+            "background": list(self.settings.general.backgroundColor)[:3],
+            "transparent": float(self.settings.openGL.faceTransparencyGlobal) if view.scene.facesTransparent else 1.0,
+            "edges": bool(view.scene.showFaceEdges),
+            "faces": bool(view.scene.showFaces),
+            "clip": clip(view),
+        }
 
     def is_default(self, path: str) -> bool:
         """Return whether a setting has its default."""

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import gzip
 import json
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 LARGEST = float(np.finfo(np.float32).max)
 SPARE_BITS = 7  # of 23 of a mantissa: places are right to 1e-5 of their size
+MOST_TEXTS = 1000  # of a scene that pages show
+NOWHERE = np.full(3, np.nan)
 Key = tuple[int, int]  # item, and how manieth of its parts
 
 
@@ -124,7 +126,8 @@ def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
             "center": camera.center.tolist(),
             "zoom": camera.zoom,
         },
-        "background": list(looks.setting("general.backgroundColor"))[:3],
+        **looks.of_pages(),
+        "labels": _labels(packer, scenes),
         "meshes": _meshes(packer, carriers, scenes, numbered, looks, limits),
         "spheres": _spheres(packer, carriers, scenes, numbered),
         "lines": _lines(packer, carriers, scenes, numbered),
@@ -137,6 +140,21 @@ def _limits(scenes: list[Scene]) -> tuple[float, float]:
     """Return one range of colors for all frames."""
     shown = [scene.value_range for scene in scenes if len(scene.values())]
     return (min(low for low, _ in shown), max(high for _, high in shown)) if shown else (0.0, 1.0)
+
+
+def _labels(packer: Packer, scenes: list[Scene]) -> dict[str, Any]:
+    """Return texts with their places; those that are not in all frames are nowhere in the others."""
+    frames: list[dict[tuple[Any, int], FloatArray]] = []
+    for scene in scenes:
+        found: Counter[Any] = Counter()
+        frames.append({})
+        for label in scene.labels[:MOST_TEXTS]:
+            text = label.text, tuple(label.color)
+            frames[-1][text, found[text]] = label.place
+            found[text] += 1
+    keys = list(dict.fromkeys(key for frame in frames for key in frame))
+    places = np.array([[frame.get(key, NOWHERE) for key in keys] for frame in frames])
+    return {"texts": [text for text, _ in keys], "frames": packer.moving(places.reshape(len(scenes), -1))}
 
 
 def _contour(scenes: list[Scene], looks: Looks, limits: tuple[float, float]) -> dict[str, Any] | None:

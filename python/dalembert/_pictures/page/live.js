@@ -156,11 +156,8 @@ export class Live extends View {
     this.marks = head.marks;
     this.replace([...made.flatMap(([, objects]) => objects), ...balls, ...drawn], head.items);
     this.steps = head.steps;
-    this.paint(head.background);
+    this.dress(head);
     this.contour(head.contour);
-    this.allEdges = head.edges;
-    this.showEdges();
-    this.fade(head.faces ? head.transparent : 0);
     if (String(head.clip) !== String(this.clip)) this.cut(...(this.clip = head.clip));
     if (first) this.lead(head.camera);
   }

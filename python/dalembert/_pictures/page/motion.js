@@ -52,9 +52,10 @@ export class Motion extends View {
     super(place);
     Object.assign(this, { head, frame: 0, playing: head.plays, speed: 1, since: 0 });
     const parts = [...head.meshes.map((entry) => moving(entry, arrays)), balls(head.spheres, arrays, this.drawnBy), curves(head.lines, arrays)];
-    this.movers = parts.map(([, go]) => go);
+    this.movers = [...parts.map(([, go]) => go), this.writing(head.labels, arrays)];
     this.replace(parts.flatMap(([made]) => made), head.items);
-    this.paint(head.background);
+    this.dress(head);
+    this.cut(...head.clip);
     this.contour(head.contour, head.contour?.range);
     this.tools();
     this.look(head.camera);
@@ -66,6 +67,12 @@ export class Motion extends View {
   end() {
     window.removeEventListener("keydown", this.pressed);
     super.end();
+  }
+
+  // Texts go where they are in the frame of a number.
+  writing({ texts, frames }, arrays) {
+    const places = new Float32Array(3 * texts.length);
+    return (number) => this.write(texts, frame(arrays[frames], places.length, number, places));
   }
 
   tools() {

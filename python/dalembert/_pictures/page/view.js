@@ -118,6 +118,14 @@ export class View {
     this.wish();
   }
 
+  // As settings say.
+  dress({ background, edges, faces, transparent }) {
+    this.paint(background);
+    this.allEdges = edges;
+    this.showEdges();
+    this.fade(faces ? transparent : 0);
+  }
+
   look(seen) {
     look(this.camera, this.controls, seen);
     this.wish();
@@ -290,7 +298,7 @@ export class View {
       const { x, y, z } = point.fromArray(this.places, 3 * i).project(this.camera);
       const pixels = [Math.round(((x + 1) / 2) * width), Math.round(((1 - y) / 2) * height)], before = standing.get(String(pixels)) ?? 0;
       standing.set(String(pixels), before + 1);
-      label.hidden = z > 1;
+      label.hidden = !(z <= 1); // nor is it somewhere
       label.style.transform = `translate(${pixels[0]}px, calc(${pixels[1]}px + ${before}lh))`;
     });
   }
