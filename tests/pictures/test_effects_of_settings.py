@@ -101,11 +101,12 @@ OTHER: dict[str, Any] = {
     "sensors.traces.listOfPositionSensors": [0],
     "sensors.traces.listOfTriadSensors": [],
     "sensors.traces.listOfVectorSensors": [],
+    "sensors.traces.sensorsMbsNumber": 2,
     "sensors.traces.timeSpan": 0.01,
     "sensors.traces.triadsShowEvery": 7,
     "sensors.traces.vectorsShowEvery": 7,
     "view0.camera.clippingPlaneNormal": [0.0, 1, 0],
-    "view0.camera.trackMarkerMbsNumber": 3,
+    "view0.camera.trackMarkerMbsNumber": 1,
     "view0.camera.trackMarkerOrientation": [0.0, 0, 0],
     "view0.camera.trackMarkerPosition": [0.0, 0, 0],
     "view0.scene.drawCoordinateSystem": 0,
@@ -205,6 +206,10 @@ def model() -> Any:
             bodyNumber=2, localPosition=[0.6, 0, 0], outputVariableType=variable, storeInternal=True, writeToFile=False,
         ))  # fmt: skip
     mbs.Assemble()
+    other = SC.AddSystem()
+    for _ in markers:
+        other.AddMarker(items.MarkerBodyRigid(bodyNumber=other.CreateGround()))
+    other.Assemble()
     settings = exu.SimulationSettings()
     settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 40, 0.2
     settings.timeIntegration.verboseMode = 0

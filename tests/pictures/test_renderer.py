@@ -12,6 +12,7 @@ from PIL import Image
 
 import dalembert as exu
 from dalembert import graphics
+from dalembert._pictures.studio import Studio
 from dalembert.itemInterface import NodePoint
 
 
@@ -275,8 +276,45 @@ def test_images_and_letters_have_limits(SC: Any, pendulum: Any) -> None:
     window.renderWindowSize = [200, 200]
     assert SC.renderer.RedrawAndGetImage().shape == (200, 200, 3)
     window.renderWindowSize = [20000, 40]
-    with pytest.raises(ValueError, match="view0.window.renderWindowSize: expected at most 16000 pixels"):
+    with pytest.raises(
+        ValueError, match="view0.window.renderWindowSize: expected from 1 to 16000 pixels each, received 20000 x 40"
+    ):
         SC.renderer.RedrawAndGetImage()
+    window.renderWindowSize = [200, -100]
+    with pytest.raises(ValueError, match="view0.window.renderWindowSize: expected from 1 to 16000 .* 200 x -100"):
+        pendulum.Draw()
+
+
+@pytest.mark.parametrize(
+    "name, words",
+    [
+        ("trackMarker", "trackMarker: expected a number of the 3 markers of system 0, received 5"),
+        ("trackMarkerMbsNumber", "trackMarkerMbsNumber: expected a number of the 1 systems, received 5"),
+    ],
+)
+def test_markers_that_are_not_there_are_not_followed(SC: Any, pendulum: Any, name: str, words: str) -> None:
+    camera = SC.visualizationSettings.view0.camera
+    camera.trackMarker = 0
+    setattr(camera, name, 5)
+    with pytest.raises(ValueError, match=f"visualizationSettings.view0.camera.{words}"):
+        SC.renderer.RedrawAndGetImage()
+
+
+def test_settings_of_systems_are_those_of_their_numbers_when_one_of_them_is_drawn(SC: Any, pendulum: Any) -> None:
+    """A highlighted mass of the second system, and the marker of the first that the camera follows."""
+    other = SC.AddSystem()
+    for x in (5, 7):
+        other.CreateMassPoint(referencePosition=[x, 6, 0], physicsMass=1, drawSize=1)
+    other.Assemble()
+    settings = SC.visualizationSettings
+    plain = [np.asarray(mbs.Draw(windowSize=[80, 60])) for mbs in (pendulum, other)]
+    settings.interactive.highlightItemIndex, settings.interactive.highlightMbsNumber = 0, 1
+    settings.interactive.highlightItemType = exu.ItemType.Object
+    seen = [np.asarray(mbs.Draw(windowSize=[80, 60])) for mbs in (pendulum, other)]
+    assert [(a != b).any() for a, b in zip(plain, seen, strict=True)] == [False, True]
+    settings.view0.camera.trackMarker = 0
+    found = Studio(SC, [other]).tracked()
+    assert found is not None and found[0] == pytest.approx([1, 0, 0])
 
 
 def test_states_of_views(SC: Any, pendulum: Any) -> None:

@@ -713,6 +713,21 @@ def test_graphics_data_without_its_parts_are_told(mbs: Any, SC: Any) -> None:
         Studio(SC).scene()
 
 
+def test_functions_that_draw_their_own_system(mbs: Any) -> None:
+    def draws(mbs: Any, number: int) -> list[Any]:
+        mbs.Draw()
+        return []
+
+    mbs.CreateGround(name="mirror", graphicsDataUserFunction=draws)
+    with pytest.raises(RuntimeError, match="'mirror': its graphicsDataUserFunction draws the system") as caught:
+        mbs.Draw()
+    assert caught.value.__notes__ == ["raised by the graphicsDataUserFunction of object 0 'mirror'"]
+    another = exu.SystemContainer().AddSystem()  # that may be drawn
+    another.CreateGround(graphicsDataList=[graphics.Sphere()])
+    mbs.SetObjectParameter(0, "VgraphicsDataUserFunction", lambda mbs, number: bool(another.Draw()) * [])
+    mbs.Draw()
+
+
 def test_meshes_without_points_are_drawn_and_saved(mbs: Any, SC: Any) -> None:
     mbs.CreateGround(graphicsDataList=[{"type": "TriangleList", "points": [], "triangles": [], "colors": []}])
     mbs.Assemble()

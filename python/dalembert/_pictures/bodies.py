@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextvars import ContextVar
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,8 @@ from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places
 
 Item = dict[str, Any]
+# Systems and numbers of objects whose functions are being asked.
+_drawing: ContextVar[tuple[tuple[Any, int], ...]] = ContextVar("_drawing", default=())
 
 
 class Bodies:
@@ -120,9 +123,17 @@ def user_shapes(mbs: Any, number: int, item: Item, default: Any, owner: str) -> 
     function = item.get("VgraphicsDataUserFunction")
     if not callable(function):
         return []
+    if any(system is mbs and other == number for system, other in _drawing.get()):
+        raise RuntimeError(
+            f"{owner}: its graphicsDataUserFunction draws the system that it belongs to, and would be called again "
+            "without end; let it return graphics data"
+        )
+    begun = _drawing.set((*_drawing.get(), (mbs, number)))
     try:
         drawn = function(mbs, number)
     except Exception as error:
         error.add_note(f"raised by the graphicsDataUserFunction of {owner}")
         raise
+    finally:
+        _drawing.reset(begun)
     return graphics_data.shapes(drawn, default, f"{owner}: graphicsDataUserFunction")

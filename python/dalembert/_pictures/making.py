@@ -348,10 +348,11 @@ def highlight(pen: Pen) -> bool:
     number = int(looks.setting("interactive.highlightItemIndex"))
     kind = looks.setting("interactive.highlightItemType").name
     chosen = [i for i, item in enumerate(scene.items) if item.kind == kind and item.number == number]
+    there = kind == "Object" and 0 <= number < pen.places.mbs.systemData.NumberOfObjects()
+    if there and (node := node_in_place_of(pen.places, pen.places.item(kind, number))) is not None:
+        chosen += [i for i, item in enumerate(scene.items) if item.kind == "Node" and item.number == node]
     if number < 0 or not chosen:
         return False
-    if kind == "Object" and (node := node_in_place_of(pen.places, pen.places.item(kind, number))) is not None:
-        chosen += [i for i, item in enumerate(scene.items) if item.kind == "Node" and item.number == node]
     bright = rgba(looks.setting("interactive.advanced.highlightColor"))
     others = rgba(looks.setting("interactive.advanced.highlightOtherColor"))
     pick = dict.fromkeys(chosen, (*bright[:3], 1.0))

@@ -41,20 +41,23 @@ def joined(scenes: list[Scene]) -> Scene:
         whole.time = max(whole.time, scene.time)
         whole.value_name = whole.value_name or scene.value_name
     if len(values := whole.values()):
-        whole.value_range = (min(s.value_range[0] for s in scenes), max(s.value_range[1] for s in scenes))
+        shown = [scene.value_range for scene in scenes if len(scene.values())]
+        whole.value_range = (min(low for low, _ in shown), max(high for _, high in shown))
         assert np.isfinite(values).all()
     return whole
 
 
 class Studio:
-    """Draws all systems of a container as its settings and its render state say."""
+    """Draws systems of a container, all of them if none are given, as its settings and its render state say."""
 
     def __init__(self, container: Any, systems: list[Any] | None = None) -> None:
         self.container = container
         self.settings = container.visualizationSettings
-        if systems is None:
-            systems = [container.GetSystem(i) for i in range(container.NumberOfSystems())]
-        self.makers = [SceneMaker(mbs, self.settings, number) for number, mbs in enumerate(systems)]
+        known = [container.GetSystem(i) for i in range(container.NumberOfSystems())]
+        self.makers = [
+            SceneMaker(mbs, self.settings, known.index(mbs) if mbs in known else number)
+            for number, mbs in enumerate(known if systems is None else systems)
+        ]
         self._flows: list[Flow] = []
         tell_settings_without_effect(self.settings)
 
@@ -83,10 +86,10 @@ class Studio:
 
     def size(self, number: int) -> tuple[int, int]:
         """Return width and height of the images of a view, in pixels."""
-        width, height = (max(int(n), 1) for n in self.view(number).window.renderWindowSize)
-        if max(width, height) > LARGEST:
+        width, height = (int(n) for n in self.view(number).window.renderWindowSize)
+        if min(width, height) < 1 or max(width, height) > LARGEST:
             here = f"visualizationSettings.view{number}.window.renderWindowSize"
-            raise ValueError(f"{here}: expected at most {LARGEST} pixels each, received {width} x {height}")
+            raise ValueError(f"{here}: expected from 1 to {LARGEST} pixels each, received {width} x {height}")
         return width, height
 
     def scene(self, configuration: Any = None) -> Scene:
@@ -127,11 +130,21 @@ class Studio:
 
     def tracked(self, number: int = 0) -> tuple[FloatArray | None, FloatArray] | None:
         """Return place and rotation matrix of the marker that the camera of a view follows; None if it follows none."""
-        follow = self.view(number).camera
-        if int(follow.trackMarker) < 0 or int(follow.trackMarkerMbsNumber) >= len(self.makers):
+        follow, here = self.view(number).camera, f"visualizationSettings.view{number}.camera"
+        marker, system = int(follow.trackMarker), int(follow.trackMarkerMbsNumber)
+        if marker < 0 or not self.makers:
             return None
-        mbs = self.makers[int(follow.trackMarkerMbsNumber)].mbs
-        places, marker = Places(mbs, _core.ConfigurationType.Visualization), int(follow.trackMarker)
+        if system >= (count := self.container.NumberOfSystems()):
+            raise ValueError(
+                f"{here}.trackMarkerMbsNumber: expected a number of the {count} systems, received {system}"
+            )
+        drawn = {maker.number: maker.mbs for maker in self.makers}
+        mbs = drawn[system] if system in drawn else self.container.GetSystem(system)
+        if marker >= (count := mbs.systemData.NumberOfMarkers()):
+            raise ValueError(
+                f"{here}.trackMarker: expected a number of the {count} markers of system {system}, received {marker}"
+            )
+        places = Places(mbs, _core.ConfigurationType.Visualization)
         return places.marker(marker), places.marker_rotation(marker)
 
     def track(self, camera: Camera, number: int, tracked: tuple[FloatArray | None, FloatArray] | None) -> None:
