@@ -59,6 +59,8 @@ def rst_default(row: Parameter) -> str:
         return "not set"
     if row.type.function or row.type.name == "PyFunctionGraphicsData":
         return "none"
+    if row.type.storage == "matrix6" and not any(map(any, row.default)):
+        return "``numpy.zeros((6, 6))``"
     text = python_default(row)
     return f"``{text}``" if text != "..." else "default object"
 
