@@ -160,6 +160,17 @@ def as_rows(name: str, value: Any, columns: int) -> FloatArray:
     return array.reshape(-1, columns)
 
 
+def as_one_each(name: str, value: Any, columns: int, points: int) -> FloatArray | None:
+    """Convert so many numbers for each of the points to rows, or nothing at all to None; ValueError otherwise."""
+    rows = as_rows(name, value, columns)
+    if len(rows) == 0:
+        return None
+    if len(rows) != points:
+        expected = f"{columns} numbers for each of {points} points, or none"
+        raise ValueError(f"{name}: expected {expected}, received {rows.size}")
+    return rows
+
+
 def as_point_numbers(name: str, value: Any, columns: int, points: int) -> IntArray:
     """Convert numbers of points, of which there are so many, to rows; ValueError otherwise."""
     numbers = as_rows(name, value, columns)

@@ -384,6 +384,10 @@ def test_bearing_rings_are_closed_and_leave_room_for_the_balls():
         (lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, -1]]), "numbers of points, 0 to 2, received -1"),
         (lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, 1.5]]), "numbers of points, 0 to 2, received 1.5"),
         (lambda: gr.FromPointsAndTrigs(np.zeros((6, 2)), [[0, 1, 2]]), "points: expected rows of 3 numbers"),
+        (
+            lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, 2]], normals=[[0, 0, 1]]),
+            "normals: expected 3 numbers for each",
+        ),
         (lambda: gr.FromPointsAndTrigs([], [[0, 1, 2]]), "of which there are none, received 0"),
         (
             lambda: gr.ToPointsAndTrigs({"type": "TriangleList", "points": np.eye(3), "triangles": [0, 1, 3]}),

@@ -215,8 +215,7 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_))) return false;
   constexpr double eps = RedundantConstraints::regular_eps;
   if (redundant_.find_locally(*pattern_, matrix_) && regular && redundant_.count() == 0) return false;
-  std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
-  system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
+  const std::vector<double> gaps = gaps_of_positions(system, state, conditions);
   redundant_.allow_for(gaps);
   const LinearSolverOptions to_find = RedundantConstraints::options_to_find(options_);
   auto factors = make_linear_solver(*pattern_, type_, redundant_.options(to_find));
@@ -487,9 +486,7 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
 
 std::vector<double> ConstrainedMotion::misfit(System& system, const State& state, const Conditions& conditions) const {
   if (!redundant_.in_use() || redundant_.count() == 0 || !(largest_misfit_ > RedundantConstraints::silent_misfit)) return {};
-  std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
-  system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
-  std::vector<double> open = redundant_.misfit(gaps);
+  std::vector<double> open = redundant_.misfit(gaps_of_positions(system, state, conditions));
   if (!(redundant_.largest(open) > RedundantConstraints::silent_misfit)) open.clear();
   return open;
 }

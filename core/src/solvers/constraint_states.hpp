@@ -25,6 +25,13 @@ inline Conditions at_level(Conditions conditions, bool of_rates) {
   return conditions;
 }
 
+// Of constraints, whatever is enforced of them.
+inline std::vector<double> gaps_of_positions(System& system, const State& state, const Conditions& conditions) {
+  std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
+  system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
+  return gaps;
+}
+
 inline double largest(std::span<const double> numbers) {
   double size = 0;
   for (const double x : numbers) size = std::max(size, std::abs(x));

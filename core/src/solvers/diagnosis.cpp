@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "constraint_states.hpp"
 #include "dalembert/model/model.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
@@ -170,13 +171,8 @@ bool Solver::has_left_constraints(std::span<const double> misfit) {
   constexpr double none = 1e-3;
   if (is_static()) return false;
   const RedundantConstraints& constraints = redundant_constraints();
-  State first = initial();
-  std::ranges::fill(first.lambda, 0.0);
-  std::vector<double> gaps(misfit.size());
-  Conditions of_positions = conditions_;
-  of_positions.rate_level = false;
-  system().gaps(first, of_positions, gaps);
-  const std::vector<char> driven = driven_equations(system(), first, of_positions, last_time());
+  const std::vector<double> gaps = gaps_of_positions(system(), initial(), conditions_);
+  const std::vector<char> driven = driven_equations(system(), initial(), conditions_, last_time());
   return constraints.largest(gaps) < none * constraints.largest(misfit) && std::ranges::none_of(driven, [](char d) { return d != 0; });
 }
 

@@ -110,11 +110,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   const auto plain = make_linear_solver(*pattern_, linear_type(), newton_options());
   const bool regular = plain->factorize(jacobian_) == LinearSolver::success;
   if (regular && !redundant_.suspected(*plain)) return;
-  Conditions of_positions = conditions_;
-  of_positions.rate_level = false;
-  std::vector<double> gaps(static_cast<std::size_t>(sizes_.ae));
-  system().gaps(without_multipliers(current()), of_positions, gaps);
-  redundant_.allow_for(gaps);
+  redundant_.allow_for(gaps_of_positions(system(), current(), conditions_));
   const auto factors = find_redundancy();
   if (factors && redundant_.count() > 0) begin_treatment(*factors);
 }

@@ -133,6 +133,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   harmless_.clear();
   local_ = false;
   certain_ = true;
+  counting_ = counting_eps;
   const auto n = static_cast<std::size_t>(s.ae);
   x_.resize(static_cast<std::size_t>(s.total()));
   length_ = system.extent();

@@ -12,6 +12,7 @@ from dalembert._checks import (
     IntArray,
     as_array,
     as_number,
+    as_one_each,
     as_point_numbers,
     as_rows,
     as_vector,
@@ -84,30 +85,19 @@ def _shape(entry: dict[str, Any], default: Rgba, where: str, known: Known) -> Sh
 def _mesh(entry: dict[str, Any], default: Rgba, where: str) -> Mesh:
     points = as_rows(f"{where}: 'points'", entry["points"], 3)
     triangles = as_point_numbers(f"{where}: 'triangles'", entry["triangles"], 3, len(points))
-    colors = _one_each(f"{where}: 'colors'", entry.get("colors", ()), 4, points)
+    colors = as_one_each(f"{where}: 'colors'", entry.get("colors", ()), 4, len(points))
     if colors is None:
         colors = np.tile(np.array(default), (len(points), 1))
     materials = _materials(colors)
     if len(colors) and (colors.min() < 0 or colors[:, 3].max() > 1):
         unique, which = np.unique(colors, axis=0, return_inverse=True)
         colors = np.array([rgba(color, default) for color in unique])[which.ravel()]
-    normals = _one_each(f"{where}: 'normals'", entry.get("normals", ()), 3, points)
+    normals = as_one_each(f"{where}: 'normals'", entry.get("normals", ()), 3, len(points))
     if normals is not None and not normals.any(axis=1).all():
         normals = None  # some are zero: nobody has computed them
     edges = as_point_numbers(f"{where}: 'edges'", entry.get("edges", ()), 2, len(points))
     edge_color = rgba(entry.get("edgeColor", (0.2, 0.2, 0.2, 1.0)))
     return Mesh(points, triangles, normals, colors, edges, edge_color, materials)
-
-
-def _one_each(where: str, values: Any, columns: int, points: FloatArray) -> FloatArray | None:
-    """Return so many numbers for each point; None if there are none at all."""
-    result = as_rows(where, values, columns)
-    if len(result) == 0:
-        return None
-    if len(result) != len(points):
-        expected = f"{columns} numbers for each of {len(points)} points, or none"
-        raise ValueError(f"{where}: expected {expected}, received {result.size}")
-    return result
 
 
 def _materials(colors: FloatArray) -> IntArray | None:

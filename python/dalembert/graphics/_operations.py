@@ -15,6 +15,7 @@ from dalembert._checks import (
     as_array,
     as_color,
     as_matrix,
+    as_one_each,
     as_point_numbers,
     as_rows,
     as_vector,
@@ -66,11 +67,9 @@ def FromPointsAndTrigs(
     if rgba.size != 4 and rgba.size != 4 * len(p):
         expected = f"4 RGBA values or 4 values for each of the {len(p)} points"
         raise shape_error("FromPointsAndTrigs: color", expected, color)
-    n = None if normals is None else as_rows("FromPointsAndTrigs: normals", normals, 3).copy()
-    if n is not None and len(n) != len(p):
-        raise shape_error("FromPointsAndTrigs: normals", f"{len(p)} vectors, one per point", normals)
+    n = as_one_each("FromPointsAndTrigs: normals", () if normals is None else normals, 3, len(p))
     colors = rgba.ravel() if rgba.size == 4 else rgba.reshape(-1, 4)
-    return triangle_list(p, corners, colors, n)
+    return triangle_list(p, corners, colors, None if n is None else n.copy())
 
 
 def ToPointsAndTrigs(g: GraphicsData) -> list[list[npt.NDArray[Any]]]:
@@ -121,7 +120,7 @@ def Transform(
     if invertTriangles:
         result["triangles"] = mesh_of("Transform", graphicsData)[1][:, [1, 0, 2]].ravel()
     if "normals" in result:
-        normals = np.array(graphicsData["normals"], dtype=float).reshape(-1, 3)
+        normals = as_rows("graphics.Transform: graphicsData['normals']", graphicsData["normals"], 3)
         if normalizeNormals:
             normals = _normalized(normals, "graphics.Transform", warn)
         result["normals"] = ((-normals if invertNormals else normals) @ A.T).ravel()
@@ -171,10 +170,11 @@ def InvertTriangles(
 def InconsistentTriangles(graphicsData: GraphicsData) -> int:
     """Return the number of triangle corners whose point normal is opposed to the normal of the triangle."""
     points, triangles = mesh_of("InconsistentTriangles", graphicsData)
-    if "normals" not in graphicsData:
+    name = "InconsistentTriangles: graphicsData['normals']"
+    normals = as_one_each(name, graphicsData.get("normals", ()), 3, len(points))
+    if normals is None:
         raise ValueError("InconsistentTriangles: graphicsData has no normals")
-    normals = np.array(graphicsData["normals"], dtype=float).reshape(-1, 3)[triangles]
-    return int(np.count_nonzero(np.einsum("tci,ti->tc", normals, triangle_normals(points, triangles)) < 0))
+    return int(np.count_nonzero(np.einsum("tci,ti->tc", normals[triangles], triangle_normals(points, triangles)) < 0))
 
 
 def _merged_points(points: FloatArray, roundDigits: int) -> tuple[FloatArray, IntArray, IntArray]:
