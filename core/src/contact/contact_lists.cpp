@@ -45,11 +45,11 @@ void GeneralContact::take_places(const Ports& ports, const Evaluation* nodes) co
       const double way = dx * dx + dy * dy + dz * dz;
       if (!(way <= square)) square = way < unknown ? way : unknown;
       at = {x[0], x[1], x[2], at.radius};
-      pairs_.velocity[i] = {v[0], v[1], v[2]};
+      pairs_.velocity[i] = {v[0], v[1], v[2], 0};
       if (turns_[i] != 0) {
         const Vec3<double>& spin = node.dof >= 0 ? ports.node_motions[static_cast<std::size_t>(node.rotating_node)].angular_velocity
                                                  : read_frame<RigidPort>(port).angular_velocity;
-        pairs_.spin[i] = {spin[0], spin[1], spin[2]};
+        pairs_.spin[i] = {spin[0], spin[1], spin[2], 0};
       }
     }
     chunk.moved += std::sqrt(square);
@@ -143,23 +143,43 @@ void GeneralContact::renew_lists() const {
   else if (since_list_ > 160) skin_ = std::max(0.7 * skin_, 0.01 * mean);
   since_list_ = 0;
   ++lists_;
-  at_list_.assign(at.begin(), at.end());
-  for (Chunk& chunk : chunks_) chunk.moved = 0;
   carriers_at_list_ = carriers_now_;
   if (set_->spheres_touch) neighbours_.build(at, skin_, workers_);
   else neighbours_.clear(n);
   std::vector<int> begins{0};
   for (const Chunk& chunk : chunks_) begins.push_back(chunk.end);
   pairs_.list(neighbours_, begins, workers_);
-  each_chunk([&](Chunk& chunk) { list_triangles(chunk); });
-  first_triangle_.assign(1, 0);
-  near_triangles_.clear();
-  near_spheres_.clear();
-  for (const Chunk& chunk : chunks_) {
-    for (const std::size_t end : chunk.ends) first_triangle_.push_back(near_triangles_.size() + end);
-    near_triangles_.insert(near_triangles_.end(), chunk.near_triangles.begin(), chunk.near_triangles.end());
+  at_list_.resize(n);
+  each_chunk([&](Chunk& chunk) {
+    chunk.moved = 0;
+    std::copy(at.begin() + chunk.begin, at.begin() + chunk.end, at_list_.begin() + chunk.begin);
+    list_triangles(chunk);
+  });
+  join_triangle_lists();
+}
+
+// Sphere by sphere.
+void GeneralContact::join_triangle_lists() const {
+  std::size_t pairs = 0;
+  for (Chunk& chunk : chunks_) {
+    chunk.first_near = pairs;
+    pairs += chunk.near_triangles.size();
   }
-  for (int i = 0; i < spheres(); ++i) near_spheres_.insert(near_spheres_.end(), triangles_near(i).size(), i);
+  near_triangles_.resize(pairs);
+  near_spheres_.resize(pairs);
+  first_triangle_.resize(at_list_.size() + 1);
+  first_triangle_.back() = pairs;
+  each_chunk([&](const Chunk& chunk) {
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < chunk.ends.size(); ++k) {
+      first_triangle_[static_cast<std::size_t>(chunk.begin) + k] = chunk.first_near + begin;
+      for (std::size_t t = begin; t < chunk.ends[k]; ++t) {
+        near_triangles_[chunk.first_near + t] = chunk.near_triangles[t];
+        near_spheres_[chunk.first_near + t] = chunk.begin + static_cast<int>(k);
+      }
+      begin = chunk.ends[k];
+    }
+  });
 }
 
 // Four spheres at once: most are far from all triangles.

@@ -20,13 +20,22 @@ constexpr std::size_t lanes = 4;
 constexpr int spheres_to_share = 2000, stretches_of_threads = 64;
 constexpr double farthest_cell = 1e6;
 
+// Calls f(stretch, begin, end) for stretches that make up [0, count).
+template <class F>
+void share_stretches(Workers* workers, std::size_t stretches, std::size_t count, const F& f) {
+  share_tasks(workers, static_cast<int>(stretches), [&](int task) {
+    const auto stretch = static_cast<std::size_t>(task);
+    f(stretch, count * stretch / stretches, count * (stretch + 1) / stretches);
+  });
+}
+
 // Spheres in cells of one size, sorted by cells: a row of cells lies side by side in memory, and whoever goes through all cells in order goes through
 // the rows around them in order as well. Cells are counted in no more memory than there are spheres, so that space has no bounds.
 class SortedCells {
  public:
-  std::vector<std::uint64_t> cells;
-  std::vector<int> spheres;
-  std::vector<double> x, y, z, radius;  // and some more to read
+  LargeVector<std::uint64_t> cells;
+  LargeVector<int> spheres;
+  LargeVector<double> x, y, z, radius;  // and some more to read
 
   // Cells that spheres between two corners lie in.
   SortedCells(double size, const SphereAt& lower, const SphereAt& upper)
@@ -39,19 +48,29 @@ class SortedCells {
   // The way from a cell to another one in these directions.
   std::int64_t way(int along_x, int along_y) const { return ((std::int64_t{along_x} << bits_of_y_) + along_y) << bits_of_z_; }
 
-  void fill(std::span<const SphereAt> all, std::span<const int> members) {
-    spheres.assign(members.begin(), members.end());
+  void fill(std::span<const SphereAt> all, std::span<const int> members, Workers* workers, std::size_t stretches) {
     cells.resize(members.size());
-    for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = cell_of(all[static_cast<std::size_t>(members[k])]);
+    spheres.resize(members.size());
+    share_stretches(workers, stretches, members.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        spheres[k] = members[k];
+        cells[k] = cell_of(all[static_cast<std::size_t>(members[k])]);
+      }
+    });
     sort();
-    for (std::vector<double>* numbers : {&x, &y, &z, &radius}) numbers->resize(members.size() + lanes);
-    for (std::size_t k = 0; k < spheres.size(); ++k) {
-      const SphereAt& s = all[static_cast<std::size_t>(spheres[k])];
-      x[k] = s.x;
-      y[k] = s.y;
-      z[k] = s.z;
-      radius[k] = s.radius;
+    for (LargeVector<double>* numbers : {&x, &y, &z, &radius}) {
+      numbers->resize(members.size() + lanes);
+      std::fill(numbers->end() - lanes, numbers->end(), 0.0);
     }
+    share_stretches(workers, stretches, members.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const SphereAt& s = all[static_cast<std::size_t>(spheres[k])];
+        x[k] = s.x;
+        y[k] = s.y;
+        z[k] = s.z;
+        radius[k] = s.radius;
+      }
+    });
   }
 
  private:
@@ -67,8 +86,8 @@ class SortedCells {
   // Digit by digit.
   void sort() {
     constexpr int digit = 11;
-    std::vector<std::uint64_t> other_cells(cells.size());
-    std::vector<int> other_spheres(cells.size());
+    LargeVector<std::uint64_t> other_cells(cells.size());
+    LargeVector<int> other_spheres(cells.size());
     for (int shift = 0; shift < bits_; shift += digit) {
       std::array<std::uint32_t, (1 << digit) + 1> begins{};
       const auto digit_of = [shift](std::uint64_t cell) { return (cell >> shift) & ((1 << digit) - 1); };
@@ -96,7 +115,7 @@ class Search {
   Search(const SortedCells& seekers, const SortedCells& among, double margin) : seekers_(seekers), among_(among), margin_(margin), same_(&seekers == &among) {}
 
   template <class Pair>
-  DALEMBERT_INLINE void operator()(std::size_t begin, std::size_t end, std::vector<Pair>& found) const {
+  DALEMBERT_INLINE void operator()(std::size_t begin, std::size_t end, LargeVector<Pair>& found) const {
     if (begin == end) return;
     std::array<Row, 9> rows;
     std::size_t count = 0;  // of the same spheres, those behind find those before
@@ -120,7 +139,7 @@ class Search {
   struct Row {
     std::uint64_t way;
     std::size_t begin, end;
-    DALEMBERT_INLINE void go_to(std::uint64_t cell, const std::vector<std::uint64_t>& cells) {
+    DALEMBERT_INLINE void go_to(std::uint64_t cell, const LargeVector<std::uint64_t>& cells) {
       const std::uint64_t middle = cell + way;
       while (begin < cells.size() && cells[begin] + 1 < middle) ++begin;
       end = std::max(end, begin);
@@ -137,9 +156,10 @@ class Search {
     const int sphere = seekers_.spheres[k];
     const P x(seekers_.x[k]), y(seekers_.y[k]), z(seekers_.z[k]), reach(seekers_.radius[k] + margin_);
     for (std::size_t i = first; i < last; i += lanes) {
-      const auto in = [i](const std::vector<double>& numbers) DALEMBERT_INLINE { return P::load(numbers.data() + i); };
+      const auto in = [i](const LargeVector<double>& numbers) DALEMBERT_INLINE { return P::load(numbers.data() + i); };
       const P dx = in(among_.x) - x, dy = in(among_.y) - y, dz = in(among_.z) - z, least = in(among_.radius) + reach;
       const P::Mask near = (dx * dx + dy * dy + dz * dz).x <= (least * least).x;
+      if (P::is_none(near)) continue;
       for (std::size_t lane = 0; lane < std::min(lanes, last - i); ++lane) {
         const int other = among_.spheres[i + lane];
         found[pairs] = {std::min(sphere, other), std::max(sphere, other)};
@@ -176,8 +196,7 @@ void SphereNeighbours::clear(std::size_t spheres) {
 // Spheres of similar size look for others of their own cells, and for larger ones in the cells of these.
 void SphereNeighbours::build(std::span<const SphereAt> spheres, double margin, Workers* workers) {
   const int n = static_cast<int>(spheres.size());
-  clear(spheres.size());
-  if (n < 2) return;
+  if (n < 2) return clear(spheres.size());
   double smallest = spheres[0].radius;
   for (const SphereAt& s : spheres) smallest = std::min(smallest, s.radius);
   std::map<int, std::vector<int>> levels;
@@ -187,43 +206,42 @@ void SphereNeighbours::build(std::span<const SphereAt> spheres, double margin, W
     if (const double now = spheres[static_cast<std::size_t>(i)].radius; now != radius) {
       radius = now;
       level_of_radius = &levels[std::min(40, std::ilogb(radius / smallest))];
+      if (level_of_radius->empty()) level_of_radius->reserve(spheres.size());
     }
     level_of_radius->push_back(i);
   }
-  const int stretches = n < spheres_to_share ? 1 : stretches_of_threads;
-  found_.resize(static_cast<std::size_t>(stretches));
-  for (std::vector<Pair>& found : found_) found.clear();
+  const std::size_t stretches = n < spheres_to_share ? 1 : stretches_of_threads;
+  found_.resize(stretches);
+  for (LargeVector<Pair>& found : found_) found.clear();
   const auto [lower, upper] = corners(spheres);
   for (auto other = levels.begin(); other != levels.end(); ++other) {
     double largest = 0;
     for (const int i : other->second) largest = std::max(largest, spheres[static_cast<std::size_t>(i)].radius);
     SortedCells among(2 * largest + margin, lower, upper), seekers = among;
-    among.fill(spheres, other->second);
+    among.fill(spheres, other->second, workers, stretches);
     for (auto level = levels.begin(); level != std::next(other); ++level) {
-      if (level != other) seekers.fill(spheres, level->second);
+      if (level != other) seekers.fill(spheres, level->second, workers, stretches);
       const Search search(level == other ? among : seekers, among, margin);
-      share_tasks(workers, stretches, [&](int stretch) {
-        const auto bound = [&](int s) { return level->second.size() * static_cast<std::size_t>(s) / static_cast<std::size_t>(stretches); };
-        in_registers_of_four([&, begin = bound(stretch), end = bound(stretch + 1)] { search(begin, end, found_[static_cast<std::size_t>(stretch)]); });
+      share_stretches(workers, stretches, level->second.size(), [&](std::size_t stretch, std::size_t begin, std::size_t end) {
+        in_registers_of_four([&, begin, end] { search(begin, end, found_[stretch]); });
       });
     }
   }
-  sort_pairs(n, workers);
+  sort_pairs(spheres.size(), workers);
 }
 
 // By the first sphere, and then by the second one.
-void SphereNeighbours::sort_pairs(int spheres, Workers* workers) {
-  for (const std::vector<Pair>& found : found_)
-    for (const Pair& pair : found) ++first_[static_cast<std::size_t>(pair.first) + 1];
+void SphereNeighbours::sort_pairs(std::size_t spheres, Workers* workers) {
+  first_.assign(spheres + 2, 0);  // one more than there will be: each number moves on to where the next one begins
+  for (const LargeVector<Pair>& found : found_)
+    for (const Pair& pair : found) ++first_[static_cast<std::size_t>(pair.first) + 2];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   seconds_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (const std::vector<Pair>& found : found_)
-    for (const Pair& pair : found) seconds_[next[static_cast<std::size_t>(pair.first)]++] = pair.second;
-  const int stretches = static_cast<int>(found_.size());
-  share_tasks(workers, stretches, [&](int stretch) {
-    const auto bound = [&](int s) { return static_cast<std::size_t>(std::int64_t{spheres} * s / stretches); };
-    for (std::size_t i = bound(stretch); i < bound(stretch + 1); ++i)
+  for (const LargeVector<Pair>& found : found_)
+    for (const Pair& pair : found) seconds_[first_[static_cast<std::size_t>(pair.first) + 1]++] = pair.second;
+  first_.pop_back();
+  share_stretches(workers, found_.size(), spheres, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
       std::sort(seconds_.begin() + static_cast<std::ptrdiff_t>(first_[i]), seconds_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]));
   });
 }

@@ -60,7 +60,7 @@ void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> 
   const auto each_chunk = [&](const auto& f) { share_tasks(workers, static_cast<int>(chunks), [&](int c) { f(static_cast<std::size_t>(c), begins[c], begins[c + 1]); }); };
   first_pair_.assign(1, 0);
   for (std::size_t c = 0; c < chunks; ++c) first_pair_.push_back(first_pair_.back() + neighbours.behind(begins[c], begins[c + 1]).size());
-  for (std::vector<std::uint32_t>* all : {&firsts_, &seconds_, &targets_}) all->resize(first_pair_.back());
+  for (LargeVector<std::uint32_t>* all : {&firsts_, &seconds_, &targets_}) all->resize(first_pair_.back());
   first_waiting_.assign(chunks + 1, 0);
   each_chunk([&](std::size_t c, int begin, int end) {
     const auto all = neighbours.behind(begin, end);
@@ -68,33 +68,35 @@ void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> 
   });
   first_waiting_[0] = count_;
   std::partial_sum(first_waiting_.begin(), first_waiting_.end(), first_waiting_.begin());
+  force.resize(first_waiting_.back());
+  waiting_.resize(first_waiting_.back() - count_);
   each_chunk([&](std::size_t c, int begin, int end) {
     std::size_t p = first_pair_[c], place = first_waiting_[c];
     for (int i = begin; i < end; ++i)
       for (const int j : neighbours.behind(i)) {
         firsts_[p] = numbers * static_cast<std::uint32_t>(i);
-        seconds_[p] = numbers * static_cast<std::uint32_t>(j);
-        targets_[p++] = j < end ? numbers * static_cast<std::uint32_t>(j) : numbers * static_cast<std::uint32_t>(place++);
+        seconds_[p] = targets_[p] = numbers * static_cast<std::uint32_t>(j);
+        if (j >= end) {
+          targets_[p] = numbers * static_cast<std::uint32_t>(place);
+          waiting_[place - count_] = {j, static_cast<int>(place)};
+          ++place;
+        }
+        ++p;
       }
   });
-  const std::size_t places = first_waiting_.back();
-  force.resize(places);
-  list_collected(places);
+  list_collected();
 }
 
 // By the chunks that collect.
-void SpherePairs::list_collected(std::size_t places) {
+void SpherePairs::list_collected() {
   const std::size_t chunks = begins_.size() - 1;
-  const auto second = [&](std::size_t pair) { return static_cast<int>(seconds_[pair] / numbers); };
   const auto chunk_of = [&](int sphere) { return static_cast<std::size_t>(std::ranges::upper_bound(begins_, sphere) - begins_.begin()) - 1; };
-  std::vector<std::size_t> waiting(chunks + 1, 0);
-  for (std::size_t p = 0; p < firsts_.size(); ++p)
-    if (targets_[p] != seconds_[p]) ++waiting[chunk_of(second(p)) + 1];
-  std::partial_sum(waiting.begin(), waiting.end(), waiting.begin());
-  first_collected_ = waiting;
-  collected_.resize(places - count_);
-  for (std::size_t p = 0; p < firsts_.size(); ++p)
-    if (targets_[p] != seconds_[p]) collected_[waiting[chunk_of(second(p))]++] = {second(p), static_cast<int>(place_of_second(p))};
+  std::vector<std::size_t> next(chunks + 1, 0);
+  for (const Waiting& w : waiting_) ++next[chunk_of(w.sphere) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  first_collected_ = next;
+  collected_.resize(waiting_.size());
+  for (const Waiting& w : waiting_) collected_[next[chunk_of(w.sphere)]++] = w;
 }
 
 ContactPairing SpherePairs::pairing_of(const ContactSet& set, std::uint32_t first, std::uint32_t second) const {
@@ -171,7 +173,7 @@ DALEMBERT_INLINE inline double SpherePairs::compute_pairs(std::size_t begin, std
 double SpherePairs::compute(int chunk, const ContactSet& set, Friction friction) {
   const bool rubs = friction == Friction::of_slip;
   const auto c = static_cast<std::size_t>(chunk);
-  const auto clear = [&](AlignedVector<Four>& numbers) {
+  const auto clear = [&](LargeVector<Four>& numbers) {
     std::fill(numbers.begin() + begins_[c], numbers.begin() + begins_[c + 1], Four());
     std::fill(numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c]), numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c + 1]), Four());
   };

@@ -163,6 +163,7 @@ class GeneralContact final : public SystemTerm {
     std::vector<int> at_triangles;  // spheres that are near some
     std::vector<int> near_triangles;  // of its spheres, one after the other,
     std::vector<std::size_t> ends;    // up to here
+    std::size_t first_near = 0;       // of them among those of all chunks
     struct OnCarrier {
       int marker;
       Vec3<double> force, moment;
@@ -186,6 +187,7 @@ class GeneralContact final : public SystemTerm {
   void follow(const Ports& ports, const Evaluation* nodes = nullptr) const;
   void renew_lists() const;
   void list_triangles(Chunk& chunk) const;
+  void join_triangle_lists() const;
   void find_near_triangles(int first_sphere, int count, std::vector<int>* of_each) const;
   void renew_shapes() const;
   double moved() const;
@@ -339,11 +341,11 @@ class GeneralContact final : public SystemTerm {
   mutable std::vector<Triangle> local_;  // corners of all triangles
   mutable std::vector<Facet> facets_;
   mutable SpherePairs pairs_;
-  mutable std::vector<SphereAt> at_list_;
+  mutable LargeVector<SphereAt> at_list_;
   mutable std::vector<RigidFrame<double>> carriers_now_, carriers_at_list_;
   mutable SphereNeighbours neighbours_;
-  mutable std::vector<std::size_t> first_triangle_;
-  mutable std::vector<int> near_triangles_, near_spheres_;  // pair by pair
+  mutable LargeVector<std::size_t> first_triangle_;
+  mutable LargeVector<int> near_triangles_, near_spheres_;  // pair by pair
   mutable std::vector<int> carriers_of_triangles_;
   mutable std::vector<char> carriers_rest_;
   mutable double skin_ = 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dalembert/math/fixed.hpp"
+#include "dalembert/math/large_memory.hpp"
 #include "dalembert/system/workers.hpp"
 
 namespace dalembert {
@@ -39,11 +40,11 @@ class SphereNeighbours {
   struct Pair {
     int first, second;
   };
-  void sort_pairs(int spheres, Workers* workers);
+  void sort_pairs(std::size_t spheres, Workers* workers);
 
   std::vector<std::size_t> first_;
-  std::vector<int> seconds_;
-  std::vector<std::vector<Pair>> found_;  // by stretches of spheres
+  LargeVector<int> seconds_;
+  std::vector<LargeVector<Pair>> found_;  // by stretches of spheres
 };
 
 }  // namespace dalembert

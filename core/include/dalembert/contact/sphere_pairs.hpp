@@ -9,13 +9,14 @@
 #include "dalembert/contact/contact_set.hpp"
 #include "dalembert/contact/sphere_neighbours.hpp"
 #include "dalembert/math/aligned_vector.hpp"
+#include "dalembert/math/large_memory.hpp"
 
 namespace dalembert {
 
 class SpherePairs {
  public:
   struct alignas(32) Four {
-    double x = 0, y = 0, z = 0, w = 0;
+    double x, y, z, w;
     Vec3<double> vector() const { return {x, y, z}; }
     void add(const Vec3<double>& v) {
       x += v[0];
@@ -24,7 +25,8 @@ class SpherePairs {
     }
   };
   AlignedVector<SphereAt> at;
-  AlignedVector<Four> velocity, spin, force, moment;  // by sphere
+  AlignedVector<Four> velocity, spin;  // by sphere, as all that follows
+  LargeVector<Four> force, moment;
 
   // Room for the spheres of a set, and their surfaces.
   void take(const ContactSet& set);
@@ -52,19 +54,19 @@ class SpherePairs {
   template <int L, bool rubs, bool alike>
   double compute_pairs(std::size_t begin, std::size_t end, const ContactSet& set);
   ContactPairing pairing_of(const ContactSet& set, std::uint32_t first, std::uint32_t second) const;  // by where they begin in numbers
-  void list_collected(std::size_t places);
+  void list_collected();
 
   std::size_t count_ = 0;
   std::vector<int> kinds_;               // of surfaces, by sphere
   std::vector<ContactSurface> surfaces_; // by kind
   std::vector<ContactPairing> pairings_, with_carriers_; // of kinds with kinds and with carriers; empty where there are too many
   std::vector<int> begins_;  // of chunks
-  std::vector<std::uint32_t> firsts_, seconds_, targets_;  // by pair; targets: where the force on the second one goes
+  LargeVector<std::uint32_t> firsts_, seconds_, targets_;  // by pair; targets: where the force on the second one goes
   std::vector<std::size_t> first_pair_, first_waiting_, first_collected_;  // by chunk
   struct Waiting {
     int sphere, place;
   };
-  std::vector<Waiting> collected_;
+  LargeVector<Waiting> waiting_, collected_;  // by place; by the chunk of the sphere
 };
 
 }  // namespace dalembert

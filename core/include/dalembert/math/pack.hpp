@@ -94,16 +94,7 @@ struct Pack {
     if constexpr (N == 8) return std::bit_cast<Register>((std::bit_cast<Mask>(a.x) & first) | (std::bit_cast<Mask>(b.x) & ~first));
     else return first ? a.x : b.x;
   }
-  DALEMBERT_INLINE static bool is_none(const Mask& mask) {
-    if constexpr (N == 8) {
-      const auto half = __builtin_shufflevector(mask, mask, 0, 1, 2, 3) | __builtin_shufflevector(mask, mask, 4, 5, 6, 7);
-      return (half[0] | half[1] | half[2] | half[3]) == 0;
-    } else {
-      auto any = mask[0];
-      for (int lane = 1; lane < N; ++lane) any |= mask[lane];
-      return any == 0;
-    }
-  }
+  DALEMBERT_INLINE static bool is_none(const Mask& mask) { return is_all_zero(mask); }
   DALEMBERT_INLINE friend bool is_zero(const Pack& a) { return is_none(std::bit_cast<Mask>(a.x) << 1); }  // without the sign
   DALEMBERT_INLINE friend Pack sqrt(const Pack& a) {
     return of_each([&a](int lane) { return std::sqrt(a.x[lane]); });
@@ -130,6 +121,18 @@ struct Pack {
   }
 
  private:
+  // By halves, as long as they are registers.
+  template <class Bits>
+  DALEMBERT_INLINE static bool is_all_zero(const Bits& bits) {
+    constexpr std::size_t count = sizeof(Bits) / sizeof(long long);
+    if constexpr (count == 8) return is_all_zero(__builtin_shufflevector(bits, bits, 0, 1, 2, 3) | __builtin_shufflevector(bits, bits, 4, 5, 6, 7));
+    else if constexpr (count == 4) return is_all_zero(__builtin_shufflevector(bits, bits, 0, 1) | __builtin_shufflevector(bits, bits, 2, 3));
+#ifdef __SSE4_1__
+    else return __builtin_ia32_ptestz128(bits, bits) != 0;
+#else
+    else return (bits[0] | bits[1]) == 0;
+#endif
+  }
   DALEMBERT_INLINE auto lower() const { return __builtin_shufflevector(x, x, 0, 1, 2, 3); }
   DALEMBERT_INLINE auto upper() const { return __builtin_shufflevector(x, x, 4, 5, 6, 7); }
   template <class Half>
