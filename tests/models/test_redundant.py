@@ -546,6 +546,28 @@ def test_reactions_are_the_smallest_with_all_kinds_of_newton(level: str, modifie
     assert_smallest(mbs, LENGTH_OF_CUBE)
 
 
+@pytest.mark.parametrize("misplaced", [1e-8, 1e-7, 1e-6])
+@pytest.mark.parametrize("node", NODES[:2])
+def test_joints_that_hardly_fit_are_fitted_at_the_start(misplaced: float, node: Any) -> None:
+    """As solvers fit them: all turn as far, and as fast, as they do where hinges fit; further apart, they are refused."""
+    angles, speeds = [], []
+    for apart in (misplaced, 1e-9):
+        door = Door(misplaced=apart, node=node)
+        data, initial = door.mbs.systemData, exu.ConfigurationType.Initial
+        q = np.array(data.GetODE2Coordinates(initial))
+        data.SetODE2Coordinates(list(q + 0.01), initial)
+        data.SetODE2Coordinates_t([0, 0.9] + [0] * (len(q) - 2), initial)
+        with pytest.warns(UserWarning, match="contradict each other(.|\n)*'hinge 1'"):
+            found = door.mbs.ComputeConsistentInitialConditions()
+        assert 0.1 * apart < found.positionGaps[1] < apart and found.redundantEquations == 5
+        angles.append(np.array(data.GetODE2Coordinates(initial)))
+        speeds.append(np.array(data.GetODE2Coordinates_t(initial)))
+    np.testing.assert_allclose(angles[0], angles[1], rtol=0, atol=10 * misplaced)
+    np.testing.assert_allclose(speeds[0], speeds[1], rtol=0, atol=1e-3)
+    with pytest.raises(ValueError, match="'hinge 1' .*, equation 0: gap"):
+        Door(misplaced=1e-5, node=node).mbs.ComputeConsistentInitialConditions()
+
+
 @pytest.mark.parametrize("steps", [30, 40, 50, 80])
 def test_what_is_redundant_is_found_again_where_joints_have_drifted_apart(steps: int) -> None:
     """Of index 2, by up to 2e-4 of their size: an action of an event begins anew there. Beside what joints leave open by drift, motions are those

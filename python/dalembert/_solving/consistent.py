@@ -3,6 +3,7 @@
 # ruff: noqa: B006  (empty lists as defaults; they are never written to)
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -17,6 +18,9 @@ from dalembert._solving.quiet import assemble_if_needed, given_or_default
 _NAME = "ComputeConsistentInitialConditions"
 _ROUND_OFF = 1e-10  # gaps of this size, relative to that of the model, are accepted where nothing makes them smaller
 _LARGEST_TURN = 1.0  # rad in one step
+_CONTRADICTING_SHARE = 0.5  # of gaps that no motion closes
+_LEFT_BY_GAPS, _NOTICEABLE = 1e4, 1e-3  # eps for steps, relative to the square of gaps, and at most
+_CLOSE_JOINTS = 10  # the size of the model, in distances of joints that turn each other when they do not fit
 _LISTED = 5
 
 
@@ -120,7 +124,7 @@ class _Nodes:
 class _Projection:
     """A state that is moved onto the constraints."""
 
-    def __init__(self, mbs: Any, nodes: _Nodes, time: float | None, tolerance: float) -> None:
+    def __init__(self, mbs: Any, nodes: _Nodes, time: float | None, tolerance: float, misfit: float) -> None:
         data, initial = mbs.systemData, ConfigurationType.Initial
         self.mbs, self.nodes = mbs, nodes
         self.reference = np.array(data.GetODE2Coordinates(ConfigurationType.Reference))
@@ -130,6 +134,9 @@ class _Projection:
         self.state.lam = np.zeros_like(self.state.lam)
         self.state.t = data.GetTime(initial) if time is None else time
         self.of_velocities = testing.constraint_rates(mbs, self.state)[2] == 1
+        self.misfit = misfit  # what joints that contradict each other may leave open, relative to the size of the model
+        self.contradicts = False  # whether some do
+        self.apart = 0.0  # what they do leave: m, rad
         self.tolerance = tolerance * max(1.0, testing.extent(mbs))
         self.round_off = max(self.tolerance, _ROUND_OFF * max(1.0, testing.extent(mbs)))
 
@@ -144,7 +151,7 @@ class _Projection:
     def rates(self) -> FloatArray:
         return np.asarray(testing.constraint_rates(self.mbs, self.state)[0])
 
-    def linearized(self, rate_level: bool) -> LinearizedConstraints:
+    def linearized(self, rate_level: bool, held: FloatArray | None = None) -> LinearizedConstraints:
         from scipy.sparse import coo_array
 
         size, equations = len(self.state.q), len(self.of_velocities)
@@ -158,44 +165,86 @@ class _Projection:
         gradient = coo_array((values[wanted], (rows[wanted] - first, columns[wanted])), shape=(equations, size))
         rows, columns, values = testing.mass_entries(self.mbs, state)
         mass = coo_array((values, (rows, columns)), shape=(size, size))
-        return LinearizedConstraints(weights(mass), gradient.tocsr(), self.nodes.held)
+        return LinearizedConstraints(weights(mass), gradient.tocsr(), self.nodes.held if held is None else held)
 
     def close_gaps(self, maxIterations: int) -> int:
         """Move positions until all gaps are closed; return the number of steps."""
-        gaps, damping, scale = self.gaps(), 0.0, None
-        if _largest(gaps) <= self.tolerance:
+        if _largest(self.gaps()) <= self.tolerance:
             return 0
-        self.state.q = self.nodes.normalized(self.state.q, self.reference)
-        gaps = self.gaps()
+        self.state.q = start = self.nodes.normalized(self.state.q, self.reference)
+        iterations, is_smallest = self._close(maxIterations)
+        if is_smallest and self._contradict_each_other_a_little():
+            self.state.q, self.contradicts = start, True
+            iterations, is_smallest = self._close(maxIterations)
+            is_smallest = is_smallest and self._contradict_each_other_a_little()
+            self.apart = _largest(self.gaps())
+        if _largest(self.gaps()) > self.round_off and not (self.contradicts and is_smallest):
+            raise ValueError(self._refusal("positions", rates=False))
+        return iterations
+
+    def _close(self, maxIterations: int) -> tuple[int, bool]:
+        """Make gaps smaller; return the number of steps, and whether nothing makes gaps smaller that are open."""
+        gaps, damping, scale = self.gaps(), 0.0, None
         for iteration in range(maxIterations):
             if _largest(gaps) <= self.tolerance:
-                return iteration
+                return iteration, False
             constraints = self.linearized(rate_level=False)
             if scale is None:  # of all steps: they are compared
                 scale = np.ones_like(gaps)
                 scale[constraints.rows] = constraints.row_scale
-            moved = self._better(constraints, gaps, scale, damping)
+            moved = self._better(constraints, self._closable(constraints, gaps), scale, damping)
             if moved is None:
-                break
+                return iteration + 1, _largest(gaps) > self.round_off
             self.state.q, gaps, damping = moved
-        if _largest(gaps) > self.round_off:
-            raise ValueError(self._refusal("positions", rates=False))
-        return iteration + 1
+        return maxIterations, False
+
+    def _contradict_each_other_a_little(self) -> bool:
+        """Return whether gaps are as small as solvers tolerate, and no motion closes them, whatever is held."""
+        of_all = self.linearized(rate_level=False, held=np.zeros_like(self.nodes.held))
+        return self._is_small() and of_all.left_open(self.gaps())[1] > _CONTRADICTING_SHARE
+
+    def _is_small(self) -> bool:
+        return not testing.open_constraints(self.mbs, self.state, self.misfit, 1e-9, False)
+
+    def _closable(self, constraints: LinearizedConstraints, gaps: FloatArray) -> FloatArray:
+        """Return gaps without those of joints that contradict each other: steps that close these would go far."""
+        if not (self.contradicts and self._is_small()):
+            return gaps
+        left, share = constraints.left_open(gaps)
+        return gaps - left if share > _CONTRADICTING_SHARE else gaps
 
     def _better(
         self, constraints: LinearizedConstraints, gaps: FloatArray, scale: FloatArray, damping: float
     ) -> tuple[FloatArray, FloatArray, float] | None:
         """Return positions with smaller gaps, their gaps, and the damping of the next step; None: none were found."""
-        merit = np.linalg.norm(scale * gaps)
-        while damping <= 1e4:
-            step = constraints.solver(max(damping, REGULAR))(-gaps)
+        merit = np.linalg.norm(scale * self.gaps())
+
+        def moved(eps: float) -> tuple[float, FloatArray, FloatArray]:
+            step = constraints.solver(eps)(-gaps)
             step *= min(1.0, _LARGEST_TURN / max(self.nodes.largest_turn(step), 1e-300))
             q = self.nodes.moved(self.mbs, self.state, step, self.reference)
             after = self.gaps(q)
-            if np.linalg.norm(scale * after) < (1 - 1e-6) * merit:
-                return q, after, damping / 100
+            return float(np.linalg.norm(scale * after)), q, after
+
+        apart = self._left_by_gaps(_largest(gaps))
+        while damping <= 1e4:
+            found = moved(max(damping, REGULAR, apart))
+            if apart > max(damping, REGULAR) and not found[0] < merit / 2:  # constraints may be as weak
+                found = min(found, moved(max(damping, REGULAR)), key=lambda x: x[0])
+            if found[0] < (1 - 1e-6) * merit:
+                return found[1], found[2], damping / 100
             damping = max(100 * damping, 1e-8)
         return None
+
+    def _left_by_gaps(self, gap: float) -> float:
+        """Return eps for joints that are apart.
+
+        Equations that follow from others where joints fit are independent by the square of gaps: what contradicts them
+        would go far along the motion.
+        """
+        if not self.contradicts:
+            return 0.0
+        return float(min(_LEFT_BY_GAPS * (gap / testing.extent(self.mbs)) ** 2, _NOTICEABLE))
 
     def project_velocities(self) -> None:
         """Change velocities such that gaps stay as they are; passes after the first remove what it leaves."""
@@ -203,12 +252,13 @@ class _Projection:
         if _largest(rates) <= self.tolerance:
             return
         constraints = self.linearized(rate_level=True)
-        for eps in (REGULAR, SMALLER, SMALLEST):
+        of_joints_apart = self._left_by_gaps(self.apart)
+        for eps in (of_joints_apart,) if of_joints_apart > REGULAR else (REGULAR, SMALLER, SMALLEST):
             rates = self._passes(constraints.solver(eps), rates)
             if _largest(rates) <= self.tolerance:
                 return
         rates, speeds, _ = testing.constraint_rates(self.mbs, self.state)
-        if (np.abs(rates) > self.round_off * np.maximum(speeds, 1.0)).any():
+        if (np.abs(rates) > max(self.round_off, _CLOSE_JOINTS * self.apart) * np.maximum(speeds, 1.0)).any():
             raise ValueError(self._refusal("velocities", rates=True))
 
     def _passes(self, solve: Callable[[FloatArray], FloatArray], rates: FloatArray) -> FloatArray:
@@ -225,16 +275,23 @@ class _Projection:
             rates = after
 
     def _refusal(self, what: str, rates: bool) -> str:
-        remaining = self.contradictions(rates)
         return "\n".join(
             [
                 f"mbs.{_NAME}: no {what} near the initial values fulfil all constraints; what remains:",
-                *(f"  {text}" for text in remaining[:_LISTED]),
-                *["  ..."] * (len(remaining) > _LISTED),
+                *self._listed(rates),
                 "These constraints contradict each other or what is held, or the initial values are too far away: "
                 "correct them, or hold less. The system is as it was.",
             ]
         )
+
+    def warn_of_contradictions(self) -> None:
+        """Name the joints that no positions fit."""
+        first = f"mbs.{_NAME}: constraints contradict each other; what the closest fit leaves open:"
+        warnings.warn("\n".join([first, *self._listed(rates=False)]), stacklevel=3)
+
+    def _listed(self, rates: bool) -> list[str]:
+        remaining = self.contradictions(rates)
+        return [f"  {text}" for text in remaining[:_LISTED]] + ["  ..."] * (len(remaining) > _LISTED)
 
     def contradictions(self, rates: bool = True) -> list[str]:
         found = testing.open_constraints(self.mbs, self.state, self.tolerance, 1e-9, rates)
@@ -271,7 +328,9 @@ def ComputeConsistentInitialConditions(
 
     Positions go onto the constraints in steps of which each is the smallest in the metric of the mass matrix: heavy
     bodies move less than light ones. Velocities change once, by as little as a plastic impact would change them.
-    Coordinates without mass count as if they had one of 1. Constraints may be redundant. Initial and current
+    Coordinates without mass count as if they had one of 1. Constraints may be redundant; those that contradict each
+    other by no more than solvers tolerate (simulationSettings.redundantConstraints.largestMisfit) are fitted as closely
+    as possible, with a warning that names them. Initial and current
     configuration hold the result; accelerations and multipliers follow when a solver starts.
 
     simulationSettings: constraints that change with time are taken at timeIntegration.startTime.
@@ -287,7 +346,7 @@ def ComputeConsistentInitialConditions(
     nodes = _Nodes(mbs, fixedCoordinates, fixedNodes)
     given = given_or_default("ComputeConsistentInitialConditions", simulationSettings)
     time = None if simulationSettings is None else given.timeIntegration.startTime
-    projection = _Projection(mbs, nodes, time, tolerance)
+    projection = _Projection(mbs, nodes, time, tolerance, given.redundantConstraints.largestMisfit)
     state = projection.state
     q, v = np.array(state.q), np.array(state.v)
     contradictions = projection.contradictions()
@@ -295,7 +354,9 @@ def ComputeConsistentInitialConditions(
     iterations = projection.close_gaps(maxIterations) if positions else 0
     if velocities:
         projection.project_velocities()
-    redundant = projection.linearized(rate_level=True).redundant()
+    redundant = projection.linearized(rate_level=True).redundant(projection.apart / testing.extent(mbs))
+    if projection.apart > 0:
+        projection.warn_of_contradictions()
     displacements, velocityChanges = nodes.changes(state.q - q), nodes.changes(state.v - v)
     for configuration in (ConfigurationType.Initial, ConfigurationType.Current):
         mbs.systemData.SetODE2Coordinates(state.q, configuration)

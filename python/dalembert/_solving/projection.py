@@ -15,6 +15,7 @@ from dalembert._checks import FloatArray, IntArray
 
 REGULAR, SMALLER, SMALLEST = 1e-10, 1e-12, 1e-14  # eps where nothing speaks against it; where that converges slowly
 _RANK = 1e-12  # eps for counting
+_LEFT_BY_JOINTS_APART = 1e2
 _LARGEST_BLOCK = 12  # coordinates of a mass matrix block that is searched for motions without inertia
 _MASSLESS = 1e-10  # share of the largest inertia in a block
 _MOST_REDUNDANT = 400  # equations, that are counted
@@ -105,20 +106,29 @@ class LinearizedConstraints:
 
         return solve
 
-    def redundant(self) -> int | None:
+    def left_open(self, right: FloatArray) -> tuple[FloatArray, float]:
+        """Return what no x fulfils of b, and its share, of scaled equations."""
+        left = np.zeros_like(right)
+        left[self.rows] = right[self.rows] - self._gradient @ self.solver(REGULAR)(right)
+        sizes = [float(np.linalg.norm(self.row_scale * b[self.rows])) for b in (left, right)]
+        return left, sizes[0] / max(sizes[1], 1e-300)
+
+    def redundant(self, apart: float = 0) -> int | None:
         """Count the equations that follow from others; None: very many.
 
         eps (S + eps)^-1 with S = G M^-1 G^T has eigenvalues of one for combinations of rows that vanish, and small ones
-        otherwise. Subspace iteration finds the former, eight at a time.
+        otherwise. Subspace iteration finds the former, eight at a time. Joints that are apart, relative to the size of
+        the model, leave the square of that of what vanishes where they fit.
         """
+        eps = max(_RANK, _LEFT_BY_JOINTS_APART * apart**2)
         size, count = len(self._scale), len(self.rows)
         if count == 0:
             return 0
-        factor = self._factor(_RANK)
+        factor = self._factor(eps)
 
         def apply(block: FloatArray) -> FloatArray:
             right = np.vstack((np.zeros((size, block.shape[1])), block))
-            return np.asarray(-_RANK * factor.solve(right)[size:])
+            return np.asarray(-eps * factor.solve(right)[size:])
 
         known = np.zeros((count, 0))
         random = np.random.default_rng(0)
