@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from solving import Solver, Variable, new_system, settings
-from test_four_bar import Bars, parallelogram
+from test_four_bar import GRAVITY, Bars, parallelogram
 from tolerances import by_tolerance
 
 import dalembert as exu
@@ -85,6 +85,21 @@ def test_steps_that_pass_it_are_told(capfd: Any) -> None:
     steps = bars.mbs.sys["dynamicSolver"].it.singularPositionSteps
     assert 0 < steps < 1000 and "passing a singular position" in capfd.readouterr().out
     assert f"singular positions were passed in {steps} steps" in bars.mbs.Report()
+
+
+@pytest.mark.parametrize(
+    ("rest", "tolerance", "times"), [(1e-4, 1e-5, 1), (1e-5, 1e-4, 1), (1e-6, 1e-4, 1), (-0.2, 1e-4, 0)]
+)
+def test_rests_beside_the_flat_position_are_told(rest: float, tolerance: float, times: int, capfd: Any) -> None:
+    """Two loops rise from 0.3 rad below: of those that rest just beyond it, errors decide how they fall back."""
+    start, loops = -0.3, 2
+    factor = ((loops + 1) / 2 + loops) / ((loops + 1) / 3 + loops)
+    rate = float(np.sqrt(2 * GRAVITY * factor * (np.sin(rest) - np.sin(start))))
+    bars = Bars(loops, angle=start, rate=rate)
+    bars.mbs.SolveDynamic(by_tolerance(settings(0.5, 50), tolerance), solverType=Solver.DOP853)
+    told = capfd.readouterr().out
+    assert told.count("comes nearly to rest beside a singular position") == times
+    assert (told.count("follow from others in this position") > 0) == (times > 0)
 
 
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.ESDIRK43])

@@ -74,14 +74,14 @@ std::vector<std::string> describe_equations(const System& system, std::span<cons
   return lines;
 }
 
+}  // namespace
+
 std::string indented(std::vector<std::string> lines) {
   shorten(lines);
   std::string text;
   for (const std::string& line : lines) text += "\n  " + line;
   return text;
 }
-
-}  // namespace
 
 void shorten(std::vector<std::string>& lines) {
   if (lines.size() <= most_items) return;

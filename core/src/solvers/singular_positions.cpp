@@ -53,7 +53,12 @@ void Solver::compare_constraints_with(const State& state) {
     turn += (now.v[i] - start.v[i]) * (now.v[i] - start.v[i]);
     speed += start.v[i] * start.v[i];
   }
-  if (!(turn <= largest_turn * largest_turn * speed) || !near_singular_position()) return false;
+  const bool turns = !(turn <= largest_turn * largest_turn * speed);
+  if ((turns && warned_of_rest_) || !near_singular_position()) return false;
+  if (turns) {
+    warn_of_rest();
+    return false;
+  }
   passing_singular_position();
   if (error > not_to_be_trusted) ++it.stepsAboveTolerance;
   return true;
@@ -130,6 +135,16 @@ std::vector<std::string> Solver::items_in_singular_position() {
   if (!may_be) return;
   diagnosis_.reason = FailureReason::singular_position;
   diagnosis_.advice = advice_on_singular_position();
+}
+
+// Velocities that vanish do not decide where a mechanism goes.
+[[gnu::noinline]] void Solver::warn_of_rest() {
+  warned_of_rest_ = true;
+  std::vector<std::string> items = sizes_.ae <= most_equations ? items_in_singular_position() : std::vector<std::string>();
+  system_->reactions_are_known({});
+  warn(name() + ": the motion comes nearly to rest beside a singular position, where the mechanism could go on in more ways than one" + position_text() +
+       "; which one it takes may follow from errors within the tolerances. Compare with smaller ones, or with equal steps of half the size" +
+       (items.empty() ? "" : ":" + indented(std::move(items))));
 }
 
 [[gnu::noinline]] void Solver::warn_of_undecided_start() {

@@ -143,7 +143,7 @@ void Solver::initialize_data() {
   it = SolverIterationData();
   singular_position_step_ = aside_step_ = -2;
   passing_steps_ = steps_above_tolerance_ = 0;
-  warned_minimum_ = warned_of_undecided_start_ = warned_of_actions_ = false;
+  warned_minimum_ = warned_of_undecided_start_ = warned_of_actions_ = warned_of_rest_ = false;
   told_contradiction_.clear();
   closing_at_start_.clear();
   largest_misfit_ = 0;

@@ -159,6 +159,7 @@ class Solver {
   void compare_constraints_with(const State& state);  // from now on
   // Whether a step is kept although its error, in units of the tolerances, has been estimated to be above them.
   bool passes_singular_position(double error);
+  void warn_of_rest();
   void passing_singular_position();  // counts and tells it
   // Whether so many steps have passed it that none will be the last; with the diagnosis.
   bool stays_in_singular_position();
@@ -249,7 +250,7 @@ class Solver {
   virtual void diagnose_error_control();
   int steps_above_tolerance_ = 0;  // in a row
   std::string told_contradiction_;  // of redundant constraints, as it has been told
-  bool warned_of_undecided_start_ = false, warned_of_actions_ = false;
+  bool warned_of_undecided_start_ = false, warned_of_actions_ = false, warned_of_rest_ = false;
   double largest_misfit_ = 0;
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
