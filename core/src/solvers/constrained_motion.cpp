@@ -154,7 +154,8 @@ void ConstrainedMotion::fill_for_constraints(System& system, const State& state,
 
 bool ConstrainedMotion::examine(System& system, const State& start_of_step, const Conditions& conditions) {
   const auto fill_with_masses = [&] { fill_for_constraints(system, start_of_step, conditions); };
-  const bool anew = std::exchange(examines_anew_, false), treated = redundant_.in_use(), again = treated && !anew && knowledge_ != Knowledge::passing;
+  const bool treated = redundant_.in_use(), anew = std::exchange(examines_anew_, false) || redundant_.allows_for_gaps();  // which have been closed
+  const bool again = treated && !anew && knowledge_ != Knowledge::passing;
   fill_with_masses();
   if (again) {
     knowledge_ = Knowledge::confirmed;
@@ -212,11 +213,12 @@ void ConstrainedMotion::weigh_again(System& system) {
 bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
   const bool regular = singular == LinearSolver::success;
   if (regular && RedundantConstraints::evidently_none(system, *pattern_, matrix_)) return false;
-  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_))) return false;
-  constexpr double eps = RedundantConstraints::regular_eps;
-  if (redundant_.find_locally(*pattern_, matrix_) && regular && redundant_.count() == 0) return false;
+  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1)) return false;
   const std::vector<double> gaps = gaps_of_positions(system, state, conditions);
   redundant_.allow_for(gaps);
+  if (regular && !redundant_.suspected(*factors_)) return false;
+  constexpr double eps = RedundantConstraints::regular_eps;
+  if (redundant_.find_locally(*pattern_, matrix_) && regular && redundant_.count() == 0) return false;
   const LinearSolverOptions to_find = RedundantConstraints::options_to_find(options_);
   auto factors = make_linear_solver(*pattern_, type_, redundant_.options(to_find));
   std::unique_ptr<LinearSolver> closer;
@@ -262,29 +264,8 @@ void ConstrainedMotion::solve_increment(std::span<double> x) {
   kept_.resize(multipliers.size(), 0.0);
   for (std::size_t k = 0; k < kept_.size(); ++k) multipliers[k] -= kept_[k];
   factors_->solve(x);
-  close_what_eps_leaves(1 + take_off_idle_solution(x), x);
-}
-
-// Factors may be those of a state in which joints are further apart than at ends of steps, where what is idle elsewhere exerts forces: one solution
-// leaves a part of it. What the idle part would have closed is kept.
-int ConstrainedMotion::take_off_idle_solution(std::span<double> x) {
-  constexpr int most_passes = 8;
-  constexpr double harmless_share = 1e-4;
-  const auto multipliers = x.subspan(static_cast<std::size_t>(first_ae_));
-  double first = 0;
-  for (int pass = 1;; ++pass) {
-    const std::vector<double> before(multipliers.begin(), multipliers.end());
-    redundant_.take_off_idle_solution(*factors_, x);
-    double open = 0;
-    for (const int k : redundant_.rows()) {
-      const auto i = static_cast<std::size_t>(k);
-      const double gap = redundant_.left_open(k, before[i] - multipliers[i]);
-      kept_[i] -= gap;
-      open = std::max(open, std::abs(gap) / redundant_.unit(k));
-    }
-    if (pass == 1) first = open;
-    if (pass == most_passes || open <= std::max(RedundantConstraints::round_off_of_gaps, harmless_share * first)) return pass;
-  }
+  // Factors may be those of a state in which joints are further apart than at ends of steps.
+  close_what_eps_leaves(1 + redundant_.take_off_idle_solution(*factors_, x, kept_), x);
 }
 
 // As much as its multipliers tell, and as much again for each solution by which the idle part has been taken off.

@@ -11,7 +11,7 @@ namespace dalembert {
 namespace {
 
 constexpr std::size_t largest_block = 200;        // equations
-constexpr double vanishing = 1e-12, clear = 1e-8;  // squares of what is left of a combination, where entries are one
+constexpr double clear_multiple = 1e4;  // of what is left of a combination that vanishes
 // What is left of equations behind others, where it is so clear that combinations need not be looked at one by one.
 constexpr double evident_rest = 1e-8, evident_pivot = 1e-2;
 
@@ -38,14 +38,14 @@ class Loops {
     Block basis = independent(units.topRows(inside));
     left -= basis * (basis.transpose() * left);
     Block combinations;
-    if (!evident_combinations(left, combinations) && !weighed_combinations(left, combinations)) return false;
+    if (!evident_combinations(left, combinations) && !weighed_combinations(left, all_.vanishing, combinations)) return false;
     const Eigen::Index count = combinations.cols();
     if (count > 0 && inside < forces.rows()) {
       // What the block hands on to the rest, by the node that it hangs on.
       basis = independent(units);
       Block handed_on = forces * combinations;
       handed_on -= basis * (basis.transpose() * handed_on);
-      if (handed_on.colwise().squaredNorm().maxCoeff() >= vanishing) return false;
+      if (handed_on.colwise().squaredNorm().maxCoeff() >= all_.vanishing) return false;
     }
     found = Block::Zero(m, count);
     for (std::size_t i = 0; i < active_.size(); ++i) found.row(places_[i]) = combinations.row(static_cast<Eigen::Index>(i));
@@ -71,10 +71,10 @@ class Loops {
   }
 
   // By what is left of each combination. False: some neither vanish nor are clear.
-  static bool weighed_combinations(const Block& left, Block& found) {
+  static bool weighed_combinations(const Block& left, double vanishing, Block& found) {
     const SymmetricEigenpairs shares = symmetric_eigenpairs(left.transpose() * left);
-    if (std::ranges::any_of(shares.values, [](double x) { return x >= vanishing && x < clear; })) return false;
-    found = shares.vectors.leftCols(std::ranges::count_if(shares.values, [](double x) { return x < vanishing; }));
+    if (std::ranges::any_of(shares.values, [=](double x) { return x >= vanishing && x < clear_multiple * vanishing; })) return false;
+    found = shares.vectors.leftCols(std::ranges::count_if(shares.values, [=](double x) { return x < vanishing; }));
     return true;
   }
 

@@ -19,6 +19,7 @@ struct ConstraintEquations {
   std::span<const int> nodes, rows;  // of ODE2 coordinates; the equations that are looked at
   std::span<const double> weights;
   std::span<const char> multipliers;
+  double vanishing;  // the square of what is left of a combination that does, where entries are one
 };
 
 // One orthonormal basis per block, in sqrt(D) lambda, by the entries of its equations alone: however weak constraints of other loops are, they

@@ -109,8 +109,8 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   if (!measure_redundancy()) return;
   const auto plain = make_linear_solver(*pattern_, linear_type(), newton_options());
   const bool regular = plain->factorize(jacobian_) == LinearSolver::success;
-  if (regular && !redundant_.suspected(*plain)) return;
   redundant_.allow_for(gaps_of_positions(system(), current(), conditions_));
+  if (regular && !redundant_.suspected(*plain)) return;
   const auto factors = find_redundancy();
   if (factors && redundant_.count() > 0) begin_treatment(*factors);
 }
@@ -177,6 +177,7 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   compute_residual();
   compute_jacobian();
   conv.jacobianUpdateRequested = true;
+  redundant_.allow_for(gaps_of_positions(system(), current(), conditions_));
   if (!redundant_.find(*pattern_, jacobian_, redundant_.counting(), *linear_) && !find_redundancy()) return;
   const bool gone = redundant_.count() == 0;
   system().reactions_are_known(redundant_.equations());
@@ -209,7 +210,7 @@ void NewtonSolver::end_treatment() {
   if (!redundant_.in_use()) return treat_from_start_of_step();
   if (conv.linearSolverFailed) return false;
   const bool fits = misfit_.empty() || redundant_.largest(misfit_) <= silent_misfit;
-  redundant_.use(fits ? RedundantConstraints::passing_eps : RedundantConstraints::largest_eps);
+  redundant_.use(fits ? RedundantConstraints::passing_eps : std::max(redundant_.eps(), RedundantConstraints::largest_eps));
   conv.jacobianUpdateRequested = true;
   reset_to_start_of_step();
   return true;
@@ -243,18 +244,16 @@ bool NewtonSolver::treat_from_start_of_step() {
 [[gnu::noinline]] void NewtonSolver::take_off_misfit() {
   if (treatment_ == Treatment::passing) return;
   const bool first = std::exchange(predicted_, false);
-  const double harmless = first ? std::max(RedundantConstraints::round_off_of_gaps, harmless_multiple * redundant_.eps()) : RedundantConstraints::round_off_of_gaps;
+  // Rates count by what they change within a step, which is less than positions are rounded by.
+  const double round_off = RedundantConstraints::round_off_of_gaps / (conditions_.rate_level ? std::max(1.0, rate_factor()) : 1);
+  const double harmless = first ? std::max(round_off, harmless_multiple * redundant_.eps()) : round_off;
   const auto multipliers = std::span<double>(increment_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
   const bool open = !full_newton_ || redundant_.leaves_open(multipliers, harmless);
   if (!open) return;
-  const std::vector<double> before(multipliers.begin(), multipliers.end());
-  redundant_.take_off_idle_solution(*linear_, increment_);
-  if (first) return;
-  misfit_.resize(before.size());
-  for (const int k : redundant_.rows()) {
-    const auto i = static_cast<std::size_t>(k);
-    misfit_[i] -= redundant_.left_open(k, before[i] - multipliers[i]);
-  }
+  if (first) return redundant_.take_off_idle_solution(*linear_, increment_);
+  misfit_.resize(multipliers.size());
+  if (conditions_.rate_level) redundant_.take_off_idle_solution(*linear_, increment_, misfit_);
+  else redundant_.take_off_idle_solution(*linear_, increment_, misfit_, 1);
 }
 
 // Where the first correction has met the tolerance.
@@ -285,10 +284,38 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
   return nullptr;
 }
 
+// Iterates may have been further off the constraints: what a motion closes of the gaps that are left now is no misfit. True: Newton's method goes on.
+[[gnu::noinline]] bool NewtonSolver::renews_misfit() {
+  constexpr double same = 0.1;
+  if (!conv.newtonConverged || misfit_.empty() || conditions_.rate_level || misfit_is_renewed_) return false;
+  const double before = redundant_.largest(misfit_);
+  if (!(before > silent_misfit)) return false;
+  misfit_is_renewed_ = true;
+  const auto rest = std::span<double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
+  std::vector<double> gaps(misfit_), change(misfit_);
+  for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] += rest[k];
+  const std::vector<double> open = redundant_.left_open(*linear_, gaps);
+  for (std::size_t k = 0; k < gaps.size(); ++k) change[k] -= open[k];
+  if (!(redundant_.largest(change) > same * before)) return false;
+  for (std::size_t k = 0; k < gaps.size(); ++k) rest[k] += change[k];
+  misfit_ = open;
+  conv.newtonConverged = false;
+  return true;
+}
+
+// Velocities of joints that are apart contradict each other, also where motions would close all of their gaps.
+[[gnu::noinline]] bool NewtonSolver::joints_fit() {
+  constexpr double curvature = 0.1;  // of gaps that one linear step leaves open
+  if (!conditions_.rate_level) return false;
+  const std::vector<double> gaps = gaps_of_positions(system(), current(), conditions_);
+  const double open = redundant_.largest_left_open(*linear_, gaps);
+  return !(open > std::max(settings().redundantConstraints.largestMisfit, curvature * redundant_.largest_apart(gaps)));
+}
+
 // After Newton's method has converged. False: constraints contradict each other too much.
 [[gnu::noinline]] bool NewtonSolver::settle_multipliers() {
   const double misfit = misfit_.empty() ? 0 : redundant_.largest(misfit_);
-  if (misfit > settings().redundantConstraints.largestMisfit) {
+  if (misfit > settings().redundantConstraints.largestMisfit && !joints_fit()) {
     conv.newtonConverged = false;
     conv.stopNewton = contradiction_ = true;
     return false;

@@ -16,8 +16,8 @@ namespace {
 
 // Entries of the diagonal that are so much smaller than others of an equation belong to motions without inertia.
 constexpr double no_inertia = 1e-10;
-// Equations whose combinations are so much weaker than the equations themselves are worth a closer look.
-constexpr double suspicious_growth = 1e8;
+// Equations whose combinations are so much weaker than the equations themselves are worth a closer look: far above what counts as vanishing.
+constexpr double suspicious_multiple = 1e4;
 // The filter is applied again as long as it would take more than this off multipliers that forces come from.
 constexpr double harmless_share = 1e-7;
 constexpr int most_passes = 3;
@@ -30,6 +30,8 @@ constexpr double share_of_weakest = 1e-3;
 // Joints apart by a misfit m (relative to the size of the model) constrain with m^2 what aligned ones would leave free, and so do those
 // that have drifted apart because velocities alone are constrained.
 constexpr double misaligned = 1e6, eps_for_misfits = 1e-8;
+// Where velocities alone are constrained, gaps stay, and what they leave of combinations would take a part of the motion in each step.
+constexpr double multiple_of_vanishing = 100;
 
 // Beside the radius of gyration of bodies, places may be much closer together than it, and models much larger: what moments count for is limited
 // to these multiples of it. Beyond, their part of eps D would be round-off beside that of forces, or of the inertia of bodies.
@@ -235,7 +237,7 @@ double RedundantConstraints::growth(LinearSolver& factors) {
   return size() / before;
 }
 
-bool RedundantConstraints::suspected(LinearSolver& factors) { return !(growth(factors) < suspicious_growth); }
+bool RedundantConstraints::suspected(LinearSolver& factors) { return !(suspicious_multiple * counting_ * growth(factors) < 1); }
 
 std::vector<int> RedundantConstraints::equations() const {
   constexpr double noticeable = 1e-6;
@@ -268,9 +270,30 @@ double RedundantConstraints::largest(std::span<const double> gaps) const {
   return size;
 }
 
+double RedundantConstraints::largest_apart(std::span<const double> gaps) const {
+  double size = 0;
+  for (const int k : rows_) size = std::max(size, std::abs(gaps[static_cast<std::size_t>(k)]) / unit_[static_cast<std::size_t>(k)]);
+  return size;
+}
+
+std::vector<double> RedundantConstraints::left_open(LinearSolver& factors, std::span<const double> gaps) {
+  std::vector<double> open(gaps.size(), 0.0);
+  std::ranges::fill(x_, 0.0);
+  for (const int k : rows_) x_[static_cast<std::size_t>(first_ae_ + k)] = gaps[static_cast<std::size_t>(k)];
+  factors.solve(x_);
+  for (const int k : rows_) open[static_cast<std::size_t>(k)] = -left_open(k, x_[static_cast<std::size_t>(first_ae_ + k)]);
+  return open;
+}
+
+double RedundantConstraints::largest_left_open(LinearSolver& factors, std::span<const double> gaps) {
+  std::vector<double> of_rows(gaps.begin(), gaps.end());
+  for (const int k : rows_) of_rows[static_cast<std::size_t>(k)] *= row_factor(k);
+  return largest(left_open(factors, of_rows));
+}
+
 void RedundantConstraints::allow_for(std::span<const double> gaps) {
   constexpr double largest_ratio = 3;  // of what is left to the gap
-  const double left = largest_ratio * largest(gaps);
+  const double left = largest_ratio * largest_apart(gaps);
   counting_ = std::clamp(left * left, counting_eps, largest_eps);
 }
 
@@ -285,7 +308,7 @@ bool RedundantConstraints::leaves_open(std::span<const double> multipliers, doub
 
 double RedundantConstraints::eps_for(double misfit, bool of_rates) const {
   const double weak = std::max(smallest_eps, share_of_weakest * weakest_);
-  if (of_rates) return std::min(weak, largest_eps);
+  if (of_rates) return std::min(weak, std::max(largest_eps, multiple_of_vanishing * counting_));
   if (!(misfit > silent_misfit)) return std::min(weak, regular_eps);
   return std::min({weak, largest_eps, std::max(eps_for_misfits, misaligned * misfit * misfit)});
 }
@@ -294,7 +317,7 @@ double RedundantConstraints::eps_for_gaps(std::span<const double> gaps, bool of_
                                           LinearSolver& factors) {
   const double open = largest(misfit(gaps));
   consistent_ = !(open > silent_misfit);
-  if (!consistent_) find(pattern, values, eps_for_misfits, factors);
+  if (!consistent_) find(pattern, values, std::max(eps_for_misfits, counting_), factors);
   return eps_for(open, of_rates);
 }
 
@@ -375,6 +398,26 @@ void RedundantConstraints::take_off_idle_solution(LinearSolver& factors, std::sp
   apply(factors, eps_, weight_, idle_);
   for (std::size_t i = 0; i < first; ++i) unknowns[i] -= x_[i];
   for (std::size_t k = 0; k < idle_.size(); ++k) multipliers[k] -= idle_[k];
+}
+
+// Where joints are apart, what is idle elsewhere exerts forces: one solution leaves a part of it.
+int RedundantConstraints::take_off_idle_solution(LinearSolver& factors, std::span<double> unknowns, std::span<double> kept, int most_times) {
+  constexpr double harmless_gap = 1e-4;  // of what is taken off at first
+  const auto multipliers = unknowns.subspan(static_cast<std::size_t>(first_ae_));
+  double first = 0;
+  for (int time = 1;; ++time) {
+    const std::vector<double> before(multipliers.begin(), multipliers.end());
+    take_off_idle_solution(factors, unknowns);
+    double open = 0;
+    for (const int k : rows_) {
+      const auto i = static_cast<std::size_t>(k);
+      const double gap = left_open(k, before[i] - multipliers[i]);
+      kept[i] -= gap;
+      open = std::max(open, std::abs(gap) / unit(k));
+    }
+    if (time == 1) first = open;
+    if (time >= most_times || open <= std::max(round_off_of_gaps, harmless_gap * first)) return time;
+  }
 }
 
 bool treats_redundancy(const Sizes& sizes, const RedundantConstraintsSettings& settings, bool ignores_singular) {

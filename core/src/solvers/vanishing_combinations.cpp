@@ -329,7 +329,7 @@ std::vector<RedundantConstraints::Part> RedundantConstraints::apart(bool by_loop
 bool RedundantConstraints::take_local_combinations(std::vector<Part>& parts, const Pattern& pattern, std::span<const double> values) const {
   std::vector<ConstraintBlock> blocks;
   for (const Part& part : parts) blocks.push_back({part.rows, part.hangs_on});
-  const std::vector<Block> found = local_combinations({pattern, values, first_ae_, nodes_, rows_, weight_, multiplier_}, blocks);
+  const std::vector<Block> found = local_combinations({pattern, values, first_ae_, nodes_, rows_, weight_, multiplier_, counting_}, blocks);
   for (std::size_t i = 0; i < found.size(); ++i) parts[i].take(numbers_of(found[i]));
   return !found.empty() || parts.empty();
 }

@@ -103,7 +103,6 @@ class ConstrainedMotion {
   // Solutions for right-hand sides of the constraints alone; returns the part of the coordinates.
   std::span<const double> move(std::span<const double> gaps);
   // Returns how many solutions it has taken.
-  int take_off_idle_solution(std::span<double> x);
   void close_what_eps_leaves(int times, std::span<double> x);
 
   LinearSolverType type_ = LinearSolverType::EXUdense;

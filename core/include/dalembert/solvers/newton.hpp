@@ -102,6 +102,8 @@ class NewtonSolver : public Solver {
   bool leaves_misfit() const;
   double residual_without_misfit();
   bool settle_multipliers();
+  bool renews_misfit();
+  bool joints_fit();
   void announce_redundancy();
   LinearSolverOptions newton_options() const;
   // By which rows of constraints of velocities are multiplied in `jacobian_`.
@@ -156,6 +158,7 @@ class NewtonSolver : public Solver {
   std::unique_ptr<LinearSolver> plain_;  // while a singular position is passed
   double measured_for_ = 0;              // row_scale() of the matrix that weights are for
   std::vector<double> misfit_;           // gaps that no motion closes, by equation; empty: none
+  bool misfit_is_renewed_ = false;       // in this call of newton
 };
 
 }  // namespace dalembert

@@ -40,7 +40,7 @@ class RedundantConstraints {
   bool measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length, double rate_factor);
   // By how much multipliers outgrow what they state, for a mixture of all; inverse to the weakest of the constraints. One solution.
   double growth(LinearSolver& factors);
-  // Whether some may be redundant, as far as the factors of the matrix tell.
+  // Whether some may be redundant, as far as the factors of the matrix tell, after `allow_for`.
   bool suspected(LinearSolver& factors);
   // Finds the combinations that vanish; factorizes the matrix with this eps, by a solver with `options_to_find`. To count, each equation has a weight
   // of its own, which leaves most of what is weak above round-off. Those that are known from a state
@@ -72,10 +72,16 @@ class RedundantConstraints {
   std::vector<double> misfit(std::span<const double> gaps) const;
   // The largest of gaps, in units of their equations.
   double largest(std::span<const double> gaps) const;
+  // What no motion closes of gaps, by factors of the regularized matrix.
+  std::vector<double> left_open(LinearSolver& factors, std::span<const double> gaps);
+  // The largest of positions, where solutions may count rates; and of what no motion closes of them.
+  double largest_apart(std::span<const double> gaps) const;
+  double largest_left_open(LinearSolver& factors, std::span<const double> gaps);
 
   // Between combinations that vanish and others: joints that are apart by gaps leave some of what vanishes where they fit.
   void allow_for(std::span<const double> gaps);
   double counting() const { return counting_; }
+  bool allows_for_gaps() const { return counting_ > counting_eps; }
 
   // By how much each item would be apart if all others were fulfilled, of those that could be: lines for a diagnosis.
   std::vector<std::string> contradictions(std::span<const double> misfit, const System& system) const;
@@ -106,6 +112,8 @@ class RedundantConstraints {
   void take_off_idle_part(LinearSolver& factors, std::span<double> multipliers);
   // From a solution for all unknowns: the same, and what this part has moved, as equations that no longer vanish exactly let it do.
   void take_off_idle_solution(LinearSolver& factors, std::span<double> unknowns);
+  // The same as long as that is worth it; what idle parts would have closed is taken from `kept`. How often that was.
+  int take_off_idle_solution(LinearSolver& factors, std::span<double> unknowns, std::span<double> kept, int most_times = many_times);
   // Whether these multipliers leave more than a share of one in the gap of any equation.
   bool leaves_open(std::span<const double> multipliers, double share) const;
   // The gap that an equation is left with by its multiplier.
@@ -117,6 +125,7 @@ class RedundantConstraints {
   std::span<const int> rows() const { return rows_; }
 
  private:
+  static constexpr int many_times = 8;
   static constexpr std::size_t few_rows = 40;  // not worth to be taken apart
 
   double row_factor(int equation) const { return of_rate_[static_cast<std::size_t>(equation)] ? rate_factor_ : 1; }
