@@ -39,9 +39,10 @@ def as_array(name: str, value: Any, expected: str = "an array of numbers") -> Fl
 def as_number(name: str, value: Any, negative: bool = True) -> float:
     """Convert to a finite float, which is not negative if that is asked for; ValueError otherwise, for texts too."""
     expected = "a finite number" if negative else "a finite number that is not negative"
-    if isinstance(value, (str, bytes)) or np.ndim(value) != 0:
+    array = as_array(name, value, expected)
+    if isinstance(value, (str, bytes)) or array.ndim != 0:
         raise shape_error(name, expected, value)
-    number = float(as_array(name, value, expected))
+    number = float(array)
     if not np.isfinite(number) or (number < 0 and not negative):
         raise shape_error(name, expected, value)
     return number

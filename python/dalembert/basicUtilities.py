@@ -92,14 +92,22 @@ eye2D = DiagonalMatrix(2, 1.0)
 eye3D = DiagonalMatrix(3, 1.0)
 
 
+def _has_length(name: str, v: Sequence[Any], size: int | None = None, like: str = "") -> None:
+    if not hasattr(v, "__len__") or (size is not None and len(v) != size):
+        raise shape_error(name, f"a vector with {size} components{like}" if size is not None else "a vector", v)
+
+
 def _same_length(where: str, v0: Sequence[Any], v1: Sequence[Any]) -> None:
-    if len(v0) != len(v1):
-        raise shape_error(f"{where}: v1", f"a vector with {len(v0)} components as v0", v1)
+    _has_length(f"{where}: v0", v0)
+    _has_length(f"{where}: v1", v1, len(v0), " as v0")
 
 
 def NormL2(vector: Sequence[float]) -> float:
     """Return the Euclidean norm of a vector."""
-    return math.sqrt(sum(x * x for x in vector))
+    try:
+        return math.sqrt(sum(x * x for x in vector))
+    except TypeError:
+        raise shape_error("NormL2: vector", "a vector of numbers", vector) from None
 
 
 def VSum(vector: Sequence[float]) -> float:
@@ -139,6 +147,7 @@ def Normalize(v: Sequence[float]) -> list[float]:
 def Vec2Tilde(v: Sequence[float]) -> list[list[float]]:
     """Return the skew matrix of a 3D vector as list of lists; deprecated, use rigidBodyUtilities.Skew."""
     warnings.warn("Vec2Tilde is deprecated; use rigidBodyUtilities.Skew", DeprecationWarning, stacklevel=2)
+    _has_length("Vec2Tilde: v", v, 3)
     x, y, z = v
     return [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]
 
@@ -146,6 +155,9 @@ def Vec2Tilde(v: Sequence[float]) -> list[list[float]]:
 def Tilde2Vec(m: Sequence[Sequence[float]]) -> list[float]:
     """Return the vector of a 3x3 skew matrix as list; deprecated, use rigidBodyUtilities.Skew2Vec."""
     warnings.warn("Tilde2Vec is deprecated; use rigidBodyUtilities.Skew2Vec", DeprecationWarning, stacklevel=2)
+    _has_length("Tilde2Vec: m", m, 3)
+    for row in m:
+        _has_length("Tilde2Vec: a row of m", row, 3)
     return [-m[1][2], m[0][2], -m[0][1]]
 
 

@@ -11,7 +11,17 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert import graphics
-from dalembert._checks import FloatArray, IntArray, as_matrix, as_point_numbers, as_points, as_vector
+from dalembert._checks import (
+    FloatArray,
+    IntArray,
+    as_matrix,
+    as_number,
+    as_point_numbers,
+    as_points,
+    as_vector,
+    check_integer,
+    shape_error,
+)
 from dalembert.graphics._mesh import GraphicsData, triangle_normals, unit_rows
 from dalembert.graphics._styles import color, colorList
 
@@ -45,6 +55,8 @@ color4listSize = len(color4list)
 
 def SwitchTripletOrder(vector: Sequence[Any]) -> list[Any]:
     """Return a list of 3 entries with the last two exchanged."""
+    if not hasattr(vector, "__len__") or len(vector) != 3:
+        raise shape_error("SwitchTripletOrder: vector", "3 entries", vector)
     first, second, third = vector
     return [first, third, second]
 
@@ -152,6 +164,9 @@ def SegmentsFromPoints(
     closeCurve: bool = True,
 ) -> IntArray:
     """Return the pairs of indices that connect n points one after the other, and the last with the first if closed."""
+    if not hasattr(points, "__len__"):
+        raise shape_error("SegmentsFromPoints: points", "a list of points", points)
+    check_integer("SegmentsFromPoints: pointIndexOffset", pointIndexOffset, 0)
     n = len(points)
     start = np.arange(n if closeCurve else n - 1)
     pairs = np.column_stack([start, (start + 1) % n]) + pointIndexOffset
@@ -169,10 +184,10 @@ def CirclePointsAndSegments(
 
     Points are sorted clockwise, so the circle is a hole; invert makes it an outer curve.
     """
+    check_integer("CirclePointsAndSegments: nTiles", nTiles, 3)
+    r = as_number("CirclePointsAndSegments: radius", radius)
     phi = 2 * pi * np.arange(nTiles) / nTiles
-    points = as_vector("CirclePointsAndSegments: center", center, 2) + radius * np.column_stack(
-        [np.sin(phi), np.cos(phi)]
-    )
+    points = as_vector("CirclePointsAndSegments: center", center, 2) + r * np.column_stack([np.sin(phi), np.cos(phi)])
     return [points.tolist(), SegmentsFromPoints(points, pointIndexOffset, invert).tolist()]
 
 

@@ -74,3 +74,14 @@ def test_clear_workspace_keeps_functions_modules_and_private_names():
     scope = {"ClearWorkspace": bu.ClearWorkspace, "np": np, "x": 1, "_y": 2, "__builtins__": __builtins__}
     exec("ClearWorkspace()", scope)
     assert set(scope) == {"ClearWorkspace", "np", "_y", "__builtins__"}
+
+
+def test_vectors_that_are_none_are_named():
+    with pytest.raises(ValueError, match=r"NormL2: vector: expected a vector of numbers, received \[\[1, 2\]\]"):
+        bu.NormL2([[1, 2]])
+    with pytest.raises(ValueError, match="Tilde2Vec: a row of m: expected a vector with 3 components"):
+        bu.Tilde2Vec([[1, 2], [3, 4], [5, 6]])
+    with pytest.raises(ValueError, match="Vec2Tilde: v: expected a vector with 3 components"):
+        bu.Vec2Tilde([1, 2, 3, 4])
+    with pytest.raises(ValueError, match="VAdd: v0: expected a vector, received 1"):
+        bu.VAdd(1, 2)

@@ -208,8 +208,57 @@ def test_bounding_boxes():
     box = gr.BoundingBox([gr.Brick(P, [2, 2, 2]), gr.Circle([0, 0, 9], 5), gr.Text([9, 0, 0]), gr.Lines([[0, 0, -7]])])
     np.testing.assert_allclose(box, [[-5, -5, -7], [9, 5, 9]])
     assert gr.BoundingBox([]) == [None, None]
-    with pytest.raises(ValueError, match="expected TriangleList, Line, Text or Circle, received 'Blob'"):
+    with pytest.raises(ValueError, match="expected 'TriangleList', 'Line', 'Text' or 'Circle', received 'Blob'"):
         gr.BoundingBoxSingle({"type": "Blob"})
+
+
+def test_meshes_that_are_merged_or_measured_are_checked():
+    brick = gr.Brick()
+    for wrong, text in (
+        (
+            {"triangles": [0, 1, 99]},
+            r"g2: graphicsData\['triangles'\]: expected numbers of points, 0 to 7, received 99",
+        ),
+        ({"edges": [0, 0.5]}, r"g2: graphicsData\['edges'\]: expected numbers of points, 0 to 7, received 0.5"),
+        ({"points": [1, 2]}, r"g2: graphicsData\['points'\]: expected rows of 3"),
+        ({"normals": [0, 0, 1]}, r"g2: graphicsData\['normals'\]: expected 3 numbers for each of 8 points"),
+    ):
+        with pytest.raises(ValueError, match="MergeTriangleLists: " + text):
+            gr.MergeTriangleLists(brick, brick | wrong)
+    with pytest.raises(ValueError, match="MergeTriangleLists: g1: graphicsData: a TriangleList needs 'triangles'"):
+        gr.MergeTriangleLists({"type": "TriangleList", "points": []}, brick)
+    rows = brick | {"points": brick["points"].reshape(-1, 3)}
+    merged, twice = gr.MergeTriangleLists(rows, brick), gr.MergeTriangleLists(brick, brick)
+    assert all((merged[key] == twice[key]).all() for key in ("points", "triangles", "colors"))
+    nothing = {"type": "TriangleList", "points": [], "triangles": []}
+    assert (gr.MergeTriangleLists(nothing, brick)["colors"] == brick["colors"]).all()
+    for wrong, text in (
+        ({"type": "TriangleList", "points": [1, 2]}, r"\['points'\]: expected rows of 3"),
+        ({"type": "Text", "position": [1, 2]}, r"\['position'\]: expected a vector with 3 components"),
+        ({"type": "Circle", "position": [0, 0, 0]}, ": a Circle needs 'radius'"),
+        ([brick], ": expected a dictionary"),
+    ):
+        with pytest.raises(ValueError, match="BoundingBoxSingle: graphicsData" + text):
+            gr.BoundingBoxSingle(wrong)
+
+
+def test_numbers_counts_and_switches_that_are_none_are_named():
+    points = [[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 0, 0]]
+    for call, text in (
+        (lambda: gr.Sphere(nTiles=None), "Sphere: nTiles: expected an integer, received None"),
+        (lambda: gr.Torus(P, [0, 0, 1], radiusMajor="1"), "Torus: radiusMajor: expected a number, received '1'"),
+        (lambda: gr.Torus(P, [0, 0, 1], float("nan")), "Torus: radiusMajor: expected a number, received nan"),
+        (lambda: gr.Arrow(P, [0, 0, 1], headFactor=[1, 2]), r"Arrow: headFactor: expected a number, received \[1, 2\]"),
+        (lambda: gr.Cylinder(P, addFaces="False"), "Cylinder: addFaces: expected True or False, received 'False'"),
+        (lambda: gr.Tube(*points, radius=[1, 2, 3]), "Tube: radius: expected a number"),
+        (lambda: gr.Tube(*points, color=[[1, 0, 0, 1]] * 3), "Tube: color: expected a vector with 4 components"),
+        (lambda: gr.Tube(*points, nTiles=16.5), "Tube: nTiles: expected an integer, received 16.5"),
+    ):
+        with pytest.raises(ValueError, match=text):
+            call()
+    assert len(gr.Tube(*points, nTiles=np.float64(16))["points"]) == 3 * 32
+    with pytest.raises(TypeError, match="SegmentsFromPoints: pointIndexOffset: expected an integer, 0 or more"):
+        gdu.SegmentsFromPoints(points[0], [1, 2, 3])
 
 
 def test_rigid_link_joins_its_parts():

@@ -232,6 +232,11 @@ def test_inertia_refusals():
         body.Rotated(np.eye(3))
     with pytest.raises(ValueError, match="inertiaTensor: expected a 3x3 matrix, received array"):
         rbu.RigidBodyInertia(1, np.eye(2))
+    for wrong in ([1, 2], float("nan"), "1"):
+        with pytest.raises(ValueError, match="RigidBodyInertia: mass: expected a finite number"):
+            rbu.RigidBodyInertia(wrong)
+    with pytest.raises(ValueError, match="RigidBodyInertia: inertiaTensor: expected a tensor of finite numbers"):
+        rbu.RigidBodyInertia(1, np.full((3, 3), np.nan))
     with pytest.raises(ValueError, match="either mass or density"):
         rbu.InertiaSphere(1, 2, 3)
     with pytest.raises(ValueError, match="axis: expected 0, 1 or 2"):

@@ -67,7 +67,9 @@ class RigidBodyInertia:
         if not isinstance(inertiaTensorAtCOM, bool | int | np.bool_):
             raise shape_error("RigidBodyInertia: inertiaTensorAtCOM", "a bool", inertiaTensorAtCOM)
         tensor = as_matrix("RigidBodyInertia: inertiaTensor", inertiaTensor, (3, 3))
-        self.mass = mass
+        if not np.isfinite(tensor).all():
+            raise shape_error("RigidBodyInertia: inertiaTensor", "a tensor of finite numbers", inertiaTensor)
+        self.mass = as_number("RigidBodyInertia: mass", mass)
         self.com: FloatArray = as_vector("RigidBodyInertia: com", com, 3).copy()
         self.inertiaTensor: FloatArray = tensor + self._steiner() if inertiaTensorAtCOM else tensor.copy()
         self.data: dict[str, Any] = {"type": "RigidBodyInertia"}

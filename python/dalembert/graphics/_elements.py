@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy.typing as npt
 
+from dalembert._calls import checked
 from dalembert._checks import as_color, as_points, as_vector, shape_error
 from dalembert.graphics._mesh import GraphicsData
 
 
+@checked
 def Lines(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0]) -> GraphicsData:
     """Return a line through a list of 3D points."""
     return {
@@ -17,6 +19,7 @@ def Lines(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0]) -> 
     }
 
 
+@checked
 def Circle(
     point: npt.ArrayLike = [0, 0, 0], radius: float = 1, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0]
 ) -> GraphicsData:
@@ -25,6 +28,7 @@ def Circle(
     return {"type": "Circle", "color": as_color("Circle: color", color).copy(), "radius": radius, "position": position}
 
 
+@checked
 def Text(
     point: npt.ArrayLike = [0, 0, 0],
     text: str = "",

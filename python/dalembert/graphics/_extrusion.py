@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as outlines
+from dalembert._calls import checked
 from dalembert._checks import as_matrix, as_points, as_vector, shape_error, unit_vector
 from dalembert._geometry.rotations import GramSchmidt, RotationMatrix2D, RotationMatrixZ
 from dalembert.graphics._mesh import GraphicsData, triangle_list, unit_rows
@@ -16,6 +17,7 @@ from dalembert.graphics._revolution import SolidOfRevolution
 from dalembert.graphics._solids import Cylinder
 
 
+@checked
 def SolidExtrusion(
     vertices: npt.ArrayLike,
     segments: npt.ArrayLike,
@@ -78,6 +80,7 @@ def _arc(center: npt.ArrayLike, radius: float, start: float, end: float, nTiles:
     return (np.asarray(center) + radius * np.column_stack([np.cos(phi), np.sin(phi)])).tolist()
 
 
+@checked
 def LinkedCylinders(
     point0: npt.ArrayLike,
     point1: npt.ArrayLike,
@@ -131,6 +134,7 @@ def LinkedCylinders(
     )
 
 
+@checked
 def InvoluteGear(
     involuteGear: Any,
     width: float,
@@ -176,6 +180,7 @@ def InvoluteGear(
     )
 
 
+@checked
 def ToothedRack(
     module: float,
     nTeeth: int,
@@ -237,6 +242,7 @@ def _ring_section(
     return [[sign * x, r] for x, r in section] + groove + [[sign * w, shoulder]]
 
 
+@checked
 def BallBearingRings(
     axis: npt.ArrayLike,
     outsideDiameter: float,

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as meshes
+from dalembert._calls import checked
 from dalembert._checks import FloatArray, as_color, as_matrix, as_vector
 from dalembert._io.files import file_to_read, file_to_write, replacing
 from dalembert.graphics._mesh import GraphicsData, mesh_of, triangle_list, triangle_normals
@@ -60,6 +61,7 @@ def _read_facets(fileName: str) -> tuple[FloatArray, FloatArray]:
     return _facets_from_text(content.decode("utf-8", errors="replace").lstrip(), fileName)
 
 
+@checked
 def FromSTLfileASCII(
     fileName: str,
     color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0],
@@ -95,6 +97,7 @@ def _mass_properties(corners: FloatArray, density: float) -> dict[str, Any]:
     return {"volume": volume, "mass": density * volume, "COM": com, "inertia": inertia}
 
 
+@checked
 def FromSTLfile(
     fileName: str,
     color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0],
@@ -132,6 +135,7 @@ def FromSTLfile(
     return [graphicsData, properties] if density != 0 else graphicsData
 
 
+@checked
 def FromPyMeshlabFile(
     fileName: str,
     defaultColor: npt.ArrayLike = [0.4, 0.4, 0.9, 1],
@@ -167,6 +171,7 @@ def FromPyMeshlabFile(
     return FromPointsAndTrigs(points, triangles[:, order], colors, -normals if invertNormals else normals)
 
 
+@checked
 def NGsolveMesh2PointsAndTrigs(
     mesh: Any = None,
     ngMesh: Any = None,
@@ -206,6 +211,7 @@ def NGsolveMesh2PointsAndTrigs(
     return [scale * points[triangles.ravel()], np.arange(triangles.size).reshape(-1, 3), normals]
 
 
+@checked
 def ExportSTL(
     graphicsData: GraphicsData,
     fileName: str,

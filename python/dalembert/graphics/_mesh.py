@@ -15,6 +15,7 @@ from dalembert._checks import (
     as_color,
     as_point_numbers,
     as_rows,
+    as_vector,
     check_colors,
     shape_error,
 )
@@ -32,9 +33,11 @@ def triangle_list(
 ) -> GraphicsData:
     """Return graphicsData of the type TriangleList; colors is one RGBA colour or one per point."""
     rgba = as_array("color", colors, "4 numbers, red, green, blue and opacity from 0 to 1, such as graphics.color.red")
-    if rgba.ndim == 1:
+    if rgba.ndim != 2:
         rgba = np.tile(as_color("color", rgba), len(points))
     else:
+        if rgba.shape != (len(points), 4):
+            raise shape_error("color", f"4 numbers, or 4 for each of {len(points)} points", colors)
         check_colors("color", rgba)
     data: GraphicsData = {"type": "TriangleList", "colors": rgba.ravel(), "points": points.ravel()}
     if normals is not None:
@@ -77,7 +80,7 @@ def ring(n1: FloatArray, n2: FloatArray, angles: FloatArray) -> FloatArray:
 def at_least(where: str, nTiles: int, minimum: int) -> int:
     """Return nTiles, or the minimum with a warning if it is too small."""
     if nTiles < minimum:
-        warnings.warn(f"{where}: nTiles = {nTiles} is too small, using {minimum}", stacklevel=3)
+        warnings.warn(f"{where}: nTiles = {nTiles} is too small, using {minimum}", stacklevel=4)
         return minimum
     return int(nTiles)
 
@@ -92,19 +95,43 @@ def two_colors(rgba: npt.ArrayLike, alternating: npt.ArrayLike | None, n: int) -
 def no_unknown(where: str, arguments: dict[str, Any], known: tuple[str, ...]) -> None:
     """Warn about optional keyword arguments that a function does not know; they have no effect."""
     for name in sorted(set(arguments) - set(known)):
-        warnings.warn(f"{where}: argument '{name}' is unknown; known are {', '.join(known)}", stacklevel=3)
+        warnings.warn(f"{where}: argument '{name}' is unknown; known are {', '.join(known)}", stacklevel=4)
 
 
-def require_type(where: str, graphicsData: GraphicsData, kind: str) -> None:
-    """Refuse graphicsData of another type."""
+PLACES = {"TriangleList": "points", "Line": "data", "Text": "position", "Circle": "position"}  # the entry with points
+
+
+def require_type(where: str, graphicsData: GraphicsData, *kinds: str) -> None:
+    """Refuse what is no graphicsData, or of another type than these."""
+    if not isinstance(graphicsData, dict):
+        raise shape_error(f"{where}: graphicsData", "a dictionary, such as graphics.Sphere(radius=0.1)", graphicsData)
     received = graphicsData.get("type")
-    if received != kind:
-        raise shape_error(f"{where}: graphicsData['type']", f"'{kind}'", received)
+    if received not in kinds:
+        *most, last = (f"'{kind}'" for kind in kinds)
+        raise shape_error(f"{where}: graphicsData['type']", f"{', '.join(most)} or {last}" if most else last, received)
+
+
+def entry_of(where: str, graphicsData: GraphicsData, key: str) -> Any:
+    """Return an entry that graphicsData of this type needs; ValueError if it is not there."""
+    if key not in graphicsData:
+        raise ValueError(
+            f"{where}: graphicsData: a {graphicsData['type']} needs '{key}', received {list(graphicsData)}"
+        )
+    return graphicsData[key]
+
+
+def place_of(where: str, graphicsData: GraphicsData) -> FloatArray:
+    """Return the points of graphicsData of any type, one per row: a text and a circle have one."""
+    require_type(where, graphicsData, *PLACES)
+    kind = graphicsData["type"]
+    key = PLACES[kind]
+    name, value = f"{where}: graphicsData['{key}']", entry_of(where, graphicsData, key)
+    return as_vector(name, value, 3)[None] if key == "position" else as_rows(name, value, 3)
 
 
 def mesh_of(where: str, graphicsData: GraphicsData) -> tuple[FloatArray, IntArray]:
     """Return copies of the points and the triangles of a TriangleList, one per row."""
     require_type(where, graphicsData, "TriangleList")
-    points = as_rows(f"{where}: graphicsData['points']", graphicsData["points"], 3).copy()
-    name = f"{where}: graphicsData['triangles']"
-    return points, as_point_numbers(name, graphicsData["triangles"], 3, len(points))
+    points = place_of(where, graphicsData).copy()
+    triangles = entry_of(where, graphicsData, "triangles")
+    return points, as_point_numbers(f"{where}: graphicsData['triangles']", triangles, 3, len(points))

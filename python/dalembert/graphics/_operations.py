@@ -9,40 +9,48 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from dalembert._calls import checked
 from dalembert._checks import (
     FloatArray,
     IntArray,
     as_array,
     as_color,
     as_matrix,
+    as_number,
     as_one_each,
     as_point_numbers,
     as_rows,
     as_vector,
     shape_error,
 )
-from dalembert.graphics._mesh import GraphicsData, mesh_of, require_type, triangle_list, triangle_normals, unit_rows
+from dalembert.graphics._mesh import (
+    PLACES,
+    GraphicsData,
+    entry_of,
+    mesh_of,
+    place_of,
+    require_type,
+    triangle_list,
+    triangle_normals,
+    unit_rows,
+)
 
 
+@checked
 def BoundingBoxSingle(graphicsData: GraphicsData) -> list[FloatArray | None]:
     """Return [lower, upper] corner (3D vectors) of one graphicsData, or [None, None] if it has no points."""
-    kind = graphicsData.get("type")
-    if kind in ("TriangleList", "Line"):
-        points = np.array(graphicsData["points" if kind == "TriangleList" else "data"], dtype=float).reshape(-1, 3)
-    elif kind in ("Text", "Circle"):
-        position = np.array(graphicsData["position"], dtype=float).reshape(3)
-        radius = float(graphicsData["radius"]) if kind == "Circle" else 0.0
-        if radius < 0.0:
-            raise shape_error("BoundingBoxSingle: graphicsData['radius']", "a non-negative number", radius)
+    where = "BoundingBoxSingle"
+    points = place_of(where, graphicsData)
+    if graphicsData["type"] == "Circle":
+        radius = as_number(f"{where}: graphicsData['radius']", entry_of(where, graphicsData, "radius"), negative=False)
         extent = np.array([radius, radius, 0.0])
-        points = np.array([position - extent, position + extent])
-    else:
-        raise shape_error("BoundingBoxSingle: graphicsData['type']", "TriangleList, Line, Text or Circle", kind)
+        points = np.concatenate([points - extent, points + extent])
     if points.size == 0:
         return [None, None]
     return [points.min(axis=0), points.max(axis=0)]
 
 
+@checked
 def BoundingBox(graphicsData: GraphicsData | list[GraphicsData]) -> list[FloatArray | None]:
     """Return [lower, upper] corner of one or several graphicsData, or [None, None] if there are no points."""
     if not isinstance(graphicsData, dict | list):
@@ -54,6 +62,7 @@ def BoundingBox(graphicsData: GraphicsData | list[GraphicsData]) -> list[FloatAr
     return [np.min(corners, axis=0), np.max(corners, axis=0)]
 
 
+@checked
 def FromPointsAndTrigs(
     points: npt.ArrayLike,
     triangles: npt.ArrayLike,
@@ -72,6 +81,7 @@ def FromPointsAndTrigs(
     return triangle_list(p, corners, colors, None if n is None else n.copy())
 
 
+@checked
 def ToPointsAndTrigs(g: GraphicsData) -> list[list[npt.NDArray[Any]]]:
     """Return [points, triangles] of a TriangleList, both as lists of arrays with 3 entries."""
     points, triangles = mesh_of("ToPointsAndTrigs", g)
@@ -81,10 +91,11 @@ def ToPointsAndTrigs(g: GraphicsData) -> list[list[npt.NDArray[Any]]]:
 def _normalized(normals: FloatArray, where: str, warn: bool = True) -> FloatArray:
     nZero = int(np.count_nonzero(~normals.any(axis=1)))
     if nZero and warn:
-        warnings.warn(f"{where}: {nZero} normals have length zero and are left as zeros", stacklevel=3)
+        warnings.warn(f"{where}: {nZero} normals have length zero and are left as zeros", stacklevel=4)
     return unit_rows(normals)
 
 
+@checked
 def Transform(
     graphicsData: GraphicsData,
     translation: npt.ArrayLike | None = None,
@@ -102,17 +113,15 @@ def Transform(
     """
     r = np.zeros(3) if translation is None else as_vector("Transform: translation", translation, 3)
     A = np.eye(3) if rotation is None else as_matrix("Transform: rotation", rotation, (3, 3))
+    factor = as_number("Transform: scale", scale)
+    points = place_of("Transform", graphicsData)
     kind = graphicsData["type"]
-    key = {"TriangleList": "points", "Line": "data", "Text": "position", "Circle": "position"}.get(kind)
-    if key is None:
-        raise shape_error("Transform: graphicsData['type']", "TriangleList, Line, Text or Circle", kind)
     result = copy.deepcopy(graphicsData)
-    points = np.array(graphicsData[key], dtype=float).reshape(-1, 3)
-    result[key] = (r + scale * points @ A.T).ravel()
+    result[PLACES[kind]] = (r + factor * points @ A.T).ravel()
     if "radius" in result:
-        result["radius"] = scale * result["radius"]
+        result["radius"] = factor * as_number("Transform: graphicsData['radius']", result["radius"])
     if "normal" in result:
-        result["normal"] = A @ result["normal"]
+        result["normal"] = A @ as_vector("Transform: graphicsData['normal']", result["normal"], 3)
     if kind != "TriangleList":
         return result
     for name in {"colors", "triangles", "edges", "edgeColor"} & result.keys():
@@ -127,6 +136,7 @@ def Transform(
     return result
 
 
+@checked
 def Move(g: GraphicsData, pOff: npt.ArrayLike, Aoff: npt.ArrayLike | None = None) -> GraphicsData:
     """Return new graphicsData with the points pOff + Aoff @ p."""
     as_vector("Move: pOff", pOff, 3)
@@ -135,28 +145,37 @@ def Move(g: GraphicsData, pOff: npt.ArrayLike, Aoff: npt.ArrayLike | None = None
     return Transform(g, pOff, Aoff)
 
 
+@checked
 def MergeTriangleLists(g1: GraphicsData, g2: GraphicsData) -> GraphicsData:
-    """Return one TriangleList of two; normals are kept if both have them, the edge colour is the first."""
-    n1 = len(g1["points"]) // 3
+    """Return one TriangleList of two; colors and normals are kept if both have them, the edge colour is the first."""
+    parts: dict[str, list[npt.NDArray[Any]]] = {
+        key: [] for key in ("colors", "points", "normals", "triangles", "edges")
+    }
+    before = 0
     for name, g in (("g1", g1), ("g2", g2)):
-        require_type("MergeTriangleLists: " + name, g, "TriangleList")
-        n = len(g["points"]) // 3
+        where = f"MergeTriangleLists: {name}"
+        points, triangles = mesh_of(where, g)
+        parts["points"].append(points.ravel())
+        parts["triangles"].append(triangles.ravel() + before)
         for key, size in (("colors", 4), ("normals", 3)):
-            if key in g and len(g[key]) != size * n:
-                expected = f"{size} values for each of the {n} points"
-                raise shape_error(f"MergeTriangleLists: {name}['{key}']", expected, g[key])
+            each = as_one_each(f"{where}: graphicsData['{key}']", g.get(key, ()), size, len(points))
+            if each is not None or len(points) == 0:
+                parts[key].append(np.zeros(0) if each is None else each.ravel())
+        if "edges" in g:
+            edges = as_point_numbers(f"{where}: graphicsData['edges']", g["edges"], 2, len(points))
+            parts["edges"].append(edges.ravel() + before)
+        before += len(points)
     merged: GraphicsData = {"type": "TriangleList"}
-    for key, dtype in (("colors", float), ("points", float), ("normals", float), ("triangles", int), ("edges", int)):
-        offset = n1 if dtype is int else 0
-        parts = [np.asarray(g[key], dtype) + k * offset for k, g in enumerate((g1, g2)) if key in g]
-        if len(parts) == 2 or (parts and key == "edges"):
-            merged[key] = np.concatenate(parts)
+    for key, both in parts.items():
+        if len(both) == 2 or (both and key == "edges"):
+            merged[key] = np.concatenate(both)
     edgeColors = [g["edgeColor"] for g in (g1, g2) if "edgeColor" in g]
     if edgeColors:
         merged["edgeColor"] = np.array(edgeColors[0], dtype=float)
     return merged
 
 
+@checked
 def InvertTriangles(
     graphicsData: GraphicsData, invertTriangles: bool = True, invertNormals: bool = True
 ) -> GraphicsData:
@@ -167,6 +186,7 @@ def InvertTriangles(
     return Transform(graphicsData, invertTriangles=invertTriangles, invertNormals=invertNormals)
 
 
+@checked
 def InconsistentTriangles(graphicsData: GraphicsData) -> int:
     """Return the number of triangle corners whose point normal is opposed to the normal of the triangle."""
     points, triangles = mesh_of("InconsistentTriangles", graphicsData)
@@ -210,11 +230,12 @@ def _point_colors(graphicsData: GraphicsData, nPoints: int, triangleColor: npt.A
         return np.tile(as_color(where + ": triangleColor", given), (nPoints, 1))
     colors = np.asarray(graphicsData["colors"], dtype=float)
     if colors.size != 4 * nPoints:
-        warnings.warn(f"{where}: expected one colour for each of the {nPoints} points, using the first", stacklevel=3)
+        warnings.warn(f"{where}: expected one colour for each of the {nPoints} points, using the first", stacklevel=4)
         return np.tile(colors[:4], (nPoints, 1))
     return colors.reshape(-1, 4)
 
 
+@checked
 def AddEdgesAndSmoothenNormals(
     graphicsData: GraphicsData,
     edgeColor: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from inspect import cleandoc
+from inspect import cleandoc, signature
 from types import FunctionType
 
 # Of all functions, unless the function says it otherwise below.
@@ -232,8 +232,8 @@ def describe(function: FunctionType) -> None:
     """Append the parameters of a graphics function to its docstring, those that it takes by ** among them."""
     own = _OWN.get(function.__name__, {})
     texts = _COMMON | own
-    code = function.__code__
-    named = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+    parameters = signature(function).parameters.values()
+    named = [each.name for each in parameters if each.kind is not each.VAR_KEYWORD]
     names = [*named, *(name for name in own if name not in named)]
     entries = [f"{name}: {texts[name]}" for name in names]
     function.__doc__ = "\n".join([cleandoc(function.__doc__ or ""), "", *entries])

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from dalembert._calls import checked
 from dalembert._checks import FloatArray, as_matrix, as_number, as_points, as_vector, shape_error, unit_vector
 from dalembert._geometry.rotations import ComputeOrthonormalBasisVectors
 from dalembert._geometry.transformations import HT2rotationMatrix, HT2translation
@@ -41,6 +42,7 @@ def _contour_normals(contour: FloatArray, smooth: bool, smoothingAngle: float) -
     return start, end
 
 
+@checked
 def SolidOfRevolution(
     pAxis: npt.ArrayLike,
     vAxis: npt.ArrayLike,
@@ -94,6 +96,7 @@ def SolidOfRevolution(
     return triangle_list(points, triangles if addFaces else [], rgba, normals, edges, edgeColor)
 
 
+@checked
 def Arrow(
     pAxis: npt.ArrayLike,
     vAxis: npt.ArrayLike,
@@ -115,6 +118,7 @@ def Arrow(
     return SolidOfRevolution(pAxis, vAxis, contour, color, nTiles)
 
 
+@checked
 def Basis(
     origin: npt.ArrayLike = [0, 0, 0],
     rotationMatrix: npt.ArrayLike = np.eye(3),
@@ -145,6 +149,7 @@ def Basis(
     return [arrows, *(Text(p + axis, label) for axis, label in zip(axes, labels, strict=True))]
 
 
+@checked
 def Frame(
     HT: npt.ArrayLike = np.eye(4),
     length: float = 1,

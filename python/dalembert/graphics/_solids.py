@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from dalembert._calls import checked
 from dalembert._checks import FloatArray, as_color, as_number, as_points, as_vector, shape_error, unit_vector
 from dalembert._geometry.rotations import ComputeOrthonormalBasisVectors, RotationVector2RotationMatrix
 from dalembert.graphics._mesh import (
@@ -52,6 +53,7 @@ def _sphere_edges(nTiles: int, level: int) -> list[int]:
     return edges
 
 
+@checked
 def Sphere(
     point: npt.ArrayLike = [0, 0, 0],
     radius: float = 0.1,
@@ -139,6 +141,7 @@ def _cuboid_corner_edges(faces: list[int]) -> list[list[int]]:
     return edges
 
 
+@checked
 def Cuboid(
     pList: npt.ArrayLike,
     color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0],
@@ -166,6 +169,7 @@ def Cuboid(
     return triangle_list(points[triangles.ravel()], own, color, normals, edges, edgeColor)
 
 
+@checked
 def BrickXYZ(
     xMin: float,
     yMin: float,
@@ -194,6 +198,7 @@ def _rounded_radius(angles: FloatArray, roundness: float) -> FloatArray:
     return np.minimum(2 * 0.5 ** (exponent / 2) / power, limit)
 
 
+@checked
 def Brick(
     centerPoint: npt.ArrayLike = [0, 0, 0],
     size: npt.ArrayLike = [0.1, 0.1, 0.1],
@@ -230,6 +235,7 @@ def Brick(
     return triangle_list(center + half * shape, triangles[keep], color, normals)
 
 
+@checked
 def Cylinder(
     pAxis: npt.ArrayLike = [0, 0, 0],
     vAxis: npt.ArrayLike = [0, 0, 1],
@@ -298,6 +304,7 @@ def Cylinder(
     return triangle_list(points, np.vstack(triangles) if addFaces else [], pointColors, normals, edges, edgeColor)
 
 
+@checked
 def Tube(
     points: npt.ArrayLike,
     axes: npt.ArrayLike,
@@ -307,6 +314,7 @@ def Tube(
 ) -> GraphicsData:
     """Return a tube through points with the given axis at each of them, without twist and with open ends."""
     nTiles = at_least("graphics.Tube", nTiles, 3)
+    radius, color = as_number("Tube: radius", radius), as_color("Tube: color", color)
     centers, tangents = as_points("Tube: points", points), as_points("Tube: axes", axes)
     if len(centers) < 2 or len(centers) != len(tangents):
         raise ValueError(
@@ -332,6 +340,7 @@ def Tube(
     return triangle_list(np.repeat(centers, nTiles, axis=0) + radius * normals, triangles, color, normals)
 
 
+@checked
 def Torus(
     point: npt.ArrayLike,
     axis: npt.ArrayLike,
@@ -371,6 +380,7 @@ def Torus(
     return triangle_list(points.reshape(-1, 3), triangles, color, sign * normals if smoothNormals else None)
 
 
+@checked
 def RigidLink(
     p0: npt.ArrayLike,
     p1: npt.ArrayLike,
@@ -400,6 +410,7 @@ def RigidLink(
     return link
 
 
+@checked
 def Quad(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0], **kwargs: Any) -> GraphicsData:
     """Return a surface between 4 points (counter-clockwise), divided into nTiles x nTilesY tiles.
 
@@ -424,6 +435,7 @@ def Quad(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0], **kw
     return triangle_list(grid[tiles.ravel()], triangles, np.repeat(both[odd], 4, axis=0), np.repeat(normals, 4, axis=0))
 
 
+@checked
 def CheckerBoard(
     point: npt.ArrayLike = [0, 0, 0],
     normal: npt.ArrayLike = [0, 0, 1],

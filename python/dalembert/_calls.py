@@ -1,0 +1,69 @@
+"""Calls of public functions: numbers, counts and switches are what the signature says they are, or are refused by name.
+
+What is an array, a name or a choice has checks of its own in the functions.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import math
+from collections.abc import Callable
+from typing import Any, ParamSpec, TypeVar
+
+import numpy as np
+
+from dalembert._checks import shape_error
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def _is_number(value: Any) -> bool:
+    if isinstance(value, (str, bytes)) or getattr(value, "ndim", 0) != 0:
+        return False
+    try:
+        return not math.isnan(float(value))
+    except (TypeError, ValueError):
+        return False
+    except OverflowError:
+        return True
+
+
+def _is_integer(value: Any) -> bool:
+    return _is_number(value) and (isinstance(value, int) or float(value).is_integer())
+
+
+def _is_switch(value: Any) -> bool:
+    return value is None or isinstance(value, (bool, np.bool_)) or _is_integer(value)
+
+
+KINDS: dict[str, tuple[str, Callable[[Any], bool]]] = {
+    "float": ("a number", _is_number),
+    "int": ("an integer", _is_integer),
+    "bool": ("True or False", _is_switch),
+    "bool | int": ("True, False or an integer", _is_switch),
+}
+
+
+def checked(function: Callable[P, R]) -> Callable[P, R]:
+    """Let a function refuse what its annotations float, int, bool, and these or None, do not allow; ValueError."""
+    names = list(inspect.signature(function).parameters)
+    kinds = {name: str(text) for name, text in inspect.get_annotations(function).items() if name != "return"}
+    checks = {name: KINDS[text.removesuffix(" | None")] for name, text in kinds.items() if _plain(text)}
+    optional = {name for name, text in kinds.items() if text.endswith(" | None")}
+
+    @functools.wraps(function)
+    def call(*args: P.args, **kwargs: P.kwargs) -> R:
+        for name, value in (*zip(names, args, strict=False), *kwargs.items()):
+            if name in checks and not (value is None and name in optional):
+                expected, fits = checks[name]
+                if not fits(value):
+                    raise shape_error(f"{function.__name__}: {name}", expected, value)
+        return function(*args, **kwargs)
+
+    return call
+
+
+def _plain(text: str) -> bool:
+    return text.removesuffix(" | None") in KINDS
