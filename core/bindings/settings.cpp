@@ -211,12 +211,22 @@ PyObject* reduce(PyObject* self, PyObject*) {
   });
 }
 
+PyObject* equals(PyObject* self, PyObject* other) {
+  return guarded([&] {
+    const SettingsClass* given = class_of(other);
+    if (given == nullptr || given->group != view_of(self).group)
+      refuse(ErrorKind::type, {.item = view_of(self).title(), .received = show(other), .expected = "settings of the same class"});
+    return PyBool_FromLong(equal_settings(*given->group, view_of(self).data, view_of(other).data) ? 1 : 0);
+  });
+}
+
 PyMethodDef methods[] = {
     {"GetDictionary", get_dictionary, METH_NOARGS, "All settings as nested dictionaries."},
     {"GetDictionaryWithTypeInfo", get_dictionary_with_types, METH_NOARGS,
      "As GetDictionary, but each value is a dictionary with 'value', 'type', 'size' and 'description'."},
     {"SetDictionary", set_dictionary, METH_O,
      "Set the settings that a dictionary names; the others stay. An error changes nothing."},
+    {"_equals", equals, METH_O, "Whether other settings of this class have the same values."},
     {"__copy__", copy, METH_NOARGS, nullptr},
     {"__deepcopy__", copy, METH_O, nullptr},
     {"__reduce__", reduce, METH_NOARGS, nullptr},

@@ -67,6 +67,7 @@ SettingsField find_field(const SettingsView& view, std::string_view name);
 py::object read_setting(const SettingsView& view, const Row& row);
 void write_setting(const SettingsView& view, const Row& row, PyObject* value);
 void assign_settings(const SettingsGroup& group, void* target, const void* source);
+bool equal_settings(const SettingsGroup& group, const void* a, const void* b);
 py::dict settings_dictionary(const SettingsView& view);
 py::dict settings_dictionary_with_types(const SettingsView& view);
 // Why settings have no effect, whatever they are, by their paths.

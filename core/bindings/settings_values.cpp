@@ -9,6 +9,7 @@
 #include "dalembert/simulation_settings.hpp"
 #include "index_types.hpp"
 #include "item_docs.hpp"
+#include "item_equality.hpp"
 #include "python_errors.hpp"
 #include "settings.hpp"
 
@@ -224,6 +225,12 @@ void assign_settings(const SettingsGroup& group, void* target, const void* sourc
   for (const SettingsChild& child : group.children)
     assign_settings(*child.group, static_cast<char*>(target) + child.offset,
                     static_cast<const char*>(source) + child.offset);
+}
+
+bool equal_settings(const SettingsGroup& group, const void* a, const void* b) {
+  const auto inside = [](const void* data, const SettingsChild& child) { return static_cast<const char*>(data) + child.offset; };
+  return std::ranges::all_of(group.rows, [&](const Row& row) { return equal_members(row, a, b); }) &&
+         std::ranges::all_of(group.children, [&](const SettingsChild& child) { return equal_settings(*child.group, inside(a, child), inside(b, child)); });
 }
 
 py::dict settings_dictionary(const SettingsView& view) {

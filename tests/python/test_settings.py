@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import functools
 import pickle
 from typing import Any
 
@@ -218,3 +219,25 @@ def test_later_names() -> None:
         settings.solution.file.writ = 3
     with pytest.raises(TypeError, match="'solution.file': is not a structure"):
         settings.solution.file = 3
+
+
+def test_settings_with_the_same_values_are_told_from_others():
+    settings = exu.SystemContainer().visualizationSettings
+    before = copy.copy(settings)
+    assert settings._equals(before)
+    for path, value in (
+        ("nodes.show", False),
+        ("openGL.light0.position", [1, 2, 3, 0]),
+        ("contour.outputVariable", exu.OutputVariableType.Position),
+        ("sensors.traces.listOfPositionSensors", [3]),
+        ("exportImages.saveImageFileName", "other"),
+    ):
+        *names, name = path.split(".")
+        owner = functools.reduce(getattr, names, settings)
+        old = getattr(owner, name)
+        setattr(owner, name, value)
+        assert not settings._equals(before), path
+        setattr(owner, name, old)
+        assert settings._equals(before), path
+    with pytest.raises(TypeError, match="settings of the same class"):
+        settings._equals(settings.nodes)

@@ -7,6 +7,7 @@ nothing that is drawn can change a result.
 from __future__ import annotations
 
 import atexit
+import copy
 import queue
 import threading
 import time
@@ -84,7 +85,7 @@ class Viewer:
         self._stale = False  # items have changed since the studio was made
         self._lacks = False  # more of the states than where items are is wanted, and not known
         self._made = self._checked = self._next = 0.0
-        self._known_settings: dict[str, Any] = {}
+        self._known_settings = copy.copy(self.settings)
         self._interval = self._wanted_interval()
         self._complaint = ""
         self._told: dict[str, Any] = {}  # of the state
@@ -208,7 +209,7 @@ class Viewer:
 
     def _prepare(self) -> None:
         """Draw a first scene, so that it is there when the first page is; large ones wait for a reader."""
-        self._dirty, self._known_settings = False, self.settings.GetDictionary()
+        self._dirty, self._known_settings = False, copy.copy(self.settings)
         try:
             systems = [self.container.GetSystem(i) for i in range(self.container.NumberOfSystems())]
             if sum(mbs.systemData.NumberOfObjects() for mbs in systems) >= LARGE:
@@ -322,9 +323,8 @@ class Viewer:
             self._tell_state()
 
     def _know_settings(self) -> None:
-        known = self.settings.GetDictionary()
-        if known != self._known_settings:
-            self._known_settings, self._dirty = known, True
+        if not self.settings._equals(self._known_settings):
+            self._known_settings, self._dirty = copy.copy(self.settings), True
             self._interval = self._wanted_interval()
 
     # ---- messages of pages
