@@ -174,14 +174,26 @@ bool ConstrainedMotion::examine(System& system, const State& start_of_step, cons
   return treated || redundant_.in_use();
 }
 
+// As far as numbers and entries of equations tell. As many as coordinates leave no motion, unless some follow from others.
+bool ConstrainedMotion::follow_from_others(System& system, const State& state, const Conditions& conditions) {
+  const int beyond = RedundantConstraints::equations_beyond_coordinates(system, *pattern_, matrix_);
+  if (beyond < 0 || (beyond == 0 && RedundantConstraints::evidently_none(system, *pattern_, matrix_))) return false;
+  if (!measure_redundancy(system, state, conditions)) return false;
+  return (redundant_.find_locally(*pattern_, matrix_) && redundant_.count() > 0) || beyond > 0;
+}
+
+bool ConstrainedMotion::measure_redundancy(System& system, const State& state, const Conditions& conditions) {
+  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1)) return false;
+  redundant_.allow_for(gaps_of_positions(system, state, conditions));
+  return true;
+}
+
 int ConstrainedMotion::examine_filled(System& system, const State& state, const Conditions& conditions) {
   knowledge_ = Knowledge::first;
   examined_at_ = state.time;
   system.reactions_are_known({});
   int singular = 0;  // factors that must fail are not made
-  if (treats_redundancy_ && RedundantConstraints::evidently_some(system, *pattern_, matrix_) && look_for_redundancy(system, state, conditions, singular)) {
-    return singular;
-  }
+  if (treats_redundancy_ && follow_from_others(system, state, conditions) && treat_redundancy(system, state, conditions, singular)) return singular;
   singular = factors_->factorize(matrix_);
   if (treats_redundancy_) look_for_redundancy(system, state, conditions, singular);
   return singular;
@@ -213,12 +225,15 @@ void ConstrainedMotion::weigh_again(System& system) {
 bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
   const bool regular = singular == LinearSolver::success;
   if (regular && RedundantConstraints::evidently_none(system, *pattern_, matrix_)) return false;
-  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1)) return false;
-  const std::vector<double> gaps = gaps_of_positions(system, state, conditions);
-  redundant_.allow_for(gaps);
-  if (regular && !redundant_.suspected(*factors_)) return false;
-  constexpr double eps = RedundantConstraints::regular_eps;
+  if (!measure_redundancy(system, state, conditions) || (regular && !redundant_.suspected(*factors_))) return false;
   if (redundant_.find_locally(*pattern_, matrix_) && regular && redundant_.count() == 0) return false;
+  return treat_redundancy(system, state, conditions, singular);
+}
+
+// Measured, and found by entries as far as these tell.
+bool ConstrainedMotion::treat_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
+  const bool regular = singular == LinearSolver::success;
+  constexpr double eps = RedundantConstraints::regular_eps;
   const LinearSolverOptions to_find = RedundantConstraints::options_to_find(options_);
   auto factors = make_linear_solver(*pattern_, type_, redundant_.options(to_find));
   std::unique_ptr<LinearSolver> closer;
@@ -230,7 +245,7 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   if (regular && redundant_.count() == 0) return false;
   system.reactions_are_known(redundant_.equations());
   if (redundant_.count() == 0) return pass(singular);
-  redundant_.use(redundant_.eps_for_gaps(gaps, true, *pattern_, matrix_, closer ? *closer : *factors));
+  redundant_.use(redundant_.eps_for_gaps(gaps_of_positions(system, state, conditions), true, *pattern_, matrix_, closer ? *closer : *factors));
   const std::vector<double> plain = matrix_;
   redundant_.regularize(*pattern_, matrix_, 1);
   const bool serve = at_once || (local && redundant_.is_local());  // pivots, of the same combinations

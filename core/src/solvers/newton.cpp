@@ -360,8 +360,9 @@ void NewtonSolver::restart() {
 }
 
 [[gnu::noinline]] void NewtonSolver::report_failure() {
-  if (contradiction_) return diagnose_contradiction(misfit_);
   const bool lost = !all_finite(jacobian_) || loop_.lost;
+  const bool has_left = !lost && !told_contradiction_.empty() && !misfit_.empty() && has_left_constraints(misfit_);
+  if (contradiction_ || has_left) return diagnose_contradiction(misfit_);
   if (lost) report_not_finite();
   else if (conv.linearSolverFailed) diagnose_singular_matrix(*pattern_, jacobian_);
   else diagnose(FailureReason::newton, unscaled_residual());

@@ -19,6 +19,11 @@ constexpr double torn_apart = 0.1;  // gaps relative to the size of the model, o
 // Before anything is known of the matrix: large enough that round-off hardly shows, and if that is too large, `try_harder` takes less.
 constexpr double first_eps = RedundantConstraints::regular_eps;
 
+// Joints that are far apart hide what is redundant, until their gaps are closed.
+bool hides_some(const RedundantConstraints& found, const Conditions& conditions) {
+  return !conditions.rate_level && !(found.counting() < RedundantConstraints::largest_eps);
+}
+
 }  // namespace
 
 bool NewtonSolver::treats_redundancy() const {
@@ -51,10 +56,12 @@ void NewtonSolver::examine_constraints_anew() {
 void NewtonSolver::constraints_are_known(RedundantConstraints found) {
   if (treatment_ != Treatment::none && treatment_ != Treatment::unknown) return;
   if (found.in_use() && (treatment_ == Treatment::none || found.count() == 0 || !found.consistent())) return;
+  if (!found.in_use() && hides_some(found, conditions_)) return;
   looks_at_next_ = false;
   treatment_ = found.in_use() ? Treatment::announced : Treatment::none;
   if (treatment_ == Treatment::none) return;
   redundant_ = std::move(found);
+  confirmed_ = redundant_.lasts();
   linear_ = regularized_solver();
 }
 
@@ -110,6 +117,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   const auto plain = make_linear_solver(*pattern_, linear_type(), newton_options());
   const bool regular = plain->factorize(jacobian_) == LinearSolver::success;
   redundant_.allow_for(gaps_of_positions(system(), current(), conditions_));
+  looks_at_next_ = hides_some(redundant_, conditions_);
   if (regular && !redundant_.suspected(*plain)) return;
   const auto factors = find_redundancy();
   if (factors && redundant_.count() > 0) begin_treatment(*factors);
@@ -123,6 +131,8 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   system().reactions_are_known({});
   if (!conv.linearSolverFailed && RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
   if (!measure_redundancy()) return;
+  redundant_.allow_for(gaps_of_positions(system(), current(), conditions_));
+  looks_at_next_ = hides_some(redundant_, conditions_) && !conv.linearSolverFailed;
   if (!conv.linearSolverFailed && !redundant_.suspected(*linear_)) return;
   const auto factors = find_redundancy();
   if (factors && (redundant_.count() > 0 || conv.linearSolverFailed)) begin_treatment(*factors);
@@ -139,6 +149,7 @@ bool NewtonSolver::is_in_singular_position() {
 }
 
 void NewtonSolver::begin_treatment(LinearSolver& factors) {
+  looks_at_next_ = false;
   system().reactions_are_known(redundant_.equations());
   treatment_ = redundant_.count() > 0 && !is_in_singular_position() ? Treatment::lasting : Treatment::passing;
   double eps = RedundantConstraints::passing_eps;

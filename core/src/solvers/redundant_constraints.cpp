@@ -102,7 +102,7 @@ bool RedundantConstraints::evidently_none(const System& system, const Pattern& p
 }
 
 // Conditions of unit length act on coordinates of their own nodes.
-bool RedundantConstraints::evidently_some(const System& system, const Pattern& pattern, std::span<const double> values) {
+int RedundantConstraints::equations_beyond_coordinates(const System& system, const Pattern& pattern, std::span<const double> values) {
   const Sizes& s = system.sizes();
   std::vector<char> acted_on(static_cast<std::size_t>(s.ode2), 0);
   int equations = 0, coordinates = 0;
@@ -120,7 +120,7 @@ bool RedundantConstraints::evidently_some(const System& system, const Pattern& p
     for (std::size_t slot = column.middle; slot < column.end; ++slot) acts = acts && values[slot] == 0;  // otherwise it states its multiplier
     equations += acts;
   }
-  return equations > coordinates;
+  return equations - coordinates;
 }
 
 bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length,
@@ -133,7 +133,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   slots_.clear();
   entries_.clear();
   harmless_.clear();
-  local_ = false;
+  local_ = lasts_ = false;
   certain_ = true;
   counting_ = counting_eps;
   const auto n = static_cast<std::size_t>(s.ae);

@@ -86,7 +86,10 @@ class ConstrainedMotion {
   void fill(System& system, const State& state, const Conditions& conditions);
   void fill_for_constraints(System& system, const State& state, const Conditions& conditions);
   int examine_filled(System& system, const State& state, const Conditions& conditions);
+  bool follow_from_others(System& system, const State& state, const Conditions& conditions);
+  bool measure_redundancy(System& system, const State& state, const Conditions& conditions);
   bool look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
+  bool treat_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
   int pass_singular_matrix(System& system, int singular);
   bool pass(int& singular);
   bool is_regular_beside(const ConstrainedMotion& other, System& system, const State& at, const Conditions& conditions, std::span<const double> step);

@@ -33,8 +33,8 @@ class RedundantConstraints {
   // Whether none can be redundant, since each equation in turn has a coordinate that no other acts on. Reads entries of constraints
   // only.
   static bool evidently_none(const System& system, const Pattern& pattern, std::span<const double> values);
-  // Whether some must be, since there are more equations than coordinates that they act on.
-  static bool evidently_some(const System& system, const Pattern& pattern, std::span<const double> values);
+  // How many more equations there are than coordinates that they act on: so many must be.
+  static int equations_beyond_coordinates(const System& system, const Pattern& pattern, std::span<const double> values);
   // Finds D for a matrix: one number for all forces, and the same by the square of a length for all moments. Rows of constraints of
   // velocities are multiplied by `rate_factor` in the matrix. False: no equation could be redundant.
   bool measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length, double rate_factor);
@@ -60,6 +60,9 @@ class RedundantConstraints {
   bool take_over(const RedundantConstraints& found);
   // After `measure`: the same for taking off idle parts alone, for which no combinations are needed.
   bool serve_as(const RedundantConstraints& found);
+  // Found by entries beside the state as well: it is not that of a singular position.
+  bool lasts() const { return lasts_; }
+  void found_beside() { lasts_ = true; }
   bool is_local() const { return local_; }  // entries of the matrix alone have told
   int count() const { return count_; }
   double weakest() const { return weakest_; }  // the smallest eigenvalue of D^-1 S that is not zero
@@ -170,7 +173,7 @@ class RedundantConstraints {
   double rate_factor_ = 1, eps_ = 0, weakest_ = 0;
   double rest_ = 0;                  // the largest eigenvalue of P that is not one
   int count_ = 0;
-  bool consistent_ = true, certain_ = true;
+  bool consistent_ = true, certain_ = true, lasts_ = false;
   std::vector<Part> parts_;
   double counting_ = counting_eps;
   bool local_ = false;              // combinations of parts are those of their entries
