@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray
+from dalembert._calls import checked
+from dalembert._checks import FloatArray, as_array
 from dalembert._io.files import file_to_write
 from dalembert._io.result_files import FileStripSpaces, ParseOutputFileHeader
 from dalembert._plots.images import LoadImage, PlotImage, save_figure, show_figure
@@ -69,6 +70,7 @@ class _Defaults(SimpleNamespace):
 _defaults = _Defaults(**_ORIGINAL_DEFAULTS)
 
 
+@checked
 def PlotSensorDefaults() -> Any:
     """Return the default values of PlotSensor, as an object whose attributes may be changed for all later calls.
 
@@ -285,6 +287,7 @@ def PlotSensor(
     return [plt, figure, ax, line]
 
 
+@checked
 def PlotFFT(
     frequency: npt.ArrayLike,
     data: npt.ArrayLike,
@@ -306,7 +309,7 @@ def PlotFFT(
     import matplotlib.pyplot as plt
     from matplotlib.ticker import MaxNLocator
 
-    f, values = np.asarray(frequency, dtype=float), np.asarray(data, dtype=float)
+    f, values = as_array("PlotFFT: frequency", frequency), as_array("PlotFFT: data", data)
     if f.ndim != 1 or f.shape != values.shape:
         raise ValueError(f"PlotFFT: frequency and data must be vectors of one length, not {f.shape} and {values.shape}")
     shown = (f >= freqStart) & ((f <= freqEnd) if freqEnd != -1 else True)
@@ -332,6 +335,7 @@ def PlotFFT(
     return plt
 
 
+@checked
 def DataArrayFromSensorList(
     mbs: Any, sensorNumbers: Sequence[Any], positionList: Sequence[float] = [], time: Any = ""
 ) -> FloatArray:

@@ -167,3 +167,24 @@ def test_files(tmp_path):
     matrix = tmp_path / "matrix.mmf"
     matrix.write_text("%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 5\n2 1 7\n")
     assert FEM.CompressedRowSparseToDenseMatrix(FEM.ReadMatrixFromAnsysMMF(str(matrix))).tolist() == [[5, 7], [7, 0]]
+
+
+@pytest.mark.parametrize("triplets", [[[0, 0.5, 1]], [[-1, 0, 1]], [[0, np.nan, 1]], [[0, 1]], [0, 1, 2], "text", None])
+def test_lines_of_sparse_matrices_that_are_none_are_named(triplets):
+    for function in (FEM.CSRtoScipySparseCSR, FEM.CompressedRowSparseToDenseMatrix, FEM.CSRtoRowsAndColumns):
+        with pytest.raises(ValueError, match=r"expected lines \[row, column, value\]"):
+            function(triplets)
+
+
+def test_orders_of_coordinates_that_do_not_fit_are_named():
+    with pytest.raises(ValueError, match="ResortIndicesOfNGvector: vXXYYZZ: expected three numbers for each node"):
+        FEM.ResortIndicesOfNGvector([1, 2, 3, 4])
+    with pytest.raises(ValueError, match="ResortIndicesExudyn2NGvector: vXYZXYZ: expected a vector"):
+        FEM.ResortIndicesExudyn2NGvector(np.eye(3))
+    for rows in (7, 3):
+        with pytest.raises(ValueError, match="numberOfRows: expected three rows for each node"):
+            FEM.ResortIndicesOfCSRmatrix(np.array([[0.0, 4.0, 1.0]]), rows)
+    with pytest.raises(ValueError, match="ConvertTetToTrigs: nodeNumbers: expected 4 numbers of nodes or more"):
+        FEM.ConvertTetToTrigs([1, 2])
+    with pytest.raises(ValueError, match="ConvertHexToTrigs: nodeNumbers: expected 8 numbers of nodes or more"):
+        FEM.ConvertHexToTrigs(range(7))

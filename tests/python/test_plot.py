@@ -260,3 +260,14 @@ def test_an_array_has_no_name_to_show() -> None:
     assert len(boxes) >= 3 and all(a.x1 < b.x0 for a, b in zip(boxes, boxes[1:], strict=False))
     axes = plot.PlotSensor(None, [data, data], components=[0, 1])[2]
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["0", "1"]
+
+
+def test_numbers_and_switches_of_spectra_that_are_none_are_named():
+    for arguments, text in (
+        ({"freqStart": None}, "PlotFFT: freqStart: expected a number, received None"),
+        ({"freqEnd": [1, 2]}, r"PlotFFT: freqEnd: expected a number, received \[1, 2\]"),
+        ({"logScaleX": "False"}, "PlotFFT: logScaleX: expected True or False, received 'False'"),
+        ({"frequency": "text"}, "PlotFFT: frequency: expected an array of numbers, received 'text'"),
+    ):
+        with pytest.raises(ValueError, match=text):
+            plot.PlotFFT(**{"frequency": [1, 2, 3], "data": [1, 2, 3], **arguments})

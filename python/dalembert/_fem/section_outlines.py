@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from dalembert._calls import checked
 from dalembert._checks import FloatArray, as_points, shape_error
 
 
@@ -52,6 +53,7 @@ def _circle(radius: float, corners: int) -> Loop:
     return Loop(radius * np.stack([np.cos(angles), np.sin(angles)], axis=1), (0.0, 0.0, radius))
 
 
+@checked
 def SectionPolygon(points: npt.ArrayLike, holes: Sequence[npt.ArrayLike] = ()) -> SectionOutline:
     """A section with corners [y, z] (m) in order, and holes, whose corners are given in the same way."""
     loops = []
@@ -75,6 +77,7 @@ def SectionPolygon(points: npt.ArrayLike, holes: Sequence[npt.ArrayLike] = ()) -
     return outline
 
 
+@checked
 def SectionRectangle(widthY: float, widthZ: float) -> SectionOutline:
     """A rectangle with its centre in the origin."""
     _positive("SectionRectangle", widthY=widthY, widthZ=widthZ)
@@ -82,12 +85,14 @@ def SectionRectangle(widthY: float, widthZ: float) -> SectionOutline:
     return SectionPolygon([[-y, -z], [y, -z], [y, z], [-y, z]])
 
 
+@checked
 def SectionCircle(radius: float) -> SectionOutline:
     """A circle with its centre in the origin."""
     _positive("SectionCircle", radius=radius)
     return SectionOutline((_circle(radius, 64),))
 
 
+@checked
 def SectionTube(outerRadius: float, innerRadius: float) -> SectionOutline:
     """A circular tube with its centre in the origin."""
     _positive("SectionTube", outerRadius=outerRadius, innerRadius=innerRadius)
@@ -98,6 +103,7 @@ def SectionTube(outerRadius: float, innerRadius: float) -> SectionOutline:
     return SectionOutline((_circle(outerRadius, corners), Loop(hole.points[::-1], hole.circle)))
 
 
+@checked
 def SectionI(
     height: float, width: float, webThickness: float, flangeThickness: float, widthBottom: float | None = None
 ) -> SectionOutline:
@@ -117,6 +123,7 @@ def SectionI(
     return SectionPolygon(np.vstack([right, np.array(right[::-1]) * [-1, 1]]))
 
 
+@checked
 def SectionL(height: float, width: float, webThickness: float, flangeThickness: float | None = None) -> SectionOutline:
     """An L profile with sharp corners: the outer corner in the origin, legs along y (width) and z (height)."""
     thickness = webThickness if flangeThickness is None else flangeThickness

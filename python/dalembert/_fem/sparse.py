@@ -8,7 +8,20 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse
 
-from dalembert._checks import FloatArray
+from dalembert._checks import FloatArray, as_array, as_number, as_vector, check_integer, shape_error
+
+
+def _triplets(name: str, value: Any) -> FloatArray:
+    """Convert to an array with lines of row, column and value; ValueError otherwise."""
+    expected = "lines [row, column, value], of which row and column are integers from 0"
+    triplets = as_array(name, value, expected)
+    if triplets.ndim != 2 or triplets.shape[1] != 3:
+        raise shape_error(name, expected, value)
+    places = triplets[:, :2]
+    wrong = ~((places >= 0) & (places == np.floor(places))).all(axis=1)
+    if wrong.any():
+        raise shape_error(name, expected, triplets[wrong][0].tolist())
+    return triplets
 
 
 def CheckForSciPyMatrix(data: Any, stringWhere: str) -> bool:
@@ -22,11 +35,7 @@ def CheckForSciPyMatrix(data: Any, stringWhere: str) -> bool:
 
 def SparseTripletsToScipySparseCSR(sparseTriplets: npt.ArrayLike) -> Any:
     """scipy csr matrix of an array of [row, column, value]; entries of the same place are added."""
-    triplets = np.asarray(sparseTriplets, dtype=float)
-    if triplets.ndim != 2 or triplets.shape[1] != 3:
-        raise ValueError(
-            f"SparseTripletsToScipySparseCSR: expected lines [row, column, value], received shape {triplets.shape}"
-        )
+    triplets = _triplets("SparseTripletsToScipySparseCSR: sparseTriplets", sparseTriplets)
     rows, columns = triplets[:, 0].astype(int), triplets[:, 1].astype(int)
     return scipy.sparse.csr_matrix((triplets[:, 2], (rows, columns)))
 
@@ -44,7 +53,10 @@ def ScipySparseCSRtoCSR(scipyCSR: Any) -> FloatArray:
 
 def ConvertDenseToCompressedRowMatrix(denseMatrix: npt.ArrayLike) -> FloatArray:
     """Array of [row, column, value] of the entries of a matrix that are not zero."""
-    return ScipySparseCSRtoCSR(np.asarray(denseMatrix, dtype=float))
+    matrix = as_array("ConvertDenseToCompressedRowMatrix: denseMatrix", denseMatrix, "a matrix of numbers")
+    if matrix.ndim != 2:
+        raise shape_error("ConvertDenseToCompressedRowMatrix: denseMatrix", "a matrix of numbers", denseMatrix)
+    return ScipySparseCSRtoCSR(matrix)
 
 
 def CompressedRowSparseToDenseMatrix(sparseData: Any) -> FloatArray:
@@ -55,7 +67,9 @@ def CompressedRowSparseToDenseMatrix(sparseData: Any) -> FloatArray:
 
 def CSRtoRowsAndColumns(sparseMatrixCSR: npt.ArrayLike) -> tuple[int, int]:
     """The largest row and column index of an array of [row, column, value]."""
-    entries = np.asarray(sparseMatrixCSR, dtype=float)
+    entries = _triplets("CSRtoRowsAndColumns: sparseMatrixCSR", sparseMatrixCSR)
+    if len(entries) == 0:
+        raise shape_error("CSRtoRowsAndColumns: sparseMatrixCSR", "one line or more", sparseMatrixCSR)
     return int(entries[:, 0].max()), int(entries[:, 1].max())
 
 
@@ -67,6 +81,11 @@ def MapSparseMatrixIndices(matrix: FloatArray, sorting: npt.ArrayLike) -> None:
 
 def AddEntryToCompressedRowSparseArray(sparseData: FloatArray, row: int, column: int, value: float) -> FloatArray:
     """Add value to an entry of an array of [row, column, value]; a new line is appended if there is no such entry."""
+    where = "AddEntryToCompressedRowSparseArray"
+    check_integer(f"{where}: row", row, 0)
+    check_integer(f"{where}: column", column, 0)
+    as_number(f"{where}: value", value)
+    _triplets(f"{where}: sparseData", sparseData)
     found = np.flatnonzero((sparseData[:, 0] == row) & (sparseData[:, 1] == column))
     if len(found) == 0:
         return np.vstack((sparseData, [row, column, value]))
@@ -74,18 +93,30 @@ def AddEntryToCompressedRowSparseArray(sparseData: FloatArray, row: int, column:
     return sparseData
 
 
+def _of_points(name: str, value: npt.ArrayLike) -> FloatArray:
+    vector = as_vector(name, value)
+    if vector.size % 3 != 0:
+        raise shape_error(name, "three numbers for each node", value)
+    return vector
+
+
 def ResortIndicesOfNGvector(vXXYYZZ: npt.ArrayLike) -> FloatArray:
     """From (x0, x1, ..., y0, y1, ..., z0, z1, ...) to (x0, y0, z0, x1, ...)."""
-    return np.asarray(vXXYYZZ).reshape(3, -1).T.ravel()
+    return _of_points("ResortIndicesOfNGvector: vXXYYZZ", vXXYYZZ).reshape(3, -1).T.ravel()
 
 
 def ResortIndicesExudyn2NGvector(vXYZXYZ: npt.ArrayLike) -> FloatArray:
     """From (x0, y0, z0, x1, ...) to (x0, x1, ..., y0, y1, ..., z0, z1, ...)."""
-    return np.asarray(vXYZXYZ).reshape(-1, 3).T.ravel()
+    return _of_points("ResortIndicesExudyn2NGvector: vXYZXYZ", vXYZXYZ).reshape(-1, 3).T.ravel()
 
 
 def ResortIndicesOfCSRmatrix(mXXYYZZ: FloatArray, numberOfRows: int) -> None:
     """The same reordering for the indices of an array of [row, column, value], in place."""
+    check_integer("ResortIndicesOfCSRmatrix: numberOfRows", numberOfRows, 0)
+    _triplets("ResortIndicesOfCSRmatrix: mXXYYZZ", mXXYYZZ)
+    if numberOfRows % 3 != 0 or (len(mXXYYZZ) > 0 and mXXYYZZ[:, :2].max() >= numberOfRows):
+        expected = "three rows for each node, more than the largest index"
+        raise shape_error("ResortIndicesOfCSRmatrix: numberOfRows", expected, numberOfRows)
     n = numberOfRows // 3
     index = np.arange(numberOfRows)
     MapSparseMatrixIndices(mXXYYZZ, 3 * (index % n) + index // n)

@@ -14,8 +14,14 @@ from dalembert._fem.elements import Block, Kind, blocks
 MESH_SURFACE = "meshSurface"
 
 
+def _need_corners(name: str, numbers: Any, corners: int) -> None:
+    if not isinstance(numbers, (Sequence, np.ndarray)) or isinstance(numbers, str) or len(numbers) < corners:
+        raise shape_error(name, f"{corners} numbers of nodes or more", numbers)
+
+
 def ConvertHexToTrigs(nodeNumbers: Sequence[int]) -> list[list[int]]:
     """The 12 triangles on the faces of a hexahedron with 8 nodes; nodes on edges are left out."""
+    _need_corners("ConvertHexToTrigs: nodeNumbers", nodeNumbers, 8)
     corners = (
         *((0, 1, 2), (0, 2, 3), (6, 5, 4), (6, 4, 7), (0, 4, 1), (1, 4, 5)),
         *((1, 5, 2), (2, 5, 6), (2, 6, 3), (3, 6, 7), (3, 7, 0), (0, 7, 4)),
@@ -25,6 +31,7 @@ def ConvertHexToTrigs(nodeNumbers: Sequence[int]) -> list[list[int]]:
 
 def ConvertTetToTrigs(nodeNumbers: Sequence[int]) -> list[list[int]]:
     """The 4 triangles on the faces of a tetrahedron; nodes on edges are left out."""
+    _need_corners("ConvertTetToTrigs: nodeNumbers", nodeNumbers, 4)
     return [[nodeNumbers[i] for i in corner] for corner in ((0, 1, 2), (0, 3, 1), (1, 3, 2), (0, 2, 3))]
 
 

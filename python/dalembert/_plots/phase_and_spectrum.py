@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from dalembert._calls import checked
 from dalembert._checks import FloatArray
 from dalembert._plots.images import save_figure, show_figure
 from dalembert._plots.sensor_curves import Curve, Of, coordinates, is_list, make_curves
@@ -31,6 +32,7 @@ def _curves(mbs: Any, sensor: Any, component: int, where: str) -> list[_Measured
     return found
 
 
+@checked
 def PlotPhase(
     mbs: Any, sensorX: Any, sensorY: Any, componentX: int = 0, componentY: int = 0, fileName: str = "", ax: Any = None
 ) -> Any:
@@ -59,6 +61,7 @@ def PlotPhase(
     return _shown(plt, ax, fileName, own, len(pairs), "PlotPhase")
 
 
+@checked
 def PlotSensorFFT(mbs: Any, sensor: Any, component: int = 0, fileName: str = "", ax: Any = None) -> Any:
     """Plot the amplitudes of the frequencies in a sensor; return the axes.
 
