@@ -252,11 +252,18 @@ def test_numbers_counts_and_switches_that_are_none_are_named():
         (lambda: gr.Cylinder(P, addFaces="False"), "Cylinder: addFaces: expected True or False, received 'False'"),
         (lambda: gr.Tube(*points, radius=[1, 2, 3]), "Tube: radius: expected a number"),
         (lambda: gr.Tube(*points, color=[[1, 0, 0, 1]] * 3), "Tube: color: expected a vector with 4 components"),
+        (lambda: gr.Basis(colors=[RED]), "Basis: colors: expected three colors, one for each axis"),
         (lambda: gr.Tube(*points, nTiles=16.5), "Tube: nTiles: expected an integer, received 16.5"),
     ):
         with pytest.raises(ValueError, match=text):
             call()
     assert len(gr.Tube(*points, nTiles=np.float64(16))["points"]) == 3 * 32
+    for nowhere in ([float("nan"), 0, 0], [0, float("inf"), 0]):
+        for call, others in ((gr.Sphere, ()), (gr.Cylinder, ()), (gr.Arrow, ([0, 0, 1], 0.1))):
+            with pytest.raises(ValueError, match=r"points: expected finite coordinates, received \["):
+                call(nowhere, *others)
+    with pytest.raises(ValueError, match="AddEdgesAndSmoothenNormals: triangleColor: expected an array of numbers"):
+        gr.AddEdgesAndSmoothenNormals(gr.Brick(), triangleColor="red")
     with pytest.raises(TypeError, match="SegmentsFromPoints: pointIndexOffset: expected an integer, 0 or more"):
         gdu.SegmentsFromPoints(points[0], [1, 2, 3])
 

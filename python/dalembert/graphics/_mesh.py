@@ -32,6 +32,8 @@ def triangle_list(
     edgeColor: npt.ArrayLike | None = None,
 ) -> GraphicsData:
     """Return graphicsData of the type TriangleList; colors is one RGBA colour or one per point."""
+    if not (finite := np.isfinite(points).all(axis=-1)).all():
+        raise shape_error("points", "finite coordinates", points[~finite][0].tolist())
     rgba = as_array("color", colors, "4 numbers, red, green, blue and opacity from 0 to 1, such as graphics.color.red")
     if rgba.ndim != 2:
         rgba = np.tile(as_color("color", rgba), len(points))

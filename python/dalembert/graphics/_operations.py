@@ -225,7 +225,7 @@ def _sharp_edges(triangles: IntArray, normals: FloatArray, edgeAngle: float) -> 
 def _point_colors(graphicsData: GraphicsData, nPoints: int, triangleColor: npt.ArrayLike) -> FloatArray:
     """Return one colour per point: the given one, or the colours of the data, or its first one if they do not fit."""
     where = "AddEdgesAndSmoothenNormals"
-    given = np.asarray(triangleColor, dtype=float)
+    given = as_array(where + ": triangleColor", triangleColor)
     if given.size:
         return np.tile(as_color(where + ": triangleColor", given), (nPoints, 1))
     colors = np.asarray(graphicsData["colors"], dtype=float)

@@ -137,6 +137,8 @@ def Basis(
     p = as_vector("Basis: origin", origin, 3)
     axes = as_number("Basis: length", length) * as_matrix("Basis: rotationMatrix", rotationMatrix, (3, 3)).T
     radius = kwargs.get("radius", 0.01 * length)
+    if not isinstance(colors, (list, tuple, np.ndarray)) or len(colors) != 3:
+        raise shape_error("Basis: colors", "three colors, one for each axis", colors)
     if length == 0:
         return triangle_list(np.zeros((0, 3)), [], np.zeros((0, 4)), np.zeros((0, 3)))
     x, y, z = (
