@@ -105,7 +105,6 @@ class ConstrainedMotion {
   void add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap);
   // Solutions for right-hand sides of the constraints alone; returns the part of the coordinates.
   std::span<const double> move(std::span<const double> gaps);
-  // Returns how many solutions it has taken.
   void close_what_eps_leaves(int times, std::span<double> x);
 
   LinearSolverType type_ = LinearSolverType::EXUdense;
