@@ -146,6 +146,9 @@ def VectorDiadicUnitMatrix3D(v: npt.ArrayLike) -> FloatArray:
 
 def CyclicCompareReversed(list1: Sequence[int], list2: Sequence[int]) -> bool:
     """Whether list2 read backwards is list1, up to a rotation."""
+    for name, values in (("list1", list1), ("list2", list2)):
+        if not isinstance(values, (list, tuple, np.ndarray)):
+            raise shape_error(f"CyclicCompareReversed: {name}", "a list of numbers", values)
     backwards, n = list(list2)[::-1], len(list1)
     return len(backwards) == n and any(backwards[i:] + backwards[:i] == list(list1) for i in range(max(n, 1)))
 

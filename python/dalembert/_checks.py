@@ -31,16 +31,19 @@ def shape_error(name: str, expected: str, received: Any) -> ValueError:
 def as_array(name: str, value: Any, expected: str = "an array of numbers") -> FloatArray:
     """Convert to a float array; ValueError names the argument if that is not possible."""
     try:
-        return np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError, OverflowError):
         raise shape_error(name, expected, value) from None
+    if array is not value and np.asarray(value).dtype.kind in "US":  # numpy reads numbers from texts
+        raise shape_error(name, expected, value)
+    return array
 
 
 def as_number(name: str, value: Any, negative: bool = True) -> float:
     """Convert to a finite float, which is not negative if that is asked for; ValueError otherwise, for texts too."""
     expected = "a finite number" if negative else "a finite number that is not negative"
     array = as_array(name, value, expected)
-    if isinstance(value, (str, bytes)) or array.ndim != 0:
+    if array.ndim != 0:
         raise shape_error(name, expected, value)
     number = float(array)
     if not np.isfinite(number) or (number < 0 and not negative):

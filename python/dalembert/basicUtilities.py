@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import shape_error
+from dalembert._checks import check_integer, shape_error
 
 __all__ = [
     "ClearWorkspace",
@@ -73,7 +73,11 @@ def ClearWorkspace() -> None:
 
 def SmartRound2String(x: float, prec: int = 3) -> str:
     """Return x as text with prec significant digits, keeping a decimal point for fractions and short integers exact."""
-    text = f"{x:.{prec}g}"
+    check_integer("SmartRound2String: prec", prec, 0)
+    try:
+        text = f"{x:.{prec}g}"
+    except (TypeError, ValueError):
+        raise shape_error("SmartRound2String: x", "a number", x) from None
     if not math.isfinite(x):
         return text
     if abs(x) > 1 and x != int(x) and "." not in text and "e" not in text:
@@ -112,7 +116,10 @@ def NormL2(vector: Sequence[float]) -> float:
 
 def VSum(vector: Sequence[float]) -> float:
     """Return the sum of the components of a vector."""
-    return sum(vector)
+    try:
+        return sum(vector)
+    except TypeError:
+        raise shape_error("VSum: vector", "a vector of numbers", vector) from None
 
 
 def VAdd(v0: Sequence[float], v1: Sequence[float]) -> list[float]:

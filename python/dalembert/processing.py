@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import as_number
+from dalembert._checks import as_number, check_integer, shape_error
 from dalembert._plots.images import show_figure
 from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
@@ -48,6 +48,11 @@ __all__ = [
 
 def SingleIndex2SubIndices(i: int, subIndexRanges: Sequence[int]) -> list[int]:
     """Return the index per range for the number i of a combination; the last index runs fastest."""
+    if not isinstance(subIndexRanges, (list, tuple, np.ndarray)):
+        raise shape_error("SingleIndex2SubIndices: subIndexRanges", "a list of numbers of values", subIndexRanges)
+    for size in subIndexRanges:
+        check_integer("SingleIndex2SubIndices: subIndexRanges", size, 1)
+    check_integer("SingleIndex2SubIndices: i", i, 0)
     indices = []
     for size in reversed(subIndexRanges):
         i, index = divmod(i, size)

@@ -188,3 +188,5 @@ def test_orders_of_coordinates_that_do_not_fit_are_named():
         FEM.ConvertTetToTrigs([1, 2])
     with pytest.raises(ValueError, match="ConvertHexToTrigs: nodeNumbers: expected 8 numbers of nodes or more"):
         FEM.ConvertHexToTrigs(range(7))
+    with pytest.raises(ValueError, match="CyclicCompareReversed: list1: expected a list of numbers, received 1"):
+        FEM.CyclicCompareReversed(1, [1])

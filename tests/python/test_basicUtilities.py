@@ -47,6 +47,16 @@ def test_smart_round_keeps_infinity():
     assert bu.SmartRound2String(math.inf) == "inf"
 
 
+def test_what_is_no_number_is_named():
+    with pytest.raises(ValueError, match="SmartRound2String: x: expected a number, received None"):
+        bu.SmartRound2String(None)
+    with pytest.raises(TypeError, match="SmartRound2String: prec: expected an integer, 0 or more"):
+        bu.SmartRound2String(1.5, "a")
+    for vector in (3, ["a"]):
+        with pytest.raises(ValueError, match="VSum: vector: expected a vector of numbers"):
+            bu.VSum(vector)
+
+
 @pytest.mark.parametrize(("rule", "orders"), [(bu.GaussIntegrate, (1, 3, 5, 7, 9)), (bu.LobattoIntegrate, (1, 3, 5))])
 def test_rules_are_exact_up_to_their_order_and_not_beyond(rule, orders):
     a, b = -0.3, 1.7

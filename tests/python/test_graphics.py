@@ -418,6 +418,10 @@ def test_bearing_rings_are_closed_and_leave_room_for_the_balls():
     for g in rings.values():
         assert is_closed(g)
         assert volume(g) > 0
+    with pytest.raises(ValueError, match="BallBearingRings: nTilesGrooves: expected an integer, 1 or more"):
+        gr.BallBearingRings(**data | {"nTilesGrooves": 0})
+    with pytest.raises(ValueError, match="BallBearingRings: innerGrooveRadius: expected a positive number"):
+        gr.BallBearingRings(**data | {"innerGrooveRadius": 0})
     data["innerGrooveRadius"] = 1e-4
     with pytest.raises(ValueError, match="innerGrooveTorusRadius and innerRingShoulderRadius of at most"):
         gr.BallBearingRings(**data)
@@ -429,7 +433,21 @@ def test_bearing_rings_are_closed_and_leave_room_for_the_balls():
         (lambda: gr.Sphere(majorAngleMin=1, majorAngleMax=0), "increasing angles"),
         (lambda: gr.Sphere(innerRadius=5), "innerRadius: expected a number between 0 and radius=0.1, received 5"),
         (lambda: gr.Cuboid([[0, 0, 0]]), "pList: expected a list of 8 points"),
-        (lambda: gr.Brick(color=[1, 0, 0]), "color: expected a vector with 4 components"),
+        (lambda: gr.Brick(color=[1, 0, 0]), "^Brick: color: expected a vector with 4 components"),
+        (lambda: gr.Cylinder(color="red"), "^Cylinder: color: expected a vector with 4 components"),
+        (lambda: gr.Sphere(addEdges=1, edgeColor=3), "^Sphere: edgeColor: expected a vector with 4 components"),
+        (lambda: gr.Brick([1, float("nan"), 0]), "^Brick: points: expected finite coordinates"),
+        (lambda: gr.Brick(size=[float("nan")] * 3), "^Brick: size: expected finite side lengths"),
+        (lambda: gr.Brick(["1", "2", "3"]), "^Brick: centerPoint: expected a vector with 3 components"),
+        (lambda: gr.SolidExtrusion(SQUARE, "all", 1), "SolidExtrusion: segments: expected rows of 2 numbers"),
+        (lambda: gr.SolidExtrusion(SQUARE, [], 1), "SolidExtrusion: segments: expected pairs of numbers of points"),
+        (
+            lambda: gr.SolidExtrusion(SQUARE, [[0, 1], [1, 6], [6, 0]], 1),
+            "SolidExtrusion: segments: expected numbers of points, 0 to 5, received 6",
+        ),
+        (lambda: gr.InvoluteGear(None, 1), "InvoluteGear: involuteGear: expected a machines.InvoluteGear"),
+        (lambda: gr.ToothedRack(0.1, 0, 0.1, 0.2, 0.1), "ToothedRack: nTeeth: expected an integer, 1 or more"),
+        (lambda: gr.ToothedRack(-0.1, 3, 0.1, 0.2, 0.1), "ToothedRack: module: expected a positive number"),
         (lambda: gr.Lines([[0, 0]]), "pList: expected a list of points with 3 coordinates each"),
         (lambda: gr.ToPointsAndTrigs(gr.Text()), "expected 'TriangleList', received 'Text'"),
         (lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, 2]], [1, 2]), "color: expected 4 RGBA values"),

@@ -201,6 +201,9 @@ def test_headers() -> None:
     assert variation["columns"] == ["globalIndex", "value", "mass"]
     assert variation["variableRanges"] == [[1, 10, 4], [1, 5, 3]]
     assert plot.ParseOutputFileHeader(["1,2,3"])["type"] == "unknown"
+    for lines in (None, "text", [1, 2]):
+        with pytest.raises(ValueError, match="ParseOutputFileHeader: lines: expected a list of lines of text"):
+            plot.ParseOutputFileHeader(lines)  # type: ignore[arg-type]
 
 
 def test_strip_spaces(tmp_path: Path) -> None:
@@ -271,3 +274,10 @@ def test_numbers_and_switches_of_spectra_that_are_none_are_named():
     ):
         with pytest.raises(ValueError, match=text):
             plot.PlotFFT(**{"frequency": [1, 2, 3], "data": [1, 2, 3], **arguments})
+
+
+@pytest.mark.parametrize("mbs", [None, 3, "mbs"])
+def test_what_is_no_system_is_named(mbs: Any) -> None:
+    for call in (lambda: plot.PlotSensor(mbs, 0), lambda: plot.PlotPhase(mbs, 0, 1)):
+        with pytest.raises(ValueError, match="PlotSensor: mbs: expected a system, which has these sensors"):
+            call()

@@ -184,6 +184,17 @@ def test_sub_indices(i: int, indices: list[int]) -> None:
     assert processing.SingleIndex2SubIndices(i, [4, 3, 2]) == indices
 
 
+def test_indices_and_sets_that_are_none_are_named() -> None:
+    with pytest.raises(TypeError, match="SingleIndex2SubIndices: i: expected an integer, 0 or more"):
+        processing.SingleIndex2SubIndices(1.5, [4, 3])  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="SingleIndex2SubIndices: subIndexRanges: expected a list"):
+        processing.SingleIndex2SubIndices(1, 4)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="SingleIndex2SubIndices: subIndexRanges: expected an integer, 1 or more"):
+        processing.SingleIndex2SubIndices(1, [4, 0])
+    with pytest.raises(ValueError, match="AddComputationIndexAndFunctionData: ind: expected a dictionary"):
+        processing.AddComputationIndexAndFunctionData(None, 1, True, {})  # type: ignore[arg-type]
+
+
 # ---- genetic optimization ----------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("arguments", "value"),

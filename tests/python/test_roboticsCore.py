@@ -55,6 +55,12 @@ def test_angles_are_projected_to_one_turn():
         projectAngleToPMPi([4, -4, np.pi, -np.pi, 0.5 + 6 * np.pi]), [4 - 2 * np.pi, 2 * np.pi - 4, np.pi, np.pi, 0.5]
     )
     assert projectAngleToPMPi(7.0) == pytest.approx(7 - 2 * np.pi)
+    with pytest.raises(ValueError, match="projectAngleToPMPi: q0: expected an array of numbers"):
+        projectAngleToPMPi("a")
+    with pytest.raises(ValueError, match="VRobotLink: linkColor: expected a vector with 4 components"):
+        robotics.VRobotLink(linkColor="red")
+    with pytest.raises(ValueError, match="VRobotLink: graphicsData: expected a list of graphicsData"):
+        robotics.VRobotLink(graphicsData=exu.graphics.Brick())
 
 
 @pytest.mark.parametrize("link", [0, 3, "link6", "joint5"])

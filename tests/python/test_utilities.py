@@ -118,6 +118,16 @@ def test_binary_files_that_end_early(model, tmp_path, capfd):
         utilities.LoadBinarySolutionFile(tmp_path / "solution.txt")
 
 
+def test_codes_of_characters():
+    assert utilities.NumpyInt8ArrayToString(np.array([65, 66], np.int8)) == "AB"
+    assert utilities.NumpyInt8ArrayToString([]) == ""
+    for codes in (None, [[1, 2], [3]], ["A"]):
+        with pytest.raises(ValueError, match="NumpyInt8ArrayToString: npArray: expected a vector of numbers"):
+            utilities.NumpyInt8ArrayToString(codes)
+    with pytest.raises(ValueError, match="NumpyInt8ArrayToString: npArray: expected codes of characters, from 0"):
+        utilities.NumpyInt8ArrayToString([-1])
+
+
 def test_rows_become_states(model, tmp_path):
     mbs, bar, _settings = model
     solution = utilities.LoadSolutionFile(tmp_path / "solution.txt", verbose=False)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import sys
 from typing import IO, Any
 
 import numpy as np
 import numpy.typing as npt
 
+from dalembert._checks import as_vector, shape_error
 from dalembert._core import Print
 from dalembert._io.files import Path, file_to_read
 from dalembert._io.solution_rows import COLUMNS, solution_of
@@ -19,7 +21,10 @@ _END_OF_FILE = -1  # length of a row that marks the end of a binary file
 
 def NumpyInt8ArrayToString(npArray: npt.ArrayLike) -> str:
     """Return the text of an array of character codes."""
-    return "".join(chr(int(code)) for code in np.asarray(npArray))
+    codes = as_vector("NumpyInt8ArrayToString: npArray", npArray)
+    if not ((codes >= 0) & (codes <= sys.maxunicode) & (codes == np.floor(codes))).all():
+        raise shape_error("NumpyInt8ArrayToString: npArray", "codes of characters, from 0", npArray)
+    return "".join(chr(code) for code in codes.astype(int))
 
 
 def _read(file: IO[bytes], dtype: Any, count: int) -> npt.NDArray[Any]:

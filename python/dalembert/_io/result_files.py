@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
+from dalembert._checks import shape_error
 from dalembert._io.files import file_to_read, file_to_write, replacing
 
 _MAXIMUM_HEADER = 10
@@ -87,6 +88,8 @@ def ParseOutputFileHeader(lines: Sequence[str]) -> dict[str, Any]:
     says: 'outputVariableType', 'sensorType', 'itemNumber', 'numberOfSensors', 'numberOfSteps'. It is empty for an
     empty file.
     """
+    if not isinstance(lines, (list, tuple)) or not all(isinstance(line, str) for line in lines[:_MAXIMUM_HEADER]):
+        raise shape_error("ParseOutputFileHeader: lines", "a list of lines of text", lines)
     if len(lines) == 0:
         return {}
     header: list[str] = []

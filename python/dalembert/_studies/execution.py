@@ -78,6 +78,8 @@ def AddComputationIndexAndFunctionData(
     ind: ParameterSet, cnt: int, addComputationIndex: bool, parameterFunctionData: Mapping[str, Any]
 ) -> None:
     """Add 'computationIndex' (cnt) and 'functionData' to a parameter set, if asked for."""
+    if not isinstance(ind, dict):
+        raise shape_error("AddComputationIndexAndFunctionData: ind", "a dictionary", ind)
     if addComputationIndex:
         ind["computationIndex"] = cnt
     if parameterFunctionData:

@@ -10,7 +10,17 @@ import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as outlines
 from dalembert._calls import checked
-from dalembert._checks import as_matrix, as_points, as_vector, shape_error, unit_vector
+from dalembert._checks import (
+    as_matrix,
+    as_number,
+    as_point_numbers,
+    as_points,
+    as_positive,
+    as_vector,
+    check_integer,
+    shape_error,
+    unit_vector,
+)
 from dalembert._geometry.rotations import GramSchmidt, RotationMatrix2D, RotationMatrixZ
 from dalembert.graphics._mesh import GraphicsData, triangle_list, unit_rows
 from dalembert.graphics._revolution import SolidOfRevolution
@@ -41,7 +51,9 @@ def SolidExtrusion(
     outline = as_points("SolidExtrusion: vertices", vertices, 2)
     if len(outline) < 3:
         raise shape_error("SolidExtrusion: vertices", "at least 3 points of an outline", vertices)
-    pairs = np.asarray(segments, dtype=int).reshape(-1, 2)
+    pairs = as_point_numbers("SolidExtrusion: segments", segments, 2, len(outline))
+    if len(pairs) == 0:
+        raise shape_error("SolidExtrusion: segments", "pairs of numbers of points", segments)
     A = as_matrix("SolidExtrusion: rot", rot, (3, 3))
     relative = as_matrix("SolidExtrusion: relRot", relRot, (3, 3))
     n = len(outline)
@@ -67,7 +79,7 @@ def SolidExtrusion(
         if addEdges == 2:
             edges = np.vstack([edges, np.column_stack([a, a + n])])
     transformed = points @ A.T + as_vector("SolidExtrusion: pOff", pOff, 3)
-    return triangle_list(transformed, triangles if addFaces else [], color, normals, edges, edgeColor)
+    return triangle_list("SolidExtrusion", transformed, triangles if addFaces else [], color, normals, edges, edgeColor)
 
 
 def _arc(center: npt.ArrayLike, radius: float, start: float, end: float, nTiles: int) -> list[list[float]]:
@@ -155,6 +167,8 @@ def InvoluteGear(
     radius is that of the bore, or the outer one of an internal gear; relativeAngleOffset turns the gear by parts of
     the angle of a tooth; helixAngleDeg (degrees) makes it helical.
     """
+    if not hasattr(involuteGear, "GenerateGear"):
+        raise shape_error("InvoluteGear: involuteGear", "a machines.InvoluteGear", involuteGear)
     outline = involuteGear.GenerateGear() @ RotationMatrix2D(relativeAngleOffset * involuteGear.angleToothAndGap)
     segments = outlines.SegmentsFromPoints(outline)
     if radius != 0 or involuteGear.isInternalGear:
@@ -197,6 +211,10 @@ def ToothedRack(
     addFaces: bool = True,
 ) -> GraphicsData:
     """Return a rack with trapezoidal teeth along x, starting at the origin, with its middle plane at z = 0."""
+    for name, value in (("module", module), ("width", width), ("toothHeight", toothHeight)):
+        as_positive(f"ToothedRack: {name}", value)
+    as_number("ToothedRack: rackBaseHeight", rackBaseHeight, negative=False)
+    check_integer("ToothedRack: nTeeth", int(nTeeth), 1)
     pitch = module * pi
     flank = toothHeight * tan(radians(pressureAngleDeg))
     start = -0.5 * (0.5 * pitch - flank)
@@ -224,6 +242,7 @@ def ToothedRack(
 
 def _groove_angle(name: str, depth: float, grooveRadius: float) -> float:
     """Return the angle between the shoulder and the end of the groove in its section."""
+    as_positive(f"BallBearingRings: {name}GrooveRadius", grooveRadius)
     if abs(depth) > grooveRadius:
         raise ValueError(
             f"BallBearingRings: expected a distance between {name}GrooveTorusRadius and {name}RingShoulderRadius of "
@@ -272,6 +291,7 @@ def BallBearingRings(
     the groove does not reach the shoulder of its ring.
     """
     e = unit_vector("BallBearingRings: axis", axis)
+    check_integer("BallBearingRings: nTilesGrooves", int(nTilesGrooves), 1)
     rings = {}
     for name, sign, grooveRadius, torusRadius, shoulder, rim, chamfer, rgba in (
         ("inner", 1, innerGrooveRadius, innerGrooveTorusRadius, innerRingShoulderRadius, 0.5 * boreDiameter,

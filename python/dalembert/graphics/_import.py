@@ -80,7 +80,7 @@ def FromSTLfileASCII(
     order = [0, 2, 1] if invertTriangles else [0, 1, 2]
     triangles = np.arange(3 * len(normals)).reshape(-1, 3)[:, order]
     pointNormals = np.repeat(-normals if invertNormals else normals, 3, axis=0)
-    return triangle_list(corners.reshape(-1, 3), triangles, color, pointNormals)
+    return triangle_list("FromSTLfileASCII", corners.reshape(-1, 3), triangles, color, pointNormals)
 
 
 def _mass_properties(corners: FloatArray, density: float) -> dict[str, Any]:
@@ -123,7 +123,7 @@ def FromSTLfile(
     index = np.arange(len(points))
     normals = np.repeat(triangle_normals(points, index.reshape(-1, 3)), 3, axis=0)
     order = index[::-1] if invertTriangles else index
-    graphicsData = triangle_list(points, order, color, -normals if invertNormals else normals)
+    graphicsData = triangle_list("FromSTLfile", points, order, color, -normals if invertNormals else normals)
     lower, upper = points.min(axis=0), points.max(axis=0)
     properties: dict[str, Any] = {"minPos": lower, "maxPos": upper}
     if density != 0:
@@ -163,7 +163,7 @@ def FromPyMeshlabFile(
         print(f"FromPyMeshlabFile: {fileName}: {len(points)} points, {len(triangles)} triangles")
     if normalizeNormals:
         normals = _normalized(normals, "FromPyMeshlabFile")
-    colors = np.tile(as_color("defaultColor", defaultColor), (len(points), 1))
+    colors = np.tile(as_color("FromPyMeshlabFile: defaultColor", defaultColor), (len(points), 1))
     if mesh.has_face_color() and not useDefaultColor:
         colors = np.zeros_like(colors)
         colors[triangles.ravel()] = np.repeat(mesh.face_color_matrix(), 3, axis=0)

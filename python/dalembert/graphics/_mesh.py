@@ -24,6 +24,7 @@ GraphicsData = dict[str, Any]
 
 
 def triangle_list(
+    where: str,
     points: FloatArray,
     triangles: npt.ArrayLike,
     colors: npt.ArrayLike,
@@ -31,23 +32,27 @@ def triangle_list(
     edges: npt.ArrayLike | None = None,
     edgeColor: npt.ArrayLike | None = None,
 ) -> GraphicsData:
-    """Return graphicsData of the type TriangleList; colors is one RGBA colour or one per point."""
+    """Return graphicsData of the type TriangleList; colors is one RGBA colour or one per point.
+
+    where: the function that was called, of which errors tell.
+    """
     if not (finite := np.isfinite(points).all(axis=-1)).all():
-        raise shape_error("points", "finite coordinates", points[~finite][0].tolist())
-    rgba = as_array("color", colors, "4 numbers, red, green, blue and opacity from 0 to 1, such as graphics.color.red")
+        raise shape_error(f"{where}: points", "finite coordinates", points[~finite][0].tolist())
+    name = f"{where}: color"
+    rgba = as_array(name, colors, "4 numbers, red, green, blue and opacity from 0 to 1, such as graphics.color.red")
     if rgba.ndim != 2:
-        rgba = np.tile(as_color("color", rgba), len(points))
+        rgba = np.tile(as_color(name, rgba), len(points))
     else:
         if rgba.shape != (len(points), 4):
-            raise shape_error("color", f"4 numbers, or 4 for each of {len(points)} points", colors)
-        check_colors("color", rgba)
+            raise shape_error(name, f"4 numbers, or 4 for each of {len(points)} points", colors)
+        check_colors(name, rgba)
     data: GraphicsData = {"type": "TriangleList", "colors": rgba.ravel(), "points": points.ravel()}
     if normals is not None:
         data["normals"] = normals.ravel()
     data["triangles"] = np.asarray(triangles, dtype=int).ravel()
     if edges is not None:
         data["edges"] = np.asarray(edges, dtype=int).ravel()
-        data["edgeColor"] = as_color("edgeColor", edgeColor).copy()
+        data["edgeColor"] = as_color(f"{where}: edgeColor", edgeColor).copy()
     return data
 
 
@@ -87,10 +92,10 @@ def at_least(where: str, nTiles: int, minimum: int) -> int:
     return int(nTiles)
 
 
-def two_colors(rgba: npt.ArrayLike, alternating: npt.ArrayLike | None, n: int) -> FloatArray:
+def two_colors(where: str, rgba: npt.ArrayLike, alternating: npt.ArrayLike | None, n: int) -> FloatArray:
     """Return n colours of which the second half is the alternating colour, if there is one."""
-    first = as_color("color", rgba)
-    second = first if alternating is None else as_color("alternatingColor", alternating)
+    first = as_color(f"{where}: color", rgba)
+    second = first if alternating is None else as_color(f"{where}: alternatingColor", alternating)
     return np.vstack([np.tile(first, (n // 2, 1)), np.tile(second, (n - n // 2, 1))])
 
 

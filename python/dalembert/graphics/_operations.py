@@ -78,7 +78,7 @@ def FromPointsAndTrigs(
         raise shape_error("FromPointsAndTrigs: color", expected, color)
     n = as_one_each("FromPointsAndTrigs: normals", () if normals is None else normals, 3, len(p))
     colors = rgba.ravel() if rgba.size == 4 else rgba.reshape(-1, 4)
-    return triangle_list(p, corners, colors, None if n is None else n.copy())
+    return triangle_list("FromPointsAndTrigs", p, corners, colors, None if n is None else n.copy())
 
 
 @checked
@@ -272,4 +272,6 @@ def AddEdgesAndSmoothenNormals(
         triangles[split] = len(points) + np.arange(len(old))
         points, colors = np.vstack([points, points[old]]), np.vstack([colors, colors[old]])
         pointNormals = np.vstack([pointNormals, np.repeat(normals, 3, axis=0)[split.ravel()]])
-    return triangle_list(points, triangles, colors, pointNormals, edges if addEdges else None, edgeColor)
+    return triangle_list(
+        "AddEdgesAndSmoothenNormals", points, triangles, colors, pointNormals, edges if addEdges else None, edgeColor
+    )

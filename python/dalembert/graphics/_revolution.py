@@ -84,7 +84,7 @@ def SolidOfRevolution(
     corners = points[triangles]
     on_axis = (corners == np.roll(corners, 1, axis=1)).all(axis=2).any(axis=1)  # these have no area
     triangles = triangles[~on_axis]
-    rgba = np.tile(two_colors(color, kwargs.get("alternatingColor"), nTiles), (2 * nSegments, 1))
+    rgba = np.tile(two_colors("SolidOfRevolution", color, kwargs.get("alternatingColor"), nTiles), (2 * nSegments, 1))
     edges: list[list[int]] | None = None
     if addEdges:
         circles = np.column_stack([p, following]) + offset
@@ -93,7 +93,7 @@ def SolidOfRevolution(
         step = max(nTiles // max(lines, 1), 1)
         for i in range(0, min(lines * step, nTiles), step):
             edges += [[i + 2 * nTiles * k, i + 2 * nTiles * k + nTiles] for k in range(nSegments)]
-    return triangle_list(points, triangles if addFaces else [], rgba, normals, edges, edgeColor)
+    return triangle_list("SolidOfRevolution", points, triangles if addFaces else [], rgba, normals, edges, edgeColor)
 
 
 @checked
@@ -140,7 +140,7 @@ def Basis(
     if not isinstance(colors, (list, tuple, np.ndarray)) or len(colors) != 3:
         raise shape_error("Basis: colors", "three colors, one for each axis", colors)
     if length == 0:
-        return triangle_list(np.zeros((0, 3)), [], np.zeros((0, 4)), np.zeros((0, 3)))
+        return triangle_list("Basis", np.zeros((0, 3)), [], np.zeros((0, 4)), np.zeros((0, 3)))
     x, y, z = (
         Arrow(p, axis, radius, rgba, headFactor, headStretch, nTiles) for axis, rgba in zip(axes, colors, strict=True)
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import asin, pi, sin, sqrt
 from typing import Any
 
@@ -112,7 +113,9 @@ def Sphere(
     isFull = innerRadius is None and abs(majorAngleMax - majorAngleMin - pi) <= 1e-7
     edges = _sphere_edges(nTiles, level) if level > 0 and isFull else None
     center = as_vector("Sphere: point", point, 3)
-    return triangle_list(points + center, np.vstack(triangles) if addFaces else [], color, normals, edges, edgeColor)
+    return triangle_list(
+        "Sphere", points + center, np.vstack(triangles) if addFaces else [], color, normals, edges, edgeColor
+    )
 
 
 _CUBOID_TRIANGLES = np.array(
@@ -128,7 +131,7 @@ _CUBOID_TRIANGLES = np.array(
 _CUBOID_EDGES = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]]
 
 
-def _cuboid_corner_edges(faces: list[int]) -> list[list[int]]:
+def _cuboid_corner_edges(faces: Sequence[int]) -> list[list[int]]:
     """Return each edge of a cuboid once, in terms of the 6 corners that every drawn face has of its own."""
     edges, seen = [], set()
     for n, face in enumerate(faces):
@@ -159,14 +162,28 @@ def Cuboid(
     if len(points) != 8:
         raise shape_error("Cuboid: pList", "a list of 8 points", pList)
     drawn = [i for i, on in enumerate(as_vector("Cuboid: faces", faces, 6)) if on]
+    return _cuboid("Cuboid", points, color, drawn, addNormals, addEdges, edgeColor, addFaces)
+
+
+def _cuboid(
+    where: str,
+    points: FloatArray,
+    color: npt.ArrayLike,
+    drawn: Sequence[int],
+    addNormals: bool,
+    addEdges: bool | int,
+    edgeColor: npt.ArrayLike,
+    addFaces: bool,
+) -> GraphicsData:
+    """Return some faces of a block with 8 given corners."""
     triangles = _CUBOID_TRIANGLES[drawn].reshape(-1, 3)
     if not addNormals:
         edges = _CUBOID_EDGES if addEdges else None
-        return triangle_list(points, triangles if addFaces else [], color, None, edges, edgeColor)
+        return triangle_list(where, points, triangles if addFaces else [], color, None, edges, edgeColor)
     normals = np.repeat(triangle_normals(points, triangles), 3, axis=0)
     edges = _cuboid_corner_edges(drawn) if addEdges else None
     own = range(triangles.size) if addFaces else range(0)
-    return triangle_list(points[triangles.ravel()], own, color, normals, edges, edgeColor)
+    return triangle_list(where, points[triangles.ravel()], own, color, normals, edges, edgeColor)
 
 
 @checked
@@ -184,9 +201,14 @@ def BrickXYZ(
     addFaces: bool = True,
 ) -> GraphicsData:
     """Return a block between minimal and maximal coordinates; Brick replaces this function."""
-    outline = [[xMin, yMin], [xMax, yMin], [xMax, yMax], [xMin, yMax]]
-    corners = [[*xy, z] for z in (zMin, zMax) for xy in outline]
-    return Cuboid(corners, color, addNormals=addNormals, addEdges=addEdges, edgeColor=edgeColor, addFaces=addFaces)
+    corners = _corners([xMin, yMin, zMin], [xMax, yMax, zMax])
+    return _cuboid("BrickXYZ", corners, color, range(6), addNormals, addEdges, edgeColor, addFaces)
+
+
+def _corners(low: npt.ArrayLike, high: npt.ArrayLike) -> FloatArray:
+    """Return the corners of a block between minimal and maximal coordinates: 4 of the bottom, and 4 of the top."""
+    (x0, y0, z0), (x1, y1, z1) = np.asarray(low, float), np.asarray(high, float)
+    return np.array([[x, y, z] for z in (z0, z1) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))])
 
 
 def _rounded_radius(angles: FloatArray, roundness: float) -> FloatArray:
@@ -216,11 +238,11 @@ def Brick(
     """
     center = as_vector("Brick: centerPoint", centerPoint, 3)
     half = 0.5 * as_vector("Brick: size", size, 3)
-    if (half < 0).any():
-        raise shape_error("Brick: size", "side lengths that are not negative", size)
+    if not ((half >= 0) & np.isfinite(half)).all():
+        raise shape_error("Brick: size", "finite side lengths that are not negative", size)
     if roundness == 0:
-        (x0, y0, z0), (x1, y1, z1) = center - half, center + half
-        return BrickXYZ(x0, y0, z0, x1, y1, z1, color, addNormals, addEdges, edgeColor, addFaces)
+        corners = _corners(center - half, center + half)
+        return _cuboid("Brick", corners, color, range(6), addNormals, addEdges, edgeColor, addFaces)
     nTiles = at_least("graphics.Brick", nTiles, 8)
     nRows = nTiles // 2 + 1
     u = np.linspace(0, 2 * pi, nTiles, endpoint=False)[None, :]
@@ -232,7 +254,7 @@ def Brick(
     keep = np.ones(triangles.shape[:3], dtype=bool)
     keep[0, :, 1] = keep[-1, :, 0] = False  # triangles without area at the poles
     normals = shape / np.linalg.norm(shape, axis=1, keepdims=True)
-    return triangle_list(center + half * shape, triangles[keep], color, normals)
+    return triangle_list("Brick", center + half * shape, triangles[keep], color, normals)
 
 
 @checked
@@ -277,8 +299,8 @@ def Cylinder(
     rims = [end + radius * radial for end in ends]
     points = np.vstack([ends[0], rims[0], ends[1], rims[1], rims[0], rims[1]])
     normals = np.vstack([-e, radial, e, radial, np.tile(-e, (nTiles, 1)), np.tile(e, (nTiles, 1))])
-    rgba = two_colors(color, kwargs.get("alternatingColor"), nTiles)
-    pointColors = np.vstack([np.tile(as_color("color", color), (2, 1)), *[rgba] * 4])
+    rgba = two_colors("Cylinder", color, kwargs.get("alternatingColor"), nTiles)
+    pointColors = np.vstack([np.tile(as_color("Cylinder: color", color), (2, 1)), *[rgba] * 4])
 
     n, i = nTiles + 1, np.arange(nTiles)
     following = (i + 1) % nTiles
@@ -294,14 +316,16 @@ def Cylinder(
         for k, sign in ((0, 1.0), (-1, -1.0)):
             points = np.vstack([points, *ends, rims[0][k], rims[1][k]])
             normals = np.vstack([normals, np.tile(sign * np.cross(e, radial[k]), (4, 1))])
-        pointColors = np.vstack([pointColors, np.tile(as_color("color", color), (8, 1))])
+        pointColors = np.vstack([pointColors, np.tile(as_color("Cylinder: color", color), (8, 1))])
     edges = None
     if addEdges:
         previous = np.column_stack([(i - 1) % nTiles, i]) + 1
         edges = np.vstack([previous, previous + n]).tolist()
         lines = 0 if addEdges is True else int(addEdges)
         edges += [[1 + k * (nTiles // lines), n + 1 + k * (nTiles // lines)] for k in range(lines)]
-    return triangle_list(points, np.vstack(triangles) if addFaces else [], pointColors, normals, edges, edgeColor)
+    return triangle_list(
+        "Cylinder", points, np.vstack(triangles) if addFaces else [], pointColors, normals, edges, edgeColor
+    )
 
 
 @checked
@@ -337,7 +361,7 @@ def Tube(
     normals = np.vstack(rings)
     p, next_ring, following, diagonal = grid_indices(len(centers), nTiles)
     triangles = np.column_stack([p, following, next_ring, following, diagonal, next_ring])
-    return triangle_list(np.repeat(centers, nTiles, axis=0) + radius * normals, triangles, color, normals)
+    return triangle_list("Tube", np.repeat(centers, nTiles, axis=0) + radius * normals, triangles, color, normals)
 
 
 @checked
@@ -377,7 +401,7 @@ def Torus(
     else:
         triangles = np.column_stack([p, next_row, following, following, next_row, diagonal])
     sign = -1.0 if invert else 1.0
-    return triangle_list(points.reshape(-1, 3), triangles, color, sign * normals if smoothNormals else None)
+    return triangle_list("Torus", points.reshape(-1, 3), triangles, color, sign * normals if smoothNormals else None)
 
 
 @checked
@@ -430,9 +454,11 @@ def Quad(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0], **kw
     tiles = np.column_stack([p, following, diagonal, above])
     normals = triangle_normals(grid, tiles[:, :3])
     triangles = 4 * np.arange(nx * ny)[:, None] + np.array([0, 1, 2, 0, 2, 3])
-    both = two_colors(color, kwargs.get("alternatingColor"), 2)
+    both = two_colors("Quad", color, kwargs.get("alternatingColor"), 2)
     odd = (np.arange(ny)[:, None] + np.arange(nx)[None, :]).ravel() % 2
-    return triangle_list(grid[tiles.ravel()], triangles, np.repeat(both[odd], 4, axis=0), np.repeat(normals, 4, axis=0))
+    return triangle_list(
+        "Quad", grid[tiles.ravel()], triangles, np.repeat(both[odd], 4, axis=0), np.repeat(normals, 4, axis=0)
+    )
 
 
 @checked
@@ -450,7 +476,9 @@ def CheckerBoard(
     Optional arguments: size2 and nTiles2 for the second direction, materialIndex (in the place of alpha).
     """
     no_unknown("graphics.CheckerBoard", kwargs, ("nTiles2", "size2", "materialIndex"))
-    both = np.array([as_color("color", color), as_color("alternatingColor", alternatingColor)])
+    both = np.array(
+        [as_color("CheckerBoard: color", color), as_color("CheckerBoard: alternatingColor", alternatingColor)]
+    )
     if "materialIndex" in kwargs:
         both[:, 3] = kwargs["materialIndex"]
     _, n1, n2 = ComputeOrthonormalBasisVectors(normal)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_vector
+from dalembert._checks import FloatArray, as_array, as_vector
 from dalembert._geometry.transformations import HTrotateX, HTrotateZ, HTtranslate
 
 
@@ -31,5 +31,5 @@ def ModDHKK2HT(DHparameters: npt.ArrayLike) -> list[FloatArray]:
 
 def projectAngleToPMPi(q0: npt.ArrayLike) -> Any:
     """Return angles, a number or a list of them, turned by full turns into the range above -pi and up to pi."""
-    q = np.asarray(q0, dtype=float)
+    q = as_array("projectAngleToPMPi: q0", q0)
     return q - 2 * np.pi * np.ceil((q - np.pi) / (2 * np.pi))

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_matrix, as_number, as_transformation, as_vector, shape_error
+from dalembert._checks import FloatArray, as_color, as_matrix, as_number, as_transformation, as_vector, shape_error
 from dalembert._core import JointType
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._geometry.transformations import HT0
@@ -49,12 +49,14 @@ class VRobotLink:
         linkColor: Sequence[float] = [0.4, 0.4, 0.4, 1],
         graphicsData: GraphicsList = [],
     ) -> None:
+        if not isinstance(graphicsData, (list, tuple)):
+            raise shape_error("VRobotLink: graphicsData", "a list of graphicsData", graphicsData)
         self.jointRadius = jointRadius
         self.jointWidth = jointWidth
         self.linkWidth = linkWidth
         self.showMBSjoint = showMBSjoint
         self.showCOM = showCOM
-        self.linkColor = list(linkColor)
+        self.linkColor = as_color("VRobotLink: linkColor", linkColor).tolist()
         self.graphicsData = list(graphicsData)
 
     def __repr__(self) -> str:
