@@ -23,7 +23,7 @@ def _is_number(value: Any) -> bool:
     if isinstance(value, (str, bytes)) or getattr(value, "ndim", 0) != 0:
         return False
     try:
-        return not math.isnan(float(value))
+        return math.isfinite(float(value))
     except (TypeError, ValueError):
         return False
     except OverflowError:
@@ -39,7 +39,7 @@ def _is_switch(value: Any) -> bool:
 
 
 KINDS: dict[str, tuple[str, Callable[[Any], bool]]] = {
-    "float": ("a number", _is_number),
+    "float": ("a finite number", _is_number),
     "int": ("an integer", _is_integer),
     "bool": ("True or False", _is_switch),
     "bool | int": ("True, False or an integer", _is_switch),

@@ -246,11 +246,11 @@ def test_numbers_counts_and_switches_that_are_none_are_named():
     points = [[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 0, 0]]
     for call, text in (
         (lambda: gr.Sphere(nTiles=None), "Sphere: nTiles: expected an integer, received None"),
-        (lambda: gr.Torus(P, [0, 0, 1], radiusMajor="1"), "Torus: radiusMajor: expected a number, received '1'"),
-        (lambda: gr.Torus(P, [0, 0, 1], float("nan")), "Torus: radiusMajor: expected a number, received nan"),
-        (lambda: gr.Arrow(P, [0, 0, 1], headFactor=[1, 2]), r"Arrow: headFactor: expected a number, received \[1, 2\]"),
+        (lambda: gr.Torus(P, [0, 0, 1], radiusMajor="1"), "Torus: radiusMajor: expected a finite number, received '1'"),
+        (lambda: gr.Torus(P, [0, 0, 1], float("nan")), "Torus: radiusMajor: expected a finite number, received nan"),
+        (lambda: gr.Arrow(P, [0, 0, 1], headFactor=[1, 2]), r"Arrow: headFactor: expected a finite number, received \[1, 2\]"),
         (lambda: gr.Cylinder(P, addFaces="False"), "Cylinder: addFaces: expected True or False, received 'False'"),
-        (lambda: gr.Tube(*points, radius=[1, 2, 3]), "Tube: radius: expected a number"),
+        (lambda: gr.Tube(*points, radius=[1, 2, 3]), "Tube: radius: expected a finite number"),
         (lambda: gr.Tube(*points, color=[[1, 0, 0, 1]] * 3), "Tube: color: expected a vector with 4 components"),
         (lambda: gr.Basis(colors=[RED]), "Basis: colors: expected three colors, one for each axis"),
         (lambda: gr.Tube(*points, nTiles=16.5), "Tube: nTiles: expected an integer, received 16.5"),

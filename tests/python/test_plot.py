@@ -267,8 +267,8 @@ def test_an_array_has_no_name_to_show() -> None:
 
 def test_numbers_and_switches_of_spectra_that_are_none_are_named():
     for arguments, text in (
-        ({"freqStart": None}, "PlotFFT: freqStart: expected a number, received None"),
-        ({"freqEnd": [1, 2]}, r"PlotFFT: freqEnd: expected a number, received \[1, 2\]"),
+        ({"freqStart": None}, "PlotFFT: freqStart: expected a finite number, received None"),
+        ({"freqEnd": [1, 2]}, r"PlotFFT: freqEnd: expected a finite number, received \[1, 2\]"),
         ({"logScaleX": "False"}, "PlotFFT: logScaleX: expected True or False, received 'False'"),
         ({"frequency": "text"}, "PlotFFT: frequency: expected an array of numbers, received 'text'"),
     ):
