@@ -248,7 +248,10 @@ def test_numbers_counts_and_switches_that_are_none_are_named():
         (lambda: gr.Sphere(nTiles=None), "Sphere: nTiles: expected an integer, received None"),
         (lambda: gr.Torus(P, [0, 0, 1], radiusMajor="1"), "Torus: radiusMajor: expected a finite number, received '1'"),
         (lambda: gr.Torus(P, [0, 0, 1], float("nan")), "Torus: radiusMajor: expected a finite number, received nan"),
-        (lambda: gr.Arrow(P, [0, 0, 1], headFactor=[1, 2]), r"Arrow: headFactor: expected a finite number, received \[1, 2\]"),
+        (
+            lambda: gr.Arrow(P, [0, 0, 1], headFactor=[1, 2]),
+            r"Arrow: headFactor: expected a finite number, received \[1, 2\]",
+        ),
         (lambda: gr.Cylinder(P, addFaces="False"), "Cylinder: addFaces: expected True or False, received 'False'"),
         (lambda: gr.Tube(*points, radius=[1, 2, 3]), "Tube: radius: expected a finite number"),
         (lambda: gr.Tube(*points, color=[[1, 0, 0, 1]] * 3), "Tube: color: expected a vector with 4 components"),
