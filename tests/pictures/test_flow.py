@@ -19,10 +19,12 @@ import dalembert.itemInterface
 import dalembert.robotics
 from dalembert import _core, graphics
 from dalembert._live.messages import Stage
+from dalembert._pictures import looks
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.places import Places
 from dalembert._pictures.scene import Scene
+from dalembert._pictures.studio import Studio
 from dalembert.utilities import InertiaCuboid
 
 Shown = exu.ConfigurationType.Visualization
@@ -312,3 +314,26 @@ def test_messages_of_moved_parts_are_those_of_drawn_scenes(item: Any) -> None:
             else:
                 assert kind == told_kind
                 assert one is None or one.tobytes() == other.tobytes()
+
+
+def test_settings_are_asked_for_when_some_have_changed(SC: Any, mbs: Any, monkeypatch: Any) -> None:
+    mbs.CreateMassPoint(physicsMass=1)
+    mbs.Assemble()
+    studio, asked, below = Studio(SC), [], looks._below
+    studio.flow()
+    monkeypatch.setattr(looks, "_below", lambda settings, path: asked.append(path) or below(settings, path))
+    studio.flow()
+    assert not asked
+    SC.visualizationSettings.view0.scene.drawWorldBasis = True
+    studio.flow()
+    assert "view0.scene.drawWorldBasis" in asked
+
+
+def test_settings_stay_as_they_are_while_a_scene_is_made(SC: Any) -> None:
+    settings, seen = SC.visualizationSettings, looks.Looks(SC.visualizationSettings)
+    with seen.kept():
+        settings.nodes.defaultSize = 0.3
+        assert seen.setting("nodes.defaultSize") == -1
+    with seen.kept(), seen.kept():
+        assert seen.setting("nodes.defaultSize") == pytest.approx(0.3)
+    assert seen.setting("nodes.defaultSize") == pytest.approx(0.3)

@@ -116,6 +116,11 @@ class Stage:
 
     def messages(self, scene: Scene, looks: Looks, words: dict[str, Any], camera: Callable[[], Camera]) -> Picture:
         """Return the messages of a scene; `words` are parts of the head of the whole one."""
+        with looks.kept():
+            return self._messages(scene, looks, words, camera)
+
+    def _messages(self, scene: Scene, looks: Looks, words: dict[str, Any], camera: Callable[[], Camera]) -> Picture:
+        opacity = contour.opacity(looks)
         parts = self._parts(scene)
         rigid, deformed = self._sorted(parts)
         layout = (
@@ -127,6 +132,7 @@ class Stage:
             [(label.text, label.color) for label in scene.labels],
             [(color, item) for _, color, _, item in scene.lines],
             len(scene.items),
+            opacity,
             words,
         )
         moving, head = self._frame(scene, looks, rigid, deformed)
@@ -142,7 +148,8 @@ class Stage:
         items = self.items
 
         def whole() -> bytes:
-            return _whole(scene, rigid, deformed, moving, {**words, **head, "kind": "scene", "items": items}, camera())
+            told = {**words, **head, "kind": "scene", "items": items}
+            return _whole(scene, rigid, deformed, moving, opacity, told, camera())
 
         self._words = f',"range":{json.dumps(head["range"])},"scene":{self.number}'
         self._whole, self._told = whole, None
@@ -266,10 +273,11 @@ def _whole(
     rigid: list[list[tuple[Key, Instance]]],
     deformed: list[tuple[Key, Instance]],
     moving: Arrays,
+    opacity: float,
     words: dict[str, Any],
     camera: Camera,
 ) -> bytes:
-    """Return all that is drawn."""
+    """Return all that is drawn; `opacity` is that of the colors of numbers."""
     arrays = Arrays()
     arrays.parts = list(moving.parts)
     meshes = [_shape(arrays, herd.mesh, herd.color) | {"items": herd.items.tolist()} for herd in scene.herds]
@@ -277,7 +285,8 @@ def _whole(
         meshes.append(_shape(arrays, group[0][1].mesh, group[0][1].color) | {"items": [key[0] for key, _ in group]})
     for key, part in deformed:
         entry = _shape(arrays, part.mesh, part.color) | {"items": [key[0]], "deforms": True}
-        meshes.append(entry | {"shaded": part.values is not None})
+        shaded = part.values is not None
+        meshes.append(entry | {"shaded": shaded} | ({"color": [1.0, 1.0, 1.0, opacity]} if shaded else {}))
     balls, threads = scene.balls, scene.threads
     head = {
         **words,

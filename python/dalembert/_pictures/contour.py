@@ -52,16 +52,26 @@ Shade = tuple[float, ...]
 
 def _keys(looks: Looks) -> tuple[Shade, ...]:
     """Return the colors in equal parts of the range, and those below and above it."""
-    advanced = looks.setting("contour.advanced")
-    return tuple(tuple(map(float, getattr(advanced, key))) for key in KEYS)
+
+    def read() -> tuple[Shade, ...]:
+        advanced = looks.setting("contour.advanced")
+        return tuple(tuple(map(float, getattr(advanced, key))) for key in KEYS)
+
+    found: tuple[Shade, ...] = looks.derived("colors of numbers", read)
+    return found
 
 
 def colors(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> FloatArray:
     """Return a color (RGBA) for each number: five of them in equal parts of the range, others beyond it."""
     low, high = limits
     result = _colored((np.asarray(values, float) - low) / (high - low), _keys(looks))
-    result[:, 3] = float(looks.setting("contour.alphaTransparency"))
+    result[:, 3] = opacity(looks)
     return result
+
+
+def opacity(looks: Looks) -> float:
+    """Return the opacity of all colors of numbers."""
+    return float(min(max(looks.setting("contour.alphaTransparency"), 0.0), 1.0))
 
 
 def _colored(part: FloatArray, keys: tuple[Shade, ...]) -> FloatArray:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import copy
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -47,24 +48,36 @@ class Looks:
     crowd: int = 0  # how many objects there are
     _windings: dict[int, int] = field(default_factory=dict)  # by number of the spring
     _slenderness: dict[int, float] = field(default_factory=dict)
-    _kept: dict[str, Any] | None = None
+    _known: Any = None  # a copy of the settings
+    _kept: dict[str, Any] = field(default_factory=dict)  # what was asked of this copy
+    _keeps: bool = False
 
     @contextmanager
     def kept(self) -> Iterator[None]:
-        """Ask for every setting once, as long as one scene is made."""
-        self._kept = {}
+        """Ask for every setting once, until some have changed; they stay as they are while one scene is made."""
+        if not self._keeps and (self._known is None or not self.settings._equals(self._known)):
+            self._known, self._kept = copy.copy(self.settings), {}
+        before, self._keeps = self._keeps, True
         try:
             yield
         finally:
-            self._kept = None
+            self._keeps = before
 
     def setting(self, path: str) -> Any:
         """Return a setting, such as connectors.defaultSize."""
-        if self._kept is None:
+        if not self._keeps:
             return _below(self.settings, path)
         if path not in self._kept:
-            self._kept[path] = _below(self.settings, path)
+            self._kept[path] = _below(self._known, path)
         return self._kept[path]
+
+    def derived(self, name: str, make: Callable[[], Any]) -> Any:
+        """Return what follows from settings alone."""
+        if not self._keeps:
+            return make()
+        if name not in self._kept:
+            self._kept[name] = make()
+        return self._kept[name]
 
     def of_pages(self) -> dict[str, Any]:
         """Return what pages are told of settings that act on all that is drawn."""
@@ -127,12 +140,7 @@ class Looks:
 
     def default_color(self, path: str) -> Rgba:
         """Return the default color of a kind."""
-        if self._kept is None:
-            return rgba(self.setting(path))
-        key = f"{path} as color"
-        if key not in self._kept:
-            self._kept[key] = rgba(self.setting(path))
-        color: Rgba = self._kept[key]
+        color: Rgba = self.derived(f"{path} as color", lambda: rgba(self.setting(path)))
         return color
 
 
