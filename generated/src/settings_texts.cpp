@@ -449,18 +449,18 @@ constexpr std::array<std::string_view, 11> VSettingsOpenGL_rows{
     "draw the normals of faces, to find errors in meshes",
     "length of normals",
     "draw the normals at the corners of faces, to find errors in meshes",
-    "red, green, blue and opacity of the edges of faces, each from 0 to 1",
+    "color of the edges of faces: red, green and blue from 0 to 1; the fourth number is not used",
     "largest opacity of faces when ``scene.facesTransparent`` is set",
-    "red, green, blue and opacity of light that comes from everywhere, for faces that no light reaches; used by the ray tracer as well",
+    "red, green and blue of light that comes from everywhere, for faces that no light reaches; used by the ray tracer as well; the fourth number is not used",
     "width of lines in pixels",
     "sharpness of highlights; larger is sharper",
-    "red, green, blue and opacity of highlights",
-    "number of samples per pixel against jagged edges: 1 for none, 2, 4, 8 or 16; set it before the renderer starts",
+    "red, green and blue of highlights; the fourth number is not used",
+    "number of samples per pixel against jagged edges, of which there are at least 4 and at most 64; the next square number is taken",
     "depth of the visible space relative to the size of the scene; too small cuts near and far parts off, too large makes faces flicker",
 };
 
 constexpr std::array<std::string_view, 7> VSettingsRaytracerAdvanced_rows{
-    "red, green, blue and opacity that reflected rays see where they leave the scene",
+    "red, green and blue that reflected rays see where they leave the scene; the fourth number is not used",
     "factor of the number of cells of the search tree, from 1 to 128, for scenes with unevenly distributed faces",
     "factor by which the map of soft shadows is coarser than the image, from 0 to 16; 0: shadows are sampled as the image is",
     "number of smoothing steps of the map of soft shadows, from 0 to 32",

@@ -334,10 +334,11 @@ constexpr std::array<Row, 18> VSettingsOpenGLAdvanced_rows{{
     {.name = "textLineWidth", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, textLineWidth), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "vertexNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, vertexNormalsColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
 }};
-constexpr std::array<SettingRule, 10> VSettingsOpenGLAdvanced_rules{{
+constexpr std::array<SettingRule, 11> VSettingsOpenGLAdvanced_rules{{
     {.name = "clippingPlaneColor", .no_effect = "what a clipping plane cuts stays open"},
     {.name = "depthSorting", .no_effect = "what is seen through is always sorted"},
     {.name = "initialMaxSceneSize", .no_effect = "the size is found from what is drawn"},
+    {.name = "initialZoom", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
     {.name = "lightModelLocalViewer", .no_effect = "highlights are those of a viewer far away"},
     {.name = "lightModelTwoSide", .no_effect = "both sides of faces are always lit"},
     {.name = "lineSmooth", .no_effect = "lines are always smooth"},

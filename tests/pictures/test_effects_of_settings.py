@@ -19,9 +19,12 @@ import dalembert.itemInterface as items
 from dalembert import graphics
 from dalembert._live import views
 from dalembert._live.messages import Stage
+from dalembert._pictures.draw import camera_for
+from dalembert._pictures.notices import settings_of_pictures
 from dalembert._pictures.studio import Studio
 from dalembert.utilities import InertiaCuboid, RotationMatrixX
 
+SETTINGS_OF_PICTURES = settings_of_pictures()
 Variable = exu.OutputVariableType
 # What has no place in this scene, and a test of its own that names it.
 ELSEWHERE = (
@@ -226,7 +229,8 @@ def seen(container: Any, rays: bool) -> list[str]:
     scene = studio.scene()
     camera, looks = studio.camera(scene), studio.makers[0].looks
     words = views.words(container.visualizationSettings, scene, looks)
-    found = [studio.image(scene, camera).tobytes(), Stage().messages(scene, looks, words, lambda: camera).whole()]
+    shown = camera_for(studio, scene, None, (1024, 768), 1.0)
+    found = [studio.image(scene, camera).tobytes(), Stage().messages(scene, looks, words, lambda: shown).whole()]
     if rays:
         found.append(studio.image(scene, camera, raytracer=True).tobytes())
     return [sha256(part).hexdigest() for part in found]
@@ -243,6 +247,7 @@ def test_a_setting_changes_what_is_seen(model: Any, path: str) -> None:
         with changed(settings, {path: other(path, attrgetter(path)(settings))}):
             after = seen(model, rays)
     assert before != after
+    assert (before[1] == after[1]) is (path in SETTINGS_OF_PICTURES or path.startswith("raytracer."))
 
 
 @pytest.mark.parametrize("number", [1, 2, 3])

@@ -404,9 +404,9 @@ def test_without_reflections_and_shadows_it_draws_what_the_rasterizer_draws(SC: 
 
 
 def test_lights_that_only_rays_cast_are_named(SC: Any, mbs: Any, capsys: Any) -> None:
-    from dalembert._pictures import studio
+    from dalembert._pictures import notices
 
-    studio._told.clear()
+    notices._told.clear()
     scene(SC, mbs)
     SC.renderer.RedrawAndGetImage(useRaytracer=True)
     assert "no effect" not in capsys.readouterr().out

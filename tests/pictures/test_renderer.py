@@ -300,6 +300,31 @@ def test_markers_that_are_not_there_are_not_followed(SC: Any, pendulum: Any, nam
         SC.renderer.RedrawAndGetImage()
 
 
+def test_sensors_that_are_not_there_leave_no_traces(SC: Any, pendulum: Any) -> None:
+    traces = SC.visualizationSettings.sensors.traces
+    traces.showPositionTrace, traces.listOfVectorSensors = True, [7]
+    with pytest.raises(ValueError, match="sensors.traces.listOfVectorSensors: expected numbers of the .* received 7"):
+        SC.renderer.RedrawAndGetImage()
+
+
+def test_pictures_follow_a_marker(SC: Any, pendulum: Any) -> None:
+    """As films do; what is around an object stays in the middle."""
+    plain, near = np.asarray(pendulum.Draw()), np.asarray(pendulum.Draw(around=0))
+    SC.visualizationSettings.view0.camera.trackMarker = 2
+    assert (np.asarray(pendulum.Draw()) != plain).any()
+    assert (np.asarray(pendulum.Draw(around=0)) == near).all()
+
+
+def test_pictures_start_where_settings_say_if_nothing_is_fitted(SC: Any, pendulum: Any) -> None:
+    start = SC.visualizationSettings.openGL.advanced
+    SC.visualizationSettings.general.autoFitScene = False
+    seen = [np.asarray(pendulum.Draw()) for start.initialZoom in (3.0, 6.0)]
+    start.initialCenterPoint = [0.5, 0, 0]
+    assert len({image.tobytes() for image in [*seen, np.asarray(pendulum.Draw())]}) == 3
+    with pytest.raises(ValueError, match=r"initialZoom.*greater than 0"):
+        start.initialZoom = 0.0
+
+
 def test_settings_of_systems_are_those_of_their_numbers_when_one_of_them_is_drawn(SC: Any, pendulum: Any) -> None:
     """A highlighted mass of the second system, and the marker of the first that the camera follows."""
     other = SC.AddSystem()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gzip
+import json
 import re
 from collections.abc import Iterator
 from operator import attrgetter
@@ -17,13 +19,15 @@ import dalembert.itemInterface as items
 import dalembert.robotics
 import dalembert.utilities
 from dalembert import graphics
-from dalembert._pictures import studio
+from dalembert._pictures import notices
 from dalembert._pictures.making import SceneMaker
+from dalembert._pictures.motion import Still
+from dalembert._pictures.replay import pack
 
 PACKAGE = Path(exu.__file__).resolve().parent
 SOURCES = sorted([*PACKAGE.glob("_pictures/*.py"), *PACKAGE.glob("_live/*.py")])
-TEXT = "\n".join(path.read_text() for path in SOURCES)
-WITHOUT_EFFECT = studio.settings_without_effect()
+TEXT = "\n".join(path.read_text() for path in SOURCES if path.name != "notices.py")
+WITHOUT_EFFECT = notices.settings_without_effect()
 
 
 def leaves(settings: Any, path: str = "") -> Iterator[str]:
@@ -61,7 +65,7 @@ def test_a_setting_is_read_or_has_no_effect(path: str) -> None:
 
 
 def test_there_is_one_notice_for_each_reason(SC: Any, mbs: Any, capfd: Any, monkeypatch: Any) -> None:
-    monkeypatch.setattr(studio, "_told", set())
+    monkeypatch.setattr(notices, "_told", set())
     mbs.CreateGround()
     settings = SC.visualizationSettings
     mbs.Draw(windowSize=[40, 30])
@@ -73,6 +77,34 @@ def test_there_is_one_notice_for_each_reason(SC: Any, mbs: Any, capfd: Any, monk
     assert "nodes.tiling, general.sphereTiling" in lines[0] and "spheres are round" in lines[0]
     mbs.Draw(windowSize=[40, 30])
     assert "no effect" not in capfd.readouterr().out
+
+
+def test_pages_tell_what_pictures_alone_follow(SC: Any, mbs: Any, capfd: Any, monkeypatch: Any, tmp_path: Any) -> None:
+    monkeypatch.setattr(notices, "_told", set())
+    brick(mbs)
+    settings = SC.visualizationSettings
+    settings.openGL.lineWidth, settings.openGL.light0.shadow, settings.view0.camera.useRaytracer = 3, 0.5, True
+    mbs.SaveHTML(str(tmp_path / "brick.html"))
+    lines = [line for line in capfd.readouterr().out.splitlines() if "no effect" in line]
+    assert len(lines) == 2
+    assert "no effect on pages of openGL.lineWidth, openGL.light0.shadow: pages have lights" in lines[0]
+    assert "view0.camera.useRaytracer: pages have no rays" in lines[1]
+    settings.view0.camera.useRaytracer = False
+    mbs.Draw(windowSize=[40, 30])
+    assert "no effect of openGL.light0.shadow: only the ray tracer has it" in capfd.readouterr().out
+
+
+def test_saved_pages_see_through_colors_of_numbers(SC: Any, mbs: Any) -> None:
+    cantilever(mbs)
+    mbs.Assemble()
+    contour = SC.visualizationSettings.contour
+    contour.outputVariable = exu.OutputVariableType.Position
+    clear = []
+    for contour.alphaTransparency in (1.0, 0.5):
+        packed = gzip.decompress(pack(Still(SC), {}))
+        head = json.loads(packed[4 : 4 + int.from_bytes(packed[:4], "little")])
+        clear.append({mesh["color"][3] for mesh in head["meshes"] if "frameColors" in mesh})
+    assert clear == [{1.0}, {0.5}]
 
 
 def cantilever(mbs: Any) -> None:

@@ -1104,7 +1104,7 @@ class VSettingsOpenGLAdvanced(_Settings):
     @initialModelRotation.setter
     def initialModelRotation(self, value: ArrayLike) -> None: ...
     initialZoom: float
-    """zoom at the start; only without ``general.autoFitScene`` [1]; default: 1.0"""
+    """zoom at the start; only without ``general.autoFitScene`` [1; greater than 0]; default: 1.0"""
     lightModelLocalViewer: bool
     """true: highlights are computed with the position of the camera; false: with the direction of view only; no effect: highlights are those of a viewer far away; default: False"""
     lightModelTwoSide: bool
@@ -1142,14 +1142,14 @@ class VSettingsOpenGL(_Settings):
     """draw the normals at the corners of faces, to find errors in meshes; default: False"""
     @property
     def faceEdgesColor(self) -> list[float]:
-        """red, green, blue and opacity of the edges of faces, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 0.2, 1.0]"""
+        """color of the edges of faces: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.2, 0.2, 0.2, 1.0]"""
     @faceEdgesColor.setter
     def faceEdgesColor(self, value: ArrayLike) -> None: ...
     faceTransparencyGlobal: float
     """largest opacity of faces when ``scene.facesTransparent`` is set [1]; default: 0.4"""
     @property
     def lightModelAmbient(self) -> list[float]:
-        """red, green, blue and opacity of light that comes from everywhere, for faces that no light reaches; used by the ray tracer as well [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
+        """red, green and blue of light that comes from everywhere, for faces that no light reaches; used by the ray tracer as well; the fourth number is not used [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
     @lightModelAmbient.setter
     def lightModelAmbient(self, value: ArrayLike) -> None: ...
     lineWidth: float
@@ -1158,11 +1158,11 @@ class VSettingsOpenGL(_Settings):
     """sharpness of highlights; larger is sharper [1]; default: 32.0"""
     @property
     def materialSpecular(self) -> list[float]:
-        """red, green, blue and opacity of highlights [4; 1]; default: [0.6, 0.6, 0.6, 1.0]"""
+        """red, green and blue of highlights; the fourth number is not used [4; 1]; default: [0.6, 0.6, 0.6, 1.0]"""
     @materialSpecular.setter
     def materialSpecular(self, value: ArrayLike) -> None: ...
     multiSampling: int
-    """number of samples per pixel against jagged edges: 1 for none, 2, 4, 8 or 16; set it before the renderer starts; default: 1"""
+    """number of samples per pixel against jagged edges, of which there are at least 4 and at most 64; the next square number is taken; default: 1"""
     zMaxSceneFactor: float
     """depth of the visible space relative to the size of the scene; too small cuts near and far parts off, too large makes faces flicker [1]; no effect: nothing is too far away to be drawn; default: 2.0"""
     @property
@@ -1193,7 +1193,7 @@ class VSettingsRaytracerAdvanced(_Settings):
 
     @property
     def backgroundColorReflections(self) -> list[float]:
-        """red, green, blue and opacity that reflected rays see where they leave the scene [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
+        """red, green and blue that reflected rays see where they leave the scene; the fourth number is not used [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
     @backgroundColorReflections.setter
     def backgroundColorReflections(self, value: ArrayLike) -> None: ...
     searchTreeFactor: int

@@ -27,6 +27,7 @@ from dalembert._pictures import draw
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
+from dalembert._pictures.notices import tell_settings_of_pictures
 from dalembert._pictures.renderer import state_of
 from dalembert._pictures.studio import Studio
 
@@ -261,6 +262,8 @@ class Viewer:
             return draw.camera_for(studio, scene, None, (1024, 768), 1.0)
 
         looks = self.studio.makers[0].looks if self.studio.makers else Looks(self.settings)
+        if not self._words:
+            tell_settings_of_pictures(self.settings)
         words = self._words.get(scene.value_name) or views.words(self.settings, scene, looks)
         self._words = {scene.value_name: words}
         self.server.publish(self.stage.messages(scene, looks, words, camera))

@@ -35,7 +35,8 @@ def Draw(
     'back', 'left', 'right', 'top', 'bottom', 'axonometric', or a rotation matrix with the rows right, up, towards the
     viewer; without one, it is that of SC.renderer.SetModelView, or what suits the system. `windowSize` are width and
     height in pixels; `zoom` > 1 shows things larger; `around` is an object, or a list of objects, in the middle of the
-    picture, by index or name. Sizes, colors and what is shown: SC.visualizationSettings.
+    picture, by index or name; otherwise, the camera follows the marker of view0.camera.trackMarker. Sizes, colors and
+    what is shown: SC.visualizationSettings.
     """
     from PIL import Image as Pillow
 
@@ -49,7 +50,10 @@ def Draw(
     studio = Studio(mbs.GetSystemContainer(), [mbs])
     scene = studio.scene(configuration)
     size = studio.size(0) if windowSize is None else _size(windowSize)
-    image = studio.image(scene, camera_for(studio, scene, view, size, zoom, around), size=size)
+    camera = camera_for(studio, scene, view, size, zoom, around)
+    if around is None:
+        studio.track(camera, 0, studio.tracked())
+    image = studio.image(scene, camera, size=size)
     if fileName:
         save_image(image, fileName)
     return Pillow.fromarray(image)
@@ -112,16 +116,17 @@ def _size(windowSize: Any) -> tuple[int, int]:
 def camera_for(
     studio: Studio, scene: Scene, view: Any, size: tuple[int, int], zoom: float, around: Any = None
 ) -> Camera:
-    """Return the camera for a view; that of the renderer if it was set and no other is wanted."""
+    """Return the camera for a view; that of the renderer if it was set and no other is wanted. It follows no marker."""
     from dalembert._pictures import camera as cameras
     from dalembert._pictures.renderer import state_of
 
     zoom = as_number("zoom", zoom)
     if not zoom > 0:
         raise ValueError(f"zoom: expected a positive number, received {zoom:g}")
-    chosen = studio.camera(scene, 0, size)
+    chosen = studio.camera_at_rest(scene, 0, size)
     start = np.asarray(studio.settings.openGL.advanced.initialModelRotation, float)
-    free = "modelRotation" not in state_of(studio.container.renderer, 0) and bool((start == np.eye(3)).all())
+    free = bool(studio.settings.general.autoFitScene) and bool((start == np.eye(3)).all())
+    free = free and "modelRotation" not in state_of(studio.container.renderer, 0)
     if view is not None or around is not None or free:
         box = (
             scene.box() if around is None else scene.box_of([int(n) for n in np.atleast_1d(np.asarray(around, object))])

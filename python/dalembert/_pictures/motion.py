@@ -105,5 +105,6 @@ class Still:
         scene = studio.scene()
         self.rate, self.scenes = 1.0, [scene]
         self.camera = draw.camera_for(studio, scene, None, size, 1.0)
-        studio.fit(self.camera, scene, scene.box(), size)
+        if studio.settings.general.autoFitScene:
+            studio.fit(self.camera, scene, scene.box(), size)
         self.looks = studio.makers[0].looks if studio.makers else Looks(container.visualizationSettings)

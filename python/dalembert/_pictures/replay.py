@@ -24,6 +24,7 @@ from dalembert._pictures import contour
 from dalembert._pictures.carrying import Carried, Carriers
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.meshes import Mesh, same_form, sharp_edges
+from dalembert._pictures.notices import tell_settings_of_pictures
 from dalembert._pictures.scene import Instance, Scene
 
 if TYPE_CHECKING:
@@ -105,6 +106,7 @@ class Packer:
 def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
     """Return the data of a motion, and what else the page is to know."""
     packer, camera, looks = Packer(), motion.camera, motion.looks
+    tell_settings_of_pictures(looks.settings)
     scenes = [scene.unbound() for scene in motion.scenes]
     limits = _limits(scenes)
     items: dict[tuple[str, int, int], int] = {}
@@ -271,7 +273,7 @@ def _deformed(
     if first.values is not None:
         nothing = np.zeros((len(still), 4))
         shades = [nothing if p is None else contour.colors(looks, np.asarray(p.values), limits) for p in history]
-        entry["color"] = [1.0, 1.0, 1.0, 1.0]
+        entry["color"] = [1.0, 1.0, 1.0, contour.opacity(looks)]
         entry["frameColors"] = packer.shades(np.array(shades)[..., :3])
     return entry
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +13,7 @@ from dalembert._pictures import camera, films, painting
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.making import SceneMaker
+from dalembert._pictures.notices import tell_settings_of_rays, tell_settings_without_effect
 from dalembert._pictures.painting import Image
 from dalembert._pictures.places import Places
 from dalembert._pictures.renderer import state_of
@@ -112,6 +111,12 @@ class Studio:
         self._flows = []
 
     def camera(self, scene: Scene, number: int = 0, size: tuple[int, int] | None = None) -> Camera:
+        """Return the camera of the render state, which follows a marker if the settings say so."""
+        result = self.camera_at_rest(scene, number, size)
+        self.track(result, number, self.tracked(number))
+        return result
+
+    def camera_at_rest(self, scene: Scene, number: int = 0, size: tuple[int, int] | None = None) -> Camera:
         """Return the camera of the render state; what that does not say follows from the settings and the scene."""
         state = state_of(self.container.renderer, number)
         result = camera.of_settings(self.settings)
@@ -125,7 +130,6 @@ class Studio:
             result.center = np.asarray(state["centerPoint"], float)
         if known:
             result.zoom = float(state["zoom"])
-        self.track(result, number, self.tracked(number))
         return result
 
     def tracked(self, number: int = 0) -> tuple[FloatArray | None, FloatArray] | None:
@@ -182,45 +186,6 @@ class Studio:
             return np.full((height, width, 3), 255, np.uint8)
         scene = self.scene()
         return self.image(scene, self.camera(scene, number), number, raytracer=raytracer)
-
-
-@lru_cache(maxsize=1)
-def settings_without_effect() -> dict[str, tuple[Any, str]]:
-    """Return defaults and reasons of the settings that change nothing that is drawn here, by their paths."""
-    defaults = _core.VisualizationSettings()
-    reasons = _core._visualization_settings_without_effect()
-    return {path: (attrgetter(path)(defaults), reason) for path, reason in reasons.items()}
-
-
-_told: set[str] = set()
-
-
-def tell_settings_without_effect(settings: Any) -> None:
-    """Print a notice for settings that are not at their defaults and have no effect, once for each of them."""
-    _tell(settings, settings_without_effect())
-
-
-@lru_cache(maxsize=1)
-def _settings_of_rays() -> dict[str, tuple[Any, str]]:
-    names = ("shadow", "lightRadius", "useCameraFrame", *(f"{word}Attenuation" for word in ("linear", "quadratic")))
-    paths = [f"openGL.light{i}.{name}" for i in range(4) for name in names]
-    reason = "only the ray tracer has it, see view0.camera.useRaytracer"
-    return {path: (attrgetter(path)(_core.VisualizationSettings()), reason) for path in paths}
-
-
-def tell_settings_of_rays(settings: Any) -> None:
-    """Do the same for settings of lights that images have no part in that are made without the ray tracer."""
-    _tell(settings, _settings_of_rays())
-
-
-def _tell(settings: Any, without_effect: dict[str, tuple[Any, str]]) -> None:
-    news: dict[str, list[str]] = {}
-    for path, (default, reason) in without_effect.items():
-        if path not in _told and not np.array_equal(attrgetter(path)(settings), default):
-            _told.add(path)
-            news.setdefault(reason, []).append(path)
-    for reason, paths in news.items():
-        _core.Print(f"WARNING: visualizationSettings: no effect of {', '.join(paths)}: {reason}")
 
 
 def save_next(export: Any, image: Image) -> Path:

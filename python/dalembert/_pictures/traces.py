@@ -26,6 +26,7 @@ def wanted(looks: Looks) -> bool:
 def draw(pen: Pen, time: float, stored: Stored) -> None:
     """Draw what visualizationSettings.sensors.traces asks for, of sensors that store their values."""
     traces = pen.looks.setting("sensors.traces")
+    _require_sensors(pen, traces)
     numbers = [int(n) for n in traces.listOfPositionSensors] or _position_sensors(pen)
     palette = np.asarray(traces.traceColors, float).reshape(-1, 4)
     for order, number in enumerate(numbers):
@@ -57,6 +58,18 @@ def _in_space(rows: FloatArray, frames: FloatArray | None, are_places: bool = Fa
         return vectors
     turned = np.einsum("nij,nj->ni", frames[:, 3:].reshape(-1, 3, 3), vectors)
     return turned + frames[:, :3] if are_places else turned
+
+
+def _require_sensors(pen: Pen, traces: Any) -> None:
+    """Refuse numbers of sensors that are not there."""
+    count = pen.places.mbs.systemData.NumberOfSensors()
+    for what in ("Position", "Vector", "Triad"):
+        for number in getattr(traces, f"listOf{what}Sensors"):
+            if number >= count:
+                raise ValueError(
+                    f"visualizationSettings.sensors.traces.listOf{what}Sensors: expected numbers of the {count} "
+                    f"sensors of system {traces.sensorsMbsNumber}, received {number}"
+                )
 
 
 def _position_sensors(pen: Pen) -> list[int]:
