@@ -76,6 +76,12 @@ def check_type(name: str, value: Any, kind: type) -> None:
         raise TypeError(str(shape_error(name, f"a {kind.__name__}", value)))
 
 
+def check_system(name: str, value: Any) -> None:
+    """Refuse what is no system, nor like one."""
+    if not hasattr(value, "GetSensor"):
+        raise shape_error(name, "a system, of SC.AddSystem()", value)
+
+
 def as_vector(name: str, value: Any, size: int | None = None) -> FloatArray:
     """Convert to a 1D float array, of the given size if there is one; ValueError otherwise."""
     expected = "a vector of numbers" if size is None else f"a vector with {size} components"

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import as_number, check_integer, shape_error
+from dalembert._calls import checked
+from dalembert._checks import as_number, check_integer, check_type, shape_error
 from dalembert._plots.images import show_figure
 from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
@@ -84,6 +85,8 @@ def _values_of(name: str, given: Any, useLogSpace: bool) -> tuple[np.ndarray, Ca
             f"ParameterVariation: range of {name!r} must be (begin, end, number of values) with begin <= end and a "
             f"number of at least 1, not {given!r}"
         )
+    if useLogSpace and begin <= 0 <= end:
+        raise ValueError(f"ParameterVariation: range of {name!r} must not contain 0 for useLogSpace, not {given!r}")
     n = int(n)
     values = np.geomspace(begin, end, n) if useLogSpace else np.linspace(begin, end, n)
     steady = integer(given[0]) and integer(given[1]) and (end - begin + 1) % n == 0
@@ -92,6 +95,7 @@ def _values_of(name: str, given: Any, useLogSpace: bool) -> tuple[np.ndarray, Ca
     return values, float
 
 
+@checked
 def ParameterVariation(
     parameterFunction: Function,
     parameters: Mapping[str, Any],
@@ -147,6 +151,7 @@ def ParameterVariation(
     return [columns, results]
 
 
+@checked
 def PlotOptimizationResults2D(
     parameterList: Mapping[str, Sequence[float]],
     valueList: Sequence[float],
@@ -161,6 +166,9 @@ def PlotOptimizationResults2D(
     import matplotlib.pyplot as plt
     from matplotlib.ticker import MaxNLocator
 
+    check_type("PlotOptimizationResults2D: parameterList", parameterList, Mapping)
+    if not hasattr(valueList, "__len__"):
+        raise shape_error("PlotOptimizationResults2D: valueList", "a list of values", valueList)
     for name, column in parameterList.items():
         if len(column) != len(valueList):
             raise ValueError(

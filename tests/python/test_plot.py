@@ -279,5 +279,5 @@ def test_numbers_and_switches_of_spectra_that_are_none_are_named():
 @pytest.mark.parametrize("mbs", [None, 3, "mbs"])
 def test_what_is_no_system_is_named(mbs: Any) -> None:
     for call in (lambda: plot.PlotSensor(mbs, 0), lambda: plot.PlotPhase(mbs, 0, 1)):
-        with pytest.raises(ValueError, match="PlotSensor: mbs: expected a system, which has these sensors"):
+        with pytest.raises(ValueError, match="PlotSensor: mbs: expected a system, of SC.AddSystem"):
             call()

@@ -195,6 +195,34 @@ def test_indices_and_sets_that_are_none_are_named() -> None:
         processing.AddComputationIndexAndFunctionData(None, 1, True, {})  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize(
+    ("call", "text"),
+    [
+        (lambda f: processing.ParameterVariation(f, {"a": (1, 2, 2)}, debugMode="no"), "ParameterVariation: debugMode"),
+        (lambda f: processing.ParameterVariation(f, {"a": (0, 2, 2)}, useLogSpace=True), "must not contain 0"),
+        (lambda f: processing.GeneticOptimization(f, {"a": (1, 2)}, populationSize=-1), "populationSize: .* 1 or more"),
+        (lambda f: processing.GeneticOptimization(f, {"a": (1, 2)}, elitistRatio="1"), "elitistRatio: .*number"),
+        (lambda f: processing.GeneticOptimization(f, {"a": (1, 2)}, numberOfGenerations=None), "numberOfGenerations"),
+        (
+            lambda f: processing.Minimize(f, {"a": (1, 2)}, initialGuess="text"),
+            "Minimize: initialGuess: expected a vec",
+        ),
+        (lambda f: processing.Minimize(f, {"a": (1, 2)}, tol=1j), "Minimize: tol: expected a .*number"),
+        (lambda f: processing.Minimize(f, {"a": (1, 2)}, options=None), "Minimize: options: expected a Mapping"),
+        (lambda f: processing.ComputeSensitivities(f, {"a": (1, 1e-3, 1)}, "1"), "scaledByReference: expected True or"),
+        (lambda f: processing.ProcessParameterList(f, [1, 2], []), "parameterList: expected a list of dictionaries"),
+        (lambda f: processing.PlotOptimizationResults2D(None, []), "parameterList: expected a Mapping"),
+        (lambda f: processing.WriteToFile("a.txt", {}, [{"a": 1}], [], 0), "WriteToFile: values: expected a list of 1"),
+        (lambda f: processing.WriteToFile("a.txt", {}, "text", "text", 0), "currentGeneration: expected a list of dic"),
+    ],
+)
+def test_arguments_of_studies_that_are_none_are_named(call: Any, text: str, tmp_path: Path, monkeypatch: Any) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises((TypeError, ValueError), match=text):
+        call(lambda p: p["a"])
+    assert not list(tmp_path.iterdir())
+
+
 # ---- genetic optimization ----------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("arguments", "value"),

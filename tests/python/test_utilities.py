@@ -128,6 +128,21 @@ def test_codes_of_characters():
         utilities.NumpyInt8ArrayToString([-1])
 
 
+def test_what_is_no_system_or_solution_is_named(model, tmp_path):
+    with pytest.raises(ValueError, match="SetSolutionState: mbs: expected a system"):
+        utilities.SetSolutionState(None, {}, 0)
+    with pytest.raises(ValueError, match="AnimateSolution: solution: expected what LoadSolutionFile"):
+        utilities.AnimateSolution(exu.SystemContainer().AddSystem(), None)
+    with pytest.raises(ValueError, match="InitializeFromRestartFile: mbs: expected a system"):
+        utilities.InitializeFromRestartFile(None, exu.SimulationSettings(), tmp_path / "a")
+    with pytest.raises(TypeError, match="InitializeFromRestartFile: simulationSettings: expected a SimulationSettings"):
+        utilities.InitializeFromRestartFile(exu.SystemContainer().AddSystem(), None, tmp_path / "a")
+    with pytest.raises(ValueError, match="DrawSystemGraph: mbs: expected a system"):
+        utilities.DrawSystemGraph(None)
+    with pytest.raises(ValueError, match="LoadSolutionFile: maxRows: expected an integer"):
+        utilities.LoadSolutionFile(tmp_path / "a", maxRows=1.5)
+
+
 def test_rows_become_states(model, tmp_path):
     mbs, bar, _settings = model
     solution = utilities.LoadSolutionFile(tmp_path / "solution.txt", verbose=False)

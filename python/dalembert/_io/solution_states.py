@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray, shape_error
-from dalembert._core import ConfigurationType, MainSolverImplicitSecondOrder
+from dalembert._calls import checked
+from dalembert._checks import FloatArray, check_system, check_type, shape_error
+from dalembert._core import ConfigurationType, MainSolverImplicitSecondOrder, SimulationSettings
 from dalembert._io.binary_solutions import MAGIC, LoadBinarySolutionFile
 from dalembert._io.files import Path, file_to_read
 from dalembert._io.solution_rows import COLUMNS
@@ -16,6 +17,7 @@ from dalembert._io.text_solutions import load_text_solution
 _RESTART_MAGIC = b"#dalembert restart file"
 
 
+@checked
 def LoadSolutionFile(
     fileName: Path, safeMode: bool = False, maxRows: int = -1, verbose: bool = True, hasHeader: bool = True
 ) -> dict[str, Any]:
@@ -66,6 +68,7 @@ def check_solution_of(mbs: Any, where: str, solution: dict[str, Any]) -> None:
         raise ValueError(f"{where}: solution: row {row} (time {data[row, 0]:g} s) has numbers that are not finite")
 
 
+@checked
 def SetSolutionState(
     mbs: Any,
     solution: dict[str, Any],
@@ -77,10 +80,11 @@ def SetSolutionState(
 
     The Visualization configuration gets the row's time too and is redrawn. IndexError if there is no such row.
     """
+    check_system("SetSolutionState: mbs", mbs)
     check_solution("SetSolutionState", solution)
     if not -solution["nRows"] <= row < solution["nRows"]:
         raise IndexError(f"SetSolutionState: row {row} does not exist, the solution has {solution['nRows']} rows")
-    data = np.asarray(solution["data"], dtype=float)[row]
+    data = np.asarray(solution["data"], dtype=float)[int(row)]
     _set_row(mbs, data, list(solution["columnsExported"]), configuration)
     if configuration == ConfigurationType.Visualization:
         mbs.systemData.SetTime(float(data[0]), ConfigurationType.Visualization)
@@ -88,6 +92,7 @@ def SetSolutionState(
             mbs.GetSystemContainer().renderer.SendRedrawSignal()
 
 
+@checked
 def InitializeFromRestartFile(mbs: Any, simulationSettings: Any, restartFileName: Path, verbose: bool = True) -> None:
     """Go on from a restart file, or from the last complete row of a solution file: current, initial and shown state.
 
@@ -97,6 +102,8 @@ def InitializeFromRestartFile(mbs: Any, simulationSettings: Any, restartFileName
     What a solver has besides the state, as generalized alpha its algorithmic accelerations, starts anew; with
     ContinueFromRestartFile of the solver, it goes on bit for bit.
     """
+    check_system("InitializeFromRestartFile: mbs", mbs)
+    check_type("InitializeFromRestartFile: simulationSettings", simulationSettings, SimulationSettings)
     restartFileName = file_to_read("InitializeFromRestartFile: restartFileName", restartFileName)
     with open(restartFileName, "rb") as file:
         of_solver = file.read(len(_RESTART_MAGIC)) == _RESTART_MAGIC
@@ -121,6 +128,7 @@ def InitializeFromRestartFile(mbs: Any, simulationSettings: Any, restartFileName
     simulationSettings.timeIntegration.startTime = float(state[0])
 
 
+@checked
 def AnimateSolution(
     mbs: Any,
     solution: dict[str, Any],
@@ -133,7 +141,9 @@ def AnimateSolution(
 
     Without a render window the first row becomes the visualized state and the function returns.
     """
-    rows = solution["nRows"]
+    check_system("AnimateSolution: mbs", mbs)
+    check_solution("AnimateSolution", solution)
+    rows, rowIncrement = solution["nRows"], int(rowIncrement)
     if rows == 0 or not 1 <= rowIncrement <= rows:
         raise ValueError(f"AnimateSolution: rowIncrement: expected 1 to {rows} (rows), received {rowIncrement}")
     container = mbs.GetSystemContainer()

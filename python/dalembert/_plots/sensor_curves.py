@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dalembert._checks import FloatArray, shape_error
+from dalembert._checks import FloatArray, check_system
 from dalembert._core import MainSystem
 from dalembert._io.files import file_to_read, read_table, require_last_line
 from dalembert._io.result_files import ParseOutputFileHeader
@@ -152,7 +152,7 @@ def _sensor_information(mbs: Any, sensor: Any, comments: str, delimiter: str) ->
             "PlotSensor: sensorNumbers must be sensor numbers, names of files or numpy arrays, "
             f"not {sensor!r} ({type(sensor).__name__})"
         ) from None
-    _require_system(mbs)
+    check_system("PlotSensor: mbs", mbs)
     information = mbs.GetSensor(number)
     if information["storeInternal"]:
         data = np.atleast_2d(mbs.GetSensorStoredData(number))
@@ -164,11 +164,6 @@ def _sensor_information(mbs: Any, sensor: Any, comments: str, delimiter: str) ->
             "create it with storeInternal=True, or with writeToFile=True and a fileName"
         )
     return information["name"], variable_of(mbs, information), data, unit_of(mbs, information)
-
-
-def _require_system(mbs: Any) -> None:
-    if not hasattr(mbs, "GetSensorNumber"):
-        raise shape_error("PlotSensor: mbs", "a system, which has these sensors", mbs)
 
 
 def make_curves(
@@ -185,7 +180,7 @@ def make_curves(
         if isinstance(sensor, Of):
             system, sensor, number = sensor
         if isinstance(sensor, str) and system is not None:
-            _require_system(system)
+            check_system("PlotSensor: mbs", system)
         if isinstance(sensor, str) and system is not None and int(system.GetSensorNumber(sensor)) >= 0:
             sensor = system.GetSensorNumber(sensor)
         if isinstance(sensor, str):

@@ -6,6 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from dalembert._checks import check_system
+
 _COLORS = {
     "Node": "red",
     "Object": "skyblue",
@@ -168,6 +170,7 @@ def DrawSystemGraph(
         raise ImportError("DrawSystemGraph needs networkx: pip install networkx") from error
 
     line_break = "-\n" if multiLine and showGraph else ""
+    check_system("DrawSystemGraph: mbs", mbs)
     items = _items(mbs, showLoads, showSensors)
     graph = nx.Graph()
     labels: dict[tuple[str, int], str] = {}

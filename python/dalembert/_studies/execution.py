@@ -17,7 +17,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dalembert._checks import shape_error
+from dalembert._calls import checked
+from dalembert._checks import check_type, shape_error
 from dalembert._io.files import file_to_write, naming
 from dalembert._tools.missing_names import nearest
 
@@ -86,6 +87,12 @@ def AddComputationIndexAndFunctionData(
         ind["functionData"] = parameterFunctionData
 
 
+def check_sets(name: str, sets: Any) -> None:
+    """Refuse what is no list of parameter sets."""
+    if not hasattr(sets, "__len__") or not all(isinstance(each, Mapping) for each in sets):
+        raise shape_error(name, "a list of dictionaries", sets)
+
+
 def without_function_data(parameters: Mapping[str, Any]) -> ParameterSet:
     """Return a copy without 'functionData', which may be large."""
     return {name: value for name, value in parameters.items() if name != "functionData"}
@@ -107,6 +114,7 @@ def _header(resultsFile: str, parameters: Mapping[str, Any], columns: Iterable[s
     ])  # fmt: skip
 
 
+@checked
 def WriteToFile(
     resultsFile: str,
     parameters: Mapping[str, Any],
@@ -124,6 +132,10 @@ def WriteToFile(
     """
     if resultsFile in ("", None):
         return globalCnt
+    check_type("WriteToFile: parameters", parameters, Mapping)
+    check_sets("WriteToFile: currentGeneration", currentGeneration)
+    if isinstance(values, str) or not hasattr(values, "__len__") or len(values) != len(currentGeneration):
+        raise shape_error("WriteToFile: values", f"a list of {len(currentGeneration)} values, one for each set", values)
     resultsFile = file_to_write("WriteToFile: resultsFile", resultsFile, newFolder=True)
     if writeHeader:
         os.makedirs(os.path.dirname(resultsFile) or ".", exist_ok=True)
@@ -281,7 +293,7 @@ def _installed(module: str, purpose: str) -> bool:
     try:
         __import__(module)
     except ImportError:
-        warnings.warn(f"{purpose} needs the package {module}; processes of this machine are used instead", stacklevel=5)
+        warnings.warn(f"{purpose} needs the package {module}; processes of this machine are used instead", stacklevel=6)
         return False
     return True
 
@@ -393,6 +405,7 @@ def ProcessParameterList(
     keeps = kwargs.get("keepFailures", False)
     at_once = hasattr(parameterFunction, "in_portions")
     function = _KeepingFailures(parameterFunction) if keeps and not at_once else parameterFunction
+    check_sets("ProcessParameterList: parameterList", parameterList)
     remaining = parameterList[len(values) :]
     results, mode = _choose(
         function, remaining, useMultiProcessing, clusterHostNames, kwargs.get("useMPI", False),

@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from dalembert._calls import checked
+from dalembert._checks import check_integer
 from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
     Function,
@@ -103,22 +105,23 @@ def _check_ranges(parameters: Ranges) -> None:
             raise ValueError(f"GeneticOptimization: range of {name!r} must be (begin, end), begin < end, not {limits}")
         if len(limits) > 2:
             text = f"GeneticOptimization: of the range {limits} of {name!r}, begin and end alone have an effect"
-            warnings.warn(text, stacklevel=3)
+            warnings.warn(text, stacklevel=4)
 
 
 def _number_of_survivors(elitistRatio: float, populationSize: int, extra: Mapping[str, Any]) -> int:
     for name in {"survivingIndividuals", "numberOfChildren"} & set(extra):
-        warnings.warn(f"GeneticOptimization: {name} is out of use: set populationSize and elitistRatio", stacklevel=3)
+        warnings.warn(f"GeneticOptimization: {name} is out of use: set populationSize and elitistRatio", stacklevel=4)
     n = int(extra.get("survivingIndividuals", int(elitistRatio * populationSize)))
     if n < 1:
         warnings.warn(
             f"GeneticOptimization: elitistRatio*populationSize = {elitistRatio * populationSize:g} leaves no "
             "survivors; one is taken",
-            stacklevel=3,
+            stacklevel=4,
         )
     return max(n, 1)
 
 
+@checked
 def GeneticOptimization(
     objectiveFunction: Function,
     parameters: Mapping[str, Any],
@@ -169,10 +172,13 @@ def GeneticOptimization(
         raise ValueError(
             f"GeneticOptimization: childDistribution must be 'uniform' or 'normal', not {childDistribution!r}"
         )
+    check_integer("GeneticOptimization: populationSize", int(populationSize), 1)
+    check_integer("GeneticOptimization: numberOfGenerations", int(numberOfGenerations), 1)
+    populationSize, numberOfGenerations = int(populationSize), int(numberOfGenerations)
     n_survivors = _number_of_survivors(elitistRatio, populationSize, kwargs)
     if distanceFactor >= 1:
         warnings.warn(
-            f"GeneticOptimization: distanceFactor = {distanceFactor} is too large; 0.5 is taken", stacklevel=2
+            f"GeneticOptimization: distanceFactor = {distanceFactor} is too large; 0.5 is taken", stacklevel=3
         )
         distanceFactor = 0.5
     if distanceFactorGenerations < 0:

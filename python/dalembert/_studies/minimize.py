@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from dalembert._calls import checked
+from dalembert._checks import as_vector, check_type
 from dalembert._studies.execution import (
     Function,
     ParameterSet,
@@ -130,6 +132,7 @@ class _Report:
             write(f"iteration {done} / {self.iterations}, time = {spent:.2f} s / {remaining:.2f} s{loss}")
 
 
+@checked
 def Minimize(
     objectiveFunction: Function,
     parameters: Mapping[str, Any],
@@ -167,10 +170,12 @@ def Minimize(
     if method != _GLOBAL and (not isinstance(method, str) or method.lower() not in _METHODS):
         hint = nearest(str(method), known := [_GLOBAL, *_METHODS]) or f"; known are: {', '.join(known)}"
         raise ValueError(f"Minimize: method: scipy.optimize has no {method!r}{hint}")
+    check_type("Minimize: options", options, Mapping)
     file = results_file("Minimize", kwargs)
     names, bounds = list(parameters), _bounds(parameters)
     scipy_bounds = kwargs.get("useScipyBounds", False) or method == _GLOBAL
-    start = np.array(initialGuess, dtype=float) if len(initialGuess) else bounds.mean(axis=0)
+    given = as_vector("Minimize: initialGuess", initialGuess)
+    start = given if len(given) else bounds.mean(axis=0)
     if start.shape != (len(names),):
         raise ValueError(f"Minimize: initialGuess must have {len(names)} entries, not {start.size}")
     workers = {name: kwargs[name] for name in _WORKERS & set(kwargs)}
@@ -178,7 +183,7 @@ def Minimize(
         warnings.warn(
             f"Minimize: method {method!r} chooses each point by the value of the last one; useMultiProcessing has an "
             f"effect on '{_GLOBAL}' and on methods with gradients, such as 'L-BFGS-B'",
-            stacklevel=2,
+            stacklevel=3,
         )
         workers = {}
     together = bool(workers.get("useMultiProcessing")) or hasattr(objectiveFunction, "in_portions")
@@ -188,7 +193,7 @@ def Minimize(
         iterations = options.get("maxiter", 1000 if method == _GLOBAL else 200 * len(names))
         report = _Report(objective, parameters, method, iterations, file, storeFunctionValues, showProgress)
         if method == _GLOBAL:
-            guess = start if len(initialGuess) else None
+            guess = start if len(given) else None
             result = _evolve(objective, bounds, guess, tol, options, report)
         else:
             limits = bounds if scipy_bounds else None
@@ -200,7 +205,7 @@ def Minimize(
         warnings.warn(
             f"Minimize: the best value is {result['fun']}: objectiveFunction has returned no finite number; "
             "look at what it returns for the parameters in the result",
-            stacklevel=2,
+            stacklevel=3,
         )
     best = dict(zip(names, objective.inside(result["x"]).tolist(), strict=True))
     return [best, result["fun"], report.history, report.values]

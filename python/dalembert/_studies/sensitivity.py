@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dalembert._calls import checked
 from dalembert._checks import as_number
 from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
@@ -58,6 +59,7 @@ _ARGUMENTS = {
 }  # fmt: skip
 
 
+@checked
 def ComputeSensitivities(
     parameterFunction: Function,
     parameters: Mapping[str, Any],
