@@ -12,8 +12,9 @@ from PIL import Image
 
 import dalembert as exu
 from dalembert import graphics
+from dalembert._pictures import notices
 from dalembert._pictures.studio import Studio
-from dalembert.itemInterface import NodePoint
+from dalembert.itemInterface import NodePoint, SensorBody
 
 
 @pytest.fixture
@@ -305,6 +306,31 @@ def test_sensors_that_are_not_there_leave_no_traces(SC: Any, pendulum: Any) -> N
     traces.showPositionTrace, traces.listOfVectorSensors = True, [7]
     with pytest.raises(ValueError, match="sensors.traces.listOfVectorSensors: expected numbers of the .* received 7"):
         SC.renderer.RedrawAndGetImage()
+
+
+def test_sensors_that_leave_no_trace_are_told_once(SC: Any, pendulum: Any, capfd: Any, monkeypatch: Any) -> None:
+    monkeypatch.setattr(notices, "_told", set())
+    for stores in (True, False):
+        pendulum.AddSensor(
+            SensorBody(
+                bodyNumber=1,
+                outputVariableType=exu.OutputVariableType.Position,
+                storeInternal=stores,
+                writeToFile=False,
+            )
+        )
+    pendulum.Assemble()
+    solve(pendulum)
+    traces = SC.visualizationSettings.sensors.traces
+    traces.showPositionTrace = traces.showVectors = traces.showTriads = True
+    traces.listOfPositionSensors, traces.listOfVectorSensors, traces.listOfTriadSensors = [0], [1], [0]
+    capfd.readouterr()
+    for _ in range(2):
+        SC.renderer.RedrawAndGetImage()
+    lines = [line for line in capfd.readouterr().out.splitlines() if "WARNING" in line]
+    assert len(lines) == 2
+    assert "sensors.traces: sensor 1 stores nothing that could be drawn: it needs storeInternal=True" in lines[0]
+    assert "sensors.traces: sensor 0 has 3 values at a time, where 9 are to be drawn" in lines[1]
 
 
 def test_pictures_follow_a_marker(SC: Any, pendulum: Any) -> None:

@@ -53,6 +53,13 @@ def tell_settings_of_pictures(settings: Any) -> None:
     _tell(settings, settings_of_pictures(), "on pages ")
 
 
+def tell_once(text: str) -> None:
+    """Print a notice of settings, unless it was printed before."""
+    if (text, "") not in _told:
+        _told.add((text, ""))
+        _core.Print(f"WARNING: {text}")
+
+
 @lru_cache(maxsize=1)
 def settings_without_effect() -> Silent:
     """Return the settings that change nothing that is drawn here."""

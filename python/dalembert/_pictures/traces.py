@@ -10,6 +10,7 @@ import numpy as np
 from dalembert._checks import FloatArray
 from dalembert._core import OutputVariableType
 from dalembert._pictures.looks import Looks, rgba
+from dalembert._pictures.notices import tell_once
 from dalembert._pictures.pen import Pen
 
 # Time and values, row by row, that a sensor has stored; and position and rotation of the floating frame of each row if
@@ -30,7 +31,7 @@ def draw(pen: Pen, time: float, stored: Stored) -> None:
     numbers = [int(n) for n in traces.listOfPositionSensors] or _position_sensors(pen)
     palette = np.asarray(traces.traceColors, float).reshape(-1, 4)
     for order, number in enumerate(numbers):
-        known = _rows(stored, traces, number, time)
+        known = _rows(pen, stored, number, time)
         if known is None or len(known[0]) < 2:
             continue
         rows = known[0]
@@ -39,13 +40,13 @@ def draw(pen: Pen, time: float, stored: Stored) -> None:
         if traces.showPositionTrace:
             pen.line(positions[:: max(int(traces.positionsShowEvery), 1)], color, float(traces.lineWidth))
         if traces.showVectors and order < len(traces.listOfVectorSensors):
-            measured = _rows(stored, traces, int(traces.listOfVectorSensors[order]), time)
+            measured = _rows(pen, stored, int(traces.listOfVectorSensors[order]), time)
             chosen = _chosen(rows, measured, traces.vectorsShowEvery, traces.showCurrent)
             vectors = float(traces.vectorScaling) * _in_space(*measured) if measured else rows[:0]
             for i in chosen:
                 pen.arrow(positions[i], vectors[i], 0.002 * pen.looks.size, color)
         if traces.showTriads and order < len(traces.listOfTriadSensors):
-            turned = _rows(stored, traces, int(traces.listOfTriadSensors[order]), time)
+            turned = _rows(pen, stored, int(traces.listOfTriadSensors[order]), time, 9)
             for i in _chosen(rows, turned, traces.triadsShowEvery, traces.showCurrent):
                 assert turned is not None
                 pen.frame(positions[i], turned[0][i, 1:10].reshape(3, 3), float(traces.triadSize))
@@ -81,14 +82,24 @@ def _position_sensors(pen: Pen) -> list[int]:
     ]
 
 
-def _rows(stored: Stored, traces: Any, number: int, time: float) -> tuple[FloatArray, FloatArray | None] | None:
-    """Return time and values of a sensor, with frames, as much of the past and the future as is to be shown."""
+def _rows(
+    pen: Pen, stored: Stored, number: int, time: float, least: int = 3
+) -> tuple[FloatArray, FloatArray | None] | None:
+    """Return time and values of a sensor, with frames, as much of the past and the future as is to be shown.
+
+    None if it has not stored at least so many values at a time; if it never will, a notice says so.
+    """
+    here = f"visualizationSettings.sensors.traces: sensor {number}"
     try:
         values, frames = stored(number)
     except (RuntimeError, ValueError):
+        if not pen.places.mbs.GetSensor(number)["storeInternal"]:
+            tell_once(f"{here} stores nothing that could be drawn: it needs storeInternal=True")
         return None
-    rows = np.atleast_2d(np.asarray(values, float))
-    if rows.ndim != 2 or rows.shape[1] < 4:
+    rows, traces = np.atleast_2d(np.asarray(values, float)), pen.looks.setting("sensors.traces")
+    if rows.ndim != 2 or rows.shape[1] <= least:
+        if len(rows) and rows.size:
+            tell_once(f"{here} has {rows.shape[1] - 1} values at a time, where {least} are to be drawn")
         return None
     span = float(traces.timeSpan) or np.inf
     wanted = np.abs(rows[:, 0] - time) <= span
