@@ -14,7 +14,7 @@ from typing import Any
 import numpy.typing as npt
 import scipy.sparse
 
-from dalembert._checks import FloatArray, shape_error
+from dalembert._checks import FloatArray, as_array, shape_error
 from dalembert._fem.campbell import dense_frequencies, gyroscopic_matrix, plot_campbell, sparse_frequencies
 from dalembert._fem.checks import Names, check_matrices
 from dalembert._fem.data import FileNameToMode
@@ -141,7 +141,8 @@ def CheckForSciPyAndError(stringWhere: str = "") -> None:
 
 def VectorDiadicUnitMatrix3D(v: npt.ArrayLike) -> FloatArray:
     """v times the 3x3 unit matrix, one below the other: 3n rows, 3 columns."""
-    return np.kron(np.asarray(v, dtype=float).reshape(-1, 1), np.eye(3))
+    column = as_array("VectorDiadicUnitMatrix3D: v", v).reshape(-1, 1)
+    return np.asarray(np.kron(column, np.eye(3)), np.float64)
 
 
 def CyclicCompareReversed(list1: Sequence[int], list2: Sequence[int]) -> bool:

@@ -8,22 +8,26 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from dalembert._calls import checked
 from dalembert._checks import FloatArray, as_number, as_vector, shape_error, unit_vector
 from dalembert._geometry.rotations import ComputeOrthonormalBasis, ComputeOrthonormalBasisVectors, RotationMatrix2D
 
 _SMALL = 0.02  # below this, the series of the involute is more accurate than tan(x) - x
 
 
+@checked
 def ApproxInvolute(x: float) -> float:
     """Return the series of tan(x) - x up to x^7, for small angles x."""
     return x**3 * (1.0 / 3.0 + x**2 * (2.0 / 15.0 + x**2 * (17.0 / 315.0)))
 
 
+@checked
 def Involute(x: float) -> float:
     """Return the involute function tan(x) - x of a pressure angle x, accurate also for small angles."""
     return ApproxInvolute(x) if abs(x) < _SMALL else tan(x) - x
 
 
+@checked
 def InvInvolute(y: float, warn: bool = True) -> float:
     """Return the angle x with tan(x) - x = y, by Newton's method.
 
@@ -66,6 +70,15 @@ class InvoluteGear:
         isInternalGear: bool = False,
         tolerance: float = 1e-6,
     ) -> None:
+        for name, value in (
+            ("pressureAngleDeg", pressureAngleDeg),
+            ("fillet", fillet),
+            ("backlash", backlash),
+            ("reductionToleranceDeg", reductionToleranceDeg),
+            ("dedendumFactor", dedendumFactor),
+            ("addendumFactor", addendumFactor),
+        ):
+            as_number(f"InvoluteGear: {name}", value)
         for name, value in (("module", module), ("nTeeth", nTeeth)):
             if as_number(f"InvoluteGear: {name}", value) <= 0:
                 raise shape_error(f"InvoluteGear: {name}", "a number greater than zero", value)

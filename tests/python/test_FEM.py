@@ -190,3 +190,11 @@ def test_orders_of_coordinates_that_do_not_fit_are_named():
         FEM.ConvertHexToTrigs(range(7))
     with pytest.raises(ValueError, match="CyclicCompareReversed: list1: expected a list of numbers, received 1"):
         FEM.CyclicCompareReversed(1, [1])
+    with pytest.raises(ValueError, match="VectorDiadicUnitMatrix3D: v: expected an array of numbers"):
+        FEM.VectorDiadicUnitMatrix3D("text")
+    with pytest.raises(ValueError, match="RoundMatrix: matrix: expected an array of numbers"):
+        FEM.RoundMatrix([[1, 2], [3, 4]])
+    with pytest.raises(ValueError, match="RoundMatrix: treshold: expected a finite number"):
+        FEM.RoundMatrix(np.eye(2), "text")
+    with pytest.raises(ValueError, match="ComputeSkewMatrix: v: expected a vector with 3"):
+        FEM.ComputeSkewMatrix([])

@@ -53,3 +53,12 @@ def test_bearing_grooves_touch_the_balls():
     assert abs(first) == pytest.approx(0.1)
     assert data["innerGrooveTorusRadius"] - data["innerGrooveRadius"] == pytest.approx(0.025)
     assert data["outerGrooveTorusRadius"] + data["outerGrooveRadius"] == pytest.approx(0.035)
+
+
+def test_numbers_of_involutes_that_are_none_are_named():
+    for function in (machines.Involute, machines.ApproxInvolute, machines.InvInvolute):
+        with pytest.raises(ValueError, match=rf"{function.__name__}: .: expected a finite number, received None"):
+            function(None)
+    for name in ("pressureAngleDeg", "backlash", "dedendumFactor", "addendumFactor"):
+        with pytest.raises(ValueError, match=f"InvoluteGear: {name}: expected a finite number"):
+            machines.InvoluteGear(**{name: "text"})

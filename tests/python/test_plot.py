@@ -281,3 +281,9 @@ def test_what_is_no_system_is_named(mbs: Any) -> None:
     for call in (lambda: plot.PlotSensor(mbs, 0), lambda: plot.PlotPhase(mbs, 0, 1)):
         with pytest.raises(ValueError, match="PlotSensor: mbs: expected a system, of SC.AddSystem"):
             call()
+
+
+def test_figures_without_an_ending_have_that_of_matplotlib(mbs: Any, tmp_path: Path) -> None:
+    plot.PlotSensor(mbs, 0, fileName=str(tmp_path / "curve"))
+    plot.PlotPhase(mbs, 0, 0, 0, 1, fileName=str(tmp_path / "phase"))
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["curve.png", "phase.png"]

@@ -81,7 +81,7 @@ def ComputeSkewMatrix(v: npt.ArrayLike) -> FloatArray:
     column of v.
     """
     a = as_array("ComputeSkewMatrix: v", v)
-    if a.ndim not in (1, 2) or a.shape[0] % 3 != 0:
+    if a.ndim not in (1, 2) or a.size == 0 or a.shape[0] % 3 != 0:
         raise shape_error("ComputeSkewMatrix: v", "a vector with 3*n components or a matrix with 3*n rows", v)
     x, y, z = a.reshape(a.shape[0] // 3, 3, -1).transpose(1, 0, 2)
     skew = np.zeros((x.shape[0], 3, x.shape[1], 3))

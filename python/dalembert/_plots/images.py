@@ -115,7 +115,9 @@ def save_figure(figure: Any, fileName: str, where: str) -> None:
         os.makedirs(folder, exist_ok=True)
     known = figure.canvas.get_supported_filetypes()
     ending = os.path.splitext(fileName)[1].lstrip(".").lower()
-    if ending and ending not in known:
+    if not ending:
+        fileName += f".{figure.canvas.get_default_filetype()}"
+    elif ending not in known:
         raise shape_error(f"{where}: fileName", f"an ending of matplotlib, {', '.join(sorted(known))}", fileName)
     with replacing(fileName) as written:
         figure.savefig(written)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_vector, shape_error
+from dalembert._checks import FloatArray, as_number, as_vector, shape_error
 
 
 def FillInSubMatrix(
@@ -54,4 +54,6 @@ def IndexFromValue(
 
 def RoundMatrix(matrix: npt.NDArray[Any], treshold: float = 1e-14) -> None:
     """Set the entries of the array matrix with a magnitude below treshold to zero, in place."""
-    matrix[np.abs(matrix) < treshold] = 0
+    if not isinstance(matrix, np.ndarray) or matrix.dtype.kind not in "biufc":
+        raise shape_error("RoundMatrix: matrix", "an array of numbers, which is changed", matrix)
+    matrix[np.abs(matrix) < as_number("RoundMatrix: treshold", treshold)] = 0

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from dalembert._calls import checked
 
+
+@checked
 def PlotLineCode(index: int) -> str:
     """Return a matplotlib colour and line code, e.g. 'r-'; 28 different ones, then 'k:' for larger indices."""
     colors, lines = "rgbkcmy", ("-", ":", "--", "-.")
     if index >= len(colors) * len(lines):
         return "k:"
-    line, color = divmod(index % (len(colors) * len(lines)), len(colors))
+    line, color = divmod(int(index) % (len(colors) * len(lines)), len(colors))
     return colors[color] + lines[line]
 
 

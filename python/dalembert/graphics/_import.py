@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as meshes
 from dalembert._calls import checked
-from dalembert._checks import FloatArray, as_color, as_matrix, as_vector
+from dalembert._checks import FloatArray, as_array, as_color, as_matrix, as_vector
 from dalembert._io.files import file_to_read, file_to_write, replacing
 from dalembert.graphics._mesh import GraphicsData, mesh_of, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
@@ -115,9 +115,10 @@ def FromSTLfile(
     about COM. Unit normals are computed from the triangles; by default normals and triangles are inverted.
     """
     corners = scale * _read_facets(fileName)[1]
-    if np.size(Aoff) or np.size(pOff):
-        A = as_matrix("FromSTLfile: Aoff", Aoff, (3, 3)) if np.size(Aoff) else np.eye(3)
-        r = as_vector("FromSTLfile: pOff", pOff, 3) if np.size(pOff) else np.zeros(3)
+    turned, moved = as_array("FromSTLfile: Aoff", Aoff), as_array("FromSTLfile: pOff", pOff)
+    if turned.size or moved.size:
+        A = as_matrix("FromSTLfile: Aoff", Aoff, (3, 3)) if turned.size else np.eye(3)
+        r = as_vector("FromSTLfile: pOff", pOff, 3) if moved.size else np.zeros(3)
         corners = r + corners @ A.T
     points = corners.reshape(-1, 3)
     index = np.arange(len(points))

@@ -109,7 +109,7 @@ def Sphere(
                 triangles.append(rim + len(points))
             points = np.vstack([points, innerRim, outerRim] if k == 0 else [points, outerRim, innerRim])
             normals = np.vstack([normals, np.tile((2 * k - 1) * ez, (4 * nTiles, 1))])
-    level = 3 if addEdges is True else int(addEdges)
+    level = 3 if addEdges is True else int(addEdges or 0)
     isFull = innerRadius is None and abs(majorAngleMax - majorAngleMin - pi) <= 1e-7
     edges = _sphere_edges(nTiles, level) if level > 0 and isFull else None
     center = as_vector("Sphere: point", point, 3)
