@@ -83,7 +83,8 @@ def test_text_and_binary_files_hold_the_same(model, tmp_path):
     assert np.allclose(text["data"][:, motion], binary["data"][:, motion], rtol=1e-8, atol=1e-8)
     assert np.allclose(text["data"][:, 0], np.linspace(0, 0.1, ROWS))
     for name in ("solution.txt", "solution.sol"):
-        assert utilities.LoadSolutionFile(tmp_path / name, maxRows=3, verbose=False)["nRows"] == 3
+        for rows in (3, np.int64(3), np.float64(3), np.array(3)):
+            assert utilities.LoadSolutionFile(tmp_path / name, maxRows=rows, verbose=0)["nRows"] == 3
 
 
 def test_damaged_rows_are_left_out(model, tmp_path):

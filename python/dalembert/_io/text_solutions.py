@@ -68,7 +68,7 @@ def load_text_solution(fileName: Path, safeMode: bool, maxRows: int, verbose: bo
             columns = _columns_of_header(fileName, list(islice(text, _HEADER_LINES)))
         expected = sum(columns) + 1
     if safeMode or maxRows != -1:
-        rows = islice(_rows(fileName, expected, safeMode), None if maxRows == -1 else maxRows)
+        rows = islice(_rows(fileName, expected, safeMode), None if maxRows == -1 else int(maxRows))
         data = np.array(list(rows), dtype=float, ndmin=2)
     else:
         if hasHeader:

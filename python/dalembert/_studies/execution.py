@@ -143,10 +143,10 @@ def WriteToFile(
         if writeHeader:
             columns = without_function_data(currentGeneration[0] if currentGeneration else parameters)
             file.write(_header(resultsFile, parameters, columns, fileType, multiProcessingMode))
-        for number, (individual, value) in enumerate(zip(currentGeneration, values, strict=False), globalCnt):
+        for number, (individual, value) in enumerate(zip(currentGeneration, values, strict=True), int(globalCnt)):
             row = [number, value, *without_function_data(individual).values()]
             file.write(", ".join(map(str, row)) + "\n")
-    return globalCnt + len(values)
+    return int(globalCnt) + len(values)
 
 
 def results_file(function: str, arguments: Mapping[str, Any]) -> str:
