@@ -18,7 +18,8 @@ from solving import Solver, new_system, settings
 from test_andrews import Squeezer
 from test_bricard import Bricard
 from test_four_bar import Bars
-from test_redundant import OF_POSITIONS, Door
+from test_joints_apart import OF_POSITIONS
+from test_redundant import Door
 
 import dalembert as exu
 from dalembert import itemInterface as eii
