@@ -38,6 +38,8 @@ def _is_switch(value: Any) -> bool:
     return value is None or isinstance(value, (bool, np.bool_)) or _is_integer(value)
 
 
+Check = tuple[str, Callable[[Any], bool], bool]  # what is expected, whether a value is that, whether None is allowed
+
 KINDS: dict[str, tuple[str, Callable[[Any], bool]]] = {
     "float": ("a finite number", _is_number),
     "int": ("an integer", _is_integer),
@@ -48,22 +50,27 @@ KINDS: dict[str, tuple[str, Callable[[Any], bool]]] = {
 
 def checked(function: Callable[P, R]) -> Callable[P, R]:
     """Let a function refuse what its annotations float, int, bool, and these or None, do not allow; ValueError."""
-    names = list(inspect.signature(function).parameters)
-    kinds = {name: str(text) for name, text in inspect.get_annotations(function).items() if name != "return"}
-    checks = {name: KINDS[text.removesuffix(" | None")] for name, text in kinds.items() if _plain(text)}
-    optional = {name for name, text in kinds.items() if text.endswith(" | None")}
 
     @functools.wraps(function)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
+        names, checks = _checks_of(function)
         for name, value in (*zip(names, args, strict=False), *kwargs.items()):
-            if name in checks and not (value is None and name in optional):
-                expected, fits = checks[name]
-                if not fits(value):
+            if name in checks:
+                expected, fits, optional = checks[name]
+                if not (fits(value) or (value is None and optional)):
                     raise shape_error(f"{function.__name__}: {name}", expected, value)
         return function(*args, **kwargs)
 
     return call
 
 
-def _plain(text: str) -> bool:
-    return text.removesuffix(" | None") in KINDS
+@functools.cache
+def _checks_of(function: Callable[..., Any]) -> tuple[list[str], dict[str, Check]]:
+    """Return the names of all parameters, and the checks of some; signatures are not read before the first call."""
+    checks = {}
+    for name, annotation in inspect.get_annotations(function).items():
+        text = str(annotation)
+        plain = text.removesuffix(" | None")
+        if name != "return" and plain in KINDS:
+            checks[name] = (*KINDS[plain], plain != text)
+    return list(inspect.signature(function).parameters), checks

@@ -31,12 +31,12 @@ def shape_error(name: str, expected: str, received: Any) -> ValueError:
 def as_array(name: str, value: Any, expected: str = "an array of numbers") -> FloatArray:
     """Convert to a float array; ValueError names the argument if that is not possible."""
     try:
-        array = np.asarray(value, dtype=float)
+        array = np.asarray(value)
+        if array.dtype.kind not in "USc":  # numpy reads numbers from texts, and leaves out imaginary parts
+            return array.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):
-        raise shape_error(name, expected, value) from None
-    if array is not value and np.asarray(value).dtype.kind in "US":  # numpy reads numbers from texts
-        raise shape_error(name, expected, value)
-    return array
+        pass
+    raise shape_error(name, expected, value)
 
 
 def as_number(name: str, value: Any, negative: bool = True) -> float:

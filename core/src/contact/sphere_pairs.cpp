@@ -78,8 +78,7 @@ void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> 
         seconds_[p] = targets_[p] = numbers * static_cast<std::uint32_t>(j);
         if (j >= end) {
           targets_[p] = numbers * static_cast<std::uint32_t>(place);
-          waiting_[place - count_] = {j, static_cast<int>(place)};
-          ++place;
+          waiting_[place++ - count_] = j;
         }
         ++p;
       }
@@ -92,11 +91,11 @@ void SpherePairs::list_collected() {
   const std::size_t chunks = begins_.size() - 1;
   const auto chunk_of = [&](int sphere) { return static_cast<std::size_t>(std::ranges::upper_bound(begins_, sphere) - begins_.begin()) - 1; };
   std::vector<std::size_t> next(chunks + 1, 0);
-  for (const Waiting& w : waiting_) ++next[chunk_of(w.sphere) + 1];
+  for (const int sphere : waiting_) ++next[chunk_of(sphere) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
   first_collected_ = next;
   collected_.resize(waiting_.size());
-  for (const Waiting& w : waiting_) collected_[next[chunk_of(w.sphere)]++] = w;
+  for (std::size_t k = 0; k < waiting_.size(); ++k) collected_[next[chunk_of(waiting_[k])]++] = {waiting_[k], static_cast<int>(count_ + k)};
 }
 
 ContactPairing SpherePairs::pairing_of(const ContactSet& set, std::uint32_t first, std::uint32_t second) const {

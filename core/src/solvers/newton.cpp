@@ -102,6 +102,7 @@ double NewtonSolver::evaluate_residual() {
 [[gnu::always_inline]] inline bool NewtonSolver::iterate_to_the_end() {
   begin_newton();
   judge_start(evaluate_residual());
+  bool renewed = false;
   do {
     while (goes_on()) {
       if (sizes_.total() > 200) {
@@ -109,7 +110,7 @@ double NewtonSolver::evaluate_residual() {
       }
       iterate();
     }
-  } while (redundant_.in_use() && renews_misfit());
+  } while (redundant_.in_use() && !std::exchange(renewed, true) && renews_misfit());
   if (!succeeded()) return false;
   if (leaves_correction() || (redundant_.in_use() && leaves_misfit())) correct_motion();
   return !redundant_.in_use() || settle_multipliers();
@@ -125,7 +126,6 @@ void NewtonSolver::begin_newton() {
   if (treatment_ != Treatment::none) [[unlikely]] {
     if (idle_ == Idle::at_factors) idle_ = Idle::at_state;
     misfit_.clear();
-    misfit_is_renewed_ = false;
     predicted_ = full_newton_ && !conditions_.rate_level && !(largest_misfit_ > RedundantConstraints::silent_misfit);
     if (std::exchange(treatment_failed_, false)) drop_treatment();
     else if (treatment_ == Treatment::unknown) look_for_redundancy_at_start();

@@ -35,6 +35,8 @@ bool NewtonSolver::measure_redundancy() {
   return redundant_.measure(system(), *pattern_, jacobian_, settings().redundantConstraints.momentLength, rate_factor());
 }
 
+void NewtonSolver::allow_for_gaps() { redundant_.allow_for(gaps_of_positions(system(), current(), conditions_)); }
+
 void NewtonSolver::forget_redundancy() {
   redundant_ = RedundantConstraints();
   plain_.reset();
@@ -116,7 +118,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   if (!measure_redundancy()) return;
   const auto plain = make_linear_solver(*pattern_, linear_type(), newton_options());
   const bool regular = plain->factorize(jacobian_) == LinearSolver::success;
-  redundant_.allow_for(gaps_of_positions(system(), current(), conditions_));
+  allow_for_gaps();
   looks_at_next_ = hides_some(redundant_, conditions_);
   if (regular && !redundant_.suspected(*plain)) return;
   const auto factors = find_redundancy();
@@ -131,7 +133,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   system().reactions_are_known({});
   if (!conv.linearSolverFailed && RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
   if (!measure_redundancy()) return;
-  redundant_.allow_for(gaps_of_positions(system(), current(), conditions_));
+  allow_for_gaps();
   looks_at_next_ = hides_some(redundant_, conditions_) && !conv.linearSolverFailed;
   if (!conv.linearSolverFailed && !redundant_.suspected(*linear_)) return;
   const auto factors = find_redundancy();
@@ -188,7 +190,7 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   compute_residual();
   compute_jacobian();
   conv.jacobianUpdateRequested = true;
-  redundant_.allow_for(gaps_of_positions(system(), current(), conditions_));
+  allow_for_gaps();
   if (!redundant_.find(*pattern_, jacobian_, redundant_.counting(), *linear_) && !find_redundancy()) return;
   const bool gone = redundant_.count() == 0;
   system().reactions_are_known(redundant_.equations());
@@ -263,8 +265,7 @@ bool NewtonSolver::treat_from_start_of_step() {
   if (!open) return;
   if (first) return redundant_.take_off_idle_solution(*linear_, increment_);
   misfit_.resize(multipliers.size());
-  if (conditions_.rate_level) redundant_.take_off_idle_solution(*linear_, increment_, misfit_);
-  else redundant_.take_off_idle_solution(*linear_, increment_, misfit_, 1);
+  redundant_.take_off_idle_solution(*linear_, increment_, misfit_, conditions_.rate_level ? RedundantConstraints::many_times : 1);
 }
 
 // Where the first correction has met the tolerance.
@@ -298,10 +299,9 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
 // Iterates may have been further off the constraints: what a motion closes of the gaps that are left now is no misfit. True: Newton's method goes on.
 [[gnu::noinline]] bool NewtonSolver::renews_misfit() {
   constexpr double same = 0.1;
-  if (!conv.newtonConverged || misfit_.empty() || conditions_.rate_level || misfit_is_renewed_) return false;
+  if (!conv.newtonConverged || misfit_.empty() || conditions_.rate_level) return false;
   const double before = redundant_.largest(misfit_);
   if (!(before > silent_misfit)) return false;
-  misfit_is_renewed_ = true;
   const auto rest = std::span<double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
   std::vector<double> gaps(misfit_), change(misfit_);
   for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] += rest[k];

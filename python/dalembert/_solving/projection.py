@@ -15,7 +15,7 @@ from dalembert._checks import FloatArray, IntArray
 
 REGULAR, SMALLER, SMALLEST = 1e-10, 1e-12, 1e-14  # eps where nothing speaks against it; where that converges slowly
 _RANK = 1e-12  # eps for counting
-_LEFT_BY_JOINTS_APART = 1e2
+_LEFT_BY_JOINTS_APART = 1e2  # the same, relative to the square of what joints are apart
 _LARGEST_BLOCK = 12  # coordinates of a mass matrix block that is searched for motions without inertia
 _MASSLESS = 1e-10  # share of the largest inertia in a block
 _MOST_REDUNDANT = 400  # equations, that are counted

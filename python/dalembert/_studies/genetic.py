@@ -172,9 +172,9 @@ def GeneticOptimization(
         raise ValueError(
             f"GeneticOptimization: childDistribution must be 'uniform' or 'normal', not {childDistribution!r}"
         )
-    check_integer("GeneticOptimization: populationSize", int(populationSize), 1)
-    check_integer("GeneticOptimization: numberOfGenerations", int(numberOfGenerations), 1)
     populationSize, numberOfGenerations = int(populationSize), int(numberOfGenerations)
+    check_integer("GeneticOptimization: populationSize", populationSize, 1)
+    check_integer("GeneticOptimization: numberOfGenerations", numberOfGenerations, 1)
     n_survivors = _number_of_survivors(elitistRatio, populationSize, kwargs)
     if distanceFactor >= 1:
         warnings.warn(

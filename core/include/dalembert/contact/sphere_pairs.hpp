@@ -25,8 +25,8 @@ class SpherePairs {
     }
   };
   AlignedVector<SphereAt> at;
-  AlignedVector<Four> velocity, spin;  // by sphere, as all that follows
-  LargeVector<Four> force, moment;
+  AlignedVector<Four> velocity, spin;  // by sphere
+  LargeVector<Four> force, moment;     // by place: those of all spheres, and behind them those of what waits
 
   // Room for the spheres of a set, and their surfaces.
   void take(const ContactSet& set);
@@ -66,7 +66,8 @@ class SpherePairs {
   struct Waiting {
     int sphere, place;
   };
-  LargeVector<Waiting> waiting_, collected_;  // by place; by the chunk of the sphere
+  LargeVector<int> waiting_;        // spheres, by place behind those of all spheres
+  LargeVector<Waiting> collected_;  // by the chunk of the sphere
 };
 
 }  // namespace dalembert

@@ -88,6 +88,7 @@ class NewtonSolver : public Solver {
   bool treat_from_start_of_step();
   bool treats_redundancy() const;
   bool measure_redundancy();
+  void allow_for_gaps();
   bool is_in_singular_position();
   void begin_announced_treatment();
   bool weigh_again();
@@ -158,7 +159,6 @@ class NewtonSolver : public Solver {
   std::unique_ptr<LinearSolver> plain_;  // while a singular position is passed
   double measured_for_ = 0;              // row_scale() of the matrix that weights are for
   std::vector<double> misfit_;           // gaps that no motion closes, by equation; empty: none
-  bool misfit_is_renewed_ = false;       // in this call of newton
 };
 
 }  // namespace dalembert

@@ -115,6 +115,7 @@ class RedundantConstraints {
   void take_off_idle_part(LinearSolver& factors, std::span<double> multipliers);
   // From a solution for all unknowns: the same, and what this part has moved, as equations that no longer vanish exactly let it do.
   void take_off_idle_solution(LinearSolver& factors, std::span<double> unknowns);
+  static constexpr int many_times = 8;
   // The same as long as that is worth it; what idle parts would have closed is taken from `kept`. How often that was.
   int take_off_idle_solution(LinearSolver& factors, std::span<double> unknowns, std::span<double> kept, int most_times = many_times);
   // Whether these multipliers leave more than a share of one in the gap of any equation.
@@ -128,7 +129,6 @@ class RedundantConstraints {
   std::span<const int> rows() const { return rows_; }
 
  private:
-  static constexpr int many_times = 8;
   static constexpr std::size_t few_rows = 40;  // not worth to be taken apart
 
   double row_factor(int equation) const { return of_rate_[static_cast<std::size_t>(equation)] ? rate_factor_ : 1; }
