@@ -442,6 +442,7 @@ def test_bearing_rings_are_closed_and_leave_room_for_the_balls():
         (lambda: gr.Brick([1, float("nan"), 0]), "^Brick: points: expected finite coordinates"),
         (lambda: gr.Brick(size=[float("nan")] * 3), "^Brick: size: expected finite side lengths"),
         (lambda: gr.Brick(["1", "2", "3"]), "^Brick: centerPoint: expected a vector with 3 components"),
+        (lambda: gr.Brick(np.array([1j, 2, 3])), "^Brick: centerPoint: expected a vector with 3 components"),
         (lambda: gr.SolidExtrusion(SQUARE, "all", 1), "SolidExtrusion: segments: expected rows of 2 numbers"),
         (lambda: gr.SolidExtrusion(SQUARE, [], 1), "SolidExtrusion: segments: expected pairs of numbers of points"),
         (
