@@ -99,7 +99,7 @@ def test_orders(method: Any, order: int, steps: int) -> None:
     assert np.log2(error(steps) / error(2 * steps)) > order - 0.5
 
 
-def carried_mass() -> tuple[Any, Any]:
+def carried_mass(by_velocity: bool = False) -> tuple[Any, Any]:
     """System and node of a mass that is carried along x = sin(3 t) / 2: the multiplier is the force that this takes."""
     mbs = new_system()
     ground = mbs.AddNode(exu.NodePointGround())
@@ -108,7 +108,10 @@ def carried_mass() -> tuple[Any, Any]:
     markers = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=0)) for n in (ground, node)]
     mbs.AddObject(
         exu.CoordinateConstraint(
-            markerNumbers=markers, offsetUserFunction=lambda mbs, t, number, offset: 0.5 * np.sin(3 * t)
+            markerNumbers=markers,
+            velocityLevel=by_velocity,
+            offsetUserFunction=lambda mbs, t, number, offset: 0.5 * np.sin(3 * t),
+            offsetUserFunction_t=lambda mbs, t, number, offset: 1.5 * np.cos(3 * t),
         )
     )
     mbs.Assemble()
@@ -120,6 +123,18 @@ def test_a_driven_constraint() -> None:
     mbs.SolveDynamic(settings(1, 200), solverType=Solver.RK44)
     assert mbs.GetNodeOutput(node, Variable.Position)[0] == pytest.approx(0.5 * np.sin(3), abs=1e-9)
     assert mbs.GetNodeOutput(node, Variable.Velocity)[0] == pytest.approx(1.5 * np.cos(3), abs=1e-6)
+    assert abs(mbs.systemData.GetAECoordinates()[0]) == pytest.approx(9 * np.sin(3), abs=1e-5)
+
+
+@pytest.mark.parametrize("solver", [Solver.RK44, Solver.DOPRI5, Solver.ESDIRK43])
+def test_a_driven_velocity(solver: Any) -> None:
+    """Second differences of what is a rate already let it lag by steps, or follow another motion."""
+    mbs, node = carried_mass(by_velocity=True)
+    s = settings(1, 200)
+    s.timeIntegration.automaticStepSize = False
+    mbs.SolveDynamic(s, solverType=solver)
+    assert mbs.GetNodeOutput(node, Variable.Position)[0] == pytest.approx(0.5 * np.sin(3), abs=1e-9)
+    assert mbs.GetNodeOutput(node, Variable.Velocity)[0] == pytest.approx(1.5 * np.cos(3), abs=1e-9)
     assert abs(mbs.systemData.GetAECoordinates()[0]) == pytest.approx(9 * np.sin(3), abs=1e-5)
 
 

@@ -413,8 +413,19 @@ std::vector<char> driven_equations(System& system, const State& state, const Con
   return driven;
 }
 
-// Second differences along the motion and in time at once.
+void ConstrainedMotion::find_constraints_of_velocities(System& system, const State& still, const Conditions& conditions) {
+  if (!of_velocities_.empty()) return;
+  of_velocities_.assign(still.lambda.size(), 0);
+  part_.resize(matrix_.size());
+  system.tangent(still, at_level(conditions, false), along_velocities, *pattern_, part_);
+  for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+    if (row >= first_ae_ && column < ode2_ && part_[slot] != 0) of_velocities_[row - first_ae_] = 1;
+  });
+}
+
+// Differences along the motion and in time at once; first ones of rates, second ones of gaps.
 void ConstrainedMotion::add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap) {
+  find_constraints_of_velocities(system, still, conditions);
   constexpr double tau = 1e-4;
   std::vector<double> before(gap.size()), now(gap.size()), after(gap.size());
   const auto evaluate = [&](double time, std::vector<double>& gaps) {
@@ -429,7 +440,7 @@ void ConstrainedMotion::add_driving(System& system, const State& still, const Co
   evaluate(0, now);
   evaluate(tau, after);
   for (std::size_t k = 0; k < gap.size(); ++k)
-    if (driven_[k]) gap[k] = (after[k] - 2 * now[k] + before[k]) / (tau * tau);
+    if (driven_[k]) gap[k] = of_velocities_[k] ? (after[k] - before[k]) / (2 * tau) : (after[k] - 2 * now[k] + before[k]) / (tau * tau);
 }
 
 std::span<const double> ConstrainedMotion::move(std::span<const double> gaps) {
@@ -441,14 +452,8 @@ std::span<const double> ConstrainedMotion::move(std::span<const double> gaps) {
 
 bool ConstrainedMotion::project(System& system, State& state, const Conditions& conditions) {
   const auto n = static_cast<std::size_t>(system.sizes().ae);
-  if (of_velocities_.empty()) {  // their gaps are rates already
-    of_velocities_.assign(n, 0);
-    system.tangent(without_multipliers(state), at_level(conditions, false), along_velocities, *pattern_, part_);
-    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
-      if (row >= first_ae_ && column < ode2_ && part_[slot] != 0) of_velocities_[row - first_ae_] = 1;
-    });
-  }
   State still = without_multipliers(state);
+  find_constraints_of_velocities(system, still, conditions);
   find_driven(system, still, conditions);
   std::vector<double> gaps(n);
   // As long as gaps become smaller; what is left of them, in units of `size`. Where Euler parameters get their length back, gaps of joints open

@@ -83,6 +83,8 @@ class ConstrainedMotion {
   // With constant velocities, and those that are prescribed in time.
   std::vector<double> gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions);
   void find_driven(System& system, const State& state, const Conditions& conditions);
+  // Whose gaps are rates already.
+  void find_constraints_of_velocities(System& system, const State& still, const Conditions& conditions);
   void fill(System& system, const State& state, const Conditions& conditions);
   void fill_for_constraints(System& system, const State& state, const Conditions& conditions);
   int examine_filled(System& system, const State& state, const Conditions& conditions);
