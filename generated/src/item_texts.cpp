@@ -1158,7 +1158,7 @@ constexpr std::array<std::string_view, 13> ObjectContactCircleCable2D_rows{
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
 
-constexpr std::array<std::string_view, 19> ObjectContactConvexRoll_rows{
+constexpr std::array<std::string_view, 20> ObjectContactConvexRoll_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker m0 on the ground, whose x and y axes span the plane, and marker m1 at the center of the roll, with the x axis along it",
     "NodeGenericData with three data coordinates of the last update: gap, and slip velocity along the x and y axes of marker m0",
@@ -1176,6 +1176,7 @@ constexpr std::array<std::string_view, 19> ObjectContactConvexRoll_rows{
     "radius of spheres at both ends that exclude contact by a cheap test; follows from the profile",
     "current point of possible contact; contact if its third component is negative",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
+    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
     "False: the item is not drawn",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
@@ -1226,7 +1227,7 @@ constexpr std::array<OutputText, 3> ObjectContactCurveCircles_outputs{{
     {"ForceLocal", 0, "N", "normal and tangential force for every circle; size: twice the number of circles"},
 }};
 
-constexpr std::array<std::string_view, 16> ObjectContactFrictionCircleCable2D_rows{
+constexpr std::array<std::string_view, 17> ObjectContactFrictionCircleCable2D_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker m0 at the center of the circle and marker m1, the shape of the cable",
     "NodeGenericData with three data coordinates per segment: all gaps, then all friction states (-1 and 1 slip, 0 stick, -2 undefined), then all last sticking positions; begin for instance with 0.1, -2, 0 for no contact",
@@ -1239,6 +1240,7 @@ constexpr std::array<std::string_view, 16> ObjectContactFrictionCircleCable2D_ro
     "radius of the circle",
     "True: normal and tangent are those of the segment, for segments that are long against the circle; False: those of the circle at the points of the segment, for short segments",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
+    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
     "False: the item is not drawn",
     "True: the circle is drawn",
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
@@ -1250,7 +1252,7 @@ constexpr std::array<OutputText, 3> ObjectContactFrictionCircleCable2D_outputs{{
     {"ForceLocal", 0, "N", "tangential and normal force, in turn for every segment; size: twice the number of segments"},
 }};
 
-constexpr std::array<std::string_view, 20> ObjectContactSphereSphere_rows{
+constexpr std::array<std::string_view, 21> ObjectContactSphereSphere_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "markers at the centers of the two spheres",
     "NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, plastic overlap; initial gap positive: no contact",
@@ -1269,6 +1271,7 @@ constexpr std::array<std::string_view, 20> ObjectContactSphereSphere_rows{
     "lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more",
     "0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
+    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
@@ -1282,7 +1285,7 @@ constexpr std::array<OutputText, 7> ObjectContactSphereSphere_outputs{{
     {"Torque", 3, "Nm", "global vector whose negative is the torque of the contact force about marker m0"},
 }};
 
-constexpr std::array<std::string_view, 18> ObjectContactSphereTorus_rows{
+constexpr std::array<std::string_view, 19> ObjectContactSphereTorus_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker m0 at the center of the sphere and marker m1 at the center of the torus",
     "NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used",
@@ -1299,6 +1302,7 @@ constexpr std::array<std::string_view, 18> ObjectContactSphereTorus_rows{
     "lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more",
     "0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
+    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
@@ -1313,7 +1317,7 @@ constexpr std::array<OutputText, 8> ObjectContactSphereTorus_outputs{{
     {"Torque", 3, "Nm", "global vector whose negative is the torque of the contact force about marker m0"},
 }};
 
-constexpr std::array<std::string_view, 17> ObjectContactSphereTriangle_rows{
+constexpr std::array<std::string_view, 18> ObjectContactSphereTriangle_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker m0 at the center of the sphere and marker m1 on the body that carries the triangle",
     "NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used",
@@ -1329,11 +1333,12 @@ constexpr std::array<std::string_view, 17> ObjectContactSphereTriangle_rows{
     "lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more",
     "0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
+    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
 constexpr std::array<OutputText, 6> ObjectContactSphereTriangle_outputs{{
-    {"Position", 3, "m", "global contact point: the point of the triangle that is nearest to marker m0"},
+    {"Position", 3, "m", "global contact point, in the middle of the overlap or gap"},
     {"Displacement", 3, "m", "global vector from marker m0 to the nearest point of the triangle"},
     {"DisplacementLocal", 1, "m", "gap, negative in contact"},
     {"Director1", 3, "1", "unit vector from marker m0 to the nearest point of the triangle"},

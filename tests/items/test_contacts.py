@@ -198,13 +198,22 @@ def test_ball_rests_on_what_is_left_out(corners: int) -> None:
     assert output(mbs, body, "Position")[2] == pytest.approx(RADIUS - SINK, abs=1e-9 * RADIUS)
 
 
+@pytest.mark.parametrize("limited", [True, False])
 @pytest.mark.parametrize("kind", ["sphere", "triangle"])
-def test_damping_does_not_pull(kind: str) -> None:
-    """m d'' = -max(0, k d + c d'): the contact ends when the force does, with exp(-z (pi - 2 asin z) / sqrt(1 - z^2)) of the speed."""
+def test_damping_pulls_where_it_is_not_limited(kind: str, limited: bool) -> None:
+    """m d'' = -(k d + c d') until the gap is open, with exp(-pi z / sqrt(1 - z^2)) of the speed, or until that is zero.
+
+    Then, exp(-z (pi - 2 asin z) / sqrt(1 - z^2)) of the speed is left.
+    """
     mbs, k, share = new_system(), 1e5, 0.3
     body = ball(mbs, [0, 0, RADIUS + 1e-4], [0, 0, -1])
     damping = 2 * share * np.sqrt(k * MASS)
-    common = {"contactStiffness": k, "contactDamping": damping, "dataInitialCoordinates": [1e-4, 0, 0, 0]}
+    common = {
+        "contactStiffness": k,
+        "contactDamping": damping,
+        "dataInitialCoordinates": [1e-4, 0, 0, 0],
+        "limitDamping": limited,
+    }
     bodies = [body, mbs.CreateGround(referencePosition=[0, 0, -1 if kind == "sphere" else 0])]
     if kind == "sphere":
         mbs.CreateSphereSphereContact(bodyNumbers=bodies, spheresRadii=[RADIUS, 1.0], **common)
@@ -212,12 +221,12 @@ def test_damping_does_not_pull(kind: str) -> None:
         corners = [[-1, -1, 0], [2, -1, 0], [-1, 2, 0]]
         mbs.CreateSphereTriangleContact(bodyNumbers=bodies, radiusSphere=RADIUS, trianglePoints=corners, **common)
     solve(mbs, 0.015, 6000)
-    speed = np.exp(-share * (np.pi - 2 * np.arcsin(share)) / np.sqrt(1 - share**2))
-    assert output(mbs, body, "Velocity")[2] == pytest.approx(speed, abs=2e-3)  # exp(-pi z / sqrt(1 - z^2)) is 0.37
+    phase = np.pi - 2 * np.arcsin(share) if limited else np.pi
+    assert output(mbs, body, "Velocity")[2] == pytest.approx(np.exp(-share * phase / np.sqrt(1 - share**2)), abs=2e-3)
 
 
 def test_slip_is_that_of_the_nearest_point() -> None:
-    """A ball whose lowest point over the surface rests, sunk into it as deep as it is, feels no friction; force and slip meet there."""
+    """A ball of which the point on the surface rests, sunk into it as deep as it is, feels no friction; forces act half as deep."""
     mbs, depth, spin = new_system(), 0.02, 3.0
     velocity = [spin * (RADIUS - depth), 0, 0]
     body = ball(mbs, [0, 0, RADIUS - depth], velocity, initialAngularVelocity=[0, spin, 0])
@@ -228,7 +237,7 @@ def test_slip_is_that_of_the_nearest_point() -> None:
     mbs.Assemble()
     value = lambda name: mbs.GetObjectOutput(contact, getattr(exu.OutputVariableType, name))  # noqa: E731
     np.testing.assert_allclose(value("Force"), [0, 0, 1e4 * depth], atol=1e-12)
-    np.testing.assert_allclose(value("Position"), [0, 0, 0], atol=1e-15)
+    np.testing.assert_allclose(value("Position"), [0, 0, -depth / 2], atol=1e-15)
 
 
 def test_cradle() -> None:

@@ -41,7 +41,8 @@ def solve(
 
 # ---- a ball that falls: contacts with the same law of force ----------------------------------------------------------------
 
-LAW = {"contactStiffness": STIFFNESS, "contactDamping": DAMPING}
+SURFACE = {"contactStiffness": STIFFNESS, "contactDamping": DAMPING}
+LAW = SURFACE | {"limitDamping": True}
 
 
 def falling() -> tuple[Any, Any]:
@@ -118,7 +119,7 @@ def on_curve() -> tuple[Any, Any]:
             circlesRadii=[RADIUS],
             segmentsData=exu.MatrixContainer(np.array([[0.5, 0, -0.5, 0]])),
             rotationMarker0=turned,
-            **LAW,
+            **SURFACE,
         )
     )
     return mbs, ball

@@ -3567,6 +3567,8 @@ class ObjectContactConvexRoll(_Object):
         """current point of possible contact; contact if its third component is negative [3; m]; computed"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
+    limitDamping: bool
+    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
     @property
     def visualization(self) -> VObjectContactConvexRoll:
         """how the item is drawn"""
@@ -3588,6 +3590,7 @@ class ObjectContactConvexRoll(_Object):
         coefficientsHull: ArrayLike = [],
         rBoundingSphere: float = 0.0,
         activeConnector: bool = True,
+        limitDamping: bool = False,
         visualization: VObjectContactConvexRoll | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -3806,6 +3809,8 @@ class ObjectContactFrictionCircleCable2D(_Object):
     """True: normal and tangent are those of the segment, for segments that are long against the circle; False: those of the circle at the points of the segment, for short segments"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
+    limitDamping: bool
+    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
     @property
     def visualization(self) -> VObjectContactFrictionCircleCable2D:
         """how the item is drawn"""
@@ -3825,6 +3830,7 @@ class ObjectContactFrictionCircleCable2D(_Object):
         circleRadius: float = 0.0,
         useSegmentNormals: bool = True,
         activeConnector: bool = True,
+        limitDamping: bool = False,
         visualization: VObjectContactFrictionCircleCable2D | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -3892,6 +3898,8 @@ class ObjectContactSphereSphere(_Object):
     """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
+    limitDamping: bool
+    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
     @property
     def visualization(self) -> VObjectContactSphereSphere:
         """how the item is drawn"""
@@ -3917,6 +3925,7 @@ class ObjectContactSphereSphere(_Object):
         minimumImpactVelocity: float = 0.0,
         impactModel: int = 0,
         activeConnector: bool = True,
+        limitDamping: bool = False,
         visualization: VObjectContactSphereSphere | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -3980,6 +3989,8 @@ class ObjectContactSphereTorus(_Object):
     """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
+    limitDamping: bool
+    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
     @property
     def visualization(self) -> VObjectContactSphereTorus:
         """how the item is drawn"""
@@ -4003,6 +4014,7 @@ class ObjectContactSphereTorus(_Object):
         minimumImpactVelocity: float = 0.0,
         impactModel: int = 0,
         activeConnector: bool = True,
+        limitDamping: bool = False,
         visualization: VObjectContactSphereTorus | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -4064,6 +4076,8 @@ class ObjectContactSphereTriangle(_Object):
     """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
+    limitDamping: bool
+    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
     @property
     def visualization(self) -> VObjectContactSphereTriangle:
         """how the item is drawn"""
@@ -4086,6 +4100,7 @@ class ObjectContactSphereTriangle(_Object):
         minimumImpactVelocity: float = 0.0,
         impactModel: int = 0,
         activeConnector: bool = True,
+        limitDamping: bool = False,
         visualization: VObjectContactSphereTriangle | dict[str, Any] = ...,
     ) -> None: ...
 

@@ -16,7 +16,7 @@ namespace object_contact_friction_circle_cable_2d {
 
 using Record = ObjectContactFrictionCircleCable2DRecord;
 
-constexpr std::array<Row, 16> rows{{
+constexpr std::array<Row, 17> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
@@ -29,6 +29,7 @@ constexpr std::array<Row, 16> rows{{
     {.name = "circleRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.circleRadius), .role = Role::parameter, .check = Check::non_negative, .unit = "m"},
     {.name = "useSegmentNormals", .storage = Storage::boolean, .offset = offsetof(Record, parameters.useSegmentNormals), .role = Role::parameter},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "limitDamping", .storage = Storage::boolean, .offset = offsetof(Record, parameters.limitDamping), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "showContactCircle", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showContactCircle), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},

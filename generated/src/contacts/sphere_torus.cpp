@@ -16,7 +16,7 @@ namespace object_contact_sphere_torus {
 
 using Record = ObjectContactSphereTorusRecord;
 
-constexpr std::array<Row, 18> rows{{
+constexpr std::array<Row, 19> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
@@ -33,6 +33,7 @@ constexpr std::array<Row, 18> rows{{
     {.name = "minimumImpactVelocity", .storage = Storage::real, .offset = offsetof(Record, parameters.minimumImpactVelocity), .role = Role::parameter, .check = Check::non_negative, .unit = "m/s"},
     {.name = "impactModel", .storage = Storage::integer, .offset = offsetof(Record, parameters.impactModel), .role = Role::parameter, .check = Check::non_negative},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "limitDamping", .storage = Storage::boolean, .offset = offsetof(Record, parameters.limitDamping), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};

@@ -21,6 +21,7 @@ _LAW = (
     "isHollowSphere1", "dynamicFriction", "frictionProportionalZone", "contactStiffness", "contactDamping",
     "contactStiffnessExponent", "constantPullOffForce", "contactPlasticityRatio", "adhesionCoefficient",
     "adhesionExponent", "restitutionCoefficient", "minimumImpactVelocity", "impactModel", "activeConnector",
+    "limitDamping",
 )  # fmt: skip
 
 
@@ -58,6 +59,7 @@ def CreateSphereSphereContact(
     bodyOrNodeList: Sequence[Connected] = NO_PAIR,
     show: bool = False,
     color: Vector = DEFAULT_COLOR,
+    limitDamping: bool = False,
 ) -> ObjectIndex:
     """Let two spheres around points of bodies or nodes touch each other; return the ObjectIndex of the contact.
 
@@ -104,6 +106,7 @@ def CreateSphereTriangleContact(
     localPosition1: Vector = ZERO3,
     show: bool = False,
     color: Vector = DEFAULT_COLOR,
+    limitDamping: bool = False,
 ) -> ObjectIndex:
     """Let a sphere on the first body touch a triangle on the second one; return the ObjectIndex of the contact.
 
@@ -151,6 +154,7 @@ def CreateSphereQuadContact(
     localPosition1: Vector = ZERO3,
     show: bool = False,
     color: Vector = DEFAULT_COLOR,
+    limitDamping: bool = False,
 ) -> dict[str, ObjectIndex]:
     """Let a sphere on the first body touch a quadrangle on the second one, by two triangles.
 

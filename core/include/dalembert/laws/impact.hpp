@@ -25,25 +25,27 @@ S odd_power(const S& x, double exponent) {
   return x < 0.0 ? -magnitude : magnitude;
 }
 
-// Losses hold back bodies that separate, but never pull at them; below zero is only what the force is without losses: attraction, or
-// a penetration that Newton's method tries as negative.
+// Losses hold back bodies that separate. Where they are limited, they never pull at them; below zero is then only what the pressure is
+// without losses: attraction, or a penetration that Newton's method tries as negative.
 template <class S>
-S without_pull(const S& force, const S& lossless) {
-  if (!(force < 0.0) || !(force < lossless)) return force;
+S with_losses(bool limited, const S& lossless, const S& losses) {
+  const S pressure = lossless + losses;
+  if (!limited || !(pressure < 0.0) || !(losses < 0.0)) return pressure;
   return lossless < 0.0 ? lossless : S(0);
 }
 
-// Where `without_pull` begins to hold a force back, this changes its sign.
-inline double pull_margin(double force, double lossless) { return force - std::min(lossless, 0.0); }
+// Where losses begin to be held back, this changes its sign.
+inline double pull_margin(bool limited, double lossless, double losses) { return limited ? lossless + losses - std::min(lossless, 0.0) : 1; }
 
 struct ImpactLaw {
   double stiffness = 0, exponent = 1, damping = 0;
   double restitution_damping = 0;  // chi: the power law is multiplied by 1 + chi * rate
+  bool limited = false;
 
   // `impact_velocity`: rate of penetration at the begin of the contact.
   template <class Parameters>
   ImpactLaw(const Parameters& p, double impact_velocity)
-      : stiffness(p.contactStiffness), exponent(p.contactStiffnessExponent), damping(p.contactDamping) {
+      : stiffness(p.contactStiffness), exponent(p.contactStiffnessExponent), damping(p.contactDamping), limited(p.limitDamping) {
     const double velocity = std::max(p.minimumImpactVelocity, impact_velocity), e = p.restitutionCoefficient;
     if (p.impactModel == 0 || !(velocity > 0)) return;
     double loss = 1.5 * (1 - e);
@@ -55,17 +57,17 @@ struct ImpactLaw {
   template <class S>
   S pressure(const S& penetration, const S& rate) const {
     const S elastic = stiffness * odd_power(penetration, exponent);
-    return without_pull<S>(with_losses(elastic, rate), elastic);
+    return with_losses<S>(limited, elastic, losses(elastic, rate));
   }
   double pull_margin(double penetration, double rate) const {
     const double elastic = stiffness * odd_power(penetration, exponent);
-    return dalembert::pull_margin(with_losses(elastic, rate), elastic);
+    return dalembert::pull_margin(limited, elastic, losses(elastic, rate));
   }
 
  private:
   template <class S>
-  S with_losses(const S& elastic, const S& rate) const {
-    return elastic * (1.0 + restitution_damping * rate) + damping * rate;
+  S losses(const S& elastic, const S& rate) const {
+    return (restitution_damping * elastic + damping) * rate;
   }
 };
 

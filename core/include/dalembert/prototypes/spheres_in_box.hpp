@@ -19,6 +19,7 @@ struct SpheresInBoxParameters {
   // What the law of impacts reads.
   double contactStiffness = 0, contactStiffnessExponent = 1, contactDamping = 0, restitutionCoefficient = 1, minimumImpactVelocity = 1e-3;
   int impactModel = 1;
+  bool limitDamping = true;
 };
 
 class SpheresInBox final : public SystemTerm {

@@ -24,6 +24,7 @@ struct ObjectContactConvexRollParameters {
   double rBoundingSphere = 0.0;
   Vec<double, 3> pContact = {};
   bool activeConnector = true;
+  bool limitDamping = false;
 };
 
 struct ObjectContactConvexRollVisualization {

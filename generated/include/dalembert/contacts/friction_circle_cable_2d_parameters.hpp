@@ -19,6 +19,7 @@ struct ObjectContactFrictionCircleCable2DParameters {
   double circleRadius = 0.0;
   bool useSegmentNormals = true;
   bool activeConnector = true;
+  bool limitDamping = false;
 };
 
 struct ObjectContactFrictionCircleCable2DVisualization {

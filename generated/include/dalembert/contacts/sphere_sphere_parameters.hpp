@@ -25,6 +25,7 @@ struct ObjectContactSphereSphereParameters {
   double minimumImpactVelocity = 0.0;
   int impactModel = 0;
   bool activeConnector = true;
+  bool limitDamping = false;
 };
 
 struct ObjectContactSphereSphereVisualization {

@@ -23,6 +23,7 @@ struct ObjectContactSphereTorusParameters {
   double minimumImpactVelocity = 0.0;
   int impactModel = 0;
   bool activeConnector = true;
+  bool limitDamping = false;
 };
 
 struct ObjectContactSphereTorusVisualization {

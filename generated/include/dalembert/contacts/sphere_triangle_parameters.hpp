@@ -22,6 +22,7 @@ struct ObjectContactSphereTriangleParameters {
   double minimumImpactVelocity = 0.0;
   int impactModel = 0;
   bool activeConnector = true;
+  bool limitDamping = false;
 };
 
 struct ObjectContactSphereTriangleVisualization {

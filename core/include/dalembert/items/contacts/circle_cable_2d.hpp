@@ -19,7 +19,7 @@ struct ObjectContactCircleCable2D : AllMarkersAct, NoAlgebraicEquations, Switche
       const CircleOnCable<S> touch = nearest(p, x, i);
       const S rate = dot(touch.direction, touch.velocity);
       const S elastic = -(p.contactStiffness * touch.gap);
-      const Vec<S, 2> force = -without_pull<S>(elastic - p.contactDamping * rate, elastic) * touch.direction;
+      const Vec<S, 2> force = -with_losses<S>(true, elastic, -p.contactDamping * rate) * touch.direction;
       x.apply(circle, force);
       const std::span<S> on_cable = x.forces(cable);
       for (int d = 0; d < 2; ++d) {
@@ -49,7 +49,7 @@ struct ObjectContactCircleCable2D : AllMarkersAct, NoAlgebraicEquations, Switche
       const bool touches = !(c.data[i] > 0);
       switches.holds("contact", touches, touches ? -touch.gap : touch.gap);
       const double elastic = -p.contactStiffness * touch.gap;
-      if (touches) switches.kink("pull", pull_margin(elastic - p.contactDamping * dot(touch.direction, touch.velocity), elastic));
+      if (touches) switches.kink("pull", pull_margin(true, elastic, -p.contactDamping * dot(touch.direction, touch.velocity)));
       else switches.none();
     }
   }

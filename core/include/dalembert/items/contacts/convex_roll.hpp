@@ -48,7 +48,7 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
     if (!touches) return switches.none(2);
     switches.kink("friction", norm(touch.slip) - p.frictionProportionalZone);
     const double elastic = -p.contactStiffness * touch.gap;
-    switches.kink("pull", pull_margin(elastic + p.contactDamping * touch.penetration_rate, elastic));
+    switches.kink("pull", pull_margin(p.limitDamping, elastic, p.contactDamping * touch.penetration_rate));
   }
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
@@ -141,7 +141,7 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
   template <class S>
   static Vec3<S> force_on_roll(const Parameters& p, const Touch<S>& touch) {
     const S elastic = -(p.contactStiffness * touch.gap);
-    const S pressure = without_pull<S>(elastic + p.contactDamping * touch.penetration_rate, elastic);
+    const S pressure = with_losses<S>(p.limitDamping, elastic, p.contactDamping * touch.penetration_rate);
     const StribeckCurve curve{p.dynamicFriction, p.staticFrictionOffset, p.viscousFriction, p.exponentialDecayStatic, p.frictionProportionalZone};
     const Vec3<S> along = direction(touch.slip);
     return pressure * (touch.normal - curve(dot(along, touch.slip)) * along);

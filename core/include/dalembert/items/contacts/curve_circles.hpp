@@ -65,7 +65,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
         if (circle == touched) own = touch.gap, slip = touch.slip;
         else if (!(touch.gap < nearest)) continue;
         else nearest = touch.gap;
-        if (circle == touched || touched < 0) pressed = touch.unclipped_pressure(p);
+        if (circle == touched || touched < 0) pressed = touch.pressure(p, false);
       }
       if (touched < 0) {
         switches.holds("contact", false, std::max(nearest, -pressed));
@@ -193,8 +193,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     }
     Vec<S, 2> tangent() const { return {-normal[1], normal[0]}; }
     Vec3<S> direct(const Vec<S, 2>& v) const { return axes * Vec3<S>{v[0], v[1], S(0)}; }
-    S unclipped_pressure(const Parameters& p) const { return p.contactStiffness * extent + p.contactDamping * extent_rate; }
-    S pressure(const Parameters& p) const { return without_pull<S>(unclipped_pressure(p), p.contactStiffness * extent); }
+    S pressure(const Parameters& p, bool limited = true) const { return with_losses<S>(limited, p.contactStiffness * extent, p.contactDamping * extent_rate); }
 
    private:
     static S norm_or_zero(const Vec<S, 2>& v) {

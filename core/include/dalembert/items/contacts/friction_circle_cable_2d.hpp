@@ -68,7 +68,7 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
       }
       switches.holds("contact", true, -touch.gap);
       const double elastic = -p.contactStiffness * touch.gap;
-      switches.kink("pull", pull_margin(elastic - p.contactDamping * touch.away, elastic));
+      switches.kink("pull", pull_margin(p.limitDamping, elastic, -p.contactDamping * touch.away));
       find_friction_switches(p, c.data, i, touch, switches);
     }
   }
@@ -147,7 +147,7 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
   template <class S>
   static S normal_force(const Parameters& p, const Touching<S>& touch) {
     const S elastic = -(p.contactStiffness * touch.gap);
-    return -without_pull<S>(elastic - p.contactDamping * touch.away, elastic);
+    return -with_losses<S>(p.limitDamping, elastic, -p.contactDamping * touch.away);
   }
   static double bound(const Parameters& p, const Touching<double>& touch) { return p.frictionCoefficient * std::abs(normal_force(p, touch)); }
   static void find_friction_switches(const Parameters& p, const double* data, int i, const Touching<double>& touch, Switches& switches) {

@@ -83,12 +83,12 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, Switches
   static S pressure(const Parameters& p, const double* data, const Touch<S>& touch) {
     if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).pressure(-touch.gap, touch.penetration_rate);
     const S lossless = AdhesiveLaw(p).pressure(-touch.gap, data[TouchData::overlap]);
-    return without_pull<S>(lossless + p.contactDamping * touch.penetration_rate, lossless);
+    return with_losses<S>(p.limitDamping, lossless, p.contactDamping * touch.penetration_rate);
   }
   static double pull_margin(const Parameters& p, const double* data, const Touch<double>& touch) {
     if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate);
     const double lossless = AdhesiveLaw(p).pressure(-touch.gap, data[TouchData::overlap]);
-    return dalembert::pull_margin(lossless + p.contactDamping * touch.penetration_rate, lossless);
+    return dalembert::pull_margin(p.limitDamping, lossless, p.contactDamping * touch.penetration_rate);
   }
 };
 

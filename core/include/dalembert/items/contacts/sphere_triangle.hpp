@@ -13,7 +13,8 @@ namespace dalembert {
 struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate {
   using Parameters = ObjectContactSphereTriangleParameters;
 
-  // Pressure and friction at the nearest point of the triangle, while the gap of the last update is negative.
+  // Pressure and friction in the middle of the overlap, with the slip of the nearest point of the triangle, while the gap of the last update is
+  // negative.
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
     if (!(c.data[TouchData::gap] < 0)) return;
@@ -65,7 +66,7 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
  private:
   static Triangle corners(const Parameters& p) { return {p.trianglePoints[0], p.trianglePoints[1], p.trianglePoints[2]}; }
 
-  // The triangle rests in the frame of its marker, where the nearest point is found.
+  // The triangle rests in the frame of its marker, where the nearest point is found. Velocities are taken there.
   template <class S>
   struct Nearest : Touch<S> {
     TriangleFeature feature;
@@ -85,9 +86,15 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
       span = carrier.rotation * local;
       this->normal = direction(span);
       this->gap = dot(this->normal, span) - p.radiusSphere;
-      this->arm0 = span;
-      this->arm1 = sphere.position + this->arm0 - carrier.position;
+      meet_at(span, sphere, carrier);
       this->move(sphere, carrier);
+      meet_at((p.radiusSphere + 0.5 * this->gap) * this->normal, sphere, carrier);
+    }
+
+   private:
+    void meet_at(const Vec3<S>& from_centre, const RigidFrame<S>& sphere, const RigidFrame<S>& carrier) {
+      this->arm0 = from_centre;
+      this->arm1 = sphere.position + from_centre - carrier.position;
     }
   };
 
