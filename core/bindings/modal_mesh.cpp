@@ -61,4 +61,10 @@ std::span<const double> ModalMesh::weights(const MainSystem& main) const {
   return std::span(main.system.state(ConfigurationType::Visualization).q).subspan(static_cast<std::size_t>(coordinates_));
 }
 
+ModalMesh* ModalMeshes::find(const MainSystem& main, int object) {
+  if (object < 0 || object >= main.model.count(ItemKind::object) || !main.consistent()) return nullptr;
+  ModalMesh& mesh = by_object_[object];
+  return mesh.find(main, object) ? &mesh : nullptr;
+}
+
 }  // namespace dalembert

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 
 #include "dalembert/pictures/modal_points.hpp"
 #include "dalembert/pictures/mode_planes.hpp"
@@ -37,6 +38,16 @@ class ModalMesh {
   std::optional<ModalPoints> points_;
   std::optional<ModePlanes> numbers_;
   int component_ = 0;
+};
+
+// Those of one system; what is known of a mesh is kept for all that draw it.
+class ModalMeshes {
+ public:
+  // Null for other objects.
+  ModalMesh* find(const MainSystem& main, int object);
+
+ private:
+  std::unordered_map<int, ModalMesh> by_object_;
 };
 
 }  // namespace dalembert

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "colored_parts.hpp"
 #include "conversion.hpp"
 #include "dalembert/pictures/frame_along.hpp"
 #include "item_arguments.hpp"
@@ -41,8 +42,8 @@ class MessageBytes {
     next_ = PyBytes_AS_STRING(object_.ptr());
   }
   void add(std::string_view text) { next_ = std::ranges::copy(text, next_).out; }
-  template <class T>  // of 4 bytes
-  T* add_numbers(std::size_t count) {  // whose place is a multiple of 4
+  template <class T>
+  T* add_numbers(std::size_t count) {  // which begin and end at a multiple of 4 bytes
     auto* const first = reinterpret_cast<T*>(next_);
     next_ += count * sizeof(T);
     return first;
@@ -54,16 +55,52 @@ class MessageBytes {
   char* next_ = nullptr;
 };
 
-// An array of a message: parts, or nothing that could move.
+// An array of a message.
 struct SentArray {
+  enum class Kind { stays, moves, points, shades };
+
+  Kind kind = Kind::stays;
   int group = -1;
   Form form{};
+  std::size_t part = 0;      // of those whose shape or colors change, if it is one of their arrays
   std::size_t count = 0;     // numbers
-  Numbers<double> numbers;   // one for each part
-  Numbers<float> first;      // as pages have them with the whole scene
-  std::optional<bool> turned;  // all parts: they are sent in fewer words
+  Numbers<double> numbers{};  // one for each part
+  Numbers<float> first{};     // as pages have them with the whole scene
+  std::optional<bool> turned = false;  // all parts: they are sent in fewer words
+
   std::size_t words() const { return turned == true ? count / MovingParts::numbers(form) * MovingParts::words_of_turn : count; }
+  std::size_t bytes() const { return kind == Kind::shades ? (count + 3) / 4 * 4 : sizeof(float) * words(); }  // a multiple of 4
+  std::string told() const {
+    return (kind == Kind::shades ? R"(["u1",)" : turned == true ? R"(["r6",)" : R"(["f4",)") + std::to_string(words()) + ']';
+  }
 };
+
+// In which form arrays of moving parts are asked for.
+constexpr std::array<std::pair<std::string_view, Form>, 4> forms_of_moving{
+    {{"rows", Form::rows}, {"turns", Form::rows}, {"place", Form::place}, {"place and number", Form::place_and_number}}};
+
+// A number as JSON has it.
+void append_number(std::string& text, double number) {
+  std::array<char, 32> digits;
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
+
+// With a point, as Python writes it, if there is no exponent either.
+void append_decimal(std::string& text, double number) {
+  const std::size_t before = text.size();
+  append_number(text, number);
+  if (text.find_first_of(".e", before) == std::string::npos) text += ".0";
+}
+
+// Output variable and component; whether the range is automatic, and whether it grows; what it is if it is not automatic, and what it was; colors.
+using RuleTuple = std::tuple<py::object, int, bool, bool, std::array<double, 2>, std::array<double, 2>, Numbers<std::uint8_t>>;
+
+ColoredParts::Rule rule_of(const RuleTuple& tuple) {
+  const auto& [variable, component, automatic, grows, limits, shown, table] = tuple;
+  const auto rows = all(table);
+  return {static_cast<OutputVariableType>(Enumeration::number(variable.ptr())), component, automatic, grows, {limits[0], limits[1]},
+          {shown[0], shown[1]}, {rows.begin(), rows.end()}};
+}
 
 // Asks one system; all of it needs the lock of the interpreter.
 class PartsOfSystem {
@@ -90,35 +127,30 @@ class PartsOfSystem {
     return result;
   }
 
-  void keep(const py::iterable& entries) {
+  // Entries: form, group of moving parts or -1, item whose output is shown or -1, numbers, and the array as pages have it.
+  void keep(const py::iterable& entries, const RuleTuple& rule, std::shared_ptr<ModalMeshes> meshes) {
     entries_.clear();
+    colored_.emplace(main_, std::move(meshes), rule_of(rule));
     for (const auto& handle : entries) {
-      const auto [group, form, numbers, first] = handle.cast<std::tuple<int, std::string, Numbers<double>, Numbers<float>>>();
-      SentArray entry;
-      if (group >= 0) {
-        const std::size_t count = parts_.size(checked(group));
-        entry = {group, form == "rows" || form == "turns" ? Form::rows : form == "place" ? Form::place : Form::place_and_number, 0, numbers, first, {}};
-        if (form != "turns") entry.turned = false;
-        entry.count = count * MovingParts::numbers(entry.form);
-        if (entry.form == Form::place_and_number) each("_MovingParts.keep(...)", numbers, count, 1, "numbers");
-        each("_MovingParts.keep(...)", first, entry.count, 1, "first");
-      }
+      const auto [form, group, item, numbers, first] = handle.cast<std::tuple<std::string, int, int, Numbers<double>, Numbers<float>>>();
+      const bool is_colored = form == "mesh" || form == "ball" || form == "shades";
+      SentArray entry = form.empty() ? SentArray{} : is_colored ? colored(form, group, item, numbers) : moving(form, group, numbers);
+      if (entry.kind != SentArray::Kind::stays) each("_MovingParts.keep(...)", first, entry.count, 1, "first");
+      entry.first = first;
       entries_.push_back(std::move(entry));
     }
   }
+  // Of the numbers that the last message shows as colors.
+  std::pair<double, double> range() const { return {colored_->range().low, colored_->range().high}; }
 
   // None if something is not where parts could follow it.
   py::object message(std::string_view words, py::set& moved) {
     System& system = main_->system;
     const double time = main_->consistent() ? system.state(ConfigurationType::Visualization).time : NAN;
-    if (!std::isfinite(time) || !parts_.find(system, ConfigurationType::Visualization)) return py::none();
+    if (!colored_ || !std::isfinite(time) || !parts_.find(system, ConfigurationType::Visualization) || !colored_->find(parts_)) return py::none();
     main_->look_wanted = true;
     std::size_t size = 0;
-    std::string head = R"({"kind":"frame","time":)";
-    std::array<char, 32> digits;
-    head.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), time).ptr);
-    head += words;
-    head += R"(,"arrays":[)";
+    std::string head = head_of(time, words);
     std::vector<std::pair<SentArray*, LargeVector<float>>> sent;  // their values, if they are known already
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       SentArray& entry = entries_[i];
@@ -129,8 +161,8 @@ class PartsOfSystem {
         sent.emplace_back(&entry, std::move(now_));
         now_.clear();
         if (!entry.turned) entry.turned = parts_.are_turned(entry.group);
-        size += entry.words() * sizeof(float);
-        head += (*entry.turned ? R"(["r6",)" : R"(["f4",)") + std::to_string(entry.words()) + ']';
+        size += entry.bytes();
+        head += entry.told();
       } else {
         head += "null";
       }
@@ -144,16 +176,17 @@ class PartsOfSystem {
     bytes.add({first.data(), first.size()});
     bytes.add(head);
     for (const auto& [entry, values] : sent) {
-      if (*entry->turned) {
+      if (entry->kind == SentArray::Kind::shades) {
+        add_shades(*entry, bytes);
+      } else if (*entry->turned) {
         if (parts_.write_turns(entry->group, bytes.add_numbers<std::uint32_t>(entry->words()))) continue;
         entry->turned = false;
         return message(words, moved);
-      }
-      float* const to = bytes.add_numbers<float>(entry->count);
-      if (!values.empty())
+      } else if (float* const to = bytes.add_numbers<float>(entry->count); !values.empty()) {
         std::ranges::copy(values, to);
-      else if (!parts_.write(entry->group, entry->form, all(entry->numbers), to))
+      } else if (!write(*entry, to)) {
         return py::none();
+      }
     }
     return bytes.take();
   }
@@ -163,14 +196,65 @@ class PartsOfSystem {
     if (group < 0 || static_cast<std::size_t>(group) >= parts_.groups()) throw py::index_error("_MovingParts: there is no such group");
     return group;
   }
+  SentArray moving(std::string_view form, int group, const Numbers<double>& numbers) const {
+    const auto* const known = std::ranges::find(forms_of_moving, form, &std::pair<std::string_view, Form>::first);
+    if (known == forms_of_moving.end()) throw py::value_error("_MovingParts.keep(...): there is no form " + std::string(form));
+    SentArray entry{.kind = SentArray::Kind::moves, .group = checked(group), .form = known->second, .numbers = numbers};
+    const std::size_t count = parts_.size(group);
+    entry.count = count * MovingParts::numbers(entry.form);
+    if (entry.form == Form::place_and_number) each("_MovingParts.keep(...)", numbers, count, 1, "numbers");
+    if (form == "turns") entry.turned.reset();
+    return entry;
+  }
+  // Shades are those of the points before them.
+  SentArray colored(std::string_view form, int group, int item, const Numbers<double>& numbers) {
+    if (form == "shades") {
+      if (entries_.empty() || entries_.back().kind != SentArray::Kind::points) throw py::value_error("_MovingParts.keep(...): shades of no points");
+      colored_->color(entries_.back().part);
+      return {.kind = SentArray::Kind::shades, .part = entries_.back().part, .count = entries_.back().count};
+    }
+    const std::size_t part = form == "mesh" ? colored_->add_mesh(item) : colored_->add_ball(item, checked(group), all(numbers));
+    return {.kind = SentArray::Kind::points, .part = part, .count = 3 * colored_->points(part)};
+  }
+  std::string head_of(double time, std::string_view words) const {
+    std::string head = R"({"kind":"frame","time":)";
+    append_number(head, time);
+    head += R"(,"range":[)";
+    append_decimal(head, colored_->range().low);
+    head += ", ";
+    append_decimal(head, colored_->range().high);
+    head += ']';
+    return head.append(words) + R"(,"arrays":[)";
+  }
+  void add_shades(const SentArray& entry, MessageBytes& bytes) const {
+    auto* const to = bytes.add_numbers<std::uint8_t>(entry.bytes());
+    std::fill(to + entry.count, to + entry.bytes(), std::uint8_t{0});
+    colored_->write_shades(entry.part, to);
+  }
+  // False: a part has no place.
+  bool write(const SentArray& entry, float* to) {
+    if (entry.kind == SentArray::Kind::moves) return parts_.write(entry.group, entry.form, all(entry.numbers), to);
+    colored_->write_points(entry.part, to);
+    return true;
+  }
+  bool has_other_shades(const SentArray& entry) {
+    shades_.resize(entry.count);
+    colored_->write_shades(entry.part, shades_.data());
+    return !std::ranges::equal(shades_, all(entry.first), [](std::uint8_t now, float before) { return static_cast<float>(now) == before; });
+  }
   // Whether an array has moved; none if it cannot be told. What has moved once is always sent: pages may have missed that it went, and that it
   // came back. If it moves for the first time, now_ has its values.
   std::optional<bool> asked(std::size_t i, py::set& moved) {
     const SentArray& entry = entries_[i];
     if (entry.count == 0) return false;
     if (moved.contains(i)) return true;
+    if (entry.kind == SentArray::Kind::shades) {
+      const bool other = has_other_shades(entry);
+      if (other) moved.add(py::int_(i));
+      return other;
+    }
     now_.resize(entry.count);
-    if (!parts_.write(entry.group, entry.form, all(entry.numbers), now_.data())) return std::nullopt;
+    if (!write(entry, now_.data())) return std::nullopt;
     if (!std::ranges::equal(now_, all(entry.first))) {
       moved.add(py::int_(i));
       return true;
@@ -182,7 +266,9 @@ class PartsOfSystem {
   const std::shared_ptr<MainSystem> main_;
   MovingParts parts_;
   std::vector<SentArray> entries_;
+  std::optional<ColoredParts> colored_;  // with the entries
   LargeVector<float> now_;
+  LargeVector<std::uint8_t> shades_;
 };
 
 }  // namespace
@@ -210,8 +296,9 @@ void register_moving_parts(py::module_& module) {
       .def("add", &PartsOfSystem::add, py::arg("index"), py::arg("local") = py::none(),
            "Add parts that stand in frames, as these do without `local`; returns the number of their group.")
       .def("placed", &PartsOfSystem::placed, py::arg("group"), "Where the parts of a group are (n x 3 x 4); None if one is nowhere.")
-      .def("keep", &PartsOfSystem::keep, py::arg("entries"),
-           "Keep what messages tell, array by array: group (-1: nothing that moves), form (turns: rows in fewer words as long as they are turned), numbers, and values in the whole scene.")
+      .def("keep", &PartsOfSystem::keep, py::arg("entries"), py::arg("rule"), py::arg("meshes"),
+           "Keep what messages tell, array by array: form (empty: nothing that moves; turns: rows in fewer words as long as they are turned), group, item, numbers, and values in the whole scene; and which numbers have which colors.")
+      .def_property_readonly("range", &PartsOfSystem::range, "Of the numbers that the last message shows as colors.")
       .def("message", &PartsOfSystem::message, py::arg("words"), py::arg("moved"),
            "The message of a frame, in which `words` follow the time; `moved`: which arrays have ever moved.");
 }

@@ -3,9 +3,9 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "alike.hpp"
@@ -82,6 +82,7 @@ class ScenePlaces {
     }
     return result;
   }
+  std::shared_ptr<ModalMeshes> modal_meshes() const { return modal_meshes_; }
   // Whether items have come, gone or other parameters since the last call.
   bool changed() { return watch_.look(main_->model); }
 
@@ -99,10 +100,8 @@ class ScenePlaces {
   static OutputVariableType asked(const py::object& variable) { return static_cast<OutputVariableType>(Enumeration::number(variable.ptr())); }
   // None for other objects, and other states than the visualized one.
   ModalMesh* modal_mesh(int object, const py::object& configuration) {
-    const bool there = object >= 0 && object < main_->model.count(ItemKind::object) && main_->consistent();
-    if (!there || read(configuration) != ConfigurationType::Visualization) return nullptr;
-    ModalMesh& modal = modal_meshes_[object];
-    return modal.find(*main_, object) ? &modal : nullptr;
+    ModalMesh* const modal = modal_meshes_->find(*main_, object);
+    return modal != nullptr && read(configuration) == ConfigurationType::Visualization ? modal : nullptr;
   }
   System& system(const char* method) { return main_->assembled(method); }
   ConfigurationType read(const py::object& value) {
@@ -114,13 +113,14 @@ class ScenePlaces {
   const std::shared_ptr<MainSystem> main_;
   System::Poses poses_;
   std::vector<double> values_;
-  std::unordered_map<int, ModalMesh> modal_meshes_;  // by object
+  const std::shared_ptr<ModalMeshes> modal_meshes_ = std::make_shared<ModalMeshes>();
   RecordWatch watch_;
 };
 
 }  // namespace
 
 void register_scene_places(py::module_& module) {
+  py::class_<ModalMeshes, std::shared_ptr<ModalMeshes>>(module, "_ModalMeshes", "Meshes of a system that deform by modes.");
   py::class_<ScenePlaces>(module, "_ScenePlaces", "Where the items of a system are, all of one kind at once.")
       .def(py::init<std::shared_ptr<MainSystem>>(), py::arg("mbs"))
       .def("rows", &ScenePlaces::rows, py::arg("kind"), py::arg("configuration"),
@@ -131,6 +131,7 @@ void register_scene_places(py::module_& module) {
            "One number for each of these mesh nodes: a component of the output, or its length (-1).")
       .def("mesh_points", &ScenePlaces::mesh_points, py::arg("objectNumber"), py::arg("rows"), py::arg("configuration"),
            "Positions of these mesh nodes in single precision, of an object that stands as rows of rotation and position tell; None: mesh() may have them.")
+      .def_property_readonly("modal_meshes", &ScenePlaces::modal_meshes, "Meshes of the system that deform by modes.")
       .def("frames_of_sensors", &ScenePlaces::frames_of_sensors,
            "For each sensor the node of the floating frame in whose components its values are; -1: they are global.")
       .def("stored_frames", &ScenePlaces::stored_frames, py::arg("sensorNumber"),

@@ -316,6 +316,68 @@ def test_messages_of_moved_parts_are_those_of_drawn_scenes(item: Any) -> None:
                 assert one is None or one.tobytes() == other.tobytes()
 
 
+VARIABLES = [
+    ("_None", -1),
+    ("Displacement", 0),
+    ("Displacement", -1),
+    ("StressLocal", 5),
+    ("StressLocal", -1),
+    ("Velocity", 0),
+]
+
+
+@pytest.mark.parametrize(("variable", "component"), VARIABLES)
+@pytest.mark.parametrize("settings", ["", "fixed", "reduced"])
+def test_messages_of_colored_meshes_are_those_of_drawn_scenes(
+    SC: Any, mbs: Any, variable: str, component: int, settings: str
+) -> None:
+    """Points, colors and their range, of a mesh of more than one block and of balls at nodes."""
+    contour = SC.visualizationSettings.contour
+    contour.outputVariable, contour.outputVariableComponent = getattr(exu.OutputVariableType, variable), component
+    contour.automaticRange, contour.reduceRange = settings != "fixed", settings == "reduced"
+    rng, two = np.random.default_rng(3), exu.MatrixContainer()
+    two.SetWithDenseMatrix(np.eye(2))
+    for x in range(2):
+        frame = mbs.AddNode(exu.NodeRigidBodyEP(referenceCoordinates=[x, 0, 0, 1, 0, 0, 0]))
+        modes = mbs.AddNode(
+            exu.NodeGenericODE2(
+                numberOfODE2Coordinates=2, referenceCoordinates=[0, 0], initialCoordinates=[0, 0],
+                initialCoordinates_t=[0, 0],
+            )
+        )  # fmt: skip
+        mbs.AddObject(
+            exu.ObjectFFRFreducedOrder(
+                nodeNumbers=[frame, modes], massMatrixReduced=two, stiffnessMatrixReduced=two, computeFFRFterms=False,
+                referencePositions=rng.uniform(-1, 1, 1203), modeBasis=rng.normal(size=(1203, 2)),
+                outputVariableModeBasis=rng.normal(size=(401, 12)),
+                outputVariableTypeModeBasis=exu.OutputVariableType.StressLocal,
+                visualization=exu.VObjectFFRFreducedOrder(triangleMesh=rng.integers(0, 401, (300, 3))),
+            )
+        )  # fmt: skip
+    mbs.Assemble()
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    flow, quick, slow = Flow(maker), Stage(), Stage()
+    told = [messages(stage, flow.scene())[0] for stage in (quick, slow)]
+    assert told[0] == told[1]
+    for seed in range(4):
+        move(mbs, seed)
+        before = maker._range
+        moved = quick.moved(flow) if flow.moving() is not None else None
+        if variable == "Velocity":  # which neither meshes nor messages have at once
+            assert moved is None
+            return
+        assert moved is not None
+        after, maker._range = maker._range, before
+        head, arrays = unpacked(messages(slow, flow.scene())[1])
+        assert maker._range == after == (None if variable == "_None" else pytest.approx(head["range"], rel=1e-15))
+        assert moved.whole() == told[0]
+        quick_head, quick_arrays = unpacked(b"".join(moved.frame))
+        assert quick_head.pop("range") == pytest.approx(head.pop("range"), rel=1e-15)
+        assert quick_head == head
+        for one, other in zip(quick_arrays, arrays, strict=True):
+            assert (one is None) == (other is None) and (one is None or one.tobytes() == other.tobytes())
+
+
 def test_settings_are_asked_for_when_some_have_changed(SC: Any, mbs: Any, monkeypatch: Any) -> None:
     mbs.CreateMassPoint(physicsMass=1)
     mbs.Assemble()

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "dalembert/math/wide_registers.hpp"
+#include "dalembert/pictures/four.hpp"
 
 namespace dalembert {
 namespace {
@@ -29,6 +31,32 @@ void contour_numbers(std::span<const double> outputs, std::size_t size, int comp
     const auto at = static_cast<std::size_t>(component);
     for (std::size_t k = 0; k < count; ++k, row += size) numbers[k] = at < size ? row[at] : 0.0;
   }
+}
+
+// Of every eighth number, so that no comparison waits for the last one.
+std::optional<NumberRange> range_of(std::span<const double> numbers) {
+  using Doubles [[gnu::vector_size(32)]] = double;
+  constexpr std::size_t width = 4, registers = 2, lanes = width * registers;
+  if (numbers.empty()) return std::nullopt;
+  const double first = numbers[0];
+  double low = first, high = first, sum = 0;  // nan, as soon as a number is not finite
+  const std::size_t whole = numbers.size() / lanes * lanes;
+  in_registers_of_four([&] {
+    std::array<Doubles, registers> lows, highs, sums{};
+    lows.fill(first - Doubles{}), highs.fill(first - Doubles{});
+    for (const double *x = numbers.data(), *const end = x + whole; x < end; x += lanes)
+      for (std::size_t j = 0; j < registers; ++j) {
+        const auto now = load<Doubles>(x + width * j);
+        lows[j] = now < lows[j] ? now : lows[j], highs[j] = now > highs[j] ? now : highs[j], sums[j] += 0.0 * now;
+      }
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const std::size_t j = k / width, i = k % width;
+      low = std::min(low, lows[j][i]), high = std::max(high, highs[j][i]), sum += sums[j][i];
+    }
+  });
+  for (const double number : numbers.subspan(whole)) low = std::min(low, number), high = std::max(high, number), sum += 0 * number;
+  if (!(sum == 0)) return std::nullopt;
+  return NumberRange{low, high};
 }
 
 void contour_shades(std::span<const double> numbers, double low, double high, std::span<const std::uint8_t> table, std::uint8_t* bytes) {

@@ -103,7 +103,7 @@ class Stage:
         self._forms: dict[Key, int] = defaultdict(int)  # how often more has changed of a mesh than its points
         self._first: list[npt.NDArray[Any] | None] = []
         self._moved: set[int] = set()
-        self._words = ""  # of the head of a frame, in which only the time changes
+        self._words = ""  # of the head of a frame, in which only time and range change
         self._whole: Callable[[], bytes] = bytes
         self._lines: list[FloatArray] = []  # points of the last picture
         self._told: Any = None  # _MovingParts that know what pages have
@@ -151,7 +151,7 @@ class Stage:
             told = {**words, **head, "kind": "scene", "items": items}
             return _whole(scene, rigid, deformed, moving, opacity, told, camera())
 
-        self._words = f',"range":{json.dumps(head["range"])},"scene":{self.number}'
+        self._words = f',"scene":{self.number}'
         self._whole, self._told = whole, None
         changed = self._changes(moving)
         lines, before = [scene.threads.points, *(points for points, *_ in scene.lines)], self._lines
@@ -166,19 +166,22 @@ class Stage:
         """
         parts = flow.moving()
         if parts is not self._told:
-            first = [part if group >= 0 else () for part, (group, *_) in zip(self._first, flow.sent(), strict=True)]
-            parts.keep([(*entry, part) for entry, part in zip(flow.sent(), first, strict=True)])
+            sent = flow.sent()
+            first = [part if entry.form else () for part, entry in zip(self._first, sent, strict=True)]
+            flow.keep([(*entry, part) for entry, part in zip(sent, first, strict=True)])
             self._told = parts
-        frame = parts.message(self._words, self._moved)
         self._lines = []
-        return None if frame is None else Picture(self.number, self._whole, [frame])
+        if (frame := parts.message(self._words, self._moved)) is None:
+            return None
+        flow.range_was(parts.range)
+        return Picture(self.number, self._whole, [frame])
 
     @staticmethod
     def _parts(scene: Scene) -> list[tuple[Key, Instance]]:
         counts: dict[int, int] = defaultdict(int)
         parts = []
         for part in scene.instances:
-            if len(part.mesh.triangles) or len(part.mesh.edges):
+            if part.is_seen():
                 parts.append(((part.item, counts[part.item]), part))
                 counts[part.item] += 1
         return parts
@@ -196,7 +199,7 @@ class Stage:
                     self._deforming.add(key)
                 if not same_form(before, part.mesh):
                     self._forms[key] += 1
-            if part.values is not None or key in self._deforming:
+            if part.values is not None or part.source is not None or key in self._deforming:
                 deformed.append((key, part))
             else:
                 groups.setdefault((id(part.mesh), part.color), []).append((key, part))

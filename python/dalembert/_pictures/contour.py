@@ -41,9 +41,13 @@ class Contour:
     def range(self, values: FloatArray) -> tuple[float, float]:
         """Return the smallest and the largest number on the bar of colors."""
         if not self.looks.setting("contour.automaticRange") or len(values) == 0:
-            return float(self.looks.setting("contour.minValue")), float(self.looks.setting("contour.maxValue"))
+            return self.fixed_range()
         low, high = float(values.min()), float(values.max())
         return (low, high) if high > low else (low, low + max(abs(low), 1.0) * 1e-6)
+
+    def fixed_range(self) -> tuple[float, float]:
+        """Return the numbers at the ends of the bar that the settings name."""
+        return float(self.looks.setting("contour.minValue")), float(self.looks.setting("contour.maxValue"))
 
 
 KEYS = (*(f"contourColor{i}" for i in range(5)), "contourColorMin", "contourColorMax")
@@ -90,7 +94,12 @@ STEPS = 1024  # of the range, for many numbers
 
 def shades(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> npt.NDArray[np.uint8]:
     """Return the same as bytes (RGB), by a table: as close as bytes can tell."""
-    return _core._shades(values, *limits, _table(_keys(looks)))
+    return _core._shades(values, *limits, table(looks))
+
+
+def table(looks: Looks) -> npt.NDArray[np.uint8]:
+    """Return the colors (RGB) of steps of the range, as _core._shades has them."""
+    return _table(_keys(looks))
 
 
 @lru_cache(maxsize=4)

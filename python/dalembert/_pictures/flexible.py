@@ -15,6 +15,7 @@ from dalembert._pictures.looks import rgba
 from dalembert._pictures.meshes import Mesh
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places, frame_along
+from dalembert._pictures.scene import Source
 
 Item = dict[str, Any]
 NO_EDGES: IntArray = np.empty((0, 2), int)
@@ -230,6 +231,7 @@ class MeshBodies:
                 Mesh(points, triangles, None, None, edges, dark),
                 color=color,
                 values=self._values(pen, colors, number, len(points)),
+                source=Source("mesh", number) if points.dtype == np.float32 else None,
             )
         if not len(triangles):
             for pair in _coupled(pen, item):

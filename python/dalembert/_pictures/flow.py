@@ -2,12 +2,13 @@
 
 Drawing code says to which frame of an item its parts stick (Pen.stick): that of a node, an object or a marker, its
 place alone, or the span between two markers. The first scene is drawn item by item; from then on, parts that stick are
-where their frames are, times where they stand in them: _MovingParts finds all of them at once.
+where their frames are, times where they stand in them: _MovingParts finds all of them at once. What changes its shape
+or its color need not be drawn again for pages either if its source tells points and numbers (scene.Source).
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -24,6 +25,15 @@ if TYPE_CHECKING:
 
 # A scene is so many times as large as a mesh that rotations right to 3e-5 may turn: places are right to 1e-6 of it.
 SMALL = 30
+
+
+class Sent(NamedTuple):
+    """An array of a message: where parts are, or points and colors of one that changes."""
+
+    form: str  # empty: it stays as it is
+    group: int = -1  # of moving parts
+    item: int = -1  # which tells points, or the number that is a color
+    numbers: FloatArray = np.zeros(0)  # one for each part; points of a ball from its middle
 
 
 class Flow:
@@ -60,13 +70,30 @@ class Flow:
         self._forget_what_has_changed()
         return self._parts if self._complete else None
 
-    def sent(self) -> list[tuple[int, str, FloatArray]]:
-        """Return what pages are told of the parts, array by array: group (-1: it stays), form, a number for each."""
-        none = np.zeros(0)
-        herds = [(group, "turns" if self._is_small(mesh) else "rows", none) for mesh, *_, group in self._herds]
+    def sent(self) -> list[Sent]:
+        """Return what pages are told of the parts, array by array."""
+        herds = [Sent("turns" if self._is_small(mesh) else "rows", group) for mesh, *_, group in self._herds]
+        changing = [sent for part in self._changing for sent in self._sent_of(part)]
         balls, threads, labels = self._balls[-1], self._threads[-1], self._labels[-1]
-        others = [(balls, "place and number", self._balls[0]), (threads, "place", none), (-1, "", none)]
-        return [*herds, *others, (labels, "place", none)]
+        others = [Sent("place and number", balls, numbers=self._balls[0]), Sent("place", threads), Sent("")]
+        return [*herds, *changing, *others, Sent("place", labels)]
+
+    def _sent_of(self, part: Instance) -> list[Sent]:
+        """Return points and colors of what changes its shape, or its color."""
+        kind, number = part.source or ("", -1)
+        if kind == "mesh":
+            points = Sent(kind, item=number)
+        else:
+            points = Sent(kind, self._seats[part.item], number, (part.mesh.points @ part.matrix.T).ravel())
+        return [points] if part.values is None else [points, Sent("shades")]
+
+    def keep(self, entries: list[tuple[Any, ...]]) -> None:
+        """Tell the _MovingParts what pages have, beside what sent() returns."""
+        self._parts.keep(entries, self._maker.rule_of_colors(), self._maker.source.modal_meshes)
+
+    def range_was(self, limits: tuple[float, float]) -> None:
+        """Remember the range of the colors that pages have been told."""
+        self._maker.range_was(limits)
 
     def _is_small(self, mesh: Mesh) -> bool:
         """Return whether a mesh reaches so little from its frame that a rotation of less precision is not seen."""
@@ -90,11 +117,14 @@ class Flow:
         if not np.isfinite(parts.frames()).all():
             return scene
         self._sort(scene, pen, parts)
+        chosen = zip(scene.instances, pen.stuck.instances, strict=True)
+        seats = {part.item: frame for part, frame in chosen if part.source is not None and frame >= 0}
+        self._seats = {item: int(parts.add([frame])) for item, frame in seats.items()}
         places = parts.frames()[:, :, 3]
         self._extent = float(np.linalg.norm(np.ptp(places, axis=0))) if len(places) else 0.0
         self._parts = parts
         found = self._found(configuration)
-        return scene if found is None else self._moved(pen.places, found)
+        return scene if found is None else self._moved(self._maker.places_again(configuration), found)
 
     def _sort(self, scene: Scene, pen: Pen, all_parts: Any) -> None:
         """Keep where parts stand in the frames that they stick to; items with parts that stick to none are loose."""
@@ -165,9 +195,15 @@ class Flow:
         for text, place in zip(texts, found[group][:, :, 3], strict=True):
             scene.labels.append(Label(place, text.text, text.color, text.size, text.shift))
         self._maker.draw_again(scene, places, self._loose)
-        loose = scene.instances or scene.spheres or scene.lines or len(scene.labels) > len(texts)
-        self._complete = not (loose or self._loose or scene.value_name or self._maker.has_traces())
+        self._changing = [part for part in scene.instances if part.is_seen()]
+        drawn = scene.spheres or scene.lines or len(scene.labels) > len(texts) or self._maker.has_traces()
+        known = {part.item for part in scene.instances if self._is_told(part)}
+        self._complete = not drawn and known.issuperset(self._loose) and all(map(self._is_told, scene.instances))
         return scene
+
+    def _is_told(self, part: Instance) -> bool:
+        """Return whether messages can have what is drawn of a part."""
+        return part.source is not None and (part.source.kind == "mesh" or part.item in self._seats)
 
 
 def _square(rows: FloatArray) -> FloatArray:

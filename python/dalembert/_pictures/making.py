@@ -9,7 +9,7 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType
-from dalembert._pictures import connectors, contacts, flexible, symbols, traces
+from dalembert._pictures import connectors, contacts, contour, flexible, symbols, traces
 from dalembert._pictures.bodies import Bodies, node_in_place_of
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.crowds import RIGID, Crowd, groups
@@ -142,6 +142,19 @@ class SceneMaker:
         if self._range is not None and not self.looks.setting("contour.reduceRange"):
             scene.value_range = min(scene.value_range[0], self._range[0]), max(scene.value_range[1], self._range[1])
         self._range = scene.value_range if colors.active else None
+
+    def rule_of_colors(self) -> tuple[Any, ...]:
+        """Return which numbers have which colors, as _MovingParts.keep() has it; the last scene has been finished."""
+        with self.looks.kept():
+            colors = Contour(self.looks)
+            shown, grows = self._range, self._range is not None and not self.looks.setting("contour.reduceRange")
+            limits, table = colors.fixed_range(), contour.table(self.looks)
+            automatic = bool(self.looks.setting("contour.automaticRange"))
+            return colors.variable, colors.component, automatic, bool(grows), limits, shown or limits, table
+
+    def range_was(self, limits: tuple[float, float]) -> None:
+        """Take over the range of a scene that was not drawn here."""
+        self._range = limits if self._range is not None else None
 
     def has_traces(self) -> bool:
         """Return whether sensors of this system leave traces."""

@@ -13,7 +13,7 @@ from dalembert._pictures import meshes
 from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.meshes import Mesh, Rgba
 from dalembert._pictures.places import Places, frame_along
-from dalembert._pictures.scene import DrawnItem, Instance, Label, Scene
+from dalembert._pictures.scene import DrawnItem, Instance, Label, Scene, Source
 
 RED, GREEN, BLUE = (0.85, 0.15, 0.15, 1.0), (0.15, 0.65, 0.2, 1.0), (0.2, 0.35, 0.9, 1.0)
 
@@ -122,11 +122,12 @@ class Pen:
         matrix: FloatArray | None = None,
         color: Rgba | None = None,
         values: FloatArray | None = None,
+        source: Source | None = None,
     ) -> None:
         """Add a mesh."""
         where = np.asarray(place, float)
         self.scene.instances.append(
-            Instance(mesh, np.eye(3) if matrix is None else matrix, where, color, self._item, values)
+            Instance(mesh, np.eye(3) if matrix is None else matrix, where, color, self._item, values, source)
         )
         self.stuck.instances.append(self._frame())
 

@@ -26,6 +26,13 @@ class DrawnItem(NamedTuple):
     system: int = 0  # its number in the container
 
 
+class Source(NamedTuple):
+    """What tells points and values of an instance, so that messages can have them without drawing it again."""
+
+    kind: str  # mesh: a mesh that deforms by modes, of an object; ball: around a node, in the color of its output
+    number: int
+
+
 @dataclass(slots=True)
 class Instance:
     """A mesh where it stands: x = matrix @ point + place. Values are numbers per point, to be shown as colors."""
@@ -36,6 +43,11 @@ class Instance:
     color: Rgba | None
     item: int
     values: FloatArray | None = None
+    source: Source | None = None
+
+    def is_seen(self) -> bool:
+        """Return whether there is something to draw."""
+        return bool(len(self.mesh.triangles) or len(self.mesh.edges))
 
 
 @dataclass(slots=True)

@@ -13,6 +13,7 @@ from dalembert._pictures import meshes, trees
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import frame_along
+from dalembert._pictures.scene import Source
 
 Item = dict[str, Any]
 Drawing = Callable[[Pen, int, Item, FloatArray], None]
@@ -28,7 +29,8 @@ def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
     value = pen.places.shown_output(number, colors.variable) if colors.active else None
     if value is not None and radius > 0 and pen.looks.setting("contour.nodesColored"):
         ball = meshes.ball(8)
-        pen.mesh(ball, place, radius * np.eye(3), None, np.full(len(ball.points), colors.number(value)))
+        values = np.full(len(ball.points), colors.number(value))
+        pen.mesh(ball, place, radius * np.eye(3), None, values, Source("ball", number))
     else:
         pen.sphere(place, radius, color)
     for draw in besides_ball(pen, item):
