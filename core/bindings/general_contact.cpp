@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "console.hpp"
 #include "conversion.hpp"
 #include "general_contact_handle.hpp"
 #include "index_types.hpp"
@@ -306,7 +307,6 @@ py::tuple pushes(const ContactHandle& self, const py::object& value) {
 
 // ---- settings --------------------------------------------------------------------------------------------------------
 
-// Search and threads find their own way: these have no effect.
 void register_kept(py::class_<ContactHandle>& contact) {
   for (const KeptSetting& setting : kept_settings) {
     const std::string name = setting.name;
@@ -315,11 +315,14 @@ void register_kept(py::class_<ContactHandle>& contact) {
       const double value = found == self.set->without_effect.end() ? setting.value : found->second;
       return setting.is_flag ? py::object(py::bool_(value != 0)) : py::object(py::int_(static_cast<long>(value)));
     };
-    const auto put_flag = [name](const ContactHandle& self, bool value) { self.set->without_effect[name] = value; };
-    const auto put_number = [name](const ContactHandle& self, int value) { self.set->without_effect[name] = value; };
-    const char* doc = "Kept, without effect: results and their cost do not depend on it.";
-    if (setting.is_flag) contact.def_property(setting.name, get, put_flag, doc);
-    else contact.def_property(setting.name, get, put_number, doc);
+    const auto put = [setting, name](const ContactHandle& self, auto value) {
+      self.set->without_effect[name] = value;
+      if (static_cast<double>(value) != setting.value && *setting.reason != 0) tell_without_effect("GeneralContact." + name, setting.reason);
+    };
+    const std::string reason = *setting.reason != 0 ? std::string(": ") + setting.reason : ", as it is done anyway";
+    const std::string doc = "Kept, without effect" + reason + ".";
+    if (setting.is_flag) contact.def_property(setting.name, get, [put](const ContactHandle& self, bool value) { put(self, value); }, doc.c_str());
+    else contact.def_property(setting.name, get, [put](const ContactHandle& self, int value) { put(self, value); }, doc.c_str());
   }
 }
 

@@ -57,27 +57,31 @@ py::array_t<double> friction_out(const ContactSet& set);
 ContactBristles bristles_from(const ValueSource& by, const std::array<double, 3>& ratios);
 std::vector<double> bristles_out(const ContactSet& set);
 
-// Settings of the interface that change nothing here; kept to be read again.
+// Settings of the interface that change nothing here; kept to be read again. Other values than the default are told with the reason, unless
+// they ask for what is done anyway.
 struct KeptSetting {
   const char* name;
   double value;
   bool is_flag;
+  const char* reason;
 };
+inline constexpr const char *own_search = "the search finds its own way, by which results do not change", *own_threads = "threads share the work by themselves",
+                            *exact_stretches = "stretches of cables in contact are found exactly, as zeros of a polynomial";
 inline constexpr KeptSetting kept_settings[] = {
-    {"verboseMode", 0, false},
-    {"resetSearchTreeInterval", 10000, false},
-    {"sphereSphereFrictionRecycle", 0, true},
-    {"excludeOverlappingTrigSphereContacts", 1, true},
-    {"excludeDuplicatedTrigSphereContactPoints", 0, true},
-    {"computeExactStaticTriangleBins", 1, true},
-    {"computeContactForces", 0, true},
-    {"ancfCableUseExactMethod", 1, true},
-    {"ancfCableNumberOfContactSegments", 1, false},
-    {"ancfCableMeasuringSegments", 20, false},
-    {"parallelTaskSplit", 12, false},
-    {"parallelTaskSplitBoundingBoxes", 48, false},
-    {"parallelTaskSplitThreshold", 12, false},
-    {"parallelTaskSplitBoundingBoxesThreshold", 400, false},
+    {"verboseMode", 0, false, "the verboseMode of the solver says what is shown"},
+    {"resetSearchTreeInterval", 10000, false, own_search},
+    {"sphereSphereFrictionRecycle", 0, true, "what sticks and what slides is held during Newton's method, and found anew after it"},
+    {"excludeOverlappingTrigSphereContacts", 1, true, "what meets in one point of a mesh counts once"},
+    {"excludeDuplicatedTrigSphereContactPoints", 0, true, ""},
+    {"computeExactStaticTriangleBins", 1, true, own_search},
+    {"computeContactForces", 0, true, ""},
+    {"ancfCableUseExactMethod", 1, true, exact_stretches},
+    {"ancfCableNumberOfContactSegments", 1, false, exact_stretches},
+    {"ancfCableMeasuringSegments", 20, false, "distances from cables are measured exactly"},
+    {"parallelTaskSplit", 12, false, own_threads},
+    {"parallelTaskSplitBoundingBoxes", 48, false, own_threads},
+    {"parallelTaskSplitThreshold", 12, false, own_threads},
+    {"parallelTaskSplitBoundingBoxesThreshold", 400, false, own_threads},
 };
 
 }  // namespace dalembert

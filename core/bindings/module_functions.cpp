@@ -174,12 +174,6 @@ std::string attributes_text(const T& object, const std::vector<const char*>& nam
   return text;
 }
 
-// For switches that are kept, so that scripts run, although nothing depends on them: told once.
-void tell_without_effect(const std::string& name, const std::string& reason) {
-  static std::set<std::string> told;
-  if (told.insert(name).second) write_warning(name + " has no effect: " + reason);
-}
-
 template <class Owner, class Value>
 void add_idle_switch(py::class_<Owner>& owner, const std::string& where, const char* name, Value Owner::*member, const std::string& reason) {
   owner.def_property(
@@ -307,6 +301,11 @@ void write_console(const std::string& text) {
 void write_warning(const std::string& text) {
   const py::gil_scoped_acquire gil;
   if (!config().suppressWarnings) write("Warning: " + text + "\n", false);
+}
+
+void tell_without_effect(const std::string& name, const std::string& reason) {
+  static std::set<std::string> told;
+  if (told.insert(name).second) write_warning(name + " has no effect: " + reason);
 }
 
 void check_version(const py::dict& data, const std::string& where) {

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import copy
 import pickle
+import subprocess
+import sys
 from typing import Any
 
 import numpy as np
@@ -387,6 +389,24 @@ def test_active_contacts() -> None:
     assert list(world.contact.GetActiveContacts(spheres, 0)) == [1, -3]
     assert list(world.contact.GetActiveContacts(spheres, 1)) == [2, 3]
     assert list(world.contact.GetPythonObject()["globalContactIndexOffsets"]) == [0, 3, 3, 5]
+
+
+def test_settings_that_change_nothing_say_so_once() -> None:
+    """In a process of its own, as others may have told it already."""
+    script = """
+import dalembert as exu
+for _ in range(2):
+    contact = exu.SystemContainer().AddSystem().AddGeneralContact()
+    contact.verboseMode, contact.resetSearchTreeInterval = 0, 10000  # the defaults
+    contact.excludeDuplicatedTrigSphereContactPoints = contact.computeContactForces = True  # as it is done anyway
+    contact.ancfCableUseExactMethod, contact.ancfCableNumberOfContactSegments = False, 8
+"""
+    told = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout
+    stretches = "has no effect: stretches of cables in contact are found exactly, as zeros of a polynomial"
+    assert told.splitlines() == [
+        f"Warning: GeneralContact.{name} {stretches}"
+        for name in ("ancfCableUseExactMethod", "ancfCableNumberOfContactSegments")
+    ]
 
 
 def bouncing() -> World:
