@@ -16,6 +16,9 @@ namespace {
 
 // Entries of the diagonal that are so much smaller than others of an equation belong to motions without inertia.
 constexpr double no_inertia = 1e-10;
+// What constrains links of a tree to a plane where they move in it anyway acts on none of their coordinates, but for round-off: relative to the
+// largest entries of other equations.
+constexpr double round_off_of_forces = 1e-12;
 // Equations whose combinations are so much weaker than the equations themselves are worth a closer look: far above what counts as vanishing.
 constexpr double suspicious_multiple = 1e4;
 // The filter is applied again as long as it would take more than this off multipliers that forces come from.
@@ -41,6 +44,12 @@ double mean_of_logarithms(const std::vector<double>& numbers) {
   double sum = 0;
   for (const double x : numbers) sum += std::log(x);
   return numbers.empty() ? 0 : std::exp(sum / static_cast<double>(numbers.size()));
+}
+
+double largest_number(std::span<const double> numbers) {
+  double size = 0;
+  for (const double x : numbers) size = std::max(size, std::abs(x));
+  return size;
 }
 
 }  // namespace
@@ -176,6 +185,9 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   }
   acting_.assign(n, 0);
   std::ranges::transform(columns, acting_.begin(), [](double sum) { return sum > 0; });
+  const double nothing = round_off_of_forces * round_off_of_forces * largest_number(columns);
+  for (std::size_t k = 0; k < n; ++k)
+    if (!(columns[k] > nothing)) ratio[k] = 0;
   of_rate_.assign(n, 0);
   for (std::size_t k = 0; k < n; ++k) {
     const double factor = columns[k] > 0 && lines[k] > 0 ? 0.5 * std::log(lines[k] / columns[k]) : 0;
@@ -336,16 +348,6 @@ LinearSolverOptions RedundantConstraints::options(LinearSolverOptions options) c
   }
   return options;
 }
-
-namespace {
-
-double largest_number(std::span<const double> numbers) {
-  double size = 0;
-  for (const double x : numbers) size = std::max(size, std::abs(x));
-  return size;
-}
-
-}  // namespace
 
 // Equations that are off state their multipliers themselves.
 void RedundantConstraints::regularize(const Pattern& pattern, std::span<double> values, double rate_factor) {

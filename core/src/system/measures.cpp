@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "dalembert/system/parts.hpp"
+#include "dalembert/system/tree_term.hpp"
 
 namespace dalembert {
 namespace {
@@ -84,6 +85,9 @@ double System::extent() const {
     if (is_in_space(node)) include(parts.total.data() + node.ode2, node.translations);
   std::vector<int> coordinates;
   std::vector<double> points;
+  double reach = 0;
+  for (const auto& term : parts.terms)
+    if (const auto* bodies = dynamic_cast<const LinkedBodies*>(term.get())) reach = std::max(reach, bodies->reach());
   for (ObjectPlace& object : parts.objects) {
     const auto& [batch, entry] = object.member;
     const int count = batch == nullptr ? 0 : batch->mesh_nodes(entry);
@@ -101,8 +105,8 @@ double System::extent() const {
       for (const int node : outermost_nodes(parts, object, count)) look(node, 1);
   }
   const Vec3<double> span = high - low;
-  const double diagonal = std::sqrt(dot(span, span));
-  return std::isfinite(diagonal) && diagonal > smallest_extent ? diagonal : 1;
+  const double diagonal = std::sqrt(dot(span, span)), size = std::isfinite(diagonal) ? std::max(diagonal, reach) : reach;
+  return size > smallest_extent ? size : 1;
 }
 
 }  // namespace dalembert

@@ -110,6 +110,16 @@ class TreeBody {
   }
   int item() const { return law_.item(); }
   int count() const { return tree_.count(); }
+  double reach() const {
+    std::vector<double> far(tree_.links.size());
+    double farthest = 0;
+    for (std::size_t i = 0; i < far.size(); ++i) {
+      const TreeLink& link = tree_.links[i];
+      far[i] = norm(link.offset) + (link.parent < 0 ? 0 : far[static_cast<std::size_t>(link.parent)]);
+      farthest = std::max(farthest, far[i] + (link.mass > 0 ? norm(link.moment) / link.mass : 0));
+    }
+    return farthest;
+  }
   bool same_structure(const TreeBody& other) const {
     const auto alike = [](const TreeLink& a, const TreeLink& b) { return a.parent == b.parent; };
     return law_.same_places(other.law_) && std::ranges::equal(tree_.links, other.tree_.links, alike);
@@ -270,6 +280,11 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
     return true;
   }
   int links(int entry) const override { return entries_[entry].body.count(); }
+  double reach() const override {
+    double farthest = 0;
+    for (const Entry& e : entries_) farthest = std::max(farthest, e.body.reach());
+    return farthest;
+  }
   Motion<double> link_motion(int entry, int link, const Vec3<double>& local, const Evaluation& evaluation) const override {
     return entries_[entry].body.motion(evaluation, link, local, entries_[entry].output_room);
   }
