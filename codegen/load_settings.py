@@ -7,7 +7,7 @@ from contextlib import nullcontext
 from typing import Any
 
 from codegen.model import SpecError
-from codegen.model_settings import Enum, EnumValue, Setting, Settings, SettingsGroup
+from codegen.model_settings import REASONS, Enum, EnumValue, Setting, Settings, SettingsGroup
 from codegen.names import nearest, snake_case
 from codegen.ranges import read_range
 from codegen.rows import PARAMETER_KEYS, at, check_keys, parameter_fields, parse, text
@@ -68,7 +68,7 @@ def _group(name: str, path: str, table: Mapping[str, Any], shared: Shared, enums
 
 
 def _setting(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Setting:
-    check_keys(row, (*PARAMETER_KEYS, "range", "no_effect", "acts_with", "only_in"))
+    check_keys(row, (*PARAMETER_KEYS, "range", *REASONS, "acts_with", "only_in"))
     fields = parameter_fields(row, enums)
     if "range" in fields:
         fields["range"] = read_range(fields["range"])

@@ -10,7 +10,9 @@ from codegen.names import nearest
 from codegen.ranges import Range
 from codegen.types import TYPES, VALUE_TYPES, ParameterType, ValueType
 
-MOST_FLAGS = 4  # in acts_with: room in SettingRule
+# Keys that tell why a setting is accepted although nothing depends on it: nothing here, no page, or no picture without
+# the ray tracer.
+REASONS = ("no_effect", "no_effect_on_pages", "no_effect_without_rays")
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,9 @@ class Setting(Parameter):
     """A row of a structure of settings."""
 
     range: Range | None = None
-    no_effect: str = ""  # why it is accepted although nothing here depends on it
+    no_effect: str = ""
+    no_effect_on_pages: str = ""
+    no_effect_without_rays: str = ""
     acts_with: tuple[str, ...] = ()  # flags beside it, one of which has to be true for it to have an effect
     only_in: str = ""  # the structure of the root whose own counts, for all structures like it
 
@@ -64,8 +68,12 @@ class Setting(Parameter):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.no_effect != self.no_effect.strip(" ."):
-            raise SpecError("no_effect: a reason is a phrase without a full stop")
+        for key in REASONS:
+            reason = getattr(self, key)
+            if reason != reason.strip(" ."):
+                raise SpecError(f"{key}: a reason is a phrase without a full stop")
+        if self.no_effect and (self.no_effect_on_pages or self.no_effect_without_rays or self.only_in):
+            raise SpecError("no_effect: what has no effect at all needs no reasons for less")
         if self.range is None:
             return
         if self.type.storage not in ("integer", "real"):
@@ -93,8 +101,6 @@ class SettingsGroup:
             check_documented(self.beyond_reference, "beyond_reference")
         flags = [row.name for row in self.rows if row.type.storage == "boolean"]
         for row in self.rows:
-            if len(row.acts_with) > MOST_FLAGS:
-                raise SpecError(f"{row.name}: acts_with: {len(row.acts_with)} flags; there may be {MOST_FLAGS}")
             for flag in row.acts_with:
                 if flag not in flags or flag == row.name:
                     raise SpecError(f"{row.name}: acts_with: {flag!r} is no flag beside it; {nearest(flag, flags)}")

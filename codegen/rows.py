@@ -17,7 +17,7 @@ PARAMETER_KEYS = (
 )  # fmt: skip
 _KEY_TYPES: dict[str, type] = {
     "size": int, "optional": bool, "internal": bool, "aliases": list, "typical": list, "acts_with": list,
-    "range": str, "no_effect": str, "only_in": str,
+    "range": str, "no_effect": str, "no_effect_on_pages": str, "no_effect_without_rays": str, "only_in": str,
     "doc": str, "unit": str, "symbol": str, "check": str, "change": str, "named": str,
     "summary": str, "beyond_reference": str,
 }  # fmt: skip

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from codegen.model_settings import Setting, Settings, SettingsGroup
+from codegen.model_settings import REASONS, Setting, Settings, SettingsGroup
 from codegen.ranges import Range
 from codegen.views.cpp import cpp_string, cpp_value
 from codegen.views.python import doc_text, row_note
@@ -34,7 +34,12 @@ class Struct:
     @property
     def ruled(self) -> tuple[Setting, ...]:
         """Rows of which more is known than types and signs."""
-        return tuple(row for row in self.rows if row.range or row.no_effect or row.acts_with or row.only_in)
+        return tuple(row for row in self.rows if row.range or row.acts_with or row.only_in or any(reasons(row)))
+
+    @property
+    def flagged(self) -> tuple[Setting, ...]:
+        """Rows that act with flags beside them."""
+        return tuple(row for row in self.rows if row.acts_with)
 
 
 def structs(settings: Settings) -> list[Struct]:
@@ -89,17 +94,27 @@ def cpp_struct_member(member: Member) -> str:
     return f"{member.struct} {member.name}{{{changes}}};"
 
 
-def cpp_rule(row: Setting) -> str:
+def reasons(row: Setting) -> tuple[str, ...]:
+    """Why it has no effect, in the order of REASONS; empty where it has."""
+    return tuple(getattr(row, key) for key in REASONS)
+
+
+def cpp_flags(row: Setting, struct: Struct) -> str:
+    """The name of the array of the flags that a row acts with."""
+    return f"{struct.name}_flags_of_{row.name}"
+
+
+def cpp_rule(row: Setting, struct: Struct) -> str:
     """What `SettingRule` says of one row, with only those fields that differ from its defaults."""
     fields = [f".name = {cpp_string(row.name)}"]
     if row.range:
         fields += [*_cpp_bounds(row.range), f".words = {cpp_string(row.range.words)}"]
-    if row.no_effect:
-        fields.append(f".no_effect = {cpp_string(row.no_effect)}")
+    told = zip(REASONS, (row.elsewhere or row.no_effect, *reasons(row)[1:]), strict=True)
+    fields += [f".{key} = {cpp_string(reason)}" for key, reason in told if reason]
     if row.acts_with:
-        fields.append(f".acts_with = {{{', '.join(map(cpp_string, row.acts_with))}}}")
+        fields.append(f".acts_with = {cpp_flags(row, struct)}")
     if row.only_in:
-        fields += [f".only_in = {cpp_string(row.only_in)}", f".elsewhere = {cpp_string(row.elsewhere)}"]
+        fields.append(f".only_in = {cpp_string(row.only_in)}")
     return "{" + ", ".join(fields) + "}"
 
 
@@ -114,7 +129,12 @@ def setting_notes(row: Setting) -> str:
     note = row_note(row, row.range.words if row.range else "")
     note += f"; acts with {' or '.join(row.acts_with)} only" if row.acts_with else ""
     note += f"; {row.elsewhere}" if row.only_in else ""
-    return note + (f"; no effect: {doc_text(row.no_effect)}" if row.no_effect else "")
+    told = zip(REASONS, reasons(row), strict=True)
+    return note + "".join(f"; {_words(key)}: {doc_text(reason)}" for key, reason in told if reason)
+
+
+def _words(key: str) -> str:
+    return key.replace("_", " ")
 
 
 def described_setting(row: Setting) -> str:
@@ -124,4 +144,6 @@ def described_setting(row: Setting) -> str:
     flags = " or ".join(f"``{flag}``" for flag in row.acts_with)
     condition = f" Acts with {flags} only." if flags else ""
     doc = f"{row.doc}; {row.elsewhere}" if row.only_in else row.doc
-    return f"{note}{sentence(doc)}{condition} {refusal}".strip()
+    told = zip(REASONS[1:], reasons(row)[1:], strict=True)
+    lesser = "".join(f" {_words(key).capitalize()}: {reason}." for key, reason in told if reason)
+    return f"{note}{sentence(doc)}{condition} {refusal}".strip() + lesser

@@ -355,11 +355,14 @@ void register_settings(py::module_& module) {
   module.def(
       "_visualization_settings_without_effect",
       [] {
-        py::dict found;
-        find_settings_without_effect(visualization_settings_group(), "", found);
-        return found;
+        const auto reasons = [](std::string_view SettingRule::* reason) {
+          py::dict found;
+          find_settings_without_effect(visualization_settings_group(), reason, "", found);
+          return found;
+        };
+        return py::make_tuple(reasons(&SettingRule::no_effect), reasons(&SettingRule::no_effect_on_pages), reasons(&SettingRule::no_effect_without_rays));
       },
-      "Why visualization settings have no effect, by their paths.");
+      "Why visualization settings have no effect, by their paths: nowhere, on pages, and in pictures without the ray tracer.");
 }
 
 }  // namespace dalembert

@@ -258,13 +258,12 @@ py::dict settings_dictionary_with_types(const SettingsView& view) {
   return values;
 }
 
-void find_settings_without_effect(const SettingsGroup& group, const std::string& path, py::dict& found) {
+void find_settings_without_effect(const SettingsGroup& group, std::string_view SettingRule::* reason, const std::string& path, py::dict& found) {
   for (const SettingRule& rule : group.rules) {
-    const bool is_elsewhere = !rule.only_in.empty() && !path.starts_with(std::string(rule.only_in) + ".");
-    const std::string_view reason = rule.no_effect.empty() && is_elsewhere ? rule.elsewhere : rule.no_effect;
-    if (!reason.empty()) found[py::str(path + std::string(rule.name))] = py::str(reason);
+    const bool acts = reason == &SettingRule::no_effect && !rule.only_in.empty() && path.starts_with(std::string(rule.only_in) + ".");
+    if (!acts && !(rule.*reason).empty()) found[py::str(path + std::string(rule.name))] = py::str(rule.*reason);
   }
-  for (const SettingsChild& child : group.children) find_settings_without_effect(*child.group, path + std::string(child.name) + ".", found);
+  for (const SettingsChild& child : group.children) find_settings_without_effect(*child.group, reason, path + std::string(child.name) + ".", found);
 }
 
 void set_settings_dictionary(const SettingsView& view, const py::dict& values) {
@@ -313,9 +312,12 @@ std::string setting_doc(const SettingsGroup& group, const Row& row) {
   }
   if (row.size > 0) text += " of length " + std::to_string(row.size);
   if (has_unit(row)) text += ", in " + std::string(row.unit);
-  if (rule != nullptr && !rule->flags().empty()) text += "; " + rule->condition();
-  if (rule != nullptr && !rule->elsewhere.empty()) text += "; " + std::string(rule->elsewhere);
-  if (rule != nullptr && !rule->no_effect.empty()) text += "; no effect: " + std::string(rule->no_effect);
+  if (rule == nullptr) return text;
+  const auto add = [&text](const char* words, std::string_view reason) { text += reason.empty() ? std::string() : words + std::string(reason); };
+  add("; ", rule->condition());
+  add(rule->only_in.empty() ? "; no effect: " : "; ", rule->no_effect);
+  add("; no effect on pages: ", rule->no_effect_on_pages);
+  add("; no effect without rays: ", rule->no_effect_without_rays);
   return text;
 }
 

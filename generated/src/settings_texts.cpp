@@ -221,7 +221,7 @@ constexpr std::array<std::string_view, 11> VSettingsViewCamera_rows{
     "number of the system in the container that the tracked marker belongs to; 0 for the first",
     "1 in all three components to follow the rotation of the marker, zeros to keep the direction of view",
     "for x, y and z: 1 to follow the marker in this direction, 0 not to",
-    "true: images are made by the ray tracer; pages never are",
+    "true: images are made by the ray tracer",
 };
 
 constexpr std::array<std::string_view, 9> VSettingsViewScene_rows{
@@ -252,13 +252,13 @@ constexpr std::array<std::string_view, 10> VSettingsLight_rows{
     "constant term of the attenuation, whose inverse weakens the light; of lights with a position, by the ray tracer only",
     "strength of the light that is scattered by faces",
     "switch the light on",
-    "radius of the light for soft shadows, by the ray tracer only; a light at infinity is as large as it would be at its position",
-    "term of the attenuation that grows with the distance; of lights with a position, by the ray tracer only",
+    "radius of the light for soft shadows; a light at infinity is as large as it would be at its position",
+    "term of the attenuation that grows with the distance; of lights with a position",
     "position of the light if the fourth number is 1; direction towards a light at infinity if it is 0",
-    "term of the attenuation that grows with the square of the distance; of lights with a position, by the ray tracer only",
+    "term of the attenuation that grows with the square of the distance; of lights with a position",
     "whether this light casts shadows, which are those of the ray tracer: any number above 0, however large; shadows cost rendering time",
     "strength of highlights",
-    "true: position and direction are fixed to the camera; false: to the model; by the ray tracer only, otherwise lights turn with the viewer, as do those whose position is the default",
+    "true: position and direction are fixed to the camera; false: to the model; without the ray tracer, lights turn with the viewer, as do those whose position is the default",
 };
 
 constexpr std::array<std::string_view, 8> VSettingsMaterial_rows{

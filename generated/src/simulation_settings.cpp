@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace dalembert {
 namespace {
@@ -18,11 +19,14 @@ constexpr std::array<Row, 8> NewtonNumericalDifferentiationSettings_rows{{
     {.name = "minimumCoordinateSize", .storage = Storage::real, .offset = offsetof(NewtonNumericalDifferentiationSettings, minimumCoordinateSize), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "relativeEpsilon", .storage = Storage::real, .offset = offsetof(NewtonNumericalDifferentiationSettings, relativeEpsilon), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
 }};
+constexpr std::array<std::string_view, 4> NewtonNumericalDifferentiationSettings_flags_of_addReferenceCoordinatesToEpsilon{"doSystemWideDifferentiation", "forAE", "forODE2", "forODE2connectors"};
+constexpr std::array<std::string_view, 4> NewtonNumericalDifferentiationSettings_flags_of_minimumCoordinateSize{"doSystemWideDifferentiation", "forAE", "forODE2", "forODE2connectors"};
+constexpr std::array<std::string_view, 4> NewtonNumericalDifferentiationSettings_flags_of_relativeEpsilon{"doSystemWideDifferentiation", "forAE", "forODE2", "forODE2connectors"};
 constexpr std::array<SettingRule, 4> NewtonNumericalDifferentiationSettings_rules{{
-    {.name = "addReferenceCoordinatesToEpsilon", .acts_with = {"doSystemWideDifferentiation", "forAE", "forODE2", "forODE2connectors"}},
+    {.name = "addReferenceCoordinatesToEpsilon", .acts_with = NewtonNumericalDifferentiationSettings_flags_of_addReferenceCoordinatesToEpsilon},
     {.name = "jacobianConnectorDerivative", .no_effect = "exact derivatives always include the change of the directions of forces, at no cost worth saving"},
-    {.name = "minimumCoordinateSize", .lower = 0.0, .lower_open = true, .words = "greater than 0", .acts_with = {"doSystemWideDifferentiation", "forAE", "forODE2", "forODE2connectors"}},
-    {.name = "relativeEpsilon", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1", .acts_with = {"doSystemWideDifferentiation", "forAE", "forODE2", "forODE2connectors"}},
+    {.name = "minimumCoordinateSize", .lower = 0.0, .lower_open = true, .words = "greater than 0", .acts_with = NewtonNumericalDifferentiationSettings_flags_of_minimumCoordinateSize},
+    {.name = "relativeEpsilon", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1", .acts_with = NewtonNumericalDifferentiationSettings_flags_of_relativeEpsilon},
 }};
 constexpr SettingsGroup NewtonNumericalDifferentiationSettings_group{"NewtonNumericalDifferentiationSettings", NewtonNumericalDifferentiationSettings_rows, {}, NewtonNumericalDifferentiationSettings_rules};
 
@@ -41,13 +45,17 @@ constexpr std::array<Row, 13> NewtonSettings_rows{{
     {.name = "useNewtonSolver", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, useNewtonSolver), .role = Role::parameter},
     {.name = "weightTolerancePerCoordinate", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, weightTolerancePerCoordinate), .role = Role::parameter},
 }};
+constexpr std::array<std::string_view, 1> NewtonSettings_flags_of_maxModifiedNewtonIterations{"useModifiedNewton"};
+constexpr std::array<std::string_view, 1> NewtonSettings_flags_of_maxModifiedNewtonRestartIterations{"useModifiedNewton"};
+constexpr std::array<std::string_view, 1> NewtonSettings_flags_of_modifiedNewtonContractivity{"useModifiedNewton"};
+constexpr std::array<std::string_view, 1> NewtonSettings_flags_of_modifiedNewtonJacUpdatePerStep{"useModifiedNewton"};
 constexpr std::array<SettingRule, 8> NewtonSettings_rules{{
     {.name = "maximumSolutionNorm", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
     {.name = "maxIterations", .lower = 1.0, .words = "at least 1"},
-    {.name = "maxModifiedNewtonIterations", .acts_with = {"useModifiedNewton"}},
-    {.name = "maxModifiedNewtonRestartIterations", .acts_with = {"useModifiedNewton"}},
-    {.name = "modifiedNewtonContractivity", .acts_with = {"useModifiedNewton"}},
-    {.name = "modifiedNewtonJacUpdatePerStep", .acts_with = {"useModifiedNewton"}},
+    {.name = "maxModifiedNewtonIterations", .acts_with = NewtonSettings_flags_of_maxModifiedNewtonIterations},
+    {.name = "maxModifiedNewtonRestartIterations", .acts_with = NewtonSettings_flags_of_maxModifiedNewtonRestartIterations},
+    {.name = "modifiedNewtonContractivity", .acts_with = NewtonSettings_flags_of_modifiedNewtonContractivity},
+    {.name = "modifiedNewtonJacUpdatePerStep", .acts_with = NewtonSettings_flags_of_modifiedNewtonJacUpdatePerStep},
     {.name = "newtonResidualMode", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
     {.name = "relativeTolerance", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
 }};
@@ -163,9 +171,10 @@ constexpr std::array<Row, 27> SolutionSettings_rows{{
     {.name = "writeRestartFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeRestartFile), .role = Role::parameter},
     {.name = "writeSolutionToFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeSolutionToFile), .role = Role::parameter},
 }};
+constexpr std::array<std::string_view, 1> SolutionSettings_flags_of_restartWritePeriod{"writeRestartFile"};
 constexpr std::array<SettingRule, 2> SolutionSettings_rules{{
     {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
-    {.name = "restartWritePeriod", .acts_with = {"writeRestartFile"}},
+    {.name = "restartWritePeriod", .acts_with = SolutionSettings_flags_of_restartWritePeriod},
 }};
 constexpr SettingsGroup SolutionSettings_group{"SolutionSettings", SolutionSettings_rows, {}, SolutionSettings_rules};
 
@@ -178,13 +187,19 @@ constexpr std::array<Row, 7> StaticSolverArcLengthSettings_rows{{
     {.name = "maximumSteps", .storage = Storage::integer, .offset = offsetof(StaticSolverArcLengthSettings, maximumSteps), .role = Role::parameter, .check = Check::non_negative},
     {.name = "singularPoints", .storage = Storage::boolean, .offset = offsetof(StaticSolverArcLengthSettings, singularPoints), .role = Role::parameter},
 }};
+constexpr std::array<std::string_view, 1> StaticSolverArcLengthSettings_flags_of_branchStep{"active"};
+constexpr std::array<std::string_view, 1> StaticSolverArcLengthSettings_flags_of_desiredIterations{"active"};
+constexpr std::array<std::string_view, 1> StaticSolverArcLengthSettings_flags_of_largestStep{"active"};
+constexpr std::array<std::string_view, 1> StaticSolverArcLengthSettings_flags_of_lowestLoadFactor{"active"};
+constexpr std::array<std::string_view, 1> StaticSolverArcLengthSettings_flags_of_maximumSteps{"active"};
+constexpr std::array<std::string_view, 1> StaticSolverArcLengthSettings_flags_of_singularPoints{"active"};
 constexpr std::array<SettingRule, 6> StaticSolverArcLengthSettings_rules{{
-    {.name = "branchStep", .acts_with = {"active"}},
-    {.name = "desiredIterations", .lower = 1.0, .words = "at least 1", .acts_with = {"active"}},
-    {.name = "largestStep", .acts_with = {"active"}},
-    {.name = "lowestLoadFactor", .upper = 0.0, .words = "at most 0", .acts_with = {"active"}},
-    {.name = "maximumSteps", .lower = 1.0, .words = "at least 1", .acts_with = {"active"}},
-    {.name = "singularPoints", .acts_with = {"active"}},
+    {.name = "branchStep", .acts_with = StaticSolverArcLengthSettings_flags_of_branchStep},
+    {.name = "desiredIterations", .lower = 1.0, .words = "at least 1", .acts_with = StaticSolverArcLengthSettings_flags_of_desiredIterations},
+    {.name = "largestStep", .acts_with = StaticSolverArcLengthSettings_flags_of_largestStep},
+    {.name = "lowestLoadFactor", .upper = 0.0, .words = "at most 0", .acts_with = StaticSolverArcLengthSettings_flags_of_lowestLoadFactor},
+    {.name = "maximumSteps", .lower = 1.0, .words = "at least 1", .acts_with = StaticSolverArcLengthSettings_flags_of_maximumSteps},
+    {.name = "singularPoints", .acts_with = StaticSolverArcLengthSettings_flags_of_singularPoints},
 }};
 constexpr SettingsGroup StaticSolverArcLengthSettings_group{"StaticSolverArcLengthSettings", StaticSolverArcLengthSettings_rows, {}, StaticSolverArcLengthSettings_rules};
 
@@ -208,12 +223,17 @@ constexpr std::array<Row, 18> StaticSolverSettings_rows{{
     {.name = "verboseMode", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, verboseMode), .role = Role::parameter, .check = Check::non_negative},
     {.name = "verboseModeFile", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, verboseModeFile), .role = Role::parameter, .check = Check::non_negative},
 }};
+constexpr std::array<std::string_view, 1> StaticSolverSettings_flags_of_adaptiveStepDecrease{"adaptiveStep"};
+constexpr std::array<std::string_view, 1> StaticSolverSettings_flags_of_adaptiveStepIncrease{"adaptiveStep"};
+constexpr std::array<std::string_view, 1> StaticSolverSettings_flags_of_adaptiveStepRecoveryIterations{"adaptiveStep"};
+constexpr std::array<std::string_view, 1> StaticSolverSettings_flags_of_adaptiveStepRecoverySteps{"adaptiveStep"};
+constexpr std::array<std::string_view, 1> StaticSolverSettings_flags_of_loadStepGeometricRange{"loadStepGeometric"};
 constexpr std::array<SettingRule, 5> StaticSolverSettings_rules{{
-    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1", .acts_with = {"adaptiveStep"}},
-    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1", .acts_with = {"adaptiveStep"}},
-    {.name = "adaptiveStepRecoveryIterations", .acts_with = {"adaptiveStep"}},
-    {.name = "adaptiveStepRecoverySteps", .acts_with = {"adaptiveStep"}},
-    {.name = "loadStepGeometricRange", .lower = 1.0, .lower_open = true, .words = "greater than 1", .acts_with = {"loadStepGeometric"}},
+    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1", .acts_with = StaticSolverSettings_flags_of_adaptiveStepDecrease},
+    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1", .acts_with = StaticSolverSettings_flags_of_adaptiveStepIncrease},
+    {.name = "adaptiveStepRecoveryIterations", .acts_with = StaticSolverSettings_flags_of_adaptiveStepRecoveryIterations},
+    {.name = "adaptiveStepRecoverySteps", .acts_with = StaticSolverSettings_flags_of_adaptiveStepRecoverySteps},
+    {.name = "loadStepGeometricRange", .lower = 1.0, .lower_open = true, .words = "greater than 1", .acts_with = StaticSolverSettings_flags_of_loadStepGeometricRange},
 }};
 constexpr std::array<SettingsChild, 3> StaticSolverSettings_children{{
     {"arcLength", &StaticSolverArcLengthSettings_group, offsetof(StaticSolverSettings, arcLength)},
@@ -251,10 +271,13 @@ constexpr std::array<Row, 10> TimeIntegrationGeneralizedAlphaSettings_rows{{
     {.name = "useIndex2Constraints", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, useIndex2Constraints), .role = Role::parameter},
     {.name = "useNewmark", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, useNewmark), .role = Role::parameter},
 }};
+constexpr std::array<std::string_view, 1> TimeIntegrationGeneralizedAlphaSettings_flags_of_lieGroupAddTangentOperator{"lieGroupSimplifiedKinematicRelations"};
+constexpr std::array<std::string_view, 1> TimeIntegrationGeneralizedAlphaSettings_flags_of_newmarkBeta{"useNewmark"};
+constexpr std::array<std::string_view, 1> TimeIntegrationGeneralizedAlphaSettings_flags_of_newmarkGamma{"useNewmark"};
 constexpr std::array<SettingRule, 4> TimeIntegrationGeneralizedAlphaSettings_rules{{
-    {.name = "lieGroupAddTangentOperator", .acts_with = {"lieGroupSimplifiedKinematicRelations"}},
-    {.name = "newmarkBeta", .lower = 0.0, .upper = 1.0, .lower_open = true, .words = "greater than 0 and at most 1", .acts_with = {"useNewmark"}},
-    {.name = "newmarkGamma", .lower = 0.0, .upper = 1.5, .lower_open = true, .words = "greater than 0 and at most 1.5", .acts_with = {"useNewmark"}},
+    {.name = "lieGroupAddTangentOperator", .acts_with = TimeIntegrationGeneralizedAlphaSettings_flags_of_lieGroupAddTangentOperator},
+    {.name = "newmarkBeta", .lower = 0.0, .upper = 1.0, .lower_open = true, .words = "greater than 0 and at most 1", .acts_with = TimeIntegrationGeneralizedAlphaSettings_flags_of_newmarkBeta},
+    {.name = "newmarkGamma", .lower = 0.0, .upper = 1.5, .lower_open = true, .words = "greater than 0 and at most 1.5", .acts_with = TimeIntegrationGeneralizedAlphaSettings_flags_of_newmarkGamma},
     {.name = "spectralRadius", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
 }};
 constexpr SettingsGroup TimeIntegrationGeneralizedAlphaSettings_group{"TimeIntegrationGeneralizedAlphaSettings", TimeIntegrationGeneralizedAlphaSettings_rows, {}, TimeIntegrationGeneralizedAlphaSettings_rules};
@@ -284,16 +307,22 @@ constexpr std::array<Row, 23> TimeIntegrationSettings_rows{{
     {.name = "verboseMode", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, verboseMode), .role = Role::parameter, .check = Check::non_negative},
     {.name = "verboseModeFile", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, verboseModeFile), .role = Role::parameter, .check = Check::non_negative},
 }};
+constexpr std::array<std::string_view, 2> TimeIntegrationSettings_flags_of_adaptiveStepDecrease{"adaptiveStep", "automaticStepSize"};
+constexpr std::array<std::string_view, 2> TimeIntegrationSettings_flags_of_adaptiveStepIncrease{"adaptiveStep", "automaticStepSize"};
+constexpr std::array<std::string_view, 2> TimeIntegrationSettings_flags_of_adaptiveStepRecoveryIterations{"adaptiveStep", "automaticStepSize"};
+constexpr std::array<std::string_view, 2> TimeIntegrationSettings_flags_of_adaptiveStepRecoverySteps{"adaptiveStep", "automaticStepSize"};
+constexpr std::array<std::string_view, 1> TimeIntegrationSettings_flags_of_realtimeFactor{"simulateInRealtime"};
+constexpr std::array<std::string_view, 1> TimeIntegrationSettings_flags_of_realtimeWaitMicroseconds{"simulateInRealtime"};
 constexpr std::array<SettingRule, 12> TimeIntegrationSettings_rules{{
     {.name = "absoluteTolerance", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
-    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1", .acts_with = {"adaptiveStep", "automaticStepSize"}},
-    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1", .acts_with = {"adaptiveStep", "automaticStepSize"}},
-    {.name = "adaptiveStepRecoveryIterations", .acts_with = {"adaptiveStep", "automaticStepSize"}},
-    {.name = "adaptiveStepRecoverySteps", .acts_with = {"adaptiveStep", "automaticStepSize"}},
+    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1", .acts_with = TimeIntegrationSettings_flags_of_adaptiveStepDecrease},
+    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1", .acts_with = TimeIntegrationSettings_flags_of_adaptiveStepIncrease},
+    {.name = "adaptiveStepRecoveryIterations", .acts_with = TimeIntegrationSettings_flags_of_adaptiveStepRecoveryIterations},
+    {.name = "adaptiveStepRecoverySteps", .acts_with = TimeIntegrationSettings_flags_of_adaptiveStepRecoverySteps},
     {.name = "computeLoadsJacobian", .lower = 0.0, .upper = 2.0, .words = "from 0 to 2"},
     {.name = "numberOfSteps", .lower = 1.0, .upper = 1000000000000000.0, .words = "from 1 to 1e+15"},
-    {.name = "realtimeFactor", .acts_with = {"simulateInRealtime"}},
-    {.name = "realtimeWaitMicroseconds", .acts_with = {"simulateInRealtime"}},
+    {.name = "realtimeFactor", .acts_with = TimeIntegrationSettings_flags_of_realtimeFactor},
+    {.name = "realtimeWaitMicroseconds", .acts_with = TimeIntegrationSettings_flags_of_realtimeWaitMicroseconds},
     {.name = "relativeTolerance", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
     {.name = "stepSizeMaxIncrease", .lower = 1.0, .words = "at least 1"},
     {.name = "stepSizeSafety", .lower = 0.0, .upper = 1.0, .lower_open = true, .words = "greater than 0 and at most 1"},

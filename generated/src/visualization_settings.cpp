@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace dalembert {
 namespace {
@@ -21,10 +22,15 @@ constexpr std::array<Row, 11> VSettingsViewCamera_rows{{
     {.name = "trackMarkerPosition", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, trackMarkerPosition), .role = Role::parameter, .unit = "1"},
     {.name = "useRaytracer", .storage = Storage::boolean, .offset = offsetof(VSettingsViewCamera, useRaytracer), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 3> VSettingsViewCamera_rules{{
+constexpr std::array<SettingRule, 8> VSettingsViewCamera_rules{{
     {.name = "cameraPosition", .no_effect = "the view follows from its center, rotation and zoom"},
     {.name = "modelCentricView", .no_effect = "views always turn about their center"},
     {.name = "nearFarPlaneOffset", .no_effect = "nothing is too near or too far away to be drawn"},
+    {.name = "trackMarker", .no_effect_on_pages = "pages look from where their readers want"},
+    {.name = "trackMarkerMbsNumber", .no_effect_on_pages = "pages look from where their readers want"},
+    {.name = "trackMarkerOrientation", .no_effect_on_pages = "pages look from where their readers want"},
+    {.name = "trackMarkerPosition", .no_effect_on_pages = "pages look from where their readers want"},
+    {.name = "useRaytracer", .no_effect_on_pages = "pages have no rays"},
 }};
 constexpr SettingsGroup VSettingsViewCamera_group{"VSettingsViewCamera", VSettingsViewCamera_rows, {}, VSettingsViewCamera_rules};
 
@@ -39,11 +45,13 @@ constexpr std::array<Row, 9> VSettingsViewScene_rows{{
     {.name = "showMeshFaces", .storage = Storage::boolean, .offset = offsetof(VSettingsViewScene, showMeshFaces), .role = Role::parameter},
     {.name = "worldBasisSize", .storage = Storage::real, .offset = offsetof(VSettingsViewScene, worldBasisSize), .role = Role::parameter, .check = Check::positive, .unit = "m"},
 }};
-constexpr std::array<SettingRule, 4> VSettingsViewScene_rules{{
-    {.name = "drawWorldBasis", .only_in = "view0", .elsewhere = "that of view0 is for all views"},
-    {.name = "showMeshEdges", .only_in = "view0", .elsewhere = "that of view0 is for all views"},
-    {.name = "showMeshFaces", .only_in = "view0", .elsewhere = "that of view0 is for all views"},
-    {.name = "worldBasisSize", .only_in = "view0", .elsewhere = "that of view0 is for all views"},
+constexpr std::array<SettingRule, 6> VSettingsViewScene_rules{{
+    {.name = "drawCoordinateSystem", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "drawWorldBasis", .no_effect = "that of view0 is for all views", .only_in = "view0"},
+    {.name = "showLines", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "showMeshEdges", .no_effect = "that of view0 is for all views", .only_in = "view0"},
+    {.name = "showMeshFaces", .no_effect = "that of view0 is for all views", .only_in = "view0"},
+    {.name = "worldBasisSize", .no_effect = "that of view0 is for all views", .only_in = "view0"},
 }};
 constexpr SettingsGroup VSettingsViewScene_group{"VSettingsViewScene", VSettingsViewScene_rows, {}, VSettingsViewScene_rules};
 
@@ -58,10 +66,12 @@ constexpr std::array<Row, 9> VSettingsViewWindow_rows{{
     {.name = "showRenderStateInfo", .storage = Storage::boolean, .offset = offsetof(VSettingsViewWindow, showRenderStateInfo), .role = Role::parameter},
     {.name = "showWindow", .storage = Storage::boolean, .offset = offsetof(VSettingsViewWindow, showWindow), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 6> VSettingsViewWindow_rules{{
+constexpr std::array<SettingRule, 8> VSettingsViewWindow_rules{{
     {.name = "alwaysOnTop", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "globalFontSize", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "lockModelView", .no_effect = "pages are in windows of the browser, with its mouse"},
     {.name = "maximize", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "showComputationInfo", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "showMouseCoordinates", .no_effect = "pages are in windows of the browser, with its mouse"},
     {.name = "showRenderStateInfo", .no_effect = "pages are in windows of the browser, with its mouse"},
     {.name = "showWindow", .no_effect = "pages are in windows of the browser, with its mouse"},
@@ -89,7 +99,19 @@ constexpr std::array<Row, 10> VSettingsLight_rows{{
     {.name = "specular", .storage = Storage::real, .offset = offsetof(VSettingsLight, specular), .role = Role::parameter, .unit = "1"},
     {.name = "useCameraFrame", .storage = Storage::boolean, .offset = offsetof(VSettingsLight, useCameraFrame), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsLight_group{"VSettingsLight", VSettingsLight_rows, {}};
+constexpr std::array<SettingRule, 10> VSettingsLight_rules{{
+    {.name = "constantAttenuation", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "diffuse", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "enable", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "lightRadius", .no_effect_on_pages = "pages have lights, lines and words of their own", .no_effect_without_rays = "only the ray tracer has it, see view0.camera.useRaytracer"},
+    {.name = "linearAttenuation", .no_effect_on_pages = "pages have lights, lines and words of their own", .no_effect_without_rays = "only the ray tracer has it, see view0.camera.useRaytracer"},
+    {.name = "position", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "quadraticAttenuation", .no_effect_on_pages = "pages have lights, lines and words of their own", .no_effect_without_rays = "only the ray tracer has it, see view0.camera.useRaytracer"},
+    {.name = "shadow", .no_effect_on_pages = "pages have lights, lines and words of their own", .no_effect_without_rays = "only the ray tracer has it, see view0.camera.useRaytracer"},
+    {.name = "specular", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "useCameraFrame", .no_effect_on_pages = "pages have lights, lines and words of their own", .no_effect_without_rays = "only the ray tracer has it, see view0.camera.useRaytracer"},
+}};
+constexpr SettingsGroup VSettingsLight_group{"VSettingsLight", VSettingsLight_rows, {}, VSettingsLight_rules};
 
 constexpr std::array<Row, 8> VSettingsMaterial_rows{{
     {.name = "alpha", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, alpha), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -240,7 +262,10 @@ constexpr std::array<Row, 18> VSettingsSensorsTraces_rows{{
     {.name = "vectorScaling", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, vectorScaling), .role = Role::parameter, .unit = "various"},
     {.name = "vectorsShowEvery", .storage = Storage::integer, .offset = offsetof(VSettingsSensorsTraces, vectorsShowEvery), .role = Role::parameter, .check = Check::positive},
 }};
-constexpr SettingsGroup VSettingsSensorsTraces_group{"VSettingsSensorsTraces", VSettingsSensorsTraces_rows, {}};
+constexpr std::array<SettingRule, 1> VSettingsSensorsTraces_rules{{
+    {.name = "lineWidth", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+}};
+constexpr SettingsGroup VSettingsSensorsTraces_group{"VSettingsSensorsTraces", VSettingsSensorsTraces_rows, {}, VSettingsSensorsTraces_rules};
 
 constexpr std::array<Row, 5> VSettingsSensors_rows{{
     {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsSensors, defaultColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
@@ -269,7 +294,11 @@ constexpr std::array<Row, 10> VSettingsContourAdvanced_rows{{
     {.name = "contourColorMin", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColorMin), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "showColorBar", .storage = Storage::boolean, .offset = offsetof(VSettingsContourAdvanced, showColorBar), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsContourAdvanced_group{"VSettingsContourAdvanced", VSettingsContourAdvanced_rows, {}};
+constexpr std::array<SettingRule, 2> VSettingsContourAdvanced_rules{{
+    {.name = "colorBarPrecision", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "colorBarTiling", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+}};
+constexpr SettingsGroup VSettingsContourAdvanced_group{"VSettingsContourAdvanced", VSettingsContourAdvanced_rows, {}, VSettingsContourAdvanced_rules};
 
 constexpr std::array<Row, 9> VSettingsContour_rows{{
     {.name = "alphaTransparency", .storage = Storage::real, .offset = offsetof(VSettingsContour, alphaTransparency), .role = Role::parameter, .unit = "1"},
@@ -334,15 +363,17 @@ constexpr std::array<Row, 18> VSettingsOpenGLAdvanced_rows{{
     {.name = "textLineWidth", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, textLineWidth), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "vertexNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, vertexNormalsColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
 }};
-constexpr std::array<SettingRule, 11> VSettingsOpenGLAdvanced_rules{{
+constexpr std::array<SettingRule, 13> VSettingsOpenGLAdvanced_rules{{
     {.name = "clippingPlaneColor", .no_effect = "what a clipping plane cuts stays open"},
     {.name = "depthSorting", .no_effect = "what is seen through is always sorted"},
+    {.name = "enableLighting", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "initialMaxSceneSize", .no_effect = "the size is found from what is drawn"},
     {.name = "initialZoom", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
     {.name = "lightModelLocalViewer", .no_effect = "highlights are those of a viewer far away"},
     {.name = "lightModelTwoSide", .no_effect = "both sides of faces are always lit"},
     {.name = "lineSmooth", .no_effect = "lines are always smooth"},
     {.name = "polygonOffset", .no_effect = "lines on faces are seen anyway"},
+    {.name = "shadeModelSmooth", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "shadowPolygonOffset", .no_effect = "there are no shadows"},
     {.name = "textLineSmooth", .no_effect = "texts are drawn with a font of outlines"},
     {.name = "textLineWidth", .no_effect = "texts are drawn with a font of outlines"},
@@ -362,7 +393,13 @@ constexpr std::array<Row, 11> VSettingsOpenGL_rows{{
     {.name = "multiSampling", .storage = Storage::integer, .offset = offsetof(VSettingsOpenGL, multiSampling), .role = Role::parameter, .check = Check::positive},
     {.name = "zMaxSceneFactor", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, zMaxSceneFactor), .role = Role::parameter, .check = Check::positive, .unit = "1"},
 }};
-constexpr std::array<SettingRule, 1> VSettingsOpenGL_rules{{
+constexpr std::array<SettingRule, 7> VSettingsOpenGL_rules{{
+    {.name = "faceEdgesColor", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "lightModelAmbient", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "lineWidth", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "materialShininess", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "materialSpecular", .no_effect_on_pages = "pages have lights, lines and words of their own"},
+    {.name = "multiSampling", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "zMaxSceneFactor", .no_effect = "nothing is too far away to be drawn"},
 }};
 constexpr std::array<SettingsChild, 5> VSettingsOpenGL_children{{
@@ -455,23 +492,30 @@ constexpr std::array<Row, 33> VSettingsGeneral_rows{{
     {.name = "useWindowsDisplayScaleFactor", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, useWindowsDisplayScaleFactor), .role = Role::parameter},
     {.name = "zoomAllUseBoundingBox", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, zoomAllUseBoundingBox), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 19> VSettingsGeneral_rules{{
+constexpr std::array<SettingRule, 26> VSettingsGeneral_rules{{
+    {.name = "backgroundColorBottom", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "boundingBoxZoomAllOffset", .no_effect = "the space around a system is a part of its size"},
     {.name = "circleTiling", .no_effect = "circles have 32 segments"},
+    {.name = "coordinateSystemSize", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "limitWindowToScreenSize", .no_effect = "pages are in windows of the browser, with its mouse"},
     {.name = "linuxDisplayScaleFactor", .no_effect = "pages are in windows of the browser, with its mouse"},
     {.name = "minSceneSize", .no_effect = "sizes are parts of the system, however small it is"},
     {.name = "pointSize", .no_effect = "nodes are balls, in proportion to the scene"},
     {.name = "reallyQuitTimeLimit", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "rendererPrecision", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "rendererStartupTimeout", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "renderWindowString", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "showHelpOnStartup", .no_effect = "pages are in windows of the browser, with its mouse"},
     {.name = "showSolutionInformation", .no_effect = "pages are in windows of the browser, with its mouse"},
     {.name = "showSolverInformation", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "showSolverTime", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "sphereTiling", .no_effect = "spheres are round"},
     {.name = "textAlwaysInFront", .no_effect = "texts are always in front"},
+    {.name = "textHasBackground", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "textOffsetFactor", .no_effect = "texts stand beside their points, by pixels"},
     {.name = "threadSafeGraphicsUpdate", .no_effect = "what is drawn is always a copy"},
     {.name = "useBitmapText", .no_effect = "texts are drawn with a font of outlines"},
+    {.name = "useGradientBackground", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "useMultiThreadedRendering", .no_effect = "pages are in windows of the browser, with its mouse"},
     {.name = "useWindowsDisplayScaleFactor", .no_effect = "pages are in windows of the browser, with its mouse"},
     {.name = "zoomAllUseBoundingBox", .no_effect = "zooming to all always uses the box around everything"},

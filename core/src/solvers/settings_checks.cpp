@@ -1,7 +1,6 @@
 #include "settings_checks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <mutex>
 #include <set>
 #include <span>
@@ -30,15 +29,15 @@ struct Idle {
   std::size_t offset;  // in SimulationSettings
   Storage storage;
   const SettingRule* rule;
-  std::array<std::size_t, std::tuple_size_v<decltype(SettingRule::acts_with)>> flags;  // offsets of those, one of which gives it an effect
+  std::vector<std::size_t> flags;  // offsets of those, one of which gives it an effect
 };
 
 void collect(const SettingsGroup& group, const std::string& path, std::size_t offset, std::vector<Idle>& found) {
   for (const SettingRule& rule : group.rules) {
-    if (rule.no_effect.empty() && rule.flags().empty()) continue;
+    if (rule.no_effect.empty() && rule.acts_with.empty()) continue;
     const auto row = [&group](std::string_view name) -> const Row& { return *std::ranges::find(group.rows, name, &Row::name); };
     Idle& idle = found.emplace_back(path + std::string(rule.name), offset + row(rule.name).offset, row(rule.name).storage, &rule);
-    std::ranges::transform(rule.flags(), idle.flags.begin(), [&](std::string_view flag) { return offset + row(flag).offset; });
+    for (const std::string_view flag : rule.acts_with) idle.flags.push_back(offset + row(flag).offset);
   }
   for (const SettingsChild& child : group.children)
     collect(*child.group, path + std::string(child.name) + ".", offset + child.offset, found);
@@ -63,8 +62,7 @@ bool equal(const Idle& setting, const SimulationSettings& a, const SimulationSet
 
 bool acts(const Idle& setting, const SimulationSettings& settings) {
   const char* const start = reinterpret_cast<const char*>(&settings);
-  return std::ranges::any_of(std::span(setting.flags).first(setting.rule->flags().size()),
-                             [start](std::size_t offset) { return *reinterpret_cast<const bool*>(start + offset); });
+  return std::ranges::any_of(setting.flags, [start](std::size_t offset) { return *reinterpret_cast<const bool*>(start + offset); });
 }
 
 bool is_new(const std::string& path) {

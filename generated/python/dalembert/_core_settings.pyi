@@ -531,21 +531,21 @@ class VSettingsViewCamera(_Settings):
     perspective: float
     """amount of perspective, the tangent of half the field of view; 0: parallel projection [1]; default: 0.0"""
     trackMarker: int
-    """number of the marker that the view follows; -1: none; default: -1"""
+    """number of the marker that the view follows; -1: none; no effect on pages: pages look from where their readers want; default: -1"""
     trackMarkerMbsNumber: int
-    """number of the system in the container that the tracked marker belongs to; 0 for the first; default: 0"""
+    """number of the system in the container that the tracked marker belongs to; 0 for the first; no effect on pages: pages look from where their readers want; default: 0"""
     @property
     def trackMarkerOrientation(self) -> list[float]:
-        """1 in all three components to follow the rotation of the marker, zeros to keep the direction of view [3; 1]; default: [0.0, 0.0, 0.0]"""
+        """1 in all three components to follow the rotation of the marker, zeros to keep the direction of view [3; 1]; no effect on pages: pages look from where their readers want; default: [0.0, 0.0, 0.0]"""
     @trackMarkerOrientation.setter
     def trackMarkerOrientation(self, value: ArrayLike) -> None: ...
     @property
     def trackMarkerPosition(self) -> list[float]:
-        """for x, y and z: 1 to follow the marker in this direction, 0 not to [3; 1]; default: [1.0, 1.0, 1.0]"""
+        """for x, y and z: 1 to follow the marker in this direction, 0 not to [3; 1]; no effect on pages: pages look from where their readers want; default: [1.0, 1.0, 1.0]"""
     @trackMarkerPosition.setter
     def trackMarkerPosition(self, value: ArrayLike) -> None: ...
     useRaytracer: bool
-    """true: images are made by the ray tracer; pages never are; default: False"""
+    """true: images are made by the ray tracer; no effect on pages: pages have no rays; default: False"""
     def __init__(self) -> None: ...
 
 @final
@@ -553,7 +553,7 @@ class VSettingsViewScene(_Settings):
     """what a view shows"""
 
     drawCoordinateSystem: int
-    """coordinate system in the corner: 0 none, 1 lines with text, 2 arrows, 3 arrows with text; default: 2"""
+    """coordinate system in the corner: 0 none, 1 lines with text, 2 arrows, 3 arrows with text; no effect on pages: pages have lights, lines and words of their own; default: 2"""
     drawWorldBasis: bool
     """draw the global frame at the origin; that of view0 is for all views; default: False"""
     facesTransparent: bool
@@ -563,7 +563,7 @@ class VSettingsViewScene(_Settings):
     showFaces: bool
     """draw faces; without them and with edges, a wire frame is left; default: True"""
     showLines: bool
-    """draw lines, other than edges; default: True"""
+    """draw lines, other than edges; no effect on pages: pages have lights, lines and words of their own; default: True"""
     showMeshEdges: bool
     """draw the edges of finite elements; that of view0 is for all views; default: True"""
     showMeshFaces: bool
@@ -579,7 +579,7 @@ class VSettingsViewWindow(_Settings):
     alwaysOnTop: bool
     """the window stays above other windows; no effect: pages are in windows of the browser, with its mouse; default: False"""
     globalFontSize: float
-    """size of the font, about in pixels [1]; default: 12.0"""
+    """size of the font, about in pixels [1]; no effect on pages: pages have lights, lines and words of their own; default: 12.0"""
     lockModelView: bool
     """mouse and keys do not change the view; no effect: pages are in windows of the browser, with its mouse; default: False"""
     maximize: bool
@@ -590,7 +590,7 @@ class VSettingsViewWindow(_Settings):
     @renderWindowSize.setter
     def renderWindowSize(self, value: Sequence[int]) -> None: ...
     showComputationInfo: bool
-    """show version, solver and other information in the window; default: True"""
+    """show version, solver and other information in the window; no effect on pages: pages have lights, lines and words of their own; default: True"""
     showMouseCoordinates: bool
     """show the position of the mouse in the model and its distance from the last click; no effect: pages are in windows of the browser, with its mouse; default: False"""
     showRenderStateInfo: bool
@@ -622,28 +622,28 @@ class VSettingsLight(_Settings):
     """one light"""
 
     constantAttenuation: float
-    """constant term of the attenuation, whose inverse weakens the light; of lights with a position, by the ray tracer only [1]; default: 1.0"""
+    """constant term of the attenuation, whose inverse weakens the light; of lights with a position, by the ray tracer only [1]; no effect on pages: pages have lights, lines and words of their own; default: 1.0"""
     diffuse: float
-    """strength of the light that is scattered by faces [1]; default: 0.5"""
+    """strength of the light that is scattered by faces [1]; no effect on pages: pages have lights, lines and words of their own; default: 0.5"""
     enable: bool
-    """switch the light on; default: True"""
+    """switch the light on; no effect on pages: pages have lights, lines and words of their own; default: True"""
     lightRadius: float
-    """radius of the light for soft shadows, by the ray tracer only; a light at infinity is as large as it would be at its position [m]; default: 0.1"""
+    """radius of the light for soft shadows; a light at infinity is as large as it would be at its position [m]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.1"""
     linearAttenuation: float
-    """term of the attenuation that grows with the distance; of lights with a position, by the ray tracer only [1/m]; default: 0.0"""
+    """term of the attenuation that grows with the distance; of lights with a position [1/m]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.0"""
     @property
     def position(self) -> list[float]:
-        """position of the light if the fourth number is 1; direction towards a light at infinity if it is 0 [4; m]; default: [2.0, 2.0, 10.0, 0.0]"""
+        """position of the light if the fourth number is 1; direction towards a light at infinity if it is 0 [4; m]; no effect on pages: pages have lights, lines and words of their own; default: [2.0, 2.0, 10.0, 0.0]"""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     quadraticAttenuation: float
-    """term of the attenuation that grows with the square of the distance; of lights with a position, by the ray tracer only [1/m^2]; default: 0.0"""
+    """term of the attenuation that grows with the square of the distance; of lights with a position [1/m^2]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.0"""
     shadow: float
-    """whether this light casts shadows, which are those of the ray tracer: any number above 0, however large; shadows cost rendering time [1]; default: 0.0"""
+    """whether this light casts shadows, which are those of the ray tracer: any number above 0, however large; shadows cost rendering time [1]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.0"""
     specular: float
-    """strength of highlights [1]; default: 0.5"""
+    """strength of highlights [1]; no effect on pages: pages have lights, lines and words of their own; default: 0.5"""
     useCameraFrame: bool
-    """true: position and direction are fixed to the camera; false: to the model; by the ray tracer only, otherwise lights turn with the viewer, as do those whose position is the default; default: False"""
+    """true: position and direction are fixed to the camera; false: to the model; without the ray tracer, lights turn with the viewer, as do those whose position is the default; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: False"""
     def __init__(self) -> None: ...
 
 @final
@@ -871,7 +871,7 @@ class VSettingsSensorsTraces(_Settings):
     """traces of sensors in the render window"""
 
     lineWidth: float
-    """width of trace lines in pixels [1]; default: 2.0"""
+    """width of trace lines in pixels [1]; no effect on pages: pages have lights, lines and words of their own; default: 2.0"""
     @property
     def listOfPositionSensors(self) -> list[int]:
         """numbers of the position sensors whose traces are drawn; they have to store their values; empty: all position sensors [n]; default: []"""
@@ -948,9 +948,9 @@ class VSettingsContourAdvanced(_Settings):
     """color scale of contours"""
 
     colorBarPrecision: int
-    """number of significant digits in the color bar, 16 at most; default: 4"""
+    """number of significant digits in the color bar, 16 at most; no effect on pages: pages have lights, lines and words of their own; default: 4"""
     colorBarTiling: int
-    """number of steps of the color bar; default: 12"""
+    """number of steps of the color bar; no effect on pages: pages have lights, lines and words of their own; default: 12"""
     @property
     def contourColor0(self) -> list[float]:
         """color at the start of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.1, 0.9, 1.0]"""
@@ -1085,7 +1085,7 @@ class VSettingsOpenGLAdvanced(_Settings):
     depthSorting: bool
     """true: faces are sorted by depth, so that transparent ones are drawn correctly, at more cost; no effect: what is seen through is always sorted; default: False"""
     enableLighting: bool
-    """true: faces are lit; false: plain colors; default: True"""
+    """true: faces are lit; false: plain colors; no effect on pages: pages have lights, lines and words of their own; default: True"""
     @property
     def faceNormalsColor(self) -> list[float]:
         """red, green, blue and opacity of normals of faces, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.2, 1.0]"""
@@ -1114,7 +1114,7 @@ class VSettingsOpenGLAdvanced(_Settings):
     polygonOffset: float
     """shift of faces away from the viewer, so that lines on them stay visible [1]; no effect: lines on faces are seen anyway; default: 0.05"""
     shadeModelSmooth: bool
-    """true: shading is interpolated between the corners of faces; false: one shade per face; default: True"""
+    """true: shading is interpolated between the corners of faces; false: one shade per face; no effect on pages: pages have lights, lines and words of their own; default: True"""
     shadowPolygonOffset: float
     """shift of shadows against artifacts; smaller for large scenes, larger for thin bodies [1]; no effect: there are no shadows; default: 0.1"""
     showBoundingBox: bool
@@ -1142,27 +1142,27 @@ class VSettingsOpenGL(_Settings):
     """draw the normals at the corners of faces, to find errors in meshes; default: False"""
     @property
     def faceEdgesColor(self) -> list[float]:
-        """color of the edges of faces: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.2, 0.2, 0.2, 1.0]"""
+        """color of the edges of faces: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; no effect on pages: pages have lights, lines and words of their own; default: [0.2, 0.2, 0.2, 1.0]"""
     @faceEdgesColor.setter
     def faceEdgesColor(self, value: ArrayLike) -> None: ...
     faceTransparencyGlobal: float
     """largest opacity of faces when ``scene.facesTransparent`` is set [1]; default: 0.4"""
     @property
     def lightModelAmbient(self) -> list[float]:
-        """red, green and blue of light that comes from everywhere, for faces that no light reaches; used by the ray tracer as well; the fourth number is not used [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
+        """red, green and blue of light that comes from everywhere, for faces that no light reaches; used by the ray tracer as well; the fourth number is not used [4; 1]; no effect on pages: pages have lights, lines and words of their own; default: [0.4, 0.4, 0.4, 1.0]"""
     @lightModelAmbient.setter
     def lightModelAmbient(self, value: ArrayLike) -> None: ...
     lineWidth: float
-    """width of lines in pixels [1]; default: 1.0"""
+    """width of lines in pixels [1]; no effect on pages: pages have lights, lines and words of their own; default: 1.0"""
     materialShininess: float
-    """sharpness of highlights; larger is sharper [1]; default: 32.0"""
+    """sharpness of highlights; larger is sharper [1]; no effect on pages: pages have lights, lines and words of their own; default: 32.0"""
     @property
     def materialSpecular(self) -> list[float]:
-        """red, green and blue of highlights; the fourth number is not used [4; 1]; default: [0.6, 0.6, 0.6, 1.0]"""
+        """red, green and blue of highlights; the fourth number is not used [4; 1]; no effect on pages: pages have lights, lines and words of their own; default: [0.6, 0.6, 0.6, 1.0]"""
     @materialSpecular.setter
     def materialSpecular(self, value: ArrayLike) -> None: ...
     multiSampling: int
-    """number of samples per pixel against jagged edges, of which there are at least 4 and at most 64; the next square number is taken; default: 1"""
+    """number of samples per pixel against jagged edges, of which there are at least 4 and at most 64; the next square number is taken; no effect on pages: pages have lights, lines and words of their own; default: 1"""
     zMaxSceneFactor: float
     """depth of the visible space relative to the size of the scene; too small cuts near and far parts off, too large makes faces flicker [1]; no effect: nothing is too far away to be drawn; default: 2.0"""
     @property
@@ -1298,7 +1298,7 @@ class VSettingsGeneral(_Settings):
     def backgroundColor(self, value: ArrayLike) -> None: ...
     @property
     def backgroundColorBottom(self) -> list[float]:
-        """red, green, blue and opacity of the background at the bottom if it has a gradient, each from 0 to 1 [4; 1]; default: [0.8, 0.8, 1.0, 1.0]"""
+        """red, green, blue and opacity of the background at the bottom if it has a gradient, each from 0 to 1 [4; 1]; no effect on pages: pages have lights, lines and words of their own; default: [0.8, 0.8, 1.0, 1.0]"""
     @backgroundColorBottom.setter
     def backgroundColorBottom(self, value: ArrayLike) -> None: ...
     boundingBoxZoomAllFactor: float
@@ -1308,7 +1308,7 @@ class VSettingsGeneral(_Settings):
     circleTiling: int
     """number of segments of circles; at least 2 are drawn; no effect: circles have 32 segments; default: 16"""
     coordinateSystemSize: float
-    """size of the coordinate system in the corner, relative to the font size [1]; default: 5.0"""
+    """size of the coordinate system in the corner, relative to the font size [1]; no effect on pages: pages have lights, lines and words of their own; default: 5.0"""
     cylinderTiling: int
     """number of segments around cylinders; at least 2 are drawn; default: 16"""
     graphicsUpdateInterval: float
@@ -1324,11 +1324,11 @@ class VSettingsGeneral(_Settings):
     reallyQuitTimeLimit: float
     """duration of a computation from which on closing the window asks for confirmation; 0: always [s]; no effect: pages are in windows of the browser, with its mouse; default: 900.0"""
     rendererPrecision: int
-    """number of significant digits in the render window, 16 at most; default: 4"""
+    """number of significant digits in the render window, 16 at most; no effect on pages: pages have lights, lines and words of their own; default: 4"""
     rendererStartupTimeout: int
     """time in milliseconds that a start of the renderer may take; no effect: pages are in windows of the browser, with its mouse; default: 2500"""
     renderWindowString: str
-    """text that is shown in the render window; default: ''"""
+    """text that is shown in the render window; no effect on pages: pages have lights, lines and words of their own; default: ''"""
     showHelpOnStartup: int
     """seconds for which help is shown when the renderer starts; 0: none; no effect: pages are in windows of the browser, with its mouse; default: 5"""
     showSolutionInformation: bool
@@ -1336,7 +1336,7 @@ class VSettingsGeneral(_Settings):
     showSolverInformation: bool
     """show name and state of the solver; no effect: pages are in windows of the browser, with its mouse; default: True"""
     showSolverTime: bool
-    """show the simulated time; default: True"""
+    """show the simulated time; no effect on pages: pages have lights, lines and words of their own; default: True"""
     sphereTiling: int
     """number of segments of spheres; at least 2 are drawn; no effect: spheres are round; default: 6"""
     textAlwaysInFront: bool
@@ -1347,7 +1347,7 @@ class VSettingsGeneral(_Settings):
     @textColor.setter
     def textColor(self, value: ArrayLike) -> None: ...
     textHasBackground: bool
-    """draw a background behind texts of items; default: False"""
+    """draw a background behind texts of items; no effect on pages: pages have lights, lines and words of their own; default: False"""
     textOffsetFactor: float
     """shift of texts of items towards the viewer relative to the size of the scene; only without ``textAlwaysInFront`` [1]; no effect: texts stand beside their points, by pixels; default: 0.005"""
     threadSafeGraphicsUpdate: bool
@@ -1355,7 +1355,7 @@ class VSettingsGeneral(_Settings):
     useBitmapText: bool
     """true: texts are drawn from bitmaps; false: from lines; no effect: texts are drawn with a font of outlines; default: True"""
     useGradientBackground: bool
-    """draw the background with a vertical gradient; default: False"""
+    """draw the background with a vertical gradient; no effect on pages: pages have lights, lines and words of their own; default: False"""
     useMultiThreadedRendering: bool
     """true: the renderer runs in a thread of its own; false: in the thread of the solver; set it before the renderer starts; no effect: pages are in windows of the browser, with its mouse; default: True"""
     useWindowsDisplayScaleFactor: bool

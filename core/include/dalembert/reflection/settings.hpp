@@ -1,8 +1,6 @@
 // What is known of a settings structure at run time: its rows, and the structures inside it. Written by the generator.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -28,19 +26,18 @@ struct SettingRule {
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
   bool lower_open = false, upper_open = false;  // the bound itself is left out
   std::string_view words = {};                  // of the range: "from 0 to 1"
-  std::string_view no_effect = {};              // why nothing depends on it
-  std::array<std::string_view, 4> acts_with = {};  // flags beside it, one of which has to be true; codegen keeps to the room
-  std::string_view only_in = {};                // the structure of the root whose own counts, for all structures like it
-  std::string_view elsewhere = {};              // why those in other structures have no effect
+  std::string_view no_effect = {};              // why nothing depends on it, but for `only_in`
+  std::string_view no_effect_on_pages = {}, no_effect_without_rays = {};  // why no page does, and no picture without the ray tracer
+  std::span<const std::string_view> acts_with = {};  // flags beside it, one of which has to be true
+  std::string_view only_in = {};                // the structure of the root whose own has an effect, for all structures like it
 
   constexpr bool admits(double value) const {
     return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
   }
-  std::span<const std::string_view> flags() const { return {acts_with.begin(), std::ranges::find(acts_with, std::string_view())}; }
   // "acts with a or b only"; empty: it acts by itself.
   std::string condition() const {
     std::string text;
-    for (const std::string_view flag : flags()) text += (text.empty() ? "acts with " : " or ") + std::string(flag);
+    for (const std::string_view flag : acts_with) text += (text.empty() ? "acts with " : " or ") + std::string(flag);
     return text.empty() ? text : text + " only";
   }
 };
