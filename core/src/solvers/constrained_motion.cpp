@@ -184,7 +184,8 @@ bool ConstrainedMotion::follow_from_others(System& system, const State& state, c
 
 bool ConstrainedMotion::measure_redundancy(System& system, const State& state, const Conditions& conditions) {
   if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1)) return false;
-  redundant_.allow_for(gaps_of_positions(system, state, conditions));
+  gaps_ = gaps_of_positions(system, state, conditions);
+  redundant_.allow_for(gaps_);
   return true;
 }
 
@@ -245,7 +246,7 @@ bool ConstrainedMotion::treat_redundancy(System& system, const State& state, con
   if (regular && redundant_.count() == 0) return false;
   system.reactions_are_known(redundant_.equations());
   if (redundant_.count() == 0) return pass(singular);
-  redundant_.use(redundant_.eps_for_gaps(gaps_of_positions(system, state, conditions), true, *pattern_, matrix_, closer ? *closer : *factors));
+  redundant_.use(redundant_.eps_for_gaps(gaps_, true, *pattern_, matrix_, closer ? *closer : *factors));
   const std::vector<double> plain = matrix_;
   redundant_.regularize(*pattern_, matrix_, 1);
   const bool serve = at_once || (local && redundant_.is_local());  // pivots, of the same combinations

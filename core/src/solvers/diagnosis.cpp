@@ -166,14 +166,16 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
               "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
 }
 
-// Joints that fit at the start do so in any motion that they allow, unless something drives them apart: what opens then is the motion's.
+// Joints that fit at the start do so in any motion that they allow, unless something drives them apart: what opens then is the motion's. Where
+// rates are constrained, what is left of them tells nothing of the gaps that there are.
 bool Solver::has_left_constraints(std::span<const double> misfit) {
   constexpr double none = 1e-3;
   if (is_static()) return false;
   const RedundantConstraints& constraints = redundant_constraints();
-  const std::vector<double> gaps = gaps_of_positions(system(), initial(), conditions_);
+  const auto apart = [&](const State& at) { return constraints.largest_apart(gaps_of_positions(system(), at, conditions_)); };
+  const double open = conditions_.rate_level ? apart(current()) : constraints.largest_apart(misfit);
   const std::vector<char> driven = driven_equations(system(), initial(), conditions_, last_time());
-  return constraints.largest(gaps) < none * constraints.largest(misfit) && std::ranges::none_of(driven, [](char d) { return d != 0; });
+  return apart(initial()) < none * open && std::ranges::none_of(driven, [](char d) { return d != 0; });
 }
 
 [[gnu::noinline]] void Solver::diagnose_contradiction(std::span<const double> misfit) {

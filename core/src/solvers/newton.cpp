@@ -28,6 +28,9 @@ constexpr double fine_step = 1e-2;
 // ... as far as to this fraction of the tolerance.
 constexpr double negligible_rest = 1e-4;
 
+// In coarse steps, what iterates far off the constraints have left open is looked at again so many times.
+constexpr int most_renewals = 5;
+
 // Springs and bodies that start along the axes leave most of their Jacobian zero until they have moved.
 constexpr int first_jacobians = 8;
 
@@ -102,7 +105,7 @@ double NewtonSolver::evaluate_residual() {
 [[gnu::always_inline]] inline bool NewtonSolver::iterate_to_the_end() {
   begin_newton();
   judge_start(evaluate_residual());
-  bool renewed = false;
+  int renewals = 0;
   do {
     while (goes_on()) {
       if (sizes_.total() > 200) {
@@ -110,7 +113,7 @@ double NewtonSolver::evaluate_residual() {
       }
       iterate();
     }
-  } while (redundant_.in_use() && !std::exchange(renewed, true) && renews_misfit());
+  } while (redundant_.in_use() && renewals++ < most_renewals && renews_misfit());
   if (!succeeded()) return false;
   if (leaves_correction() || (redundant_.in_use() && leaves_misfit())) correct_motion();
   return !redundant_.in_use() || settle_multipliers();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "constraint_states.hpp"
 #include "dalembert/math/decompositions.hpp"
@@ -45,6 +46,28 @@ double mean_of_logarithms(const std::vector<double>& numbers) {
   for (const double x : numbers) sum += std::log(x);
   return numbers.empty() ? 0 : std::exp(sum / static_cast<double>(numbers.size()));
 }
+
+// Of equations by what they are about, from their own.
+class WeightsOfKinds {
+ public:
+  WeightsOfKinds(std::map<CoordinateUnit, std::vector<double>> kinds, double size_of_model, double moment_length)
+      : force_(mean_of_logarithms(kinds[CoordinateUnit::meter])),
+        moment_(mean_of_logarithms(kinds[CoordinateUnit::radian])),
+        other_(mean_of_logarithms(kinds[CoordinateUnit::unknown])) {
+    const double radius_of_gyration = force_ > 0 && moment_ > 0 ? std::sqrt(force_ / moment_) : 0;
+    const double arm = radius_of_gyration > 0 ? std::clamp(size_of_model, smallest_arm * radius_of_gyration, largest_arm * radius_of_gyration) : size_of_model;
+    const double length = moment_length > 0 ? moment_length : arm;
+    if (force_ > 0) moment_ = force_ / (length * length);
+    else if (moment_ > 0) force_ = moment_ * length * length;
+  }
+  double of(CoordinateUnit unit) const {
+    const double weight = unit == CoordinateUnit::meter ? force_ : unit == CoordinateUnit::radian ? moment_ : other_ > 0 ? other_ : force_;
+    return weight > 0 ? weight : 1.0;
+  }
+
+ private:
+  double force_, moment_, other_;
+};
 
 double largest_number(std::span<const double> numbers) {
   double size = 0;
@@ -193,32 +216,52 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
     const double factor = columns[k] > 0 && lines[k] > 0 ? 0.5 * std::log(lines[k] / columns[k]) : 0;
     of_rate_[k] = std::abs(factor - std::log(rate_factor)) < std::abs(factor);
   }
-  find_weights(ratio, units, moment_length);
+  find_weights(ratio, mechanisms(pattern, values), units, moment_length);
   return true;
 }
 
-// Equations of a kind have one weight, whatever their bodies weigh: equal hinges carry equal parts.
-void RedundantConstraints::find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length) {
-  std::map<CoordinateUnit, std::vector<double>> kinds;
-  for (const int k : rows_)
-    if (ratios[k] > 0 && std::isfinite(ratios[k])) kinds[units[k]].push_back(ratios[k]);
-  double force = mean_of_logarithms(kinds[CoordinateUnit::meter]), moment = mean_of_logarithms(kinds[CoordinateUnit::radian]);
-  const double radius_of_gyration = force > 0 && moment > 0 ? std::sqrt(force / moment) : 0;
-  const double arm = radius_of_gyration > 0 ? std::clamp(length_, smallest_arm * radius_of_gyration, largest_arm * radius_of_gyration) : length_;
-  const double length = moment_length > 0 ? moment_length : arm;
-  if (force > 0) moment = force / (length * length);
-  else if (moment > 0) force = moment * length * length;
-  const double other = mean_of_logarithms(kinds[CoordinateUnit::unknown]);
-  const auto weight_of = [&](CoordinateUnit unit) {
-    const double weight = unit == CoordinateUnit::meter ? force : unit == CoordinateUnit::radian ? moment : other > 0 ? other : force;
-    return weight > 0 ? weight : 1.0;
+std::vector<int> RedundantConstraints::mechanisms(const Pattern& pattern, std::span<const double> values) const {
+  const std::size_t nodes = nodes_.empty() ? 0 : static_cast<std::size_t>(*std::ranges::max_element(nodes_) + 1);
+  std::vector<int> root(multiplier_.size()), first(nodes, -1);  // equation of a node
+  std::iota(root.begin(), root.end(), 0);
+  const auto of = [&](int k) {
+    while (root[static_cast<std::size_t>(k)] != k) k = root[static_cast<std::size_t>(k)] = root[static_cast<std::size_t>(root[static_cast<std::size_t>(k)])];
+    return k;
   };
+  for (const int k : rows_) {
+    const ColumnRange column = column_range(pattern, first_ae_ + k, static_cast<int>(nodes_.size()));
+    for (std::size_t slot = column.begin; slot < column.middle; ++slot) {
+      const int node = values[slot] != 0 ? nodes_[static_cast<std::size_t>(row_in(pattern, column, slot))] : -1;
+      if (node < 0) continue;
+      int& other = first[static_cast<std::size_t>(node)];
+      if (other < 0) other = k;
+      else root[static_cast<std::size_t>(of(k))] = of(other);
+    }
+  }
+  for (const int k : rows_) root[static_cast<std::size_t>(k)] = of(k);
+  return root;
+}
+
+// Equations of a kind have one weight in a mechanism, whatever its bodies weigh: equal hinges carry equal parts.
+void RedundantConstraints::find_weights(const std::vector<double>& ratios, const std::vector<int>& mechanisms, const std::vector<CoordinateUnit>& units, double moment_length) {
+  using Kinds = std::map<CoordinateUnit, std::vector<double>>;
+  std::map<int, Kinds> apart;
+  Kinds all;
+  for (const int k : rows_) {
+    if (!(ratios[k] > 0 && std::isfinite(ratios[k]))) continue;
+    apart[mechanisms[k]][units[k]].push_back(ratios[k]);
+    all[units[k]].push_back(ratios[k]);
+  }
+  std::map<int, WeightsOfKinds> weights;
+  for (const auto& [mechanism, kinds] : apart) weights.try_emplace(mechanism, kinds, length_, moment_length);
+  const WeightsOfKinds others(all, length_, moment_length);
   units_ = units;
   weight_.assign(ratios.size(), 0.0);
   own_weight_.assign(ratios.size(), 0.0);
   unit_.assign(ratios.size(), 1.0);
   for (const int k : rows_) {
-    weight_[k] = weight_of(units[k]);
+    const auto found = weights.find(mechanisms[k]);
+    weight_[k] = (found != weights.end() ? found->second : others).of(units[k]);
     own_weight_[k] = ratios[k] > 0 && std::isfinite(ratios[k]) ? ratios[k] : weight_[k];
     if (units[k] == CoordinateUnit::meter) unit_[k] = length_;
   }

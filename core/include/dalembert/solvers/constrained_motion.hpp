@@ -121,6 +121,7 @@ class ConstrainedMotion {
   double largest_misfit_ = 0, end_time_ = 0;
   std::unique_ptr<LinearSolver> factors_;
   std::vector<double> matrix_, part_, x_, rest_, kept_;
+  std::vector<double> gaps_;  // of the positions in which constraints have been measured
   std::vector<char> of_velocities_, driven_;
   RedundantConstraints redundant_;
 };

@@ -35,7 +35,7 @@ class RedundantConstraints {
   static bool evidently_none(const System& system, const Pattern& pattern, std::span<const double> values);
   // How many more equations there are than coordinates that they act on: so many must be.
   static int equations_beyond_coordinates(const System& system, const Pattern& pattern, std::span<const double> values);
-  // Finds D for a matrix: one number for all forces, and the same by the square of a length for all moments. Rows of constraints of
+  // Finds D for a matrix: one number for all forces of a mechanism, and the same by the square of a length for all moments. Rows of constraints of
   // velocities are multiplied by `rate_factor` in the matrix. False: no equation could be redundant.
   bool measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length, double rate_factor);
   // By how much multipliers outgrow what they state, for a mixture of all; inverse to the weakest of the constraints. One solution.
@@ -137,7 +137,9 @@ class RedundantConstraints {
   std::vector<double> without_eps(std::span<const double> values) const;
   // P with another eps and D, for all equations with a weight.
   void apply(LinearSolver& factors, double eps, std::span<const double> weights, std::span<double> multipliers);
-  void find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length);
+  // The number of one of its equations, for each; those that act on a node in common belong to one mechanism.
+  std::vector<int> mechanisms(const Pattern& pattern, std::span<const double> values) const;
+  void find_weights(const std::vector<double>& ratios, const std::vector<int>& mechanisms, const std::vector<CoordinateUnit>& units, double moment_length);
   std::span<const int> slots(const Pattern& pattern);
   class Search;
   // Combinations that vanish, of equations that may follow from each other.
