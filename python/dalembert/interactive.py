@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from dalembert import _core
+from dalembert._calls import check_given
 from dalembert._checks import as_number, as_positive, check_integer, check_type, shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, Print
 from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution, check_solution_of
@@ -21,6 +22,9 @@ def _notice_once(what: str) -> None:
     if what not in _noticed:
         _noticed.add(what)
         Print(f"{what}: there is no window to open, going on without it")
+
+
+MOST_IMAGES = 10_000  # of one oscillation
 
 
 class LabelText:
@@ -60,6 +64,11 @@ def _check_dialog_items(items: Any) -> None:
             raise ValueError(f"{here}: a {kind} needs '{missing[0]}'")
 
 
+def _check_function(name: str, value: Any) -> None:
+    if not callable(value):
+        raise shape_error(name, "a function of the system and the dialog", value)
+
+
 class InteractiveDialog:
     """A simulation in periods of real time, with values that dialog items set in mbs.variables (or mbs.sys).
 
@@ -90,7 +99,19 @@ class InteractiveDialog:
         useSysVariables: bool = False,
     ) -> None:
         """Store what the dialog needs, initialize the solver and, with runOnStart, run; period in s."""
-        check_type("InteractiveDialog: simulationSettings", simulationSettings, _core.SimulationSettings)
+        check_given(InteractiveDialog.__init__, locals().items())
+        here = "InteractiveDialog:"
+        check_type(f"{here} mbs", mbs, _core.MainSystem)
+        check_type(f"{here} simulationSettings", simulationSettings, _core.SimulationSettings)
+        check_type(f"{here} title", title, str)
+        period = as_positive(f"{here} period", period)
+        realtimeFactor = as_positive(f"{here} realtimeFactor", realtimeFactor)
+        _check_function(f"{here} simulationFunction", simulationFunction)
+        for name, function in (("userStartSimulation", userStartSimulation), ("userOnChange", userOnChange)):
+            if function is not None:
+                _check_function(f"{here} {name}", function)
+        if not (plots is None or isinstance(plots, dict) or (isinstance(plots, list) and not plots)):
+            raise shape_error(f"{here} plots", "a dictionary with 'sensors', or None", plots)
         _check_dialog_items(dialogItems)
         self.mbs, self.SC = mbs, mbs.GetSystemContainer()
         self.simulationSettings, self.simulationFunction = simulationSettings, simulationFunction
@@ -232,10 +253,12 @@ def AnimateModes(
     check_type("AnimateModes: systemContainer", systemContainer, _core.SystemContainer)
     check_type("AnimateModes: mainSystem", mainSystem, _core.MainSystem)
     check_type("AnimateModes: title", title, str)
+    check_type("AnimateModes: renderWindowText", renderWindowText, str)
     period = as_positive("AnimateModes: period", period)
     check_integer("AnimateModes: runMode", runMode, 0, 3)
-    check_integer("AnimateModes: stepsPerPeriod", stepsPerPeriod, 1)
+    check_integer("AnimateModes: stepsPerPeriod", stepsPerPeriod, 1, MOST_IMAGES)
     amplitude = 0.05 * as_number("AnimateModes: scaleAmplitude", scaleAmplitude)
+    check_given(AnimateModes, locals().items())
     data = mainSystem.systemData
     base, modes = _modes(mainSystem, nodeNumber, systemEigenVectors)
     data.SetODE2Coordinates(base + amplitude * modes[0], ConfigurationType.Visualization)
@@ -310,6 +333,7 @@ def SolutionViewer(
     `timeout` is the time (s) between those that are shown, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2
     again and again. ValueError if there is no solution.
     """
+    check_given(SolutionViewer, locals().items())
     check_type("SolutionViewer: mainSystem", mainSystem, _core.MainSystem)
     check_type("SolutionViewer: title", title, str)
     timeout = as_positive("SolutionViewer: timeout", timeout)

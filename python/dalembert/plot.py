@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._calls import checked
-from dalembert._checks import FloatArray, as_array
+from dalembert._calls import check_given, checked
+from dalembert._checks import FloatArray, as_array, as_positive
 from dalembert._io.files import file_to_write
 from dalembert._io.result_files import FileStripSpaces, ParseOutputFileHeader
 from dalembert._plots.images import LoadImage, PlotImage, save_figure, show_figure
@@ -29,6 +29,7 @@ from dalembert._plots.sensor_curves import (
     per_curve,
     shift_list,
 )
+from dalembert._plots.styles import check_axes, check_curves, check_figure, check_numbers, draw_legend
 from dalembert._tools.missing_names import nearest
 from dalembert.advancedUtilities import PlotLineCode
 
@@ -100,8 +101,6 @@ def _open_figure(plt: Any, newFigure: bool, figureName: str, subPlot: Any, sizeI
     if is_empty(subPlot):
         figure.set_size_inches(*sizeInches, forward=True)
         return figure, figure.gca()
-    if not is_list(subPlot) or len(subPlot) != 3:
-        raise ValueError(f"PlotSensor: subPlot must be [columns, rows, position], not {subPlot!r}")
     columns, rows, position = subPlot
     figure.set_size_inches(columns * sizeInches[0], rows * sizeInches[1], forward=True)
     return figure, figure.add_subplot(rows, columns, position)
@@ -135,8 +134,6 @@ def _set_axes(ax: Any, ticks: tuple[int, int], ranges: tuple[Any, Any], options:
         if minor is not None:
             axis.set_minor_locator(AutoMinorLocator() if minor else NullLocator())
         if not is_empty(limits):
-            if not is_list(limits) or len(limits) != 2:
-                raise ValueError(f"PlotSensor: range{upper} must be [minimum, maximum], not {limits!r}")
             getattr(ax, f"set_{name}lim")(*limits)
 
 
@@ -227,8 +224,12 @@ def PlotSensor(
     if not isinstance(colorCodeOffset, (int, np.integer)):
         expected = "an integer, of the first color; colors=['red'] chooses colors by name"
         raise TypeError(f"PlotSensor: colorCodeOffset: received {colorCodeOffset!r}, but expected {expected}")
+    check_given(PlotSensor, locals().items())
     if fileName not in ("", None):  # said before anything is drawn
         fileName = file_to_write("PlotSensor: fileName", fileName, newFolder=True)
+    as_positive("PlotSensor: fontSize", style["fontSize"])
+    check_figure(figureName, style["sizeInches"], subPlot)
+    check_axes({name: style[name] for name in ("majorTicksX", "majorTicksY")}, {"rangeX": rangeX, "rangeY": rangeY})
     matched = match_lengths(sensorNumbers, components, componentsX)
     n = len(matched)
     if closeAll:
@@ -242,7 +243,6 @@ def PlotSensor(
     curves = make_curves(mbs, matched, useXYZcomponents, comments, delimiter, angles)
     names = per_curve("labels", labels, n, None, (str,) if n == 1 else ())
     shifts, scales = shift_list("offsets", offsets, n, 0.0), shift_list("factors", factors, n, 1.0)
-    points = [coordinates(*each) for each in zip(curves, shifts, scales, strict=True)]
     numbers = (int, float, np.number)
     color_list = per_curve("colors", style["colors"], n, None, (str,))
     line_styles = per_curve("lineStyles", style["lineStyles"], n, None, (str,))
@@ -250,7 +250,10 @@ def PlotSensor(
     marker_styles = per_curve("markerStyles", style["markerStyles"], n, "", (str,))
     marker_sizes = per_curve("markerSizes", style["markerSizes"], n, 6, numbers)
 
+    check_curves(color_list, line_styles, marker_styles)
+    check_numbers(line_widths, marker_sizes, shifts, scales)
     figure, ax = _open_figure(plt, newFigure, figureName, subPlot, style["sizeInches"])
+    points = [coordinates(*each) for each in zip(curves, shifts, scales, strict=True)]
     line = None
     for i, (curve, (x, y)) in enumerate(zip(curves, points, strict=True)):
         code = PlotLineCode(i + colorCodeOffset)
@@ -276,7 +279,7 @@ def PlotSensor(
         ax.set_title(title)
     _set_axes(ax, (style["majorTicksX"], style["majorTicksY"]), (rangeX, rangeY), kwargs)
     if legendArgs is not None:
-        ax.legend(**(legendArgs if isinstance(legendArgs, dict) else {"loc": legendArgs}))
+        draw_legend(ax, legendArgs)
     elif ax.get_legend_handles_labels()[0]:
         ax.legend()
     figure.tight_layout()

@@ -148,12 +148,37 @@ def test_sensor_file(mbs: Any, tmp_path: Path) -> None:
         ({"sensorNumbers": 1}, "sensor 1 's1' keeps no data: create it with storeInternal=True"),
         ({"sensorNumbers": 0, "components": 3}, "has components 0 to 2 .-1: time., but not 3"),
         ({"sensorNumbers": 0, "componentsX": [0, 1]}, "componentsX has 2 entries, but there are 1 curves"),
-        ({"sensorNumbers": 1.5}, "not 1.5 .float."),
+        ({"sensorNumbers": 1.5}, "sensorNumbers: expected indices or numbers of sensors, .* received 1.5 .float."),
         ({"sensorNumbers": 0, "logScale": True}, "unknown argument 'logScale'"),
         ({"sensorNumbers": [0, 0], "factors": [1, 2, 3]}, "factors must be a number or a list with 2 entries, not 3"),
         ({"sensorNumbers": 0, "offsets": np.zeros((2, 2))}, r"offset has shape \(2, 2\), but the data has \(11, 4\)"),
-        ({"sensorNumbers": 0, "rangeX": [1]}, r"rangeX must be \[minimum, maximum\]"),
-        ({"sensorNumbers": 0, "subPlot": [1, 2]}, r"subPlot must be \[columns, rows, position\]"),
+        ({"sensorNumbers": 0, "rangeX": [1]}, r"rangeX: expected \[minimum, maximum\]"),
+        ({"sensorNumbers": 0, "subPlot": [1, 2]}, r"subPlot: expected \[columns, rows, position\]"),
+        *(
+            ({"sensorNumbers": 0, name: value}, f"^PlotSensor: {name}: ")
+            for name, value in [
+                ("components", np.nan),
+                ("componentsX", "x"),
+                ("figureName", 1j),
+                ("fontSize", -1),
+                ("colors", "x"),
+                ("lineStyles", "x"),
+                ("lineWidths", [["a"]]),
+                ("markerStyles", "\0"),
+                ("markerStyles", [1]),
+                ("markerSizes", [None]),
+                ("majorTicksX", -1),
+                ("majorTicksY", 10**30),
+                ("offsets", [["a"]]),
+                ("factors", [None]),
+                ("sizeInches", None),
+                ("sizeInches", [1, -1]),
+                ("subPlot", [1, 1, 2]),
+                ("legendArgs", -1),
+                ("rangeY", ["a", 1]),
+                ("useXYZcomponents", "yes"),
+            ]
+        ),
     ],
 )
 def test_errors(mbs: Any, arguments: dict[str, Any], text: str) -> None:
@@ -279,7 +304,7 @@ def test_numbers_and_switches_of_spectra_that_are_none_are_named():
 @pytest.mark.parametrize("mbs", [None, 3, "mbs"])
 def test_what_is_no_system_is_named(mbs: Any) -> None:
     for call in (lambda: plot.PlotSensor(mbs, 0), lambda: plot.PlotPhase(mbs, 0, 1)):
-        with pytest.raises(ValueError, match="PlotSensor: mbs: expected a system, of SC.AddSystem"):
+        with pytest.raises(ValueError, match="^Plot(Sensor|Phase): mbs: expected a system, of SC.AddSystem"):
             call()
 
 
@@ -287,3 +312,18 @@ def test_figures_without_an_ending_have_that_of_matplotlib(mbs: Any, tmp_path: P
     plot.PlotSensor(mbs, 0, fileName=str(tmp_path / "curve"))
     plot.PlotPhase(mbs, 0, 0, 0, 1, fileName=str(tmp_path / "phase"))
     assert sorted(path.name for path in tmp_path.iterdir()) == ["curve.png", "phase.png"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        ({"mbs": []}, "PlotPhase: mbs: expected a system, or a list of some"),
+        ({"sensorX": None}, "PlotPhase: sensorX: expected indices or numbers"),
+        ({"sensorY": {}}, "PlotPhase: sensorY: expected indices or numbers of sensors"),
+        ({"componentX": 10**30}, "PlotPhase: componentX: expected an integer, of less than 9223372036854775808,"),
+        ({"ax": "x"}, "PlotPhase: ax: expected axes of matplotlib"),
+    ],
+)
+def test_errors_of_phase_plots_name_their_arguments(mbs: Any, arguments: dict[str, Any], text: str) -> None:
+    with pytest.raises((ValueError, FileNotFoundError), match=f"^{text}"):
+        plot.PlotPhase(**({"mbs": mbs, "sensorX": 0, "sensorY": 0} | arguments))

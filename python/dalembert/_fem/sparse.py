@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse
 
-from dalembert._checks import FloatArray, as_array, as_number, as_vector, check_integer, shape_error
+from dalembert._checks import FloatArray, as_array, as_number, as_vector, check_integer, check_type, shape_error
 
 
 def _triplets(name: str, value: Any) -> FloatArray:
@@ -75,8 +75,14 @@ def CSRtoRowsAndColumns(sparseMatrixCSR: npt.ArrayLike) -> tuple[int, int]:
 
 def MapSparseMatrixIndices(matrix: FloatArray, sorting: npt.ArrayLike) -> None:
     """Replace the indices in an array of [row, column, value] by sorting[index], in place."""
-    order = np.asarray(sorting, dtype=int)
-    matrix[:, :2] = order[matrix[:, :2].astype(int)]
+    where = "MapSparseMatrixIndices"
+    check_type(f"{where}: matrix", matrix, np.ndarray)
+    places = _triplets(f"{where}: matrix", matrix)[:, :2].astype(int)
+    expected = f"an index, 0 or more, for each of {places.max(initial=-1) + 1} rows and columns"
+    order = as_array(f"{where}: sorting", sorting, expected)
+    if order.ndim != 1 or len(order) <= places.max(initial=-1) or not ((order >= 0) & (order == np.floor(order))).all():
+        raise shape_error(f"{where}: sorting", expected, sorting)
+    matrix[:, :2] = order[places]
 
 
 def AddEntryToCompressedRowSparseArray(sparseData: FloatArray, row: int, column: int, value: float) -> FloatArray:

@@ -288,7 +288,7 @@ def RotationMatrix2RotZYZ(rotationMatrix: npt.ArrayLike, flip: bool) -> FloatArr
 def _cosine_and_sine(function: str, angleRad: float) -> tuple[float, float]:
     try:
         return cos(angleRad), sin(angleRad)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise shape_error(f"{function}: angleRad", "a finite number, the angle in rad", angleRad) from None
 
 
@@ -312,5 +312,5 @@ def RotationMatrixZ(angleRad: float) -> FloatArray:
 
 def RotationMatrix2D(angleRad: float) -> FloatArray:
     """Return the 2x2 rotation matrix in the plane for an angle in rad."""
-    c, s = cos(angleRad), sin(angleRad)
+    c, s = _cosine_and_sine("RotationMatrix2D", angleRad)
     return np.array([[c, -s], [s, c]])

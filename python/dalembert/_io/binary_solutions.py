@@ -9,6 +9,7 @@ from typing import IO, Any
 import numpy as np
 import numpy.typing as npt
 
+from dalembert._calls import checked
 from dalembert._checks import as_vector, shape_error
 from dalembert._core import Print
 from dalembert._io.files import Path, file_to_read
@@ -39,35 +40,66 @@ def _read(file: IO[bytes], dtype: Any, count: int) -> npt.NDArray[Any]:
     return np.frombuffer(data[: len(data) // size * size], dtype=dtype)
 
 
+def _read_number(file: IO[bytes], dtype: Any) -> list[Any]:
+    data = _read(file, dtype, 1)
+    return [data[0], False] if data.size else [0, True]
+
+
+def _read_numbers(file: IO[bytes], intType: Any, dtype: Any) -> list[Any]:
+    length, ended = _read_number(file, intType)
+    if ended:
+        return [[], True]
+    data = _read(file, dtype, int(length))
+    return [[], True] if data.size != length else [data, False]
+
+
+def _read_text(file: IO[bytes], intType: Any) -> list[Any]:
+    data, ended = _read_numbers(file, intType, np.uint8)
+    return [NumpyInt8ArrayToString(data), ended]
+
+
+def _check_reading(where: str, file: Any, kinds: str = "i", **types: Any) -> None:
+    """Refuse what cannot be read, and types of numbers that are none of these kinds of numpy."""
+    if not all(hasattr(file, name) for name in ("read", "seek", "tell")) or hasattr(file, "encoding"):
+        raise shape_error(f"{where}: file", "a file that is open for reading, by open(name, 'rb')", file)
+    for (name, value), kind in zip(types.items(), kinds, strict=True):
+        expected = "a type of integers, such as np.int32" if kind == "i" else "a type of numbers, such as np.float64"
+        try:
+            found = None if value is None else np.dtype(value)
+        except (TypeError, ValueError):
+            found = None
+        if found is None or found.kind not in ("iu" if kind == "i" else "iuf"):
+            raise shape_error(f"{where}: {name}", expected, value)
+
+
 def BinaryReadIndex(file: IO[bytes], intType: Any) -> list[Any]:
     """Read an integer; return [value, whether the file ended before]."""
-    data = _read(file, intType, 1)
-    return [data[0], False] if data.size else [0, True]
+    _check_reading("BinaryReadIndex", file, intType=intType)
+    return _read_number(file, intType)
 
 
 def BinaryReadReal(file: IO[bytes], realType: Any) -> list[Any]:
     """Read a floating point number; return [value, whether the file ended before]."""
-    return BinaryReadIndex(file, realType)
+    _check_reading("BinaryReadReal", file, "f", realType=realType)
+    return _read_number(file, realType)
 
 
 def BinaryReadArrayIndex(file: IO[bytes], intType: Any) -> list[Any]:
     """Read a length and as many integers; return [array, whether the file ended before]."""
-    return BinaryReadRealVector(file, intType, intType)
+    _check_reading("BinaryReadArrayIndex", file, intType=intType)
+    return _read_numbers(file, intType, intType)
 
 
 def BinaryReadString(file: IO[bytes], intType: Any) -> list[Any]:
     """Read a length and as many characters; return [text, whether the file ended before]."""
-    data, ended = BinaryReadRealVector(file, intType, np.uint8)
-    return [NumpyInt8ArrayToString(data), ended]
+    _check_reading("BinaryReadString", file, intType=intType)
+    return _read_text(file, intType)
 
 
 def BinaryReadRealVector(file: IO[bytes], intType: Any, realType: Any) -> list[Any]:
     """Read a length and as many numbers; return [array, whether the file ended before]."""
-    length, ended = BinaryReadIndex(file, intType)
-    if ended:
-        return [[], True]
-    data = _read(file, realType, int(length))
-    return [[], True] if data.size != length else [data, False]
+    _check_reading("BinaryReadRealVector", file, "if", intType=intType, realType=realType)
+    return _read_numbers(file, intType, realType)
 
 
 def _binary_header(file: IO[bytes], fileName: Path) -> tuple[dict[str, Any], Any, Any]:
@@ -91,10 +123,10 @@ def _binary_header(file: IO[bytes], fileName: Path) -> tuple[dict[str, Any], Any
         raise refuse(len(start), f"expected the sizes of numbers, received {sizes.tolist()}")
     order = ">" if sizes[4] else "<"
     intType, realType = np.dtype(f"{order}i{sizes[1]}"), np.dtype(f"{order}f{sizes[2]}")
-    header: dict[str, Any] = {name: read(BinaryReadString, intType) for name in ("version", "mode", "solver", "time")}
-    header |= {name: read(BinaryReadArrayIndex, intType) for name in ("sizes", "columns")}
-    header |= {name: read(BinaryReadIndex, intType) for name in ("coordinates", "steps")}
-    header |= {name: read(BinaryReadString, intType) for name in ("information", "end")}
+    header: dict[str, Any] = {name: read(_read_text, intType) for name in ("version", "mode", "solver", "time")}
+    header |= {name: read(_read_numbers, intType, intType) for name in ("sizes", "columns")}
+    header |= {name: read(_read_number, intType) for name in ("coordinates", "steps")}
+    header |= {name: read(_read_text, intType) for name in ("information", "end")}
     columns = [int(n) for n in header["columns"]]
     if header["end"] != "EndOfHeader":
         raise refuse(file.tell(), f"expected 'EndOfHeader' before, received {header['end'][:20]!r}")
@@ -103,6 +135,7 @@ def _binary_header(file: IO[bytes], fileName: Path) -> tuple[dict[str, Any], Any
     return header, intType, realType
 
 
+@checked
 def LoadBinarySolutionFile(
     fileName: Path, maxRows: int = -1, verbose: bool | int = True, safeMode: bool = False
 ) -> dict[str, Any]:
@@ -111,6 +144,8 @@ def LoadBinarySolutionFile(
     A file without its end, because a solver still runs, gives its rows and a warning. ValueError with the byte if it is
     damaged or ends inside of a row; safeMode takes the complete rows before.
     """
+    if maxRows < -1:
+        raise shape_error("LoadBinarySolutionFile: maxRows", "an integer, -1 for all rows or more", maxRows)
     fileName = file_to_read("LoadBinarySolutionFile: fileName", fileName)
     with open(fileName, "rb") as file:
         header, intType, realType = _binary_header(file, fileName)
@@ -120,7 +155,7 @@ def LoadBinarySolutionFile(
         ended, complete = False, False
         while not complete and (maxRows == -1 or len(rows) < maxRows):
             position = file.tell()
-            length, ended = BinaryReadIndex(file, intType)
+            length, ended = _read_number(file, intType)
             if ended and file.tell() == position:
                 break
             complete = not ended and length == _END_OF_FILE

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from dalembert._calls import checked
 from dalembert._core import Print
 from dalembert._io.files import (
     Path,
@@ -81,6 +82,7 @@ def load_text_solution(fileName: Path, safeMode: bool, maxRows: int, verbose: bo
     return solution_of(data, columns)
 
 
+@checked
 def RecoverSolutionFile(fileName: Path, newFileName: Path, verbose: int = 0) -> None:
     """Copy a text solution file without the rows whose number of columns does not fit the header.
 

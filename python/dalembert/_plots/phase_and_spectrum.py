@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dalembert._calls import checked
-from dalembert._checks import FloatArray
+from dalembert._checks import FloatArray, shape_error
 from dalembert._plots.images import save_figure, show_figure
 from dalembert._plots.sensor_curves import Curve, Of, coordinates, is_list, make_curves
 
@@ -21,10 +21,13 @@ class _Measured(NamedTuple):
 
 
 def _curves(mbs: Any, sensor: Any, component: int, where: str) -> list[_Measured]:
-    """Return the curve of a sensor, one for each system of a list."""
+    """Return the curve of a sensor, one for each system of a list; where: the function and its argument."""
+    if is_list(mbs) and len(mbs) == 0:
+        raise shape_error(f"{where.partition(':')[0]}: mbs", "a system, or a list of some", mbs)
     sensors = [Of(system, sensor, i) for i, system in enumerate(mbs)] if is_list(mbs) else [sensor]
     found = []
-    for curve in make_curves(mbs, [(each, component, -1) for each in sensors], True, "#", ",", continuousAngles=True):
+    matched = [(each, component, -1) for each in sensors]
+    for curve in make_curves(mbs, matched, True, "#", ",", continuousAngles=True, where=where):
         time, values = coordinates(curve, 0.0, 1.0)
         if len(time) < 2:
             raise ValueError(f"{where}: {curve.name} has {len(time)} rows, too few for a curve")
@@ -45,16 +48,15 @@ def PlotPhase(
 
     pairs = list(
         zip(
-            _curves(mbs, sensorX, componentX, "PlotPhase"),
-            _curves(mbs, sensorY, componentY, "PlotPhase"),
+            _curves(mbs, sensorX, componentX, "PlotPhase: sensorX"),
+            _curves(mbs, sensorY, componentY, "PlotPhase: sensorY"),
             strict=True,
         )
     )
     for x, y in pairs:
         if len(x.time) != len(y.time) or not np.allclose(x.time, y.time):
             raise ValueError(f"PlotPhase: {x.curve.name} and {y.curve.name} have values at different times")
-    own = ax is None
-    ax = plt.subplots()[1] if own else ax
+    own, ax = ax is None, _axes(plt, ax, "PlotPhase")
     for i, (x, y) in enumerate(pairs):
         ax.plot(x.values, y.values, label=f"system {i}")
     ax.set(xlabel=_title(pairs[0][0].curve), ylabel=_title(pairs[0][1].curve))
@@ -72,7 +74,7 @@ def PlotSensorFFT(mbs: Any, sensor: Any, component: int = 0, fileName: str = "",
 
     from dalembert.signalProcessing import ComputeFFT  # needs scipy
 
-    measured = _curves(mbs, sensor, component, "PlotSensorFFT")
+    measured = _curves(mbs, sensor, component, "PlotSensorFFT: sensor")
     for curve, time, _ in measured:
         steps = np.diff(time)
         if np.abs(steps - steps.mean()).max() > 1e-3 * steps.mean():
@@ -80,13 +82,21 @@ def PlotSensorFFT(mbs: Any, sensor: Any, component: int = 0, fileName: str = "",
                 f"PlotSensorFFT: {curve.name} has steps from {steps.min():g} to {steps.max():g} s; set "
                 "sensorsWritePeriod and constant steps, or interpolate"
             )
-    own = ax is None
-    ax = plt.subplots()[1] if own else ax
+    own, ax = ax is None, _axes(plt, ax, "PlotSensorFFT")
     for i, (_, time, values) in enumerate(measured):
         frequency, magnitude, _ = ComputeFFT(time, values)
         ax.plot(frequency, magnitude, label=f"system {i}")
     ax.set(xlabel="frequency (Hz)", ylabel=f"amplitude of {_title(measured[0].curve)}")
     return _shown(plt, ax, fileName, own, len(measured), "PlotSensorFFT")
+
+
+def _axes(plt: Any, ax: Any, where: str) -> Any:
+    """Return axes to draw in: those that are given, or new ones."""
+    if ax is None:
+        return plt.subplots()[1]
+    if not all(hasattr(ax, name) for name in ("plot", "get_figure")):
+        raise shape_error(f"{where}: ax", "axes of matplotlib, such as plt.subplots() has", ax)
+    return ax
 
 
 def _title(curve: Curve) -> str:

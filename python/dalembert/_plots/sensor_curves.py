@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dalembert._checks import FloatArray, check_system
+from dalembert._checks import FloatArray, check_system, shape_error
 from dalembert._core import MainSystem
 from dalembert._io.files import file_to_read, read_table, require_last_line
 from dalembert._io.result_files import ParseOutputFileHeader
@@ -110,22 +110,23 @@ def match_lengths(sensorNumbers: Any, components: Any, componentsX: Any) -> list
             x_values *= len(sensors)
     if len(x_values) != len(sensors):
         raise ValueError(f"PlotSensor: componentsX has {len(x_values)} entries, but there are {len(sensors)} curves")
-    return list(zip(sensors, map(_component, values), map(_component, x_values), strict=True))
+    components = [_component("components", value) for value in values]
+    return list(zip(sensors, components, [_component("componentsX", value) for value in x_values], strict=True))
 
 
-def _component(given: Any) -> int:
+def _component(name: str, given: Any) -> int:
     try:
         return operator.index(given)
     except TypeError:
-        if isinstance(given, (float, np.floating)) and given == int(given):
+        if isinstance(given, (float, np.floating)) and float(given).is_integer():
             return int(given)
         expected = "numbers of components, 0 for the first, -1 for time, componentNorm for the norm of all"
-        raise ValueError(f"PlotSensor: components: received {given!r}, but expected {expected}") from None
+        raise ValueError(f"PlotSensor: {name}: received {given!r}, but expected {expected}") from None
 
 
-def _file_information(fileName: str, comments: str, delimiter: str) -> tuple[str, str, FloatArray]:
+def _file_information(where: str, fileName: str, comments: str, delimiter: str) -> tuple[str, str, FloatArray]:
     """Return name, output variable and data of a sensor or solution file."""
-    fileName = file_to_read("PlotSensor: sensorNumbers", fileName)
+    fileName = file_to_read(where, fileName)
     with open(fileName, errors="replace") as file:
         header = ParseOutputFileHeader(list(islice(file, 20)))
     name = os.path.basename(fileName.replace("\\", "/")).split(".")[0]
@@ -143,24 +144,28 @@ def _file_data(fileName: str, header: Mapping[str, Any], comments: str, delimite
     )
 
 
-def _sensor_information(mbs: Any, sensor: Any, comments: str, delimiter: str) -> tuple[str, str, FloatArray, str]:
+def _sensor_information(
+    where: str, mbs: Any, sensor: Any, comments: str, delimiter: str
+) -> tuple[str, str, FloatArray, str]:
     """Return name, output variable, data and unit of a sensor of a system."""
     try:
-        number = int(sensor) if hasattr(sensor, "GetTypeString") else operator.index(sensor)
+        operator.index(int(sensor) if hasattr(sensor, "GetTypeString") else sensor)
     except TypeError:
-        raise ValueError(
-            "PlotSensor: sensorNumbers must be sensor numbers, names of files or numpy arrays, "
-            f"not {sensor!r} ({type(sensor).__name__})"
-        ) from None
-    check_system("PlotSensor: mbs", mbs)
-    information = mbs.GetSensor(number)
+        expected = "indices or numbers of sensors, names of files, or arrays of numpy"
+        raise shape_error(where, expected, sensor) from None
+    check_system(f"{where.partition(':')[0]}: mbs", mbs)
+    number = int(sensor)
+    try:
+        information = mbs.GetSensor(number)
+    except (IndexError, TypeError, ValueError) as error:
+        raise type(error)(f"{where}: {str(error).removeprefix('mbs.GetSensor(...): ')}") from None
     if information["storeInternal"]:
         data = np.atleast_2d(mbs.GetSensorStoredData(number))
     elif information["writeToFile"] and information["fileName"]:
-        data = _file_information(information["fileName"], comments, delimiter)[2]
+        data = _file_information(where, information["fileName"], comments, delimiter)[2]
     else:
         raise ValueError(
-            f"PlotSensor: sensor {number} {information['name']!r} keeps no data: "
+            f"{where}: sensor {number} {information['name']!r} keeps no data: "
             "create it with storeInternal=True, or with writeToFile=True and a fileName"
         )
     return information["name"], variable_of(mbs, information), data, unit_of(mbs, information)
@@ -173,35 +178,37 @@ def make_curves(
     comments: str,
     delimiter: str,
     continuousAngles: bool = False,
+    where: str = "PlotSensor: sensorNumbers",
 ) -> list[Curve]:
-    curves = []
+    """Return the curves; errors begin with `where`, the function and its argument for sensors."""
+    curves, function = [], where.partition(":")[0]
     for i, (sensor, component, component_x) in enumerate(matched):
         system, unit, number = mbs, "", None
         if isinstance(sensor, Of):
             system, sensor, number = sensor
         if isinstance(sensor, str) and system is not None:
-            check_system("PlotSensor: mbs", system)
+            check_system(f"{function}: mbs", system)
         if isinstance(sensor, str) and system is not None and int(system.GetSensorNumber(sensor)) >= 0:
             sensor = system.GetSensorNumber(sensor)
         if isinstance(sensor, str):
             if system is not None and not os.path.exists(sensor):
                 hint = nearest(sensor, names_of(system, ["Sensor"]))
-                raise FileNotFoundError(f"PlotSensor: there is neither a sensor nor a file named {sensor!r}{hint}")
+                raise FileNotFoundError(f"{where}: there is neither a sensor nor a file named {sensor!r}{hint}")
             title = f"file {sensor!r}"
-            name, variable, data = _file_information(sensor, comments, delimiter)
+            name, variable, data = _file_information(where, sensor, comments, delimiter)
         elif isinstance(sensor, np.ndarray) and sensor.ndim > 0:
             title, name, variable, data = f"array {i}", "", "", np.atleast_2d(sensor)
         else:
             title = f"sensor {sensor}"
-            name, variable, data, unit = _sensor_information(system, sensor, comments, delimiter)
+            name, variable, data, unit = _sensor_information(where, system, sensor, comments, delimiter)
         if number is not None:
             name += f" of system {number}"
         if data.shape[1] < 2:
-            raise ValueError(f"PlotSensor: {title} has no values yet; solve first")
+            raise ValueError(f"{where}: {title} has no values yet; solve first")
         for column in {component, component_x} - {componentNorm}:
             if not 0 <= column + 1 < data.shape[1]:
                 raise ValueError(
-                    f"PlotSensor: {title} has components 0 to {data.shape[1] - 2} (-1: time), but not {column}"
+                    f"{function}: {title} has components 0 to {data.shape[1] - 2} (-1: time), but not {column}"
                 )
         if continuousAngles:
             data = np.hstack((data[:, :1], continuous(variable, data[:, 1:])))

@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dalembert._checks import check_system
+from dalembert._calls import check_given
+from dalembert._checks import as_positive, check_integer, check_system, shape_error
 
 _COLORS = {
     "Node": "red",
@@ -17,6 +18,7 @@ _COLORS = {
     "Sensor": "forestgreen",
 }
 _OBJECT_NODE_COLOR = "navy"
+LARGEST = 100.0  # factor of the size of letters
 # Prefixes of labels: connectors are told apart from bodies.
 _OBJECT_PREFIXES = {"Connector": "Oconnector", "Contact": "Ocontact", "Joint": "Ojoint"}
 # After which part of the type name a label is broken into two lines.
@@ -164,6 +166,7 @@ def DrawSystemGraph(
     stores type, basicType, ID and name, addAnnotations the parameters in the nodes of the graph. ImportError if
     networkx or matplotlib are missing.
     """
+    check_given(DrawSystemGraph, locals().items())
     try:
         import networkx as nx
     except ImportError as error:
@@ -171,6 +174,11 @@ def DrawSystemGraph(
 
     line_break = "-\n" if multiLine and showGraph else ""
     check_system("DrawSystemGraph: mbs", mbs)
+    where = "DrawSystemGraph: "
+    layoutDistanceFactor = as_positive(f"{where}layoutDistanceFactor", layoutDistanceFactor)
+    check_integer(f"{where}layoutIterations", layoutIterations, 1)
+    if not 0 < fontSizeFactor <= LARGEST:
+        raise shape_error(f"{where}fontSizeFactor", f"a positive number up to {LARGEST:g}", fontSizeFactor)
     items = _items(mbs, showLoads, showSensors)
     graph = nx.Graph()
     labels: dict[tuple[str, int], str] = {}

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._calls import checked
-from dalembert._checks import as_number
+from dalembert._checks import FloatArray, as_array, as_number, as_vector, shape_error
 from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
     Function,
@@ -117,14 +117,23 @@ def ComputeSensitivities(
 def _per_parameter(fVar: float | Sequence[float] | None, n: int) -> list[float]:
     if fVar is None:
         return [1e-3] * n
-    if np.ndim(fVar) == 0:
-        return [float(fVar)] * n  # type: ignore[arg-type]
-    steps = [float(step) for step in fVar]  # type: ignore[union-attr]
+    expected = "a finite number, or one for each parameter"
+    steps = np.atleast_1d(as_array("PlotSensitivityResults: fVar", fVar, expected)).tolist()
+    if not np.isfinite(steps).all():
+        raise shape_error("PlotSensitivityResults: fVar", expected, fVar)
     if len(steps) == 1:
         return steps * n
     if len(steps) != n:
         raise ValueError(f"PlotSensitivityResults: fVar must have one entry per parameter ({n}), not {len(steps)}")
     return steps
+
+
+def _table_of(name: str, table: Any, columns: int) -> FloatArray:
+    """Return values at the steps below and above a reference, as rows."""
+    found = as_array(name, table)
+    if found.ndim != 2 or found.shape[1] != columns or (len(found) % 2 != 0 and len(found) > 1):
+        raise shape_error(name, f"one row or an even number of them, with {columns} numbers each", table)
+    return found
 
 
 def PlotSensitivityResults(
@@ -141,8 +150,20 @@ def PlotSensitivityResults(
     """
     import matplotlib.pyplot as plt
 
-    sensitivity = np.atleast_2d(sensitivity)
-    m = sensitivity.shape[1]
+    where = "PlotSensitivityResults"
+    if not isinstance(valuesSorted, Mapping) or not valuesSorted:
+        raise shape_error(f"{where}: valuesSorted", "a dictionary of values, by names of parameters", valuesSorted)
+    expected = f"numbers, a row for each of {len(valuesSorted)} parameters"
+    sensitivity = np.atleast_2d(as_array(f"{where}: sensitivity", sensitivity, expected))
+    m = sensitivity.shape[-1]
+    if sensitivity.ndim != 2 or len(sensitivity) != len(valuesSorted) or m == 0:
+        raise shape_error(f"{where}: sensitivity", expected, sensitivity)
+    reference = as_vector(f"{where}: valRef", valRef, m)
+    valuesSorted = {
+        name: _table_of(f"{where}: valuesSorted[{name!r}]", table, m) for name, table in valuesSorted.items()
+    }
+    if not (strYAxis is None or (isinstance(strYAxis, (list, tuple)) and all(isinstance(t, str) for t in strYAxis))):
+        raise shape_error(f"{where}: strYAxis", f"a list of {m} texts", strYAxis)
     labels = [""] * m if strYAxis is None else list(strYAxis)
     if len(labels) < m:
         raise ValueError(f"PlotSensitivityResults: strYAxis must have one entry per value ({m}), not {len(labels)}")
@@ -153,10 +174,10 @@ def PlotSensitivityResults(
         for j, (name, table) in enumerate(valuesSorted.items()):
             percent = [100 * steps[j] * factor for factor in _factors(len(table) // 2)]
             center = len(table) // 2
-            x, y = np.insert(percent, center, 0.0), np.insert(table[:, i], center, valRef[i])
+            x, y = np.insert(percent, center, 0.0), np.insert(table[:, i], center, reference[i])
             ax.plot(x, y, "--", color="0.8")
             ax.plot(percent, table[:, i], "o", label=f"{name}, s={sensitivity[j, i]:.5g}")
-        ax.plot(0, valRef[i], "d", label="Ref")
+        ax.plot(0, reference[i], "d", label="Ref")
         ax.set_ylabel(labels[i])
         ax.legend()
         ax.grid()

@@ -9,9 +9,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from dalembert._calls import check_given
+from dalembert._checks import check_type, shape_error
+from dalembert._core import DynamicSolverType, MainSystem, SimulationSettings
 from dalembert._studies.execution import FailedEvaluation, ParameterSet, number_of_threads
 from dalembert._studies.variations import SolveVariations, VariationResults
-from dalembert._tools.found_items import find_item
+from dalembert._tools.found_items import find_item, index_of
 
 _KINDS = ("Object", "Node", "Load", "Marker")
 _PORTIONS = 50  # that a study is divided into, for its progress
@@ -57,8 +60,17 @@ class VariedModel:
         numberOfThreads: int | None = None,
         **options: Any,
     ) -> None:
+        check_given(VariedModel.__init__, locals().items())
+        check_type("VariedModel: mbs", mbs, MainSystem)
+        if not isinstance(parameters, Mapping):
+            expected = "a dictionary, such as {'k': ('spring', 'stiffness')}"
+            raise shape_error("VariedModel: parameters", expected, parameters)
         if not parameters:
             raise ValueError("VariedModel: parameters must not be empty")
+        if simulationSettings is not None:
+            check_type("VariedModel: simulationSettings", simulationSettings, SimulationSettings)
+        if not (solverType is None or solverType == "static" or isinstance(solverType, DynamicSolverType)):
+            raise shape_error("VariedModel: solverType", "a DynamicSolverType, 'static' or None", solverType)
         self.mbs, self.simulationSettings, self.numberOfThreads = mbs, simulationSettings, numberOfThreads
         self.targets = {name: _targets(mbs, name, given) for name, given in parameters.items()}
         self.result: Callable[[VariationResults, int], Any] = result if callable(result) else _values_of(mbs, result)
@@ -157,8 +169,7 @@ def _target(mbs: Any, name: str, given: Any) -> _Target:
 
 
 def _values_of(mbs: Any, sensor: Any) -> Callable[[VariationResults, int], Any]:
-    if isinstance(sensor, str):
-        sensor = find_item(mbs, sensor, ("Sensor",), "VariedModel: result")
+    sensor = index_of(mbs, "Sensor", sensor, "VariedModel: result")
 
     def values(results: VariationResults, variation: int) -> Any:
         found = results.SensorValues(sensor)[variation]

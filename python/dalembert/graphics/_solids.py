@@ -284,23 +284,25 @@ def Cylinder(
     axis = as_vector("Cylinder: vAxis", vAxis, 3)
     unit_vector("Cylinder: vAxis", axis)
     radius = as_number("Cylinder: radius", radius, negative=False)
+    start, whole = as_vector("Cylinder: pAxis", pAxis, 3), as_color("Cylinder: color", color)
+    first, last = as_vector("Cylinder: angleRange", angleRange, 2)
     if radiusInner is not None:
+        radiusInner = as_number("Cylinder: radiusInner", radiusInner, negative=False)
+        as_color("Cylinder: edgeColor", edgeColor)
         L = float(np.linalg.norm(axis))
         contour = [[0, radius], [L, radius], [L, radiusInner], [0, radiusInner], [0, radius]]
         return SolidOfRevolution(
             pAxis, vAxis, contour, color, nTiles, addEdges=addEdges, edgeColor=edgeColor, addFaces=addFaces
         )
-    start = as_vector("Cylinder: pAxis", pAxis, 3)
     ends = np.array([start, start + axis])
     e, n1, n2 = ComputeOrthonormalBasisVectors(axis)
-    first, last = as_vector("Cylinder: angleRange", angleRange, 2)
     steps = nTiles - 1 if last - first < 2 * pi else nTiles
     radial = ring(n1, n2, first + (last - first) * np.arange(nTiles) / steps)
     rims = [end + radius * radial for end in ends]
     points = np.vstack([ends[0], rims[0], ends[1], rims[1], rims[0], rims[1]])
     normals = np.vstack([-e, radial, e, radial, np.tile(-e, (nTiles, 1)), np.tile(e, (nTiles, 1))])
     rgba = two_colors("Cylinder", color, kwargs.get("alternatingColor"), nTiles)
-    pointColors = np.vstack([np.tile(as_color("Cylinder: color", color), (2, 1)), *[rgba] * 4])
+    pointColors = np.vstack([np.tile(whole, (2, 1)), *[rgba] * 4])
 
     n, i = nTiles + 1, np.arange(nTiles)
     following = (i + 1) % nTiles
@@ -316,7 +318,7 @@ def Cylinder(
         for k, sign in ((0, 1.0), (-1, -1.0)):
             points = np.vstack([points, *ends, rims[0][k], rims[1][k]])
             normals = np.vstack([normals, np.tile(sign * np.cross(e, radial[k]), (4, 1))])
-        pointColors = np.vstack([pointColors, np.tile(as_color("Cylinder: color", color), (8, 1))])
+        pointColors = np.vstack([pointColors, np.tile(whole, (8, 1))])
     edges = None
     if addEdges:
         previous = np.column_stack([(i - 1) % nTiles, i]) + 1
