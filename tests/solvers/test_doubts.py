@@ -121,6 +121,42 @@ def test_angles_that_lock_are_advised_on() -> None:
     )
 
 
+def test_angles_that_are_in_equilibrium_alone() -> None:
+    """A rod on a ball joint, and two springs. With three angles, Newton's method ends where these lock, and springs turn the rod about the direction
+    that is lost there; with Euler parameters, they do not turn it."""
+    springs = [([-0.5, -0.4, 0.6], [-0.2, 0.1, 0.1]), ([-0.6, -0.9, -0.5], [0.1, 0.0, -0.2])]
+
+    def rest(node_type: Any) -> tuple[Any, float]:
+        """What is returned, and the moment of the springs about the joint."""
+        mbs = exu.SystemContainer().AddSystem()
+        ground = mbs.CreateGround()
+        rod = mbs.CreateRigidBody(
+            referencePosition=[0.3, 0, 0], inertia=InertiaCuboid(1000, [0.6, 0.1, 0.1]), nodeType=node_type
+        )
+        mbs.CreateSphericalJoint(bodyNumbers=[ground, rod], position=[0, 0, 0])
+        for of_ground, of_rod in springs:
+            mbs.CreateCartesianSpringDamper(
+                bodyNumbers=[ground, rod], localPosition0=of_ground, localPosition1=of_rod, stiffness=[100] * 3
+            )
+        mbs.Assemble()
+        settings = exu.SimulationSettings()
+        settings.staticSolver.numberOfLoadSteps = 1
+        settings.solutionSettings.writeSolutionToFile = False
+        result = mbs.SolveStatic(settings)
+        moment = np.zeros(3)
+        for of_ground, of_rod in springs:
+            place = mbs.GetObjectOutputBody(rod, exu.OutputVariableType.Position, of_rod)
+            moment += np.cross(place, 100 * (np.array(of_ground) - place))
+        return result, float(np.linalg.norm(moment))
+
+    result, moment = rest(exu.NodeType.RotationRxyz)
+    assert moment > 0.1
+    (doubt,) = result.doubts
+    assert "lock where the second is at 90 degrees" in doubt and "RotationEulerParameters" in doubt
+    result, moment = rest(exu.NodeType.RotationEulerParameters)
+    assert result is True and moment < 1e-6
+
+
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.RK44])
 def test_angles_that_go_straight_through(solver: Any) -> None:
     """About one axis, and in a gimbal, whose inner ring turns by the first two angles: the third stays."""

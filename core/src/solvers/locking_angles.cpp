@@ -1,5 +1,6 @@
 // Three angles that turn a body one after the other, near where they lock: there, the first and the last turn against each other, the faster the closer,
-// by up to half a turn while the second comes and goes. Steps that do not see this give wrong motions.
+// by up to half a turn while the second comes and goes. Steps that do not see this give wrong motions. Torques about the third direction do no work
+// there: forces on angles may be in equilibrium where those on the body are not.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,13 +17,14 @@ namespace {
 constexpr double close_to_lock = 0.2;  // rad, of the second angle
 constexpr double largest_turn = 0.3;   // rad, of the others in a step
 constexpr double no_turn = 1e-6;       // straight through: about one axis, as in a plane, or about two, as in a gimbal
+constexpr double at_lock = 1e-6;       // where Newton's method ends that leads there
 constexpr std::size_t most_told = 3;
 
 // Where the second angle is: the number of half turns that it is next to, and how far from there.
 struct Place {
   double half_turns, beside;
   explicit Place(double angle) : half_turns(std::nearbyint(angle / std::numbers::pi)), beside(std::abs(angle - half_turns * std::numbers::pi)) {}
-  bool is_close_to_lock() const { return beside > std::numbers::pi / 2 - close_to_lock; }
+  bool is_close_to_lock(double by = close_to_lock) const { return beside > std::numbers::pi / 2 - by; }
 };
 bool is_odd(double number) { return std::abs(std::remainder(number, 2)) > 0.5; }
 
@@ -36,7 +38,7 @@ const char* remedy_of(int node) {
 void Solver::find_angles() {
   angles_.clear();
   const Model* model = environment_->model;
-  if (is_static() || model == nullptr) return;
+  if (model == nullptr) return;
   for (const LockingTurns& turns : hooks().locking_turns) angles_.push_back({-1, turns.first});
   constexpr std::size_t translations = 3;
   const ItemType* last = nullptr;
@@ -56,6 +58,7 @@ std::string Solver::text_of(const Angles& angles, double second_angle) const {
 }
 
 void Solver::watch_angles() {
+  if (is_static()) return;
   const State &now = current(), &start = start_of_step();
   const std::vector<double>& reference = system_->state(ConfigurationType::Reference).q;
   const double h = now.time - start.time;
@@ -76,7 +79,20 @@ void Solver::watch_angles() {
   }
 }
 
+// Who puts a body there himself may well know that it rests.
+void Solver::doubt_equilibrium_of_angles() {
+  const std::vector<double>& reference = system_->state(ConfigurationType::Reference).q;
+  for (const Angles& angles : angles_) {
+    const std::size_t second = angles.first + 1;
+    const double angle = reference[second] + current().q[second];
+    if (!Place(angle).is_close_to_lock(at_lock) || Place(reference[second] + initial().q[second]).is_close_to_lock(at_lock)) continue;
+    doubts_.push_back(text_of(angles, angle) + ", where forces on angles may be in equilibrium although those on the body are not: " + remedy_of(angles.node));
+    if (!verbose(1)) warn(doubts_.back());
+  }
+}
+
 void Solver::doubt_angles() {
+  if (is_static()) return doubt_equilibrium_of_angles();
   const std::string steps = it.automaticStepSize ? "smaller tolerances" : "more steps there, error control (exu.DynamicSolverType.DOPRI5)";
   const std::size_t told = std::min(locks_.size(), most_told), others = locks_.size() - told;
   for (const Lock& lock : std::span(locks_).first(told)) {

@@ -308,6 +308,7 @@ class Solver {
   void find_angles();
   void watch_angles();
   void doubt_angles();
+  void doubt_equilibrium_of_angles();
   void advise_on_angles();
   // Three, one after the other: of a node, or turns of a tree in the place of a ball joint.
   struct Angles {
