@@ -20,7 +20,8 @@ _KINDS: dict[str, tuple[type, str]] = {
     **dict.fromkeys(("data", "force_equations"), (int, "an integer")),
     **dict.fromkeys(("nodes", "local", "beside", "fits", "power", "pairs", "options"), (list, "a list")),
     **dict.fromkeys(
-        ("isotropic", "per_marker", "closed", "values", "exempt", "exempt_outputs"), (dict, "a table { ... }")
+        ("isotropic", "per_marker", "closed", "values", "exempt", "exempt_outputs", "exempt_parameters"),
+        (dict, "a table { ... }"),
     ),
 }
 # Which kinds of items a key is for; others are for all.
@@ -65,15 +66,16 @@ def _check_words(scene: SceneTable) -> None:
         _known("capability", word, MARKER_CAPABILITIES, "fits")
     for check in scene.exempt:
         _known("check", check, EXEMPT, "exempt")
-    for key, table in (("exempt", scene.exempt), ("exempt_outputs", scene.exempt_outputs)):
-        for name, reason in table.items():
+    for key in ("exempt", "exempt_outputs", "exempt_parameters"):
+        for name, reason in getattr(scene, key).items():
             if not isinstance(reason, str) or len(reason.split()) < LEAST_WORDS:
                 raise SpecError(f"{key}.{name}: {reason!r} is not a reason of at least {LEAST_WORDS} words")
 
 
 def _check_rows(scene: SceneTable, rows: list[str], outputs: list[str]) -> None:
     """Parameters and outputs that the table names are those of the item."""
-    tables = [(key, getattr(scene, key)) for key in ("values", "isotropic", "per_marker", "closed")]
+    keys = ("values", "isotropic", "per_marker", "closed", "exempt_parameters")
+    tables = [(key, getattr(scene, key)) for key in keys]
     for key, table in [*tables, *(("options", option) for option in scene.options)]:
         for name in table:
             _known("parameter", name, rows, key)

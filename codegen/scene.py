@@ -93,6 +93,7 @@ class SceneTable:
     options: tuple[Mapping[str, Any], ...] = ({},)
     exempt: Mapping[str, str] = field(default_factory=dict)
     exempt_outputs: Mapping[str, str] = field(default_factory=dict)
+    exempt_parameters: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def ends(self) -> Iterator[tuple[str, End]]:

@@ -28,6 +28,12 @@ NO_FORCES = exempt("forces")
 OUT_OF_THE_PLANE = exempt("plane")
 DATA_OF_ANY_SIZE = exempt("data_size")
 WITHOUT_DATA = exempt("without_data")
+WITHOUT_EFFECT = {
+    (item.name, parameter): reason
+    for item in motions.ITEMS.values()
+    if item.ready
+    for parameter, reason in item.scene.exempt_parameters.items()
+}
 RATE_OF_OUTPUTS = {
     (item.name, output): reason
     for item in motions.ITEMS.values()

@@ -29,12 +29,15 @@ def smooth(function: UserFunction) -> Callable[..., Any]:
 def prescribed(factor: float, size: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
     """A motion in time, and its rate."""
 
+    def amplitude(parameters: Any) -> float:
+        return float(0.3 + 0.1 * np.sum(parameters))
+
     def offset(mbs: Any, t: float, item: int, parameters: Any) -> Any:
-        values = 0.3 * np.sin(factor * t + 0.2 * np.arange(1, size + 1))
+        values = amplitude(parameters) * np.sin(factor * t + 0.2 * np.arange(1, size + 1))
         return values.tolist() if size > 1 else float(values[0])
 
     def rate(mbs: Any, t: float, item: int, parameters: Any) -> Any:
-        values = 0.3 * factor * np.cos(factor * t + 0.2 * np.arange(1, size + 1))
+        values = amplitude(parameters) * factor * np.cos(factor * t + 0.2 * np.arange(1, size + 1))
         return values.tolist() if size > 1 else float(values[0])
 
     return offset, rate

@@ -3561,7 +3561,7 @@ class ObjectContactConvexRoll(_Object):
     def coefficientsHullDDerivative(self) -> Array:
         """coefficients of the second derivative of the profile [n; various]; computed"""
     rBoundingSphere: float
-    """radius of spheres at both ends that exclude contact by a cheap test; follows from the profile [m]"""
+    """radius of spheres at both ends that exclude contact by a cheap test; without effect here, where the lowest point of the profile is always looked for [m]"""
     @property
     def pContact(self) -> Array:
         """current point of possible contact; contact if its third component is negative [3; m]; computed"""
@@ -3887,7 +3887,7 @@ class ObjectContactSphereSphere(_Object):
     contactPlasticityRatio: float
     """one minus the ratio of the stiffness at first loading to that at unloading, from 0 to below 1; 0: no plastic overlap [1]"""
     adhesionCoefficient: float
-    """coefficient of the adhesive force that grows with penetration (N/m for an exponent of 1); 0: none [various]"""
+    """coefficient of the adhesive force that grows with penetration (N/m for an exponent of 1); 0: none. It acts in unloading after a plastic overlap, so with ``contactPlasticityRatio`` and ``impactModel`` 0 only [various]"""
     adhesionExponent: float
     """exponent of the penetration in the adhesive force [1]"""
     restitutionCoefficient: float
@@ -4796,12 +4796,12 @@ class MarkerBodiesRelativeRotationCoordinate(_Marker):
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def localPosition0(self) -> Array:
-        """point in the frame of the first body [3; m]"""
+        """point in the frame of the first body, which is the position of the marker; the angle does not depend on it [3; m]"""
     @localPosition0.setter
     def localPosition0(self, value: ArrayLike) -> None: ...
     @property
     def localPosition1(self) -> Array:
-        """point in the frame of the second body [3; m]"""
+        """point in the frame of the second body; without effect, as the angle does not depend on it [3; m]"""
     @localPosition1.setter
     def localPosition1(self, value: ArrayLike) -> None: ...
     @property
