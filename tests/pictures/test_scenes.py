@@ -681,6 +681,22 @@ def test_numbers_of_masses_that_are_drawn_as_nodes(SC: Any, mbs: Any) -> None:
     assert not Studio(SC).scene().labels
 
 
+@pytest.mark.parametrize("count", [2, 300])
+def test_a_ball_of_a_mass_has_the_color_of_its_node(SC: Any, mbs: Any, count: int) -> None:
+    """It hides the node, of which nothing would be seen; alone, and among many that look alike."""
+    red = [1.0, 0.0, 0.0, 1.0]
+    for k in range(count):
+        look = exu.VNodePoint(color=red) if k == 1 else exu.VNodePoint()
+        node = mbs.AddNode(exu.NodePoint(referenceCoordinates=[k, 0, 0], visualization=look))
+        mbs.AddObject(exu.MassPoint(physicsMass=1, nodeNumber=node))
+    mbs.Assemble()
+    SC.visualizationSettings.nodes.show = False
+    scene = Studio(SC).scene()
+    colors = {scene.items[item].number: color for _, _, color, item in scene.spheres}
+    assert len(colors) == count
+    assert [number for number, color in colors.items() if color == pytest.approx(red)] == [1]
+
+
 def test_a_mass_that_is_drawn_as_its_node_is_highlighted(SC: Any, mbs: Any) -> None:
     bodies = [mbs.CreateMassPoint(referencePosition=[x, 1, 0], physicsMass=1) for x in range(3)]
     exu.utilities.HighlightItem(SC, mbs, bodies[1])

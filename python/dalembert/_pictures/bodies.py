@@ -68,9 +68,14 @@ class Bodies:
             self._draw_bare(pen, number, item)
 
     def _draw_bare(self, pen: Pen, number: int, item: Item) -> None:
-        """Draw rods from the reference point to the markers of a body; a ball for a mass."""
+        """Draw rods from the reference point to the markers of a body; a ball for a mass.
+
+        They hide the node, and have its color, if it has one of its own.
+        """
         place = pen.places.body(number)
         (radius, color), thick = self.ball(pen), self._thick(pen)
+        if 0 <= (node := int(item["nodeNumber"])) < self.mbs.systemData.NumberOfNodes():
+            color = pen.looks.color(pen.places.item("Node", node), "bodies.defaultColor")
         if place is None:
             return
         ends = [pen.places.marker(marker) for marker in self._markers_of(number)]

@@ -6,6 +6,7 @@ import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import repeat
 from typing import Any
 
@@ -111,7 +112,7 @@ class Crowd:
             return False
         if not meshes:
             radius, color = self._bodies.ball(self._pen)
-            if color[3] < 1 or self._bodies.with_markers(numbers).any():
+            if color[3] < 1 or self._nodes_have_colors or self._bodies.with_markers(numbers).any():
                 return False
             self._add_balls("Object", item, numbers, items, radius, color)
             return True
@@ -119,6 +120,13 @@ class Crowd:
         for mesh in meshes:
             self._meshes.setdefault(id(mesh), (mesh, Members()))[1].add(numbers, items)
         return True
+
+    @cached_property
+    def _nodes_have_colors(self) -> bool:
+        """Whether any node has a color of its own, which is that of its body."""
+        places = self._pen.places
+        alike = np.unique(places.source.alike(KINDS.index("Node")))
+        return any(places.item("Node", node).get("Vcolor", [-1.0])[0] >= 0 for node in alike.tolist())
 
     def _takes_nodes(self, item: Item, numbers: IntArray, items: IntArray | None) -> bool:
         looks = self._pen.looks
