@@ -424,24 +424,27 @@ void ConstrainedMotion::find_constraints_of_velocities(System& system, const Sta
   });
 }
 
-// Differences along the motion and in time at once; first ones of rates, second ones of gaps.
+// What time adds along the motion, by differences; first ones of rates, second ones of gaps. Without it, Euler parameters that move along a line get
+// longer, which gaps show and their rates do not.
 void ConstrainedMotion::add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap) {
   find_constraints_of_velocities(system, still, conditions);
   constexpr double tau = 1e-4;
-  std::vector<double> before(gap.size()), now(gap.size()), after(gap.size());
-  const auto evaluate = [&](double time, std::vector<double>& gaps) {
+  std::vector<double> before(gap.size()), after(gap.size());
+  const auto evaluate = [&](double by, std::vector<double>& in_time) {
     State moved = still;
-    moved.time += time;
     std::vector<double> step = still.v;
-    for (double& x : step) x *= time;
+    for (double& x : step) x *= by;
     move_positions(system, step, moved.q);
-    system.gaps(moved, at_level(conditions, false), gaps);
+    std::vector<double> now(gap.size());
+    system.gaps(moved, at_level(conditions, false), now);
+    moved.time += by;
+    system.gaps(moved, at_level(conditions, false), in_time);
+    for (std::size_t k = 0; k < gap.size(); ++k) in_time[k] -= now[k];
   };
   evaluate(-tau, before);
-  evaluate(0, now);
   evaluate(tau, after);
   for (std::size_t k = 0; k < gap.size(); ++k)
-    if (driven_[k]) gap[k] = of_velocities_[k] ? (after[k] - before[k]) / (2 * tau) : (after[k] - 2 * now[k] + before[k]) / (tau * tau);
+    if (driven_[k]) gap[k] += of_velocities_[k] ? (after[k] - before[k]) / (2 * tau) : (after[k] + before[k]) / (tau * tau);
 }
 
 std::span<const double> ConstrainedMotion::move(std::span<const double> gaps) {

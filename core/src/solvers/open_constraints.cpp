@@ -49,7 +49,7 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
   const State still = without_multipliers(state);
   const Conditions position = at_level(conditions, false), rate = at_level(conditions, true);
   ConstraintRates now{std::vector<double>(n), std::vector<double>(n), std::vector<char>(n), std::vector<CoordinateUnit>(n)};
-  std::vector<double> along(n), before(n), after(n);  // along: the part of the velocities
+  std::vector<double> along(n), before(n), after(n), later(n);  // along: the part of the velocities
   const std::vector<CoordinateUnit> units = system.coordinate_units();
   each_gradient(system, still, position, along_velocities, [&](int k, int, double) { now.of_velocities[k] = 1; });
   each_gradient(system, still, rate, along_velocities, [&](int k, int j, double g) {
@@ -59,13 +59,19 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
   });
   system.gaps(still, rate, now.rates);
   if (conditions.rate_level) return now;  // that is what the solver goes by
-  State later = still;
-  const double step = 1e-6 * std::max(1.0, std::abs(state.time));
-  later.time += step;
-  system.gaps(still, position, before);
-  system.gaps(later, position, after);
+  // Functions may not be defined before the start: differences of the second order look ahead.
+  State moved = still;
+  const double step = 1e-5 * std::max(1.0, std::abs(state.time));
+  const auto gaps_after = [&](double time, std::vector<double>& gaps) {
+    moved.time = state.time + time;
+    system.gaps(moved, position, gaps);
+  };
+  gaps_after(0, before);
+  gaps_after(step, after);
+  gaps_after(2 * step, later);
   for (std::size_t k = 0; k < n; ++k)
-    if (!now.of_velocities[k] && after[k] != before[k]) now.rates[k] = along[k] + (after[k] - before[k]) / step;
+    if (!now.of_velocities[k] && (after[k] != before[k] || later[k] != before[k]))
+      now.rates[k] = along[k] + (4 * after[k] - 3 * before[k] - later[k]) / (2 * step);
   return now;
 }
 
