@@ -30,6 +30,9 @@ constexpr double still_good = 0.2;      // factor of an iteration, with which th
 constexpr double too_slow = 0.5;        // with which it is renewed at once
 constexpr double other_step = 0.15;     // change of the step size that the matrix bears
 constexpr int most_iterations = 10;     // with a matrix of before
+// What is known of iterations fades with each step whose stages take a single one, which tells nothing of a matrix that gets older, as E. Hairer and
+// G. Wanner let it do (Solving Ordinary Differential Equations II).
+constexpr double forgetting = 0.8, least_rate = 1e-10;
 constexpr double part_of_tolerance = 0.01;  // that Newton's method may leave
 constexpr double negligible = 1e-11;    // change of velocities, relative to the largest, that may be round-off of accelerations
 
@@ -103,6 +106,7 @@ void DiagonallyImplicitSolver::prepare_factors() {
   smallest_ = {};
   factorized_for_ = slowest_ = 0;
   rate_ = 1;
+  untold_ = 0;
 }
 
 // Factors remember the pivots of earlier matrices.
@@ -359,6 +363,7 @@ bool DiagonallyImplicitSolver::factorize(bool constraints_follow_motion) {
   factorized_for_ = conv.linearSolverFailed ? 0 : g;
   slowest_ = 0;
   rate_ = 1;
+  untold_ = 0;
   fresh_ = true;
   return !conv.linearSolverFailed;
 }
@@ -367,6 +372,8 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::iterate(int stage, i
   State& now = current();
   const double enough = it.automaticStepSize ? part_of_tolerance : 1;
   double last = 0;
+  const int steps = untold_ / static_cast<int>(stages - 1);
+  const double known_rate = steps > 0 ? std::pow(std::max(rate_, least_rate), std::pow(forgetting, steps)) : rate_;
   motion_.begin_iterations();
   for (int k = 1; k <= most; ++k) {
     evaluate_residual();
@@ -386,9 +393,13 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::iterate(int stage, i
     const double ratio = k > 1 ? size / last : 0;
     if (k > 1) {
       rate_ = std::max(0.3 * rate_, ratio);
+      untold_ = 0;
       if (size > enough * still_good * still_good) slowest_ = std::max(slowest_, ratio);
     }
-    if (size * std::min(1.0, rate_) <= enough) return Outcome::solved;
+    if (size * std::min(1.0, k > 1 ? rate_ : known_rate) <= enough) {
+      untold_ += k == 1;
+      return Outcome::solved;
+    }
     if (k > 2 && ratio > still_good && at_round_off()) {
       conv.newtonStagnated = true;
       ++it.stagnatedNewtonSteps;

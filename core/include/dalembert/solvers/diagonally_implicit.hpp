@@ -100,6 +100,7 @@ class DiagonallyImplicitSolver : public Solver {
   bool after_jump_ = false;       // at the start, and after events
   double factorized_for_ = 0;   // gamma h of the factors; zero: there are none
   double rate_ = 1;             // by which an iteration lowers the error
+  int untold_ = 0;              // stages since then that have taken one iteration
   double slowest_ = 0;          // of these in the last step
   double misfit_at_end_ = 0, misfit_at_start_ = 0;  // of accelerations, by which a step sees whether anybody has changed the system
   std::array<Vector, stages> stage_q_, stage_v_, stage_y_, stage_lambda_;  // derivatives at the stages, and multipliers
