@@ -223,6 +223,22 @@ def test_a_coordinate_that_a_body_does_not_have_is_refused(mbs):
         mbs.CreateCoordinateConstraint(bodyNumbers=[None, body], coordinates=[None, 3])
 
 
+@pytest.mark.parametrize("other", ["bodyOrNodeList", "bodyList"])
+def test_ends_that_are_given_twice_are_refused(mbs, other):
+    """Which of both is meant cannot be told."""
+    ground, mass = mbs.CreateGround(), mbs.CreateMassPoint(physicsMass=1, referencePosition=[1, 0, 0])
+    expected = rf"MainSystem\.CreateSpringDamper\(.*'{other}': expected \[None, None\], as bodyNumbers is given"
+    with pytest.raises(ValueError, match=expected):
+        mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=1, **{other: [mass, ground]})
+
+
+@pytest.mark.parametrize(("given", "size"), [({}, 0), ({"drawSize": 0.3}, 0.3)])
+def test_a_body_in_the_shape_of_its_inertia_has_a_node_of_the_size_that_is_asked_for(mbs, given, size):
+    body = mbs.CreateRigidBody(inertia=create_cases.BAR, color=[1, 0, 0, 1], **given)
+    node = mbs.GetNode(mbs.GetObject(body)["nodeNumber"])
+    assert node["VdrawSize"] == pytest.approx(size, rel=1e-6)  # single precision
+
+
 # ---- what Create functions are made of ----------------------------------------------------------------------------------
 
 TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])

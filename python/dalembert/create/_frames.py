@@ -87,13 +87,15 @@ def connector_ends(
     bodyOrNodeList: Sequence[Any],
     bodyList: Sequence[Any],
 ) -> Ends:
-    """Return what a connector joins; the first of the three arguments that is not [None, None] counts.
+    """Return what a connector joins, by one of the three arguments; the others are [None, None].
 
     Bodies take a local position, nodes and markers must not have one. ValueError otherwise.
     """
     candidates = {"bodyNumbers": bodyNumbers, "bodyList": bodyList, "bodyOrNodeList": bodyOrNodeList}
     given = [name for name, pair in candidates.items() if any(entry is not None for entry in pair)]
     name = given[0] if given else "bodyNumbers"
+    if len(given) > 1:
+        raise argument_error(function, given[1], f"[None, None], as {name} is given", candidates[given[1]])
     if name == "bodyList":
         Print(f"WARNING: {function}: argument bodyList is deprecated, use bodyNumbers")
 

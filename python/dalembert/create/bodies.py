@@ -242,8 +242,8 @@ def CreateRigidBody(
 ) -> Any:
     """Add a rigid body with its node, and its weight if there is gravity; return the body's ObjectIndex.
 
-    Without graphicsDataList, the body is drawn in the shape of its inertia. With returnDict, a dict with nodeNumber,
-    bodyNumber and, if there is gravity, markerBodyMass and loadNumber is returned.
+    Without graphicsDataList, the body is drawn in the shape of its inertia, and its node if drawSize is given. With
+    returnDict, a dict with nodeNumber, bodyNumber and, if there is gravity, markerBodyMass and loadNumber is returned.
     """
     if not isinstance(inertia, RigidBodyInertia):
         raise argument_error("CreateRigidBody", "inertia", "a RigidBodyInertia, e.g. InertiaCuboid(...)", inertia)
@@ -255,9 +255,10 @@ def CreateRigidBody(
     motion = (referencePosition, A, initialVelocity, omega, initialDisplacement, rotation)
     node_type, coordinates = _node_2d(*motion) if create2D else _node_3d(nodeType, *motion)
 
-    if not graphicsDataList:
-        graphicsDataList = [shape] if (shape := inertia.GetGraphics(color)) else []
-    node_view = _node_view(show, 0 if graphicsDataList else drawSize, color)
+    hides_node = bool(graphicsDataList)
+    if not graphicsDataList and (shape := inertia.GetGraphics(color)):
+        graphicsDataList, hides_node = [shape], drawSize == -1
+    node_view = _node_view(show, 0 if hides_node else drawSize, color)
     node = mbs.AddNode(
         getattr(items, node_type)(name=f"Node:{name}" if name else "", visualization=node_view, **coordinates)
     )
