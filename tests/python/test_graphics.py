@@ -246,6 +246,11 @@ def test_numbers_counts_and_switches_that_are_none_are_named():
     points = [[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 0, 0]]
     for call, text in (
         (lambda: gr.Sphere(nTiles=None), "Sphere: nTiles: expected an integer, received None"),
+        *(
+            (lambda make=make: make(nTiles=10**13), f"{make.__name__}: nTiles: expected an integer")
+            for make in (gr.Sphere, gr.Cylinder, gr.CheckerBoard, gr.Basis, gr.Frame)
+        ),
+        (lambda: gr.CheckerBoard(nTiles2=10**9), "CheckerBoard: nTiles2: expected an integer from 1 to 10000"),
         (lambda: gr.Torus(P, [0, 0, 1], radiusMajor="1"), "Torus: radiusMajor: expected a finite number, received '1'"),
         (lambda: gr.Torus(P, [0, 0, 1], float("nan")), "Torus: radiusMajor: expected a finite number, received nan"),
         (

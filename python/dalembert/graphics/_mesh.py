@@ -84,11 +84,21 @@ def ring(n1: FloatArray, n2: FloatArray, angles: FloatArray) -> FloatArray:
     return np.outer(np.sin(angles), n1) + np.outer(np.cos(angles), n2)
 
 
-def at_least(where: str, nTiles: int, minimum: int) -> int:
-    """Return nTiles, or the minimum with a warning if it is too small."""
+MOST_TILES = 10_000  # along a line: more need more memory than there is, or are not seen
+
+
+def at_least(where: str, nTiles: int, minimum: int, name: str = "nTiles") -> int:
+    """Return nTiles, or the minimum with a warning if it is too small; ValueError if it is too large."""
     if nTiles < minimum:
-        warnings.warn(f"{where}: nTiles = {nTiles} is too small, using {minimum}", stacklevel=4)
+        warnings.warn(f"{where}: {name} = {nTiles} is too small, using {minimum}", stacklevel=4)
         return minimum
+    return at_most(where, nTiles, name)
+
+
+def at_most(where: str, nTiles: int, name: str = "nTiles") -> int:
+    """Return nTiles; ValueError if it is too large."""
+    if nTiles > MOST_TILES:
+        raise shape_error(f"{where}: {name}", f"an integer up to {MOST_TILES}", nTiles)
     return int(nTiles)
 
 

@@ -16,6 +16,7 @@ from dalembert.graphics._elements import Text
 from dalembert.graphics._mesh import (
     GraphicsData,
     at_least,
+    at_most,
     grid_indices,
     no_unknown,
     ring,
@@ -134,6 +135,7 @@ def Basis(
     Optional arguments: radius of the shafts (default: 0.01*length), labels (three texts). Without length, it is empty.
     """
     no_unknown("graphics.Basis", kwargs, ("radius", "labels"))
+    nTiles = at_most("graphics.Basis", nTiles)
     p = as_vector("Basis: origin", origin, 3)
     axes = as_number("Basis: length", length) * as_matrix("Basis: rotationMatrix", rotationMatrix, (3, 3)).T
     radius = kwargs.get("radius", 0.01 * length)
@@ -166,6 +168,7 @@ def Frame(
     Optional argument: radius of the shafts (default: 0.01*length).
     """
     no_unknown("graphics.Frame", kwargs, ("radius",))
+    nTiles = at_most("graphics.Frame", nTiles)
     A, p = HT2rotationMatrix(HT), HT2translation(HT)
     frame = Basis(p, A, length, colors, headFactor, headStretch, nTiles, **kwargs)
     assert isinstance(frame, dict)

@@ -10,9 +10,19 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._calls import checked
-from dalembert._checks import FloatArray, as_color, as_number, as_points, as_vector, shape_error, unit_vector
+from dalembert._checks import (
+    FloatArray,
+    as_color,
+    as_number,
+    as_points,
+    as_vector,
+    check_integer,
+    shape_error,
+    unit_vector,
+)
 from dalembert._geometry.rotations import ComputeOrthonormalBasisVectors, RotationVector2RotationMatrix
 from dalembert.graphics._mesh import (
+    MOST_TILES,
     GraphicsData,
     at_least,
     grid_indices,
@@ -385,8 +395,8 @@ def Torus(
     The angle of the smaller circle starts in the plane of the torus at its outside; a part of the circle gives an
     open surface, and invert turns its visible side inwards.
     """
-    nTilesMajor = at_least("graphics.Torus", nTilesMajor, 3)
-    nTilesMinor = at_least("graphics.Torus", nTilesMinor, 3)
+    nTilesMajor = at_least("graphics.Torus", nTilesMajor, 3, "nTilesMajor")
+    nTilesMinor = at_least("graphics.Torus", nTilesMinor, 3, "nTilesMinor")
     if minorAngleStart >= minorAngleEnd:
         received = [minorAngleStart, minorAngleEnd]
         raise shape_error("Torus: minorAngleStart, minorAngleEnd", "increasing angles", received)
@@ -448,6 +458,8 @@ def Quad(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0], **kw
         raise shape_error("Quad: pList", "a list of 4 points", pList)
     nx = kwargs.get("nTiles", 10 if "alternatingColor" in kwargs else 1)
     ny = kwargs.get("nTilesY", nx)
+    check_integer("Quad: nTiles", nx, 1, MOST_TILES)
+    check_integer("Quad: nTilesY", ny, 1, MOST_TILES)
     u, v = (np.linspace(0.0, 1.0, n + 1) for n in (nx, ny))
     left = np.outer(1 - v, corners[0]) + np.outer(v, corners[3])
     right = np.outer(1 - v, corners[1]) + np.outer(v, corners[2])
@@ -478,6 +490,8 @@ def CheckerBoard(
     Optional arguments: size2 and nTiles2 for the second direction, materialIndex (in the place of alpha).
     """
     no_unknown("graphics.CheckerBoard", kwargs, ("nTiles2", "size2", "materialIndex"))
+    for name, number in (("nTiles", nTiles), ("nTiles2", kwargs.get("nTiles2", nTiles))):
+        check_integer(f"CheckerBoard: {name}", number, 1, MOST_TILES)
     both = np.array(
         [as_color("CheckerBoard: color", color), as_color("CheckerBoard: alternatingColor", alternatingColor)]
     )
