@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from test_items import READY, run
-from test_scenes import add_mesh_in_a_frame, spin
+from test_meshes_in_frames import add_mesh_in_a_frame, spin
 
 import dalembert as exu
 from dalembert import _core

@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from page_reader import unpacked
 from test_items import READY, run
-from test_live_page import messages, unpacked
+from test_live_messages import messages
 
 import dalembert as exu
 import dalembert.itemInterface

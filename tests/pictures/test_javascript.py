@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-import test_live_page
 import test_page
 from browser import Tab, running
+from page_reader import unpacked
+from test_live_messages import GOLDEN, moved_scene
 
 import dalembert as exu
 from dalembert._live.messages import Stage
@@ -35,13 +36,13 @@ def tab() -> Iterator[Tab]:
 
 
 def test_javascript_reads_the_stored_messages(tab: Tab) -> None:
-    sent = [path.read_bytes() for path in test_live_page.GOLDEN]
+    sent = [path.read_bytes() for path in GOLDEN]
     read = tab.value(f"""
         {json.dumps([base64.b64encode(data).decode() for data in sent])}.map((text) => {{
           const {{ head, arrays }} = reader.message(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
           return [head, arrays.map((a) => a && Array.from(a))];
         }})""")
-    for (head, arrays), (expected, numbers) in zip(read, map(test_live_page.unpacked, sent), strict=True):
+    for (head, arrays), (expected, numbers) in zip(read, map(unpacked, sent), strict=True):
         assert head == expected
         for kind, array, known in zip(head["arrays"], arrays, numbers, strict=True):
             if kind is not None and kind[0] == "r6":  # there, numbers of the third row are rounded to single precision
@@ -55,15 +56,15 @@ def test_traces_that_grow_are_joined_to_those_of_the_picture_before(tab: Tab) ->
     rng, stage, before, shown = np.random.default_rng(1), Stage(), np.empty(0), 0
     whole = rng.normal(size=(300, 3)).astype("<f4").astype(float)
     for count in (60, 80, 80, 300):
-        scene = test_live_page.moved_scene(0.1 * count)
+        scene = moved_scene(0.1 * count)
         first, last = scene.lines[0], (whole[:count] + 1, (0, 0, 0, 1), 0.0, 0)
         scene.lines = [(whole[:count], (1, 0, 0, 1), 0.0, 0), first, last]
         picture = stage.messages(scene, Looks(exu.VisualizationSettings()), {}, Camera)
         frame, grown = picture.after(False), picture.after(True)
         lines = np.concatenate([points.ravel() for points, *_ in scene.lines])
         if grown is not frame:
-            head, arrays = test_live_page.unpacked(b"".join(grown))
-            _, complete = test_live_page.unpacked(b"".join(frame))
+            head, arrays = unpacked(b"".join(grown))
+            _, complete = unpacked(b"".join(frame))
             assert complete[-3].tolist() == pytest.approx(lines, rel=1e-7)
             sent, new = arrays[-3], 2 * (count - shown) + 2  # both ends of the line between them move
             assert len(sent) == 3 * new == len(lines) - sum(size for *_, size in head["kept"])

@@ -12,8 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-import test_live_page
-from test_live_page import Reader, settings
+from page_reader import Reader, settings
 
 from dalembert import graphics
 from dalembert._live.messages import Picture
@@ -23,8 +22,6 @@ from dalembert.utilities import InertiaCuboid
 
 RATE = 1e6 / 8  # bytes per second: 1 Mbit/s
 PART = 1250  # bytes that are sent at once: a hundredth of a second
-
-viewer = test_live_page.viewer
 
 
 @pytest.fixture

@@ -75,10 +75,6 @@ double largest_number(std::span<const double> numbers) {
   return size;
 }
 
-}  // namespace
-
-namespace {
-
 // An equation is independent of others if this share of what it states, in the metric of the diagonal, is a coordinate of its own.
 constexpr double own_share = 1e-3;
 
