@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from solving import Variable, new_system, settings
 from test_andrews import END, Squeezer, angles
+from test_explicit_joints import carried_mass
 
 import dalembert as exu
 from dalembert.solver import SolverError
@@ -140,23 +141,26 @@ def test_errors_above_the_tolerances_end_the_solution() -> None:
     assert caught.value.reason == "errorControl"
 
 
-def test_a_driven_pendulum_keeps_its_drive() -> None:
-    """Velocities are projected onto constraints, and not against what is prescribed in time."""
+def pushed_mass() -> tuple[Any, Any]:
+    """The mass of `carried_mass`, which a force moves in the same way."""
     mbs = new_system()
-    ground = mbs.AddNode(exu.itemInterface.NodePointGround())
-    node = mbs.AddNode(exu.itemInterface.NodePoint2D(referenceCoordinates=[0, 0], initialVelocities=[1.5, 0]))
-    mbs.AddObject(exu.itemInterface.ObjectMassPoint2D(nodeNumber=node, physicsMass=2.0))
-    markers = [
-        mbs.AddMarker(exu.itemInterface.MarkerNodeCoordinate(nodeNumber=n, coordinate=0)) for n in (ground, node)
-    ]
-    mbs.AddObject(
-        exu.itemInterface.CoordinateConstraint(
-            markerNumbers=markers, offsetUserFunction=lambda mbs, t, number, offset: 0.5 * np.sin(3 * t)
-        )
-    )
+    node = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=[0, 0], initialVelocities=[1.5, 0]))
+    mbs.AddObject(exu.MassPoint2D(nodeNumber=node, physicsMass=2.0))
+    marker = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+    mbs.AddLoad(exu.LoadCoordinate(markerNumber=marker, loadUserFunction=lambda mbs, t, load: -9 * np.sin(3 * t)))
     mbs.Assemble()
-    mbs.SolveDynamic(tolerances(1, 1e-6, 0.05))
-    assert mbs.GetNodeOutput(node, Variable.Velocity)[0] == pytest.approx(1.5 * np.cos(3), abs=1e-3)
+    return mbs, node
+
+
+@pytest.mark.parametrize("tolerance", [1e-5, 1e-7])
+def test_what_is_driven_takes_the_steps_of_what_is_free(tolerance: float) -> None:
+    """x = sin(3 t) / 2, by a constraint and by a force. Velocities are known to a few tolerances of a step, or to the sum of its errors."""
+    steps = []
+    for (mbs, node), allowed in ((carried_mass(), 4), (pushed_mass(), 25)):
+        assert mbs.SolveDynamic(tolerances(1, tolerance, 0.05))
+        assert mbs.GetNodeOutput(node, Variable.Velocity)[0] == pytest.approx(1.5 * np.cos(3), abs=allowed * tolerance)
+        steps.append(mbs.sys["dynamicSolver"].it.currentStepIndex)
+    assert steps[0] == pytest.approx(steps[1], rel=0.02)
 
 
 def test_without_the_setting_steps_are_equal() -> None:

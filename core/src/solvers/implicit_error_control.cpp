@@ -8,6 +8,7 @@
 
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
+#include "dalembert/solvers/open_constraints.hpp"
 #include "dalembert/solvers/second_order.hpp"
 
 namespace dalembert {
@@ -111,8 +112,9 @@ void SecondOrderSolver::lead_velocities(double step_size, bool smooth) {
   belong_to_.velocities = smooth ? next : 0;
 }
 
-// The part of velocities along which gaps open, with the factors at hand. Where these are prescribed in time, it is left out.
+// The part of velocities along which gaps open, with the factors at hand. Where these are prescribed in time, users need not tell their rates.
 std::span<const double> SecondOrderSolver::across_constraints(const State& state) {
+  if (std::ranges::any_of(driven(), [](char d) { return d != 0; })) return move_across(constraint_rates(system(), state, conditions_, last_time()).rates);
   Conditions rate = conditions_;
   rate.rate_level = true;
   std::vector<double> rates(state.lambda.size());
@@ -124,18 +126,25 @@ std::span<const double> SecondOrderSolver::across_constraints(const State& state
 // steps changes. What constraints say of accelerations ends it.
 void SecondOrderSolver::end_swings() {
   State& now = current();
-  const std::span<const double> across = move_across(ConstrainedMotion::gap_accelerations_without_driving(system(), now, conditions_));
+  std::vector<double> accelerations = ConstrainedMotion::gap_accelerations_without_driving(system(), now, conditions_);
+  for (std::size_t k = 0; k < accelerations.size(); ++k)
+    if (driven()[k]) accelerations[k] = 0;
+  const std::span<const double> across = move_across(accelerations);
   for (std::size_t i = 0; i < now.a.size(); ++i) now.a[i] -= across[i];
+}
+
+const std::vector<char>& SecondOrderSolver::driven() {
+  if (driven_.size() != static_cast<std::size_t>(sizes_.ae)) driven_ = driven_equations(system(), current(), conditions_, last_time());
+  return driven_;
 }
 
 // The motion that rates of gaps, or their accelerations, belong to.
 std::span<const double> SecondOrderSolver::move_across(std::span<const double> rates) {
-  if (driven_.size() != rates.size()) driven_ = driven_equations(system(), current(), conditions_, last_time());
   const auto first = static_cast<std::size_t>(sizes_.first_ae());
   const double factor = conditions_.rate_level ? rate_factor() : 1;  // of rows
   std::ranges::fill(increment_, 0.0);
   for (std::size_t k = 0; k < rates.size(); ++k)
-    if (system().constrains_motion(static_cast<int>(k)) && !driven_[k]) increment_[first + k] = factor * rates[k];
+    if (system().constrains_motion(static_cast<int>(k))) increment_[first + k] = factor * rates[k];
   linear_->solve(increment_);
   return std::span<const double>(increment_).first(current().v.size());
 }

@@ -44,7 +44,7 @@ std::string OpenConstraint::text(const System& system) const {
   return item + ": rate of the gap " + format_number(gap) + (bare ? " 1/s" : symbol(unit) + std::string("/s"));
 }
 
-ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions) {
+ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions, double latest) {
   const auto n = static_cast<std::size_t>(system.sizes().ae);
   const State still = without_multipliers(state);
   const Conditions position = at_level(conditions, false), rate = at_level(conditions, true);
@@ -59,9 +59,9 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
   });
   system.gaps(still, rate, now.rates);
   if (conditions.rate_level) return now;  // that is what the solver goes by
-  // Functions may not be defined before the start: differences of the second order look ahead.
+  // Functions may not be defined before the start, or after the end: differences of the second order look ahead, or back.
   State moved = still;
-  const double step = 1e-5 * std::max(1.0, std::abs(state.time));
+  const double length = 1e-5 * std::max(1.0, std::abs(state.time)), step = state.time + 2 * length > latest ? -length : length;
   const auto gaps_after = [&](double time, std::vector<double>& gaps) {
     moved.time = state.time + time;
     system.gaps(moved, position, gaps);

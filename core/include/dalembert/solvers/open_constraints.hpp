@@ -1,6 +1,7 @@
 // Constraints that a state does not fulfil.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct ConstraintRates {
   std::vector<char> of_velocities;       // those that constrain velocities already
   std::vector<CoordinateUnit> units;     // of the gaps
 };
-ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions);
+// User functions are asked a little later, up to the latest time, and near it a little before.
+ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions, double latest = std::numeric_limits<double>::infinity());
 
 }  // namespace dalembert

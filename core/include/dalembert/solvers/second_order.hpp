@@ -79,6 +79,7 @@ class SecondOrderSolver : public NewtonSolver {
   void lead_velocities(double step_size, bool smooth);
   std::span<const double> across_constraints(const State& state);
   std::span<const double> move_across(std::span<const double> rates);
+  const std::vector<char>& driven();
   void end_swings();
 
   // Accelerations and multipliers that fit the state; false, with a warning: there are none. Motions have their factors at it, unless an unknown has
