@@ -20,23 +20,6 @@ STIFFNESS = np.diag([100.0, 200, 300])
 OFFSET = np.array([0.1, -0.2, 0.05])
 
 
-def test_times_of_steps_are_multiples_of_the_step_size() -> None:
-    """Of sums, the 1000th would be 1.0000000000000007."""
-    mbs, times, step = new_system(), [], 1e-3
-    mbs.CreateMassPoint(physicsMass=1)
-
-    def before_step(_: Any, t: float) -> bool:
-        times.append(t)
-        return True
-
-    mbs.SetPreStepUserFunction(before_step)
-    mbs.Assemble()
-    mbs.SolveDynamic(settings(2, 2000))
-    np.testing.assert_array_equal(times, step * np.arange(1, 2001))
-    assert not times[999] > 1
-    assert np.cumsum(np.full(2000, step))[999] > 1
-
-
 def spring_force(turn: np.ndarray, offset: np.ndarray) -> np.ndarray:
     """On a body of 1 kg at an offset from a turned ground: its acceleration from rest."""
     mbs = new_system()
