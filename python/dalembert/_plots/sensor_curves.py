@@ -149,12 +149,11 @@ def _sensor_information(
 ) -> tuple[str, str, FloatArray, str]:
     """Return name, output variable, data and unit of a sensor of a system."""
     try:
-        operator.index(int(sensor) if hasattr(sensor, "GetTypeString") else sensor)
+        number = operator.index(int(sensor) if hasattr(sensor, "GetTypeString") else sensor)
     except TypeError:
         expected = "indices or numbers of sensors, names of files, or arrays of numpy"
         raise shape_error(where, expected, sensor) from None
     check_system(f"{where.partition(':')[0]}: mbs", mbs)
-    number = int(sensor)
     try:
         information = mbs.GetSensor(number)
     except (IndexError, TypeError, ValueError) as error:
