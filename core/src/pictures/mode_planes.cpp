@@ -13,13 +13,15 @@ void ModePlanes::sum(std::span<const double> weights, std::size_t first, float* 
 // Two or four modes at once take longer: their planes, which are equally far apart, displace each other in the cache.
 void ModePlanes::add(std::span<const double> weights, std::size_t first, float* sums) const {
   const std::size_t count = size_of_block(first);
-  const std::int16_t* plane = planes_.data() + first * components_ * modes_;
+  const std::int16_t* plane = planes_.data() + starts_[first / block];
   const double* unit = units_.data() + first / block * components_ * modes_;
   for (const double weight : weights.first(modes_))
-    for (std::size_t i = 0; i < components_; ++i, plane += count) {
-      const auto factor = static_cast<float>(weight * *unit++);
+    for (std::size_t i = 0; i < components_; ++i, ++unit) {
+      if (*unit == 0) continue;
+      const auto factor = static_cast<float>(weight * *unit);
       float* const to = sums + i * count;
       for (std::size_t k = 0; k < count; ++k) to[k] += factor * static_cast<float>(plane[k]);
+      plane += count;
     }
 }
 

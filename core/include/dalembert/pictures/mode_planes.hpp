@@ -1,6 +1,6 @@
 // Outputs of mesh nodes that are sums of modes, for pictures: copies of which all that is read is used, as reading them takes most of the time.
 // A mode is kept in units, its largest number among the nodes of a block divided by the largest integer of two bytes: enough for what is only
-// seen, as a place in a picture or as a color.
+// seen, as a place in a picture or as a color. Where a mode has no number but zero, as those of plates in their plane, there is none to be read.
 #pragma once
 
 #include <algorithm>
@@ -28,16 +28,19 @@ class ModePlanes {
     std::int16_t* to = planes_.data();
     std::array<double, block> plane;
     for (std::size_t first = 0; first < nodes; first += block) {
+      starts_.push_back(to - planes_.data());
       const std::size_t count = size_of_block(first);
       for (std::size_t mode = 0; mode < modes; ++mode)
         for (std::size_t i = 0; i < components; ++i) {
           double largest = 0;
           for (std::size_t k = 0; k < count; ++k) largest = std::max(largest, std::abs(plane[k] = of_mode(first + k, i, mode)));
-          const double unit = largest > 0 ? largest / std::numeric_limits<std::int16_t>::max() : 1;
+          const double unit = largest / std::numeric_limits<std::int16_t>::max();
           units_.push_back(unit);
+          if (unit == 0) continue;
           for (std::size_t k = 0; k < count; ++k) *to++ = static_cast<std::int16_t>(std::round(plane[k] / unit));
         }
     }
+    planes_.resize(static_cast<std::size_t>(to - planes_.data()));
   }
 
   std::size_t nodes() const { return nodes_; }
@@ -53,8 +56,9 @@ class ModePlanes {
   void add(std::span<const double> weights, std::size_t first, float* sums) const;
 
   std::size_t nodes_ = 0, components_ = 0, modes_ = 0;
-  LargeVector<std::int16_t> planes_;  // by block, mode and component
-  std::vector<double> units_;         // of each of these
+  LargeVector<std::int16_t> planes_;    // by block, mode and component; without those of zeros
+  std::vector<std::ptrdiff_t> starts_;  // of blocks
+  std::vector<double> units_;           // of each plane, also of those
 };
 
 }  // namespace dalembert
