@@ -90,13 +90,13 @@ def bushing(pen: Pen, item: Item) -> None:
     _axes(pen, item)
 
 
-def rod(pen: Pen, item: Item) -> None:
+def rod(pen: Pen, item: Item, thickness: float = 0.24) -> None:
     """A thin rod between the markers; where they coincide, a small block."""
     size, color = _look(pen, item)
     ends = _ends(pen, item)
     if len(ends) == 2 and np.linalg.norm(ends[1] - ends[0]) > 1e-6 * pen.looks.size:
         pen.stick_between(*item["markerNumbers"])
-        pen.cylinder(ends[0], ends[1], 0.12 * size, color)
+        pen.cylinder(ends[0], ends[1], 0.5 * thickness * size, color)
     elif ends:
         pen.box(ends[0], np.eye(3), 3 * [0.3 * size], color)
 
@@ -136,11 +136,8 @@ def actuator(pen: Pen, item: Item) -> None:
 
 
 def gravity(pen: Pen, item: Item) -> None:
-    """A line between the two masses."""
-    ends = _ends(pen, item)
-    if len(ends) == 2:
-        pen.stick_between(*item["markerNumbers"])
-        pen.line(ends, _look(pen, item)[1])
+    """A rod between the two masses, thinner than one that holds them."""
+    rod(pen, item, 0.08)
 
 
 def rope(pen: Pen, item: Item) -> None:
