@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from typing import Any
 
@@ -13,6 +12,7 @@ from dalembert._calls import check_given
 from dalembert._checks import as_number, as_positive, check_integer, check_type, shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, Print
 from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution, check_solution_of
+from dalembert._tools.dialog_items import check_items, check_plots, initial_value
 
 _noticed: set[str] = set()
 
@@ -40,28 +40,6 @@ class LabelText:
     def get(self) -> str:
         """Return the text."""
         return str(self._item.get("text", ""))
-
-
-NEEDED = {  # by items of dialogs, besides their type
-    "label": ("text",),
-    "button": ("callFunction",),
-    "entry": ("variable",),
-    "check": ("variable",),
-    "slider": ("variable",),
-    "radio": ("variable", "textValueList"),
-}
-
-
-def _check_dialog_items(items: Any) -> None:
-    """Refuse what the page cannot show, before anything runs."""
-    if not isinstance(items, (list, tuple)) or not all(isinstance(item, dict) for item in items):
-        raise shape_error("InteractiveDialog: dialogItems", "a list of dictionaries", items)
-    for number, item in enumerate(items):
-        here, kind = f"InteractiveDialog: dialogItems[{number}]", item.get("type")
-        if kind not in NEEDED:
-            raise shape_error(f"{here}: type", " or ".join(NEEDED), kind)
-        if missing := [name for name in NEEDED[kind] if name not in item]:
-            raise ValueError(f"{here}: a {kind} needs '{missing[0]}'")
 
 
 def _check_function(name: str, value: Any) -> None:
@@ -110,9 +88,8 @@ class InteractiveDialog:
         for name, function in (("userStartSimulation", userStartSimulation), ("userOnChange", userOnChange)):
             if function is not None:
                 _check_function(f"{here} {name}", function)
-        if not (plots is None or isinstance(plots, dict) or (isinstance(plots, list) and not plots)):
-            raise shape_error(f"{here} plots", "a dictionary with 'sensors', or None", plots)
-        _check_dialog_items(dialogItems)
+        check_plots(f"{here} plots", mbs, plots)
+        check_items(f"{here} dialogItems", dialogItems)
         self.mbs, self.SC = mbs, mbs.GetSystemContainer()
         self.simulationSettings, self.simulationFunction = simulationSettings, simulationFunction
         self.dialogItems, self.plots = dialogItems, plots or []
@@ -125,7 +102,7 @@ class InteractiveDialog:
         self.stepSize = integration.endTime / integration.numberOfSteps
         self.counter = 0
         self.simulationStopped = True
-        self.values = {item["variable"]: _initial_value(item) for item in dialogItems if "variable" in item}
+        self.values = {item["variable"]: initial_value(item) for item in dialogItems if "variable" in item}
         labels = (item for item in dialogItems if item["type"] == "label")
         self.labelStringVariables = [LabelText(item) for item in labels] if addLabelStringVariables else []
         self._variables = mbs.sys if useSysVariables else mbs.variables
@@ -217,15 +194,6 @@ class InteractiveDialog:
             data.SetSystemState(systemStateList=data.GetSystemState(), configuration=ConfigurationType.Initial)
             integration.startTime += self.period
         return float(integration.endTime)
-
-
-def _initial_value(item: dict[str, Any]) -> Any:
-    """Return the value with which a dialog item starts; sliders start in the middle if theirs is out of range."""
-    if item["type"] != "slider":
-        return item.get("value", 0)
-    low, high = item.get("range", (0, 1))
-    value = item.get("value", 0.5)
-    return value if low <= value <= high else 0.5 * (low + high)
 
 
 def AnimateModes(
@@ -365,19 +333,18 @@ def ConvertImages2Video(
     compressionCRF: 0 is lossless, larger values give smaller files. FileNotFoundError if ffmpeg is not installed,
     RuntimeError with its message if it fails.
     """
-    import shutil
-    import subprocess
+    check_given(ConvertImages2Video, locals().items())
+    here = "ConvertImages2Video:"
+    rates = [as_positive(f"{here} {name}", rate) for name, rate in (
+        ("inputFrameRate", inputFrameRate), ("outputFrameRate", outputFrameRate),
+    )]  # fmt: skip
+    check_integer(f"{here} compressionCRF", compressionCRF, 0, 51)
+    check_integer(f"{here} startNumber", startNumber, 0)
+    if totalFrames is not None:
+        check_integer(f"{here} totalFrames", totalFrames, 1)
+    from dalembert._pictures.films import make_video
 
-    program = shutil.which("ffmpeg")
-    if program is None:
-        raise FileNotFoundError("ConvertImages2Video: the program ffmpeg is not installed, or not in the search path")
-    images, video = (os.path.join(workingDir, name) for name in (inputPattern, outputFile))
-    command = [program, "-y", "-framerate", str(inputFrameRate), "-start_number", str(startNumber), "-i", images]
-    command += ["-vcodec", "libx264", "-crf", str(compressionCRF), "-vf", f"fps={outputFrameRate},format=yuv420p"]
-    command += [] if totalFrames is None else ["-frames:v", str(totalFrames)]
-    result = subprocess.run([*command, video], capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        raise RuntimeError(f"ConvertImages2Video: ffmpeg failed: {result.stderr.strip()[-500:]}")
+    make_video(here, workingDir, inputPattern, outputFile, rates, compressionCRF, startNumber, totalFrames)
 
 
 def InteractiveImages2Video(closeAfterCreation: bool = False, fontSize: int = 11) -> None:

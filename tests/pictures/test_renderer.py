@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from pathlib import Path
 from typing import Any
@@ -207,6 +208,48 @@ def test_a_film_needs_a_solution(pendulum: Any) -> None:
     ):
         with pytest.raises(ValueError, match=words):
             mbs.DrawSolution("film.gif", **arguments)
+
+
+def test_films_without_end_are_refused_before_they_are_drawn(pendulum: Any) -> None:
+    solve(pendulum)
+    for arguments in ({"framesPerSecond": 1e12}, {"speed": 1e-12}):
+        with pytest.raises(ValueError, match=r"DrawSolution: at framesPerSecond = .* images, more than 100000"):
+            pendulum.DrawSolution("film.gif", **arguments)
+
+
+def test_names_below_a_file_are_refused(pendulum: Any) -> None:
+    Path("file").write_text("")
+    for save, ending in ((pendulum.Draw, "png"), (pendulum.SaveHTML, "html"), (pendulum.SaveVTU, "vtu")):
+        with pytest.raises(NotADirectoryError, match=rf"{save.__name__}: fileName: '.*file' is a file, no folder"):
+            save(f"file/folder/name.{ending}")
+    settings = pendulum.GetSystemContainer().visualizationSettings.exportImages
+    settings.saveImageFileName = "file/image"
+    with pytest.raises(NotADirectoryError, match=r"exportImages\.saveImageFileName: '.*file' is a file, no folder"):
+        pendulum.GetSystemContainer().renderer.RedrawAndSaveImage()
+
+
+@pytest.mark.parametrize("value", [5, "Current", exu.ConfigurationType._None])
+def test_configurations_that_are_none_are_named_as_arguments(pendulum: Any, value: Any) -> None:
+    with pytest.raises(ValueError, match="Draw: configuration: expected one of ConfigurationType: Current, Initial"):
+        pendulum.Draw(configuration=value)
+
+
+def test_images_of_odd_sizes_become_videos(monkeypatch: Any) -> None:
+    """With a program in the place of ffmpeg that writes down what it is asked for."""
+    Path("folder").mkdir()
+    Path("program").mkdir()
+    program = Path("program", "ffmpeg")
+    program.write_text('#!/bin/sh\nprintf "%s\\n" "$PWD" "$@" > asked.txt\n')
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{program.parent.resolve()}{os.pathsep}{os.environ['PATH']}")
+    with pytest.raises(FileNotFoundError, match=r"there is no image 'folder/-a00003.png', the first one by"):
+        exu.interactive.ConvertImages2Video("folder", "-a%05d.png", "-b.mp4", startNumber=3)
+    Path("folder", "-a00003.png").touch()
+    exu.interactive.ConvertImages2Video("folder", "-a%05d.png", "-b.mp4", startNumber=3, totalFrames=2)
+    folder, *asked = Path("folder", "asked.txt").read_text().splitlines()
+    assert Path(folder).name == "folder" and {"./-a%05d.png", "-frames:v"} < set(asked)
+    assert asked[-1] == str(Path("folder", "-b.mp4").resolve())
+    assert "crop=trunc(iw/2)*2:trunc(ih/2)*2" in " ".join(asked)
 
 
 def test_solutions_that_do_not_fit_are_refused_by_whoever_gets_them(pendulum: Any) -> None:

@@ -51,11 +51,20 @@ def calls() -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "PlotSensitivityResults": (processing.PlotSensitivityResults, sensitivity),
         "LoadBinarySolutionFile": (utilities.LoadBinarySolutionFile, {"fileName": "none.sol"}),
         "RecoverSolutionFile": (utilities.RecoverSolutionFile, {"fileName": "none.txt", "newFileName": "new.txt"}),
+        "ConvertImages2Video": (interactive.ConvertImages2Video, {}),
         "SolutionViewer": (interactive.SolutionViewer, {"mainSystem": mbs}),
         "AnimateModes": (interactive.AnimateModes, modes | {"systemEigenVectors": np.eye(3)}),
     }
 
 
+SLIDER = {"type": "slider", "variable": "speed"}
+RADIO = {"type": "radio", "variable": "speed"}
+ITEMS: list[Any] = [
+    5, {}, {"type": ["label"]}, {"type": "entry", "variable": 5}, {"type": "entry", "variable": "speed", "value": NOTHING},
+    {"type": "button", "callFunction": 5}, *({"type": "label", "text": "x", "grid": grid} for grid in (5, (1,), (0, "x"), [(0, -1)])),
+    *(SLIDER | {"range": ends} for ends in (5, (1,), ("x", "y"), (2, 1))), SLIDER | {"value": "x"}, SLIDER | {"steps": 0},
+    *(RADIO | {"textValueList": pairs} for pairs in (5, [], [5], [("x",)], [("x", NOTHING)])),
+]  # fmt: skip
 WRONG: dict[str, dict[str, list[Any]]] = {
     "MapSparseMatrixIndices": {"matrix": [None, [[0, 1, 2.0]], TRIPLETS[0]], "sorting": [None, [0], [-1, 0], "ab"]},
     "RotationMatrix2D": {"angleRad": [None, "x", 10**400]},
@@ -74,7 +83,11 @@ WRONG: dict[str, dict[str, list[Any]]] = {
     },
     "InteractiveDialog": {
         "mbs": [None, 3], "simulationFunction": [None], "period": [0, "x"], "realtimeFactor": [-1], "title": [[1], 1j],
-        "plots": ["x", [1]], "userOnChange": [3], "userStartSimulation": ["x"], "fontSize": [10**30], "runOnStart": ["x"],
+        "plots": [
+            "x", [1], {"sensors": 5}, {"sensors": ["a"]}, {"sensors": [[(0, 0)]]}, {"sensors": [[(0, 0), (99, 1)]]},
+            {"sensors": [[(0, 0), (0, -1)]]}, {"nPoints": 0},
+        ],
+        "dialogItems": [None, 5, *([item] for item in ITEMS)], "userOnChange": [3], "userStartSimulation": ["x"], "fontSize": [10**30], "runOnStart": ["x"],
     },
     "VariedModel": {
         "mbs": [None], "parameters": ["x", [1], {}], "result": [None, 99, "none"], "simulationSettings": [1],
@@ -86,7 +99,14 @@ WRONG: dict[str, dict[str, list[Any]]] = {
     },
     "LoadBinarySolutionFile": {"fileName": [None, 3], "maxRows": [1.5, 10**30, -2], "safeMode": ["x"]},
     "RecoverSolutionFile": {"fileName": [None], "verbose": ["x", 1.5]},
-    "SolutionViewer": {"mainSystem": [None], "fontSize": ["x"], "runOnStart": ["x"], "timeout": [0]},
+    "ConvertImages2Video": {
+        "workingDir": [None, 5, ""], "inputPattern": [None, 7, "", "frame.png"], "outputFile": [5, ""],
+        "inputFrameRate": [0, "x", np.nan], "outputFrameRate": [-3, "x"], "compressionCRF": [-1, 52, "x", 2.5],
+        "startNumber": [-1, "x"], "totalFrames": [0, "x"],
+    },
+    "SolutionViewer": {
+        "solution": [5, {}, {"data": "x", "nRows": 1, "columnsExported": [0] * 7}], "mainSystem": [None], "fontSize": ["x"], "runOnStart": ["x"], "timeout": [0],
+    },
     "AnimateModes": {
         "systemContainer": [None], "mainSystem": [3], "stepsPerPeriod": [0, 10**30], "showTime": ["x"],
         "renderWindowText": [3], "systemEigenVectors": [None, "x"],

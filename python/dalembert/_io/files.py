@@ -61,7 +61,11 @@ def file_to_write(name: str, value: Any, newFolder: bool = False) -> str:
     """Return the name of a file to write, whose folder is there, or will be made; errors name the argument."""
     path = file_name(name, value)
     folder = os.path.dirname(os.path.abspath(path))
-    if not newFolder and not os.path.isdir(folder):
+    while newFolder and not os.path.exists(folder):
+        folder = os.path.dirname(folder)
+    if os.path.exists(folder) and not os.path.isdir(folder):
+        raise NotADirectoryError(errno.ENOTDIR, f"{name}: '{folder}' is a file, no folder", path)
+    if not os.path.isdir(folder):
         text = f"{name}: there is no folder '{folder}' for the file; make it first"
         raise FileNotFoundError(errno.ENOENT, text, path)
     return path

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._calls import checked
-from dalembert._checks import FloatArray, check_system, check_type, shape_error
+from dalembert._checks import FloatArray, as_array, check_system, check_type, shape_error
 from dalembert._core import ConfigurationType, MainSolverImplicitSecondOrder, SimulationSettings
 from dalembert._io.binary_solutions import MAGIC, LoadBinarySolutionFile
 from dalembert._io.files import Path, file_to_read
@@ -50,7 +50,8 @@ def check_solution(where: str, solution: Any) -> None:
 
 def check_solution_of(mbs: Any, where: str, solution: dict[str, Any]) -> None:
     """Refuse a solution without rows, with numbers that are not finite, or of another system."""
-    data, columns = np.asarray(solution["data"], float), [int(n) for n in solution["columnsExported"]]
+    data = as_array(f"{where}: solution['data']", solution["data"], "rows of numbers")
+    columns = [int(n) for n in solution["columnsExported"]]
     if data.ndim != 2 or len(data) == 0:
         raise ValueError(f"{where}: solution: it has no rows")
     if data.shape[1] != 1 + sum(columns):

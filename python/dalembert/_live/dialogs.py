@@ -6,6 +6,8 @@ import time
 from collections import deque
 from typing import Any
 
+import numpy as np
+
 from dalembert._live.viewer import Viewer
 
 RUN = "start or stop"
@@ -105,8 +107,13 @@ class Curves:
     def _value(self, sensor: Any, component: int) -> float:
         if component == 0:
             return float(self.mbs.systemData.GetTime())
-        value = self.mbs.GetSensorValues(sensor)
-        return float(value if component == 1 and not hasattr(value, "__len__") else value[component - 1])
+        values = np.atleast_1d(self.mbs.GetSensorValues(sensor))
+        if component > len(values):
+            raise ValueError(
+                f"InteractiveDialog: plots['sensors']: sensor {sensor} has components 1 to {len(values)}, "
+                f"received {component}"
+            )
+        return float(values[component - 1])
 
     def curves(self) -> list[dict[str, Any]]:
         """Return what the page draws."""

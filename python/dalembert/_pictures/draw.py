@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dalembert._checks import as_array, as_number, shape_error
+from dalembert._core import ConfigurationType
 from dalembert._io.files import file_to_write
 from dalembert._tools.found_items import index_of
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from dalembert._pictures.scene import Scene
     from dalembert._pictures.studio import Studio
 
+STATES = [ConfigurationType[name] for name in ("Current", "Initial", "Reference", "StartOfStep", "Visualization")]
 VIEWS = ("front", "back", "left", "right", "top", "bottom", "axonometric")
 
 
@@ -43,6 +45,9 @@ def Draw(
     from dalembert._pictures.films import save_image
     from dalembert._pictures.studio import Studio
 
+    if configuration is not None and (not isinstance(configuration, ConfigurationType) or configuration not in STATES):
+        names = ", ".join(state.name for state in STATES)
+        raise shape_error("Draw: configuration", f"one of ConfigurationType: {names}", configuration)
     if fileName not in ("", None):
         fileName = file_to_write("Draw: fileName", fileName, newFolder=True)
     if around is not None:

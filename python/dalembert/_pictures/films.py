@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import tempfile
 from collections.abc import Callable, Iterable
@@ -11,10 +12,11 @@ from typing import Any
 import numpy as np
 from PIL import Image as Pillow
 
-from dalembert._io.files import file_to_write, replacing
+from dalembert._io.files import file_to_write, path_name, replacing
 from dalembert._pictures.painting import Image
 
 ANIMATIONS = (".gif", ".webp")  # by Pillow
+MOST_IMAGES = 100_000  # more than an hour at 25 per second
 VIDEOS = (".mp4", ".mkv", ".mov", ".avi", ".webm", ".m4v", ".mpg", ".ogv")  # by ffmpeg
 
 
@@ -52,6 +54,37 @@ def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
         ConvertImages2Video(folder, outputFile=str(path.resolve()), inputFrameRate=whole, outputFrameRate=whole)
 
 
+def make_video(
+    where: str, folder: Any, pattern: Any, output: Any, rates: list[float], quality: int, first: int, count: int | None
+) -> None:
+    """Make a video of numbered images in a folder by ffmpeg; rates of the images and of the video, per second."""
+    import subprocess
+
+    folder = Path(path_name(f"{where} workingDir", folder, "the name of a folder"))
+    pattern = path_name(f"{where} inputPattern", pattern, "the names of images")
+    name_of = numbered(pattern, f"{where} inputPattern")
+    output = path_name(f"{where} outputFile", output)
+    if not folder.is_dir():
+        raise FileNotFoundError(f"{where} workingDir: there is no folder '{folder}'")
+    output = os.path.abspath(file_to_write(f"{where} outputFile", folder / output))
+    image = folder / name_of(first)
+    if not image.is_file():
+        raise FileNotFoundError(
+            f"{where} there is no image '{image}', the first one by workingDir, inputPattern and startNumber"
+        )
+    if (program := shutil.which("ffmpeg")) is None:
+        raise FileNotFoundError(f"{where} the program ffmpeg is not installed, or not in the search path")
+    command = [program, "-y", "-framerate", f"{rates[0]:g}", "-start_number", str(first), "-i"]
+    command += [os.path.join(".", pattern)]  # which is no option
+    even = "crop=trunc(iw/2)*2:trunc(ih/2)*2"  # as the format needs it
+    command += ["-vcodec", "libx264", "-crf", str(quality), "-vf", f"fps={rates[1]:g},{even},format=yuv420p"]
+    command += [] if count is None else ["-frames:v", str(count)]
+    texts: dict[str, Any] = {"capture_output": True, "text": True, "errors": "replace"}
+    result = subprocess.run([*command, output], cwd=folder, stdin=subprocess.DEVNULL, check=False, **texts)
+    if result.returncode != 0:
+        raise RuntimeError(f"{where} ffmpeg failed: {result.stderr.strip()[-500:]}")
+
+
 def check_name(path: Path) -> None:
     """Refuse, before anything is drawn, names that are none of films, and videos where there is no ffmpeg."""
     if path.suffix.lower() not in (*ANIMATIONS, *VIDEOS):
@@ -62,14 +95,14 @@ def check_name(path: Path) -> None:
     require_ffmpeg(path)
 
 
-def numbered(name: str) -> Callable[[int], str]:
+def numbered(name: str, where: str = "fileName") -> Callable[[int], str]:
     """Return the names of images by their numbers; refused if the place of the number is not to be understood."""
     try:
         if name % 0 != name % 1:
             return lambda number: name % number
     except (TypeError, ValueError):
         pass
-    raise ValueError(f"fileName: {name!r} has no place for the numbers of images; write one, as in 'frame%05d.png'")
+    raise ValueError(f"{where}: {name!r} has no place for the numbers of images; write one, as in 'frame%05d.png'")
 
 
 def require_ffmpeg(path: Path) -> None:
@@ -81,7 +114,12 @@ def require_ffmpeg(path: Path) -> None:
         )
 
 
-def times_of(begin: float, end: float, rate: float, speed: float) -> np.ndarray[Any, Any]:
-    """Return the times of the images of a film that shows `speed` seconds in each second."""
-    count = max(int(np.floor((end - begin) / speed * rate + 1e-9)) + 1, 1)
-    return begin + np.arange(count) * speed / rate
+def times_of(where: str, begin: float, end: float, rate: float, speed: float) -> np.ndarray[Any, Any]:
+    """Return the times of the images of a film that shows `speed` seconds in each second; refused if it is endless."""
+    count = max(np.floor((end - begin) / speed * rate + 1e-9) + 1, 1)
+    if not count <= MOST_IMAGES:
+        raise ValueError(
+            f"{where}: at framesPerSecond = {rate:g} and speed = {speed:g}, a solution of {end - begin:g} s would be "
+            f"{count:.4g} images, more than {MOST_IMAGES}; choose others"
+        )
+    return begin + np.arange(int(count)) * speed / rate

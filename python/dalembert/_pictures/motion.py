@@ -58,7 +58,7 @@ class Motion:
         else:
             check_solution_of(mbs, caller, data)
             times = np.asarray(data["data"], float)[:, 0]
-            rows = np.arange(len(times)) if every_row else self._rows(times, speed)
+            rows = np.arange(len(times)) if every_row else self._rows(times, speed, caller)
             self.scenes = self._scenes(mbs, data, rows)
         self.camera = draw.camera_for(self.studio, draw.around(self.scenes), view, self.size, zoom)
 
@@ -78,10 +78,12 @@ class Motion:
         self._tracked.append(self.studio.tracked())
         return self.studio.flow()
 
-    def _rows(self, recorded: FloatArray, speed: float) -> IntArray:
+    def _rows(self, recorded: FloatArray, speed: float, caller: str) -> IntArray:
         """Return the rows that are nearest to the times of the frames."""
-        times = times_of(recorded[0], recorded[-1], self.rate, speed)
-        return np.abs(recorded[None] - times[:, None]).argmin(axis=1)
+        times = times_of(caller, recorded[0], recorded[-1], self.rate, speed)
+        order = np.argsort(recorded, kind="stable")
+        middles = 0.5 * (recorded[order[1:]] + recorded[order[:-1]])
+        return order[np.searchsorted(middles, times)]
 
     def _scenes(self, mbs: Any, data: dict[str, Any], rows: IntArray) -> list[Scene]:
         before = mbs.systemData.GetSystemState(ConfigurationType.Visualization)

@@ -9,6 +9,7 @@ import numpy as np
 
 from dalembert import _core
 from dalembert._checks import FloatArray
+from dalembert._io.files import file_to_write
 from dalembert._pictures import camera, films, painting
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.flow import Flow
@@ -198,7 +199,8 @@ def save_next(export: Any, image: Image) -> Path:
         raise ValueError(
             f"visualizationSettings.exportImages.saveImageFormat: expected 'PNG', received '{export.saveImageFormat}'"
         )
-    path = Path(f"{export.saveImageFileName}{number}.png")
+    here = "visualizationSettings.exportImages.saveImageFileName"
+    path = Path(file_to_write(here, f"{export.saveImageFileName}{number}.png", newFolder=True))
     films.save_image(image, path)
     if not export.saveImageSingleFile:
         export.saveImageFileCounter += 1
