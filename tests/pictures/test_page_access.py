@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+import time
 import urllib.error
 import urllib.request
 from pathlib import Path
@@ -85,6 +86,23 @@ def test_tokens_differ_and_are_compared_in_constant_time(
         assert other.token != viewer.server.token
     finally:
         other.stop()
+
+
+def test_a_server_is_not_closed_under_a_thread_that_wakes_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The socket for that could be another file by the time that the thread writes to it."""
+    server, closed = serving.PageServer(lambda page, message: None), []
+    wake = server._loop.call_soon_threadsafe
+
+    def slowly(*arguments: Any, **options: Any) -> None:
+        wake(*arguments, **options)
+        time.sleep(0.5)
+        closed.append(server._loop.is_closed())
+
+    monkeypatch.setattr(server._loop, "call_soon_threadsafe", slowly)
+    server.stop()
+    assert closed == [False] and server._loop.is_closed()
+    server.tell({"kind": "notice"})  # nobody
+    assert closed == [False]
 
 
 def test_who_says_nothing_is_sent_away(viewer: Viewer, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -62,6 +62,7 @@ class PageServer:
         self._newest, self._published = Picture(-1, bytes, ()), 0  # and how many there have been
         self._lock = threading.RLock()  # of what pages have been sent
         self._loop = asyncio.new_event_loop()
+        self._waking = threading.Lock()  # other threads write to a socket of the loop, which must not be closed by then
         self._started: threading.Event = threading.Event()
         self._failure: Exception | None = None
         self._thread = threading.Thread(target=self._run, args=(port,), name="dalembert page", daemon=True)
@@ -106,8 +107,9 @@ class PageServer:
         self._thread.join(2.0)
 
     def _do(self, function: Callable[..., object], *arguments: Any) -> None:
-        if not self._loop.is_closed():
-            self._loop.call_soon_threadsafe(function, *arguments)
+        with self._waking:
+            if not self._loop.is_closed():
+                self._loop.call_soon_threadsafe(function, *arguments)
 
     # ---- in the thread of the server
 
@@ -120,7 +122,8 @@ class PageServer:
             self._started.set()
             if rest := asyncio.all_tasks(self._loop):  # of connections that are being closed
                 self._loop.run_until_complete(asyncio.wait(rest, timeout=1.0))
-            self._loop.close()
+            with self._waking:
+                self._loop.close()
 
     async def _serve(self, port: int) -> None:
         self._end = asyncio.Event()
