@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -27,6 +28,7 @@ from codegen.scene import SceneTable
 from codegen.views.python import create_functions
 
 TABLES = ("parameters", "visualization", "outputs")
+GROUP_TABLES = (*TABLES, "quantities", "texts")
 TOP_LEVEL = (
     "name", "type_name", "object_type", "short_names", "create_functions", "summary", "provides", "requested_nodes",
     "requested_markers", "physics",
@@ -37,8 +39,9 @@ OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc")
 ARGUMENT_KEYS = ("name", "type", "unit", "size", "doc")
 
 T = TypeVar("T")
-# group -> table -> row -> keys
+# group -> table -> row -> keys, or a text
 Groups = Mapping[str, Mapping[str, Mapping[str, Any]]]
+USE_TEXT = re.compile(r"^\.\. use:: (\w+)\.(\w+)$", re.MULTILINE)  # a line that the text of a group takes the place of
 
 
 def load(root: Path) -> Specs:
@@ -90,8 +93,8 @@ def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]
             visualization=_rows("visualization", tables, lambda n, r: parameter(n, r, enums)),
             outputs=_rows("outputs", tables, lambda n, r: _output(n, r, enums)),
             user_functions=_rows("user_functions", raw, _user_function),
-            equations=docs.get("equations", "").strip(),
-            quantities=tuple(_quantity(i, row) for i, row in enumerate(docs.get("quantities", ()))),
+            equations=_equations(docs.get("equations", ""), groups),
+            quantities=tuple(_quantity(i, row, groups) for i, row in enumerate(docs.get("quantities", ()))),
             examples=tuple(docs.get("examples", ())),
             example=_example(raw["example"]) if "example" in raw else None,
             scene=_scene(path, raw, tables),
@@ -124,10 +127,12 @@ def _check_folders(specs: Path) -> None:
 def load_group(path: str, content: str) -> dict[str, Any]:
     with at(path):
         raw = parse(content)
-        check_keys(raw, TABLES)
+        check_keys(raw, GROUP_TABLES)
         for table, rows in raw.items():
             for name, row in rows.items():
-                if not isinstance(row, dict) or "use" in row:
+                if table == "texts" and not isinstance(row, str):
+                    raise SpecError(f"{table}.{name}: a text belongs here, not {row!r}")
+                if table != "texts" and (not isinstance(row, dict) or "use" in row):
                     raise SpecError(f"{table}.{name}: a group holds rows, and never uses a group")
         return raw
 
@@ -268,8 +273,20 @@ def _argument(name: str, row: Mapping[str, Any]) -> Argument:
         return Argument(name, type_, row.get("doc", ""), row.get("unit", ""), row.get("size", 0))
 
 
-def _quantity(number: int, row: Mapping[str, Any]) -> Quantity:
+def _equations(content: str, groups: Groups) -> str:
+    def shared(use: re.Match[str]) -> str:
+        texts = _group_rows(use[1], "texts", groups)
+        if use[2] not in texts:
+            raise SpecError(f"use: group {use[1]!r} has no such text; {nearest(use[2], texts)}")
+        return str(texts[use[2]]).strip()
+
+    with at("docs.equations"):
+        return USE_TEXT.sub(shared, content).strip()
+
+
+def _quantity(number: int, row: Mapping[str, Any], groups: Groups) -> Quantity:
     with at(f"docs.quantities[{number}]"):
+        row = {"name": text(row, "name")} | _merge(text(row, "name"), "quantities", row, groups)
         check_keys(row, ("name", "symbol", "doc"))
         return Quantity(text(row, "name"), row.get("symbol", ""), text(row, "doc"))
 
