@@ -107,7 +107,7 @@ void each_group(const Tree& tree, std::size_t states, const F& f) {
       f(group);
     }
   };
-  states > 4 ? in_lanes(in_groups) : in_lanes<4>(in_groups);  // few states fill no wider registers
+  in_lanes(in_groups, states > 4 ? 8 : 4);  // few states fill no wider registers
 }
 
 // In a frame whose first axis is that of its joint.

@@ -200,7 +200,7 @@ class ElementBatch : public Term {
           std::size_t end = i + 1;
           while (end < entries_.size() && lanes_[end].like_previous) ++end;
           if (end - i > 1)
-            in_lanes<8, E::least_lanes>([&]<int L>() {
+            in_lanes<E::least_lanes>([&]<int L>() {
               for (std::size_t count; end - i > 1; i += count) {
                 count = std::min<std::size_t>(L, end - i);
                 together(Group<L>{i, static_cast<int>(count)});

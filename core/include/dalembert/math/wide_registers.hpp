@@ -2,6 +2,8 @@
 // products and sums are fused: results differ by rounding. Loops over eight numbers at once are for AVX-512 alone.
 #pragma once
 
+#include <algorithm>
+
 #include "dalembert/math/processor.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -48,12 +50,12 @@ void in_wide_registers(const Loop& loop) {
 
 // Runs a loop over as many numbers at once as a register holds, `most` of them: loop.operator()<2, 4 or 8>(). Registers hold
 // `least` of them, or nobody asks.
-template <int most = 8, int least = 2, class Loop>
-void in_lanes(const Loop& loop) {
+template <int least = 2, class Loop>
+void in_lanes(const Loop& loop, int most = 8) {
+  const int numbers = std::min(numbers_in_register(), most);
   if constexpr (least == 2)
-    if (numbers_in_register() == 2) return run_in_any_registers([&] { loop.template operator()<2>(); });
-  if constexpr (most == 8)
-    if (numbers_in_register() == 8) return run_in_widest_registers([&] { loop.template operator()<8>(); });
+    if (numbers == 2) return run_in_any_registers([&] { loop.template operator()<2>(); });
+  if (numbers == 8) return run_in_widest_registers([&] { loop.template operator()<8>(); });
   run_in_wide_registers([&] { loop.template operator()<4>(); });
 }
 
