@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -30,12 +31,10 @@ def shape_error(name: str, expected: str, received: Any) -> ValueError:
 
 def as_array(name: str, value: Any, expected: str = "an array of numbers") -> FloatArray:
     """Convert to a float array; ValueError names the argument if that is not possible."""
-    try:
+    with suppress(TypeError, ValueError, OverflowError):
         array = np.asarray(value)
         if array.dtype.kind not in "USc":  # numpy reads numbers from texts, and leaves out imaginary parts
             return array.astype(float, copy=False)
-    except (TypeError, ValueError, OverflowError):
-        pass
     raise shape_error(name, expected, value)
 
 

@@ -127,8 +127,9 @@ std::span<const double> SecondOrderSolver::across_constraints(const State& state
 void SecondOrderSolver::end_swings() {
   State& now = current();
   std::vector<double> accelerations = ConstrainedMotion::gap_accelerations_without_driving(system(), now, conditions_);
+  const std::vector<char>& is_driven = driven();
   for (std::size_t k = 0; k < accelerations.size(); ++k)
-    if (driven()[k]) accelerations[k] = 0;
+    if (is_driven[k]) accelerations[k] = 0;
   const std::span<const double> across = move_across(accelerations);
   for (std::size_t i = 0; i < now.a.size(); ++i) now.a[i] -= across[i];
 }
