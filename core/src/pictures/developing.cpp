@@ -20,6 +20,13 @@ DALEMBERT_INLINE inline std::int32_t sum_of(FourWhole v) {
   return v[0] + v[1];
 }
 
+// The sums of four numbers each.
+DALEMBERT_INLINE inline FourWhole sums_of(FourWhole a, FourWhole b, FourWhole c, FourWhole d) {
+  const FourWhole ab = __builtin_shufflevector(a, b, 0, 4, 1, 5) + __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const FourWhole cd = __builtin_shufflevector(c, d, 0, 4, 1, 5) + __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
+
 // Sums of bytes of colors: red and blue side by side, and green.
 struct Sum {
   std::uint32_t even = 0, odd = 0;
@@ -59,16 +66,6 @@ float Picture::strength(const Point& normal, float& shine) const {
 // mean of their colors and normals then. Samples: per direction, if it is known at compile time; 0: it is not.
 template <int Samples>
 bool Picture::join(std::size_t first) {
-  if constexpr (Samples == 2) {
-    const auto colors = load<FourWhole>(&color_[first]), normals = load<FourWhole>(&normal_[first]);
-    const FourWhole x = (normals << 16) >> 16, y = normals >> 16, dx = x - four(x[0]), dy = y - four(y[0]), limit = four(alike);
-    if (bits((colors < FourWhole{}) & (dx <= limit) & (dx >= -limit) & (dy <= limit) & (dy >= -limit)) != 15) return false;
-    Sum color;
-    color.add(colors);
-    color_[first] = color.mean(4) | to_be_lit;
-    normal_[first] = (static_cast<std::uint32_t>(sum_of(x) / 4) & 0xffff) | static_cast<std::uint32_t>(sum_of(y) / 4) << 16;
-    return true;
-  }
   const int samples = Samples > 0 ? Samples : samples_;
   Sum color;
   int x = 0, y = 0;
@@ -88,6 +85,34 @@ bool Picture::join(std::size_t first) {
   color_[first] = color.mean(static_cast<std::uint32_t>(count)) | to_be_lit;
   normal_[first] = mean(x) | mean(y) << 16;
   return true;
+}
+
+// The same for up to four pixels of four samples, side by side; returns those for which one light will do, by their bits.
+std::uint32_t Picture::join_squares(std::size_t first, int count) {
+  std::array<FourWhole, 4> colors, x, y;
+  std::uint32_t joined = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto normals = load<FourWhole>(&normal_[first + 4 * i]);
+    colors[i] = load<FourWhole>(&color_[first + 4 * i]), x[i] = (normals << 16) >> 16, y[i] = normals >> 16;
+    const FourWhole dx = x[i] - four(x[i][0]), dy = y[i] - four(y[i][0]), limit = four(alike);
+    joined |= (bits((colors[i] < FourWhole{}) & (dx <= limit) & (dx >= -limit) & (dy <= limit) & (dy >= -limit)) == 15 ? 1u : 0u) << i;
+  }
+  if (joined == 0) return 0;
+  const auto sums = [](const std::array<FourWhole, 4>& parts, const auto& of) { return sums_of(of(parts[0]), of(parts[1]), of(parts[2]), of(parts[3])); };
+  const FourWhole even = sums(colors, [](FourWhole color) { return color & four(0xff00ff); });
+  const FourWhole odd = sums(colors, [](FourWhole color) { return (color >> 8) & four(255); });
+  const FourWhole color = (((even + four(0x20002)) >> 2) & four(0xff00ff)) | ((odd + four(2)) >> 2) << 8 | four(static_cast<std::int32_t>(to_be_lit));
+  const auto quarters = [](const std::array<FourWhole, 4>& parts) {  // towards zero
+    const FourWhole sum = sums_of(parts[0], parts[1], parts[2], parts[3]);
+    return (sum + ((sum >> 31) & four(3))) >> 2;
+  };
+  const FourWhole normal = (quarters(x) & four(0xffff)) | quarters(y) << 16;
+  for (int i = 0; i < count; ++i) {
+    if ((joined >> i & 1) == 0) continue;
+    const std::size_t k = first + 4 * static_cast<std::size_t>(i);
+    color_[k] = static_cast<std::uint32_t>(color[i]), normal_[k] = static_cast<std::uint32_t>(normal[i]);
+  }
+  return joined;
 }
 
 // The colors of surfaces in the light, in the place of their own: four side by side, each as `strength` has it for one.
@@ -147,15 +172,17 @@ void Picture::light(int pixel_row, std::uint8_t* pixels) {
     if (!(now == *surface)) *++surface = now;
     *next++ = {k, static_cast<std::uint32_t>(surface - surfaces_.data()), column, lit};
   };
+  std::uint32_t joined = 0;  // of four pixels, from the last multiple of 4 on
   for (int column = 0; column < width_; ++column) {
     const std::size_t first = sample(column * samples, pixel_row * samples);
     if constexpr (Samples == 2) {
+      if (column % 4 == 0) joined = join_squares(first, std::min(width_ - column, 4));
       if (bits(load<FourWhole>(&color_[first]) < FourWhole{}) == 0) {
         write(mean<Samples>(first), pixels + 3 * column);
         continue;
       }
     }
-    if (join<Samples>(first)) {
+    if (Samples == 2 ? (joined >> column % 4 & 1) != 0 : join<Samples>(first)) {
       add(first, column, Lit::pixel);
       continue;
     }

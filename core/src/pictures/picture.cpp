@@ -14,7 +14,9 @@ namespace dalembert {
 namespace {
 
 constexpr std::size_t shine_steps = 1024;
-constexpr std::size_t beyond = 3;  // samples that four side by side may reach beyond the last one
+constexpr std::size_t beyond = 15;  // samples that four side by side, or four pixels, may reach beyond the last one
+
+constexpr std::size_t ahead = 8;  // triangles whose vertices are brought to the cache
 
 constexpr std::size_t most_kept = std::size_t{4} << 20;  // samples, of 16 bytes; the memory of larger pictures is given back
 
@@ -132,9 +134,6 @@ void Picture::triangles(const Mesh& mesh) {
   const std::span front(order_.data(), facing), back(order_.data() + away, count - away);
   std::ranges::reverse(back);
   const Squares squares(columns_, rows_);
-  const auto sort = [&](std::span<std::uint32_t> list) {
-    if (list.size() >= Squares::many) squares.sort(list, [&](std::uint32_t t) { return vertices[corner(t, 0)].place; });
-  };
   std::vector<float> farthest;  // what is behind is hidden; empty: nothing is known to be
   Three turned;                 // corners with other normals than their vertices
   const auto draw = [&](std::size_t t, float side) {
@@ -154,11 +153,36 @@ void Picture::triangles(const Mesh& mesh) {
       clipped(whole, mesh.items[t]);
     }
   };
-  sort(front);
-  for (const std::uint32_t t : front) draw(t, 1);
+  const auto draw_all = [&](std::span<std::uint32_t> list, float side) {
+    std::vector<std::size_t> ends{list.size()};
+    const bool are_many = list.size() >= Squares::many;
+    if (are_many) ends = squares.sort(list, [&](std::uint32_t t) { return vertices[corner(t, 0)].place; });
+    for (std::size_t square = 0, i = 0; square < ends.size(); ++square) {
+      if (are_many && has_squares() && i < ends[square]) prefetch(squares, square + 1);
+      for (; i < ends[square]; ++i) {
+        const std::uint32_t soon = list[std::min(i + ahead, list.size() - 1)];
+        for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(&vertices[corner(soon, k)]);
+        draw(list[i], side);
+      }
+    }
+  };
+  draw_all(front, 1);
   if (back.size() >= Squares::many && has_squares()) farthest = farthest_of(squares);
-  sort(back);
-  for (const std::uint32_t t : back) draw(t, -1);
+  draw_all(back, -1);
+}
+
+// Brings the samples of a square to the cache, while what is in the square before it is drawn.
+void Picture::prefetch(const Squares& squares, std::size_t square) const {
+  constexpr int in_line = 16;  // samples of an array
+  const auto across = static_cast<std::size_t>(squares.across());
+  const int column = static_cast<int>(square % across) * Squares::side, row = static_cast<int>(square / across) * Squares::side;
+  for (int y = row; y < std::min(row + Squares::side, rows_); y += 2) {
+    const std::size_t first = sample(column, y), end = std::min(first + 2 * Squares::side, row_start(y + 2));
+    for (std::size_t k = first; k < end; k += in_line) {
+      __builtin_prefetch(depth_.data() + k, 1), __builtin_prefetch(item_.data() + k, 1);
+      __builtin_prefetch(color_.data() + k, 1), __builtin_prefetch(normal_.data() + k, 1);
+    }
+  }
 }
 
 // Whether all of a triangle is on one side of the picture.

@@ -26,9 +26,9 @@ class Squares {
     return whole(first_samples(Four{place.x, place.y}, Four{static_cast<float>(columns_), static_cast<float>(rows_)})) / side;
   }
 
-  // By squares, rows of them first; in each of them, the order stays. place_of: a point in samples.
+  // By squares, rows of them first; in each of them, the order stays. place_of: a point in samples. Returns where each square ends.
   template <class T, class PlaceOf>
-  void sort(std::span<T> list, const PlaceOf& place_of) const {
+  std::vector<std::size_t> sort(std::span<T> list, const PlaceOf& place_of) const {
     LargeVector<std::uint32_t> square(list.size());
     std::vector<std::size_t> starts(static_cast<std::size_t>(count_) + 1);
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -40,6 +40,8 @@ class Squares {
     LargeVector<T> sorted(list.size());
     for (std::size_t i = 0; i < list.size(); ++i) sorted[starts[square[i]]++] = list[i];
     std::ranges::copy(sorted, list.begin());
+    starts.pop_back();  // they have moved on to the ends
+    return starts;
   }
 
  private:

@@ -155,6 +155,7 @@ class Picture {
   void begin();
   bool is_beside(const Corners& v) const;
   std::vector<float> farthest_of(const Squares& squares) const;
+  void prefetch(const Squares& squares, std::size_t square) const;
   bool is_hidden(const Corners& v, const Squares& squares, const std::vector<float>& farthest) const;
   void clipped(const std::array<Corner, 3>& corners, std::int32_t item);
   void add(const Corners& corners, std::int32_t item);
@@ -173,6 +174,7 @@ class Picture {
   void outline_squares(int pixel_row);
   template <int Samples>
   bool join(std::size_t first);
+  std::uint32_t join_squares(std::size_t first, int count);
   template <int Samples>
   void light(int pixel_row, std::uint8_t* pixels);
   void light_surfaces(std::size_t count);
