@@ -327,3 +327,11 @@ def test_other_views_have_windows_of_their_own(SC: Any, viewer: Viewer, tab: Tab
     tab.wait("page.panes.length === 0 && document.querySelectorAll('.pane').length === 0")
     tab.value("page.split(page.sides())")
     tab.wait("page.panes.length === 3")
+
+
+def test_a_page_that_is_refused_says_so_on_white(browser: Browser, viewer: Viewer) -> None:
+    opened = browser.tab(f"{viewer.server.address}x")
+    opened.wait("page.state.textContent === 'refused: wrong token' && page.drawn > 0")
+    picture = Image.open(BytesIO(opened.picture())).convert("RGB")
+    assert picture.getpixel((400, 200)) == (255, 255, 255)
+    opened.close()

@@ -75,6 +75,7 @@ export class View {
     this.scale = element(place, "div", { className: "contour" });
     this.watcher = new ResizeObserver(() => this.resize());
     this.watcher.observe(place);
+    this.paint();
     this.resize();
     this.canvas.addEventListener("pointermove", (event) => this.point(event));
     this.canvas.addEventListener("pointerdown", (event) => (this.down = [event.clientX, event.clientY]));
