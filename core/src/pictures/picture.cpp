@@ -131,15 +131,15 @@ void Picture::triangles(const Mesh& mesh) {
   std::size_t facing = 0, away = count;
   for (std::size_t t = 0; t < count; ++t)
     if (!is_beside(vertices_of(t))) order_[faces_away(t) ? --away : facing++] = static_cast<std::uint32_t>(t);
-  const std::span front(order_.data(), facing), back(order_.data() + away, count - away);
+  const std::span front(order_.data(), facing);
+  std::span back(order_.data() + away, count - away);
   std::ranges::reverse(back);
   const Squares squares(columns_, rows_);
-  std::vector<float> farthest;  // what is behind is hidden; empty: nothing is known to be
-  Three turned;                 // corners with other normals than their vertices
+  const auto is_whole = [](const Corners& v) { return v[0]->inside && v[1]->inside && v[2]->inside; };
+  Three turned;  // corners with other normals than their vertices
   const auto draw = [&](std::size_t t, float side) {
     Corners v = vertices_of(t);
-    if (v[0]->inside && v[1]->inside && v[2]->inside) {
-      if (!farthest.empty() && is_hidden(v, squares, farthest)) return;
+    if (is_whole(v)) {
       if (!smooth || side < 0) {
         turned = {*v[0], *v[1], *v[2]};
         const Point n = smooth ? Point{} : side * flat(t);
@@ -167,7 +167,11 @@ void Picture::triangles(const Mesh& mesh) {
     }
   };
   draw_all(front, 1);
-  if (back.size() >= Squares::many && has_squares()) farthest = farthest_of(squares);
+  if (back.size() >= Squares::many && has_squares()) {
+    const std::vector<float> farthest = farthest_of(squares);
+    const auto hidden = std::ranges::remove_if(back, [&](std::uint32_t t) { return is_whole(vertices_of(t)) && is_hidden(vertices_of(t), squares, farthest); });
+    back = back.first(back.size() - hidden.size());
+  }
   draw_all(back, -1);
 }
 
