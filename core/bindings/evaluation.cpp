@@ -217,6 +217,14 @@ void register_constraints(py::module_& module) {
       },
       py::arg("mbs"), py::arg("state"), py::arg("momentLength") = 0.0,
       "Constraint equations that follow from others, as GetRedundantConstraints of the solvers gives them.");
+  module.def(
+      "constraint_metric",
+      [](MainSystem& main, const EvaluationState& s) {
+        const ConstraintMetric metric = constraint_metric(checked(main, s, "constraint_metric"), s.state, s.conditions);
+        return py::make_tuple(array(metric.weights), array(metric.units));
+      },
+      py::arg("mbs"), py::arg("state"),
+      "By constraint equation: what solvers weigh it with where some contradict each other (0: they never do), and what counts as one in its gap.");
   module.def("extent", [](MainSystem& main) { return main.assembled("extent").extent(); }, py::arg("mbs"),
              "The diagonal of the box around all markers in space, as evaluated last, in m; 1 without such markers.");
 }

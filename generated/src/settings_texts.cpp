@@ -56,7 +56,7 @@ constexpr std::array<std::string_view, 1> EventsSettings_rows{
 constexpr std::array<std::string_view, 4> InitialConditionsSettings_rows{
     "evaluate the gap and the rate of the gap of every constraint before the first step, and name the worst of those that are not fulfilled; the static solver looks at gaps only, closes them, and says so if its verboseMode is at least 1",
     "true: constraints that are not fulfilled at the start are an error; false: a warning",
-    "largest gap that is not reported: relative to the size of the model, which is the diagonal of the box around all nodes and markers, or in rad",
+    "largest gap that is not reported: relative to the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, or in rad",
     "largest rate of a gap that is not reported, relative to the sum of the magnitudes of the velocities that meet in the constraint; rates that open a gap of less than positionTolerance in one second are not reported",
 };
 
@@ -83,8 +83,8 @@ constexpr std::array<std::string_view, 8> ParallelSettings_rows{
 };
 
 constexpr std::array<std::string_view, 3> RedundantConstraintsSettings_rows{
-    "gap that redundant constraints which contradict each other may leave, relative to the size of the model, or in rad: up to it the solver distributes it among them and warns, above it is an error",
-    "the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the model, which is the diagonal of the box around all nodes and markers, but at most 20 radii of gyration of its bodies (on average)",
+    "gap that redundant constraints which contradict each other may leave, relative to the size of their mechanism, or in rad: up to it the solver distributes it among them and warns, above it is an error",
+    "the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, but at most 20 radii of gyration of its bodies (on average)",
     "true: find redundant constraints and solve in spite of them; false: a matrix that they make singular stops the solver, and where round-off hides that, reactions are arbitrary",
 };
 

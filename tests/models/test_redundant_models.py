@@ -292,15 +292,16 @@ def test_factors_of_ladders_grow_with_their_length() -> None:
     assert many / few == pytest.approx(6, abs=1)
 
 
-def rails(loops: int, gravity: Any = (0, 0, -9.81)) -> tuple[Any, Any]:
-    """A ladder whose rungs lie between two rails, so that all loops hang together; and its last rung."""
+def rails(loops: int, gravity: Any = (0, 0, -9.81), turned: float = 0) -> tuple[Any, Any]:
+    """A ladder whose rungs lie between two rails, so that all loops hang together; and its last rung. Its first hinge may be turned."""
     mbs = new_system()
     below = [mbs.CreateGround()] * 2
     for k in range(loops):
         above = [bar(mbs, [x, k, 0], [x, k + 1, 0], gravity) for x in (0, 1)]
         rung = bar(mbs, [0, k + 1, 0], [1, k + 1, 0], gravity)
         for x, (one, other) in enumerate(zip(below, above, strict=True)):
-            mbs.CreateRevoluteJoint(bodyNumbers=[one, other], position=[x, k, 0], axis=[0, 0, 1])
+            axis = [turned if k + x == 0 else 0, 0, 1]
+            mbs.CreateRevoluteJoint(bodyNumbers=[one, other], position=[x, k, 0], axis=axis)
             mbs.CreateRevoluteJoint(bodyNumbers=[other, rung], position=[x, k + 1, 0], axis=[0, 0, 1])
         below = above
     mbs.Assemble()
@@ -346,8 +347,8 @@ def test_weak_constraints_are_told_from_redundant_ones() -> None:
 
 
 def test_counts_that_are_not_certain_say_so() -> None:
-    """Below 1e-9, round-off is near; what fails then names it, and the joints."""
-    mbs = rails(130, (9.81, 0, 0))[0]
+    """What a hinge out of true states besides is weak with the square of its angle; what fails then names it, and the joints."""
+    mbs = rails(40, (9.81, 0, 0), turned=1e-4)[0]
     with pytest.warns(UserWarning, match="hardly independent of others"):
         mbs.ComputeSystemDegreeOfFreedom()
     s = settings(0.5, 5)
@@ -361,7 +362,7 @@ def test_counts_that_are_not_certain_say_so() -> None:
 @pytest.mark.parametrize("solver", [exu.DynamicSolverType.DOPRI5, exu.DynamicSolverType.ESDIRK43])
 def test_other_solvers_say_so_as_well(solver: Any) -> None:
     """A step of 0.5 s is too large for the one, and a single iteration is not enough for the other."""
-    mbs = rails(130, (9.81, 0, 0))[0]
+    mbs = rails(40, (9.81, 0, 0), turned=1e-4)[0]
     s = settings(0.5, 1)
     s.timeIntegration.newton.maxIterations = 1
     s.timeIntegration.adaptiveStep = s.timeIntegration.automaticStepSize = False

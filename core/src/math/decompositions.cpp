@@ -41,6 +41,14 @@ PivotedTriangle pivoted_triangle(const MatrixXd& matrix) {
   return {qr.matrixQR().topRows(rank).triangularView<Eigen::Upper>(), std::vector<int>(columns.begin(), columns.end())};
 }
 
+std::optional<TurnedApart> turned_apart(const MatrixXd& columns, double large, double negligible) {
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
+  const VectorXd pivots = qr.matrixQR().diagonal().cwiseAbs();
+  const Eigen::Index rank = std::ranges::count_if(pivots, [=](double x) { return x > large; });
+  if (!std::ranges::all_of(pivots, [=](double x) { return x > large || x < negligible; })) return {};
+  return TurnedApart{qr.householderQ(), rank};
+}
+
 MatrixXd kernel_of(const MatrixXd& matrix, double negligible_pivot) {
   Eigen::FullPivLU<MatrixXd> lu(matrix);
   lu.setThreshold(negligible_pivot);

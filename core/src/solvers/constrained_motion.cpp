@@ -145,11 +145,14 @@ bool ConstrainedMotion::to_be_examined(const State& start_of_step) const {
   return redundant_.in_use() && knowledge_ != Knowledge::confirmed && start_of_step.time != examined_at_;
 }
 
-// In the metric of the masses, with ones where there are none.
+// In the metric of the masses, with others where there are none.
 void ConstrainedMotion::fill_for_constraints(System& system, const State& state, const Conditions& conditions) {
   fill(system, state, conditions);
-  for (int j = 0; j < ode2_; ++j)
-    if (double& mass = matrix_[static_cast<std::size_t>(pattern_->slot(j, j))]; !(mass > 0)) mass = 1;
+  const auto mass = [&](int j) -> double& { return matrix_[static_cast<std::size_t>(pattern_->slot(j, j))]; };
+  std::vector<double> masses;
+  for (int j = 0; j < ode2_; ++j) masses.push_back(mass(j));
+  fill_in_masses(system, masses);
+  for (int j = 0; j < ode2_; ++j) mass(j) = masses[static_cast<std::size_t>(j)];
 }
 
 bool ConstrainedMotion::examine(System& system, const State& start_of_step, const Conditions& conditions) {
@@ -469,7 +472,7 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
       else system.gaps(still, at_level(conditions, of_rates), gaps);
       for (std::size_t k = 0; k < n; ++k)
         if (!system.constrains_motion(static_cast<int>(k)) || (!of_rates && of_velocities_[k])) gaps[k] = 0;
-      const double open = largest(gaps) / size;
+      const double open = redundant_.in_use() && !of_rates ? redundant_.largest_of_all(gaps) : largest(gaps) / size;
       const bool settled = i > 1 && !(open < 0.5 * before);
       before = std::exchange(left, open);
       if (settled || left <= closed) break;

@@ -38,6 +38,18 @@ inline double largest(std::span<const double> numbers) {
   return size;
 }
 
+// By ODE2 coordinate: where there is none, the largest of its node in the same unit, or one.
+inline void fill_in_masses(const System& system, std::span<double> masses) {
+  const std::vector<int> nodes = system.nodes_of_coordinates();
+  const std::vector<CoordinateUnit> units = system.coordinate_units();
+  for (std::size_t first = 0, end = 0; first < masses.size(); first = end) {
+    double most = 0;
+    for (end = first; end < masses.size() && nodes[end] == nodes[first] && units[end] == units[first]; ++end) most = std::max(most, masses[end]);
+    for (std::size_t j = first; j < end; ++j)
+      if (!(masses[j] > 0)) masses[j] = most > 0 ? most : 1;
+  }
+}
+
 inline void move_positions(System& system, std::span<const double> step, std::vector<double>& q) {
   const std::vector<double> before = q, increment(step.begin(), step.end());
   for (std::size_t i = 0; i < q.size(); ++i) q[i] += increment[i];

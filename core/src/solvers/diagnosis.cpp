@@ -167,22 +167,27 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
 }
 
 // Joints that fit at the start do so in any motion that they allow, unless something drives them apart: what opens then is the motion's. Where
-// rates are constrained, what is left of them tells nothing of the gaps that there are.
+// rates are constrained, what is left of them tells nothing of the gaps that there are. Static solutions close gaps of the start.
 bool Solver::has_left_constraints(std::span<const double> misfit) {
   constexpr double none = 1e-3;
-  if (is_static()) return false;
   const RedundantConstraints& constraints = redundant_constraints();
   const auto apart = [&](const State& at) { return constraints.largest_apart(gaps_of_positions(system(), at, conditions_)); };
   const double open = conditions_.rate_level ? apart(current()) : constraints.largest_apart(misfit);
   const std::vector<char> driven = driven_equations(system(), initial(), conditions_, last_time());
-  return apart(initial()) < none * open && std::ranges::none_of(driven, [](char d) { return d != 0; });
+  return apart(is_static() ? start_of_step() : initial()) < none * open && std::ranges::none_of(driven, [](char d) { return d != 0; });
 }
 
 [[gnu::noinline]] void Solver::diagnose_contradiction(std::span<const double> misfit) {
   const bool begun_before = largest_misfit_ > RedundantConstraints::silent_misfit;  // actions may have closed a joint that does not fit
-  if (begun_before && has_left_constraints(misfit)) {
+  if ((begun_before || is_static()) && has_left_constraints(misfit)) {
     Diagnosis& d = diagnose(FailureReason::open_constraints);
     add_largest(d.values, misfit, "equation", sizes_.first_ae());
+    if (is_static()) {
+      d.advice = {"joints have fitted together before this step; Newton's method has gone to where they do not: use more load steps "
+                  "(staticSolver.numberOfLoadSteps), which may become as small as staticSolver.minimumStepSize says",
+                  "where the mechanism is to snap through, or has to swing far, find the equilibrium by a dynamic solution with damping"};
+      return;
+    }
     d.advice = {"joints have fitted together at the start; the motion has left what they allow, more with each step: use smaller steps "
                 "(timeIntegration.numberOfSteps), or numerical damping (generalizedAlpha.spectralRadius below 1)",
                 "let steps end on the constraints (exu.DynamicSolverType.ESDIRK43, DOPRI5)", "see how far the energy has drifted (mbs.Report())"};
@@ -192,12 +197,12 @@ bool Solver::has_left_constraints(std::span<const double> misfit) {
   add_largest(d.values, misfit, "equation", sizes_.first_ae());
   d.dependent = redundant_constraints().contradictions(misfit, system());
   d.advice = {"move or turn the markers of the joints named above until they fit, or free equations that others state as well",
-              "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the model)"};
+              "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the mechanism)"};
 }
 
 // One line per item, the worst equation of each.
 [[gnu::noinline]] void Solver::warn_of_contradiction(std::span<const double> misfit) {
-  if (!told_contradiction_.empty()) return;
+  if (!told_contradiction_.empty() || (is_static() && has_left_constraints(misfit))) return;
   const RedundantConstraints& constraints = redundant_constraints();
   std::vector<std::string> lines;
   for (const System::EquationOwner& owner : system().equation_owners()) {

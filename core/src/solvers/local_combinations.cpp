@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "dalembert/math/decompositions.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
+#include "sparse_kernel.hpp"
 
 namespace dalembert {
 
 namespace {
 
-constexpr std::size_t largest_block = 200;        // equations
+constexpr std::size_t largest_block = 200;  // equations, which are taken as full columns
 constexpr double clear_multiple = 1e4;  // of what is left of a combination that vanishes
 // What is left of equations behind others, where it is so clear that combinations need not be looked at one by one.
 constexpr double evident_rest = 1e-8, evident_pivot = 1e-2;
+constexpr double evident_step = 1e-3;  // the same where nodes are eliminated one by one
 
 using Block = Eigen::MatrixXd;
 
@@ -28,7 +32,8 @@ class Loops {
 
   // False: it does not tell.
   bool find(const ConstraintBlock& block, Block& found) {
-    if (block.rows.size() > largest_block || !take(block)) return false;
+    if (!take(block)) return false;
+    if (block.rows.size() > largest_block) return find_by_nodes(block, found);
     const auto inside = static_cast<Eigen::Index>(inside_), m = static_cast<Eigen::Index>(block.rows.size());
     found = Block::Zero(m, 0);
     if (active_.empty()) return true;
@@ -53,6 +58,57 @@ class Loops {
   }
 
  private:
+  // The same where most entries are zero.
+  bool find_by_nodes(const ConstraintBlock& block, Block& found) {
+    const std::vector<SparseEntry> all = entries_without_units();
+    std::vector<SparseEntry> inside;
+    std::ranges::copy_if(all, std::back_inserter(inside), [&](const SparseEntry& e) { return static_cast<std::size_t>(e.row) < inside_; });
+    std::vector<int> nodes;
+    for (std::size_t i = 0; i < inside_; ++i) nodes.push_back(all_.nodes[static_cast<std::size_t>(coordinates_[i])]);
+    if (!std::ranges::all_of(all, [](const SparseEntry& e) { return std::isfinite(e.value); }) || !std::ranges::is_sorted(nodes)) return false;
+    if (!nodes.empty() && nodes.front() < 0) return false;
+    const double independent = std::max(evident_step, std::sqrt(clear_multiple * all_.vanishing));
+    const auto combinations = sparse_kernel(static_cast<int>(active_.size()), nodes, inside, evident_rest, independent);
+    if (!combinations) return false;
+    Block left = Block::Zero(static_cast<Eigen::Index>(coordinates_.size()), combinations->cols());
+    for (const SparseEntry& e : all) left.row(e.row) += e.value * combinations->row(e.column);
+    if (left.size() > 0 && left.colwise().squaredNorm().maxCoeff() >= all_.vanishing) return false;
+    found = Block::Zero(static_cast<Eigen::Index>(block.rows.size()), combinations->cols());
+    for (std::size_t i = 0; i < active_.size(); ++i) found.row(places_[i]) = combinations->row(static_cast<Eigen::Index>(i));
+    return true;
+  }
+
+  // As `entries`, without what conditions of unit length take up.
+  std::vector<SparseEntry> entries_without_units() {
+    std::vector<SparseEntry> found;
+    std::vector<double> column(coordinates_.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      std::vector<int> touched, units;
+      const double scale = 1 / std::sqrt(all_.weights[static_cast<std::size_t>(active_[i])]);
+      each(active_[i], [&](int j, double x) {
+        touched.push_back(place_[static_cast<std::size_t>(j)]);
+        column[static_cast<std::size_t>(touched.back())] = scale * x;
+        largest = std::max(largest, std::abs(scale * x));
+        if (const int k = unit_[static_cast<std::size_t>(j)]; k >= 0 && std::ranges::find(units, k) == units.end()) units.push_back(k);
+      });
+      for (const int k : units) {
+        double share = 0, size = 0;
+        each(k, [&](int j, double x) {
+          touched.push_back(place_[static_cast<std::size_t>(j)]);
+          share += x * column[static_cast<std::size_t>(touched.back())];
+          size += x * x;
+        });
+        each(k, [&](int j, double x) { column[static_cast<std::size_t>(place_[static_cast<std::size_t>(j)])] -= share / size * x; });
+      }
+      std::ranges::sort(touched);
+      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      for (const int row : touched) found.push_back({row, static_cast<int>(i), std::exchange(column[static_cast<std::size_t>(row)], 0.0)});
+    }
+    for (SparseEntry& e : found) e.value /= largest > 0 ? largest : 1;
+    return found;
+  }
+
   // By elimination. False: it does not tell.
   static bool evident_combinations(const Block& left, Block& found) {
     if (left.rows() == 0) return false;

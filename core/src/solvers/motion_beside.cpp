@@ -15,7 +15,22 @@ namespace {
 // What counts as beside a position: far enough that what is singular there shows, and so close that constraints are left open by little.
 constexpr double little = 1e-4;
 
-// Of a motion: so much, relative to the size of the model or to a radian.
+// Of a motion in each mechanism: so much, relative to the size of it or to a radian.
+void add_part_in_mechanisms(const System& system, const RedundantConstraints& known, double part, std::span<const double> direction, std::span<double> step) {
+  const std::vector<CoordinateUnit> units = system.coordinate_units();
+  const double extent = system.extent();
+  std::vector<double> sizes(known.lengths().size() + 1);  // of those that belong to none at last
+  const auto mechanism = [&](std::size_t i) { return known.mechanisms()[i] < 0 ? sizes.size() - 1 : static_cast<std::size_t>(known.mechanisms()[i]); };
+  for (std::size_t i = 0; i < direction.size(); ++i) {
+    const double length = mechanism(i) + 1 < sizes.size() ? known.lengths()[mechanism(i)] : 0;
+    const double unit = units[i] == CoordinateUnit::meter ? (length > 0 ? length : extent) : 1;
+    sizes[mechanism(i)] = std::max(sizes[mechanism(i)], std::abs(direction[i]) / unit);
+  }
+  for (std::size_t i = 0; i < direction.size(); ++i)
+    if (sizes[mechanism(i)] > at_rest) step[i] += part * direction[i] / sizes[mechanism(i)];
+}
+
+// Of a motion as a whole: so much, relative to the size of the model or to a radian.
 void add_part(const System& system, double part, std::span<const double> direction, std::span<double> step) {
   const std::vector<CoordinateUnit> units = system.coordinate_units();
   const double extent = system.extent();
@@ -43,10 +58,14 @@ void ConstrainedMotion::add_free_motion(double part, const System& system, const
   std::vector<double> x(x_.size(), 0.0);
   for (std::size_t i = 0; i < n; ++i) x[i] = matrix_[static_cast<std::size_t>(pattern_->slot(static_cast<int>(i), static_cast<int>(i)))] * random();
   solve(x);
-  add_part(system, part, std::span<const double>(x).first(n), step);
+  const auto add = [&](std::span<const double> direction) {
+    if (redundant_.in_use()) add_part_in_mechanisms(system, redundant_, part, direction, step);
+    else add_part(system, part, direction, step);
+  };
+  add(std::span<const double>(x).first(n));
   if (std::inner_product(step.begin(), step.end(), at.v.begin(), 0.0) < 0)  // where there is one motion alone, they would cancel
     for (double& s : step) s = -s;
-  add_part(system, part, at.v, step);
+  add(at.v);
 }
 
 State ConstrainedMotion::moved_by(double part, System& system, const State& at, const Conditions& conditions) {

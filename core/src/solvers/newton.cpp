@@ -262,8 +262,9 @@ bool NewtonSolver::check_convergence() {
   return true;
 }
 
+// Idle multipliers of small steps grow by the round-off of gaps, and rounding errors with them.
 bool NewtonSolver::stagnated() const {
-  return loop_.idle >= idle_iterations && conv.residual <= 10 * loop_.best_residual &&
+  return loop_.idle >= idle_iterations && (conv.residual <= 10 * loop_.best_residual || redundant_.in_use()) &&
          newton_settings.newtonResidualMode == 0;
 }
 

@@ -7,6 +7,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 
 namespace dalembert {
@@ -96,16 +97,16 @@ std::vector<OpenConstraint> open_constraints(System& system, const State& state,
   const State still = without_multipliers(state);
   std::vector<double> gaps(still.lambda.size()), rates(gaps.size());
   system.gaps(still, at_level(conditions, false), gaps);
-  const double extent = system.extent();
   if (tolerances.rates) system.gaps(still, at_level(conditions, true), rates);
-  if (std::max(largest(gaps), largest(rates)) <= tolerances.position * std::min(1.0, extent)) return open;
+  if (std::max(largest(gaps), largest(rates)) <= tolerances.position * std::min(1.0, smallest_unit(system))) return open;
 
+  const std::vector<double> sizes = constraint_metric(system, still, at_level(conditions, false)).units;
   const ConstraintRates now = tolerances.rates ? constraint_rates(system, state, conditions)
                                                : constraints_at_rest(system, state, at_level(conditions, false));
   const auto look = [&](int k, bool of_rate, double gap, double speed) {
     const CoordinateUnit unit = now.units[k];
     const double limit =
-        std::max(tolerances.position * (unit == CoordinateUnit::meter ? extent : 1.0), speed * tolerances.velocity);
+        std::max(tolerances.position * (unit == CoordinateUnit::meter ? sizes[static_cast<std::size_t>(k)] : 1.0), speed * tolerances.velocity);
     if (std::abs(gap) > limit) open.push_back({k, of_rate, gap, std::abs(gap) / std::max(limit, 1e-300), unit});
   };
   for (int k = 0; k < system.sizes().ae; ++k) {

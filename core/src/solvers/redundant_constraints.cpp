@@ -31,7 +31,7 @@ constexpr double harmless_round_off = 1e8;
 constexpr double smallest_eps = 1e-11;
 // Beside the weakest constraint that is none of the redundant ones.
 constexpr double share_of_weakest = 1e-3;
-// Joints apart by a misfit m (relative to the size of the model) constrain with m^2 what aligned ones would leave free, and so do those
+// Joints apart by a misfit m (relative to the size of the mechanism) constrain with m^2 what aligned ones would leave free, and so do those
 // that have drifted apart because velocities alone are constrained.
 constexpr double misaligned = 1e6, eps_for_misfits = 1e-8;
 // Where velocities alone are constrained, gaps stay, and what they leave of combinations would take a part of the motion in each step.
@@ -40,6 +40,8 @@ constexpr double multiple_of_vanishing = 100;
 // Beside the radius of gyration of bodies, places may be much closer together than it, and models much larger: what moments count for is limited
 // to these multiples of it. Beyond, their part of eps D would be round-off beside that of forces, or of the inertia of bodies.
 constexpr double smallest_arm = 1e-3, largest_arm = 20;
+// Mechanisms may be that much smaller than the model: positions in it are rounded by more than what counts in smaller ones.
+constexpr double smallest_share_of_model = 1e-4;
 
 double mean_of_logarithms(const std::vector<double>& numbers) {
   double sum = 0;
@@ -50,23 +52,27 @@ double mean_of_logarithms(const std::vector<double>& numbers) {
 // Of equations by what they are about, from their own.
 class WeightsOfKinds {
  public:
-  WeightsOfKinds(std::map<CoordinateUnit, std::vector<double>> kinds, double size_of_model, double moment_length)
+  using Kinds = std::map<CoordinateUnit, std::vector<double>>;
+  // Mechanisms of no size, such as a wheel on a shaft, have that of their bodies.
+  WeightsOfKinds(Kinds kinds, double size_of_mechanism, double size_of_model, double moment_length)
       : force_(mean_of_logarithms(kinds[CoordinateUnit::meter])),
         moment_(mean_of_logarithms(kinds[CoordinateUnit::radian])),
         other_(mean_of_logarithms(kinds[CoordinateUnit::unknown])) {
     const double radius_of_gyration = force_ > 0 && moment_ > 0 ? std::sqrt(force_ / moment_) : 0;
-    const double arm = radius_of_gyration > 0 ? std::clamp(size_of_model, smallest_arm * radius_of_gyration, largest_arm * radius_of_gyration) : size_of_model;
+    size_ = size_of_mechanism > 0 ? size_of_mechanism : radius_of_gyration > 0 ? radius_of_gyration : size_of_model;
+    const double arm = radius_of_gyration > 0 ? std::clamp(size_, smallest_arm * radius_of_gyration, largest_arm * radius_of_gyration) : size_;
     const double length = moment_length > 0 ? moment_length : arm;
     if (force_ > 0) moment_ = force_ / (length * length);
     else if (moment_ > 0) force_ = moment_ * length * length;
   }
+  double size() const { return size_; }
   double of(CoordinateUnit unit) const {
     const double weight = unit == CoordinateUnit::meter ? force_ : unit == CoordinateUnit::radian ? moment_ : other_ > 0 ? other_ : force_;
     return weight > 0 ? weight : 1.0;
   }
 
  private:
-  double force_, moment_, other_;
+  double force_, moment_, other_, size_ = 0;
 };
 
 double largest_number(std::span<const double> numbers) {
@@ -88,6 +94,47 @@ void each_share(const Pattern& pattern, std::span<const double> values, std::spa
     const int row = row_in(pattern, range, slot);
     f(row, diagonal[static_cast<std::size_t>(row)] > 0 ? values[slot] * values[slot] / diagonal[static_cast<std::size_t>(row)] : 0);
   }
+}
+
+// Rotations by parameters whose length is one: how a body is turned decides which of these have inertia, and what makes them longer moves nothing.
+struct Turning {
+  std::size_t first;           // coordinate
+  Eigen::MatrixXd compliance;  // what generalized forces turn, by masses and stiffness of the matrix
+};
+
+// By node.
+std::map<int, Turning> turnings(const System& system, const Pattern& pattern, std::span<const double> values, std::span<const int> nodes) {
+  const std::vector<CoordinateUnit> units = system.coordinate_units();
+  std::map<int, Turning> found;
+  for (const System::EquationOwner& owner : system.equation_owners()) {
+    if (!owner.of_node) continue;
+    const ColumnRange column = column_range(pattern, system.sizes().first_ae() + owner.first, static_cast<int>(nodes.size()));
+    std::size_t entry = column.begin;
+    while (entry < column.middle && values[entry] == 0) ++entry;
+    if (entry == column.middle) continue;
+    std::size_t first = static_cast<std::size_t>(row_in(pattern, column, entry)), end = first + 1;
+    while (first > 0 && nodes[first - 1] == nodes[end - 1] && units[first - 1] == units[end - 1]) --first;
+    while (end < nodes.size() && nodes[end] == nodes[first] && units[end] == units[first]) ++end;
+    const auto n = static_cast<Eigen::Index>(end - first);
+    const auto place = [=](int row) { return static_cast<Eigen::Index>(static_cast<std::size_t>(row) - first); };
+    Eigen::MatrixXd inertia = Eigen::MatrixXd::Zero(n, n);
+    for (std::size_t j = first; j < end; ++j) {
+      const ColumnRange own = column_range(pattern, static_cast<int>(j), static_cast<int>(end));
+      for (std::size_t slot = own.begin; slot < own.middle; ++slot)
+        if (const int row = row_in(pattern, own, slot); static_cast<std::size_t>(row) >= first) inertia(place(row), place(static_cast<int>(j))) = values[slot];
+    }
+    Eigen::VectorXd longer = Eigen::VectorXd::Zero(n);
+    for (std::size_t slot = entry; slot < column.middle; ++slot)
+      if (values[slot] != 0) longer[place(row_in(pattern, column, slot))] = values[slot];
+    longer.normalize();
+    const Eigen::MatrixXd turned = Eigen::MatrixXd::Identity(n, n) - longer * longer.transpose();
+    const SymmetricEigenpairs pairs = symmetric_eigenpairs(turned * (inertia + inertia.transpose()) / 2 * turned);
+    Eigen::VectorXd inverse = pairs.values.cwiseAbs();
+    const double least = no_inertia * inverse.maxCoeff();
+    for (double& x : inverse) x = x > least ? 1 / x : 0;
+    found.try_emplace(nodes[first], Turning{first, pairs.vectors * inverse.asDiagonal() * pairs.vectors.transpose()});
+  }
+  return found;
 }
 
 }  // namespace
@@ -178,8 +225,10 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   if (rows_.empty()) return false;
   nodes_ = system.nodes_of_coordinates();
 
-  std::vector<double> diagonal(static_cast<std::size_t>(s.ode2)), largest(n, 0.0), ratio(n, 0.0), columns(n, 0.0), lines(n, 0.0);
+  std::vector<double> diagonal(static_cast<std::size_t>(s.ode2)), ratio(n, 0.0), columns(n, 0.0), lines(n, 0.0);
+  std::vector<std::map<CoordinateUnit, double>> largest(n);
   for (int j = 0; j < s.ode2; ++j) diagonal[j] = std::abs(values[static_cast<std::size_t>(pattern.slot(j, j))]);
+  const std::map<int, Turning> turning = turnings(system, pattern, values, nodes_);
   const std::vector<CoordinateUnit> units_of_coordinates = system.coordinate_units();
   std::vector<CoordinateUnit> units(n, CoordinateUnit::unknown);
   const auto each_force = [&](auto&& f) {  // f(equation, coordinate, entry) of G^T
@@ -190,13 +239,32 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
     }
   };
   each_force([&](int k, int j, double g) {
-    largest[k] = std::max(largest[k], diagonal[j]);
+    double& known = largest[k][units_of_coordinates[j]];
+    known = std::max(known, diagonal[j]);
     columns[k] += g * g;
     units[k] = std::max(units[k], units_of_coordinates[j]);
   });
+  int equation = -1, node = -1;
+  Eigen::VectorXd moment;
+  const auto add_turning = [&] {
+    if (equation >= 0) ratio[static_cast<std::size_t>(equation)] += moment.dot(turning.at(node).compliance * moment);
+    equation = -1;
+  };
   each_force([&](int k, int j, double g) {
-    if (diagonal[j] > no_inertia * largest[k]) ratio[k] += g * g / diagonal[j];
+    const int at = nodes_[static_cast<std::size_t>(j)];
+    const auto turns = turning.find(at);
+    if (turns == turning.end() || units_of_coordinates[j] != CoordinateUnit::radian) {
+      if (diagonal[j] > no_inertia * largest[k][units_of_coordinates[j]]) ratio[k] += g * g / diagonal[j];
+      return;
+    }
+    if (k != equation || at != node) {
+      add_turning();
+      equation = k, node = at;
+      moment = Eigen::VectorXd::Zero(turns->second.compliance.rows());
+    }
+    moment[static_cast<Eigen::Index>(static_cast<std::size_t>(j) - turns->second.first)] = g;
   });
+  add_turning();
   for (int j = 0; j < s.ode2; ++j) {
     const ColumnRange column = column_range(pattern, j, first_ae_);
     for (std::size_t slot = column.middle; slot < column.end; ++slot)
@@ -212,11 +280,13 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
     const double factor = columns[k] > 0 && lines[k] > 0 ? 0.5 * std::log(lines[k] / columns[k]) : 0;
     of_rate_[k] = std::abs(factor - std::log(rate_factor)) < std::abs(factor);
   }
-  find_weights(ratio, mechanisms(pattern, values), units, moment_length);
+  const int mechanisms = find_mechanisms(pattern, values);
+  lengths_ = system.extents(mechanism_of_coordinate_, mechanisms);
+  find_weights(ratio, units, moment_length);
   return true;
 }
 
-std::vector<int> RedundantConstraints::mechanisms(const Pattern& pattern, std::span<const double> values) const {
+int RedundantConstraints::find_mechanisms(const Pattern& pattern, std::span<const double> values) {
   const std::size_t nodes = nodes_.empty() ? 0 : static_cast<std::size_t>(*std::ranges::max_element(nodes_) + 1);
   std::vector<int> root(multiplier_.size()), first(nodes, -1);  // equation of a node
   std::iota(root.begin(), root.end(), 0);
@@ -234,32 +304,40 @@ std::vector<int> RedundantConstraints::mechanisms(const Pattern& pattern, std::s
       else root[static_cast<std::size_t>(of(k))] = of(other);
     }
   }
-  for (const int k : rows_) root[static_cast<std::size_t>(k)] = of(k);
-  return root;
+  int count = 0;
+  std::vector<int> number(root.size(), -1);
+  const auto number_of = [&](int k) {
+    int& known = number[static_cast<std::size_t>(of(k))];
+    return known < 0 ? known = count++ : known;
+  };
+  mechanism_.assign(root.size(), -1);
+  for (const int k : rows_) mechanism_[static_cast<std::size_t>(k)] = number_of(k);
+  mechanism_of_coordinate_.assign(nodes_.size(), -1);
+  for (std::size_t j = 0; j < nodes_.size(); ++j)
+    if (nodes_[j] >= 0 && first[static_cast<std::size_t>(nodes_[j])] >= 0) mechanism_of_coordinate_[j] = number_of(first[static_cast<std::size_t>(nodes_[j])]);
+  return count;
 }
 
 // Equations of a kind have one weight in a mechanism, whatever its bodies weigh: equal hinges carry equal parts.
-void RedundantConstraints::find_weights(const std::vector<double>& ratios, const std::vector<int>& mechanisms, const std::vector<CoordinateUnit>& units, double moment_length) {
-  using Kinds = std::map<CoordinateUnit, std::vector<double>>;
-  std::map<int, Kinds> apart;
-  Kinds all;
+void RedundantConstraints::find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length) {
+  std::vector<WeightsOfKinds::Kinds> apart(lengths_.size());
+  WeightsOfKinds::Kinds all;
   for (const int k : rows_) {
     if (!(ratios[k] > 0 && std::isfinite(ratios[k]))) continue;
-    apart[mechanisms[k]][units[k]].push_back(ratios[k]);
+    apart[static_cast<std::size_t>(mechanism_[k])][units[k]].push_back(ratios[k]);
     all[units[k]].push_back(ratios[k]);
   }
-  std::map<int, WeightsOfKinds> weights;
-  for (const auto& [mechanism, kinds] : apart) weights.try_emplace(mechanism, kinds, length_, moment_length);
-  const WeightsOfKinds others(all, length_, moment_length);
+  std::vector<WeightsOfKinds> weights;
+  for (std::size_t i = 0; i < lengths_.size(); ++i) weights.emplace_back(apart[i].empty() ? all : apart[i], lengths_[i], length_, moment_length);
   units_ = units;
   weight_.assign(ratios.size(), 0.0);
   own_weight_.assign(ratios.size(), 0.0);
   unit_.assign(ratios.size(), 1.0);
   for (const int k : rows_) {
-    const auto found = weights.find(mechanisms[k]);
-    weight_[k] = (found != weights.end() ? found->second : others).of(units[k]);
+    const WeightsOfKinds& known = weights[static_cast<std::size_t>(mechanism_[k])];
+    weight_[k] = known.of(units[k]);
     own_weight_[k] = ratios[k] > 0 && std::isfinite(ratios[k]) ? ratios[k] : weight_[k];
-    if (units[k] == CoordinateUnit::meter) unit_[k] = length_;
+    if (units[k] == CoordinateUnit::meter) unit_[k] = std::max(known.size(), smallest_share_of_model * length_);
   }
 }
 
@@ -318,6 +396,12 @@ std::vector<double> RedundantConstraints::misfit(std::span<const double> gaps) c
 double RedundantConstraints::largest(std::span<const double> gaps) const {
   double size = 0;
   for (const int k : rows_) size = std::max(size, std::abs(gaps[static_cast<std::size_t>(k)]) / unit(k));
+  return size;
+}
+
+double RedundantConstraints::largest_of_all(std::span<const double> gaps) const {
+  double size = 0;
+  for (std::size_t k = 0; k < gaps.size(); ++k) size = std::max(size, std::abs(gaps[k]) / unit_[k]);
   return size;
 }
 
@@ -381,9 +465,7 @@ LinearSolverOptions RedundantConstraints::options(LinearSolverOptions options) c
   for (const int k : rows_) options.tiny_diagonal.push_back(first_ae_ + k);
   for (const Part& part : parts_) {
     if (part.count == 0) continue;
-    const Eigen::Map<const Eigen::MatrixXd> all(part.combinations.data(), static_cast<Eigen::Index>(part.rows.size()), part.count);
-    const std::vector<int> order = pivoted_triangle(all.transpose()).columns;
-    for (int i = 0; i < part.count; ++i) options.dependent.push_back(first_ae_ + rows_[part.rows[order[static_cast<std::size_t>(i)]]]);
+    for (const int i : part.leading()) options.dependent.push_back(first_ae_ + rows_[part.rows[static_cast<std::size_t>(i)]]);
   }
   return options;
 }
@@ -484,14 +566,14 @@ std::vector<double> gradients_beside(std::span<const double> diagonal, System& s
   return matrix;
 }
 
-// With ones where there is no mass.
+// With others where there is no mass.
 std::vector<double> diagonal_of_masses(System& system, const State& still, const Pattern& pattern) {
   std::vector<double> masses(static_cast<std::size_t>(pattern.values())), diagonal;
   system.mass_matrix(still, pattern, masses);
   for (int j = 0; j < system.sizes().ode2; ++j) {
-    const double mass = masses[static_cast<std::size_t>(pattern.slot(j, j))];
-    diagonal.push_back(mass > 0 ? mass : 1);
+    diagonal.push_back(masses[static_cast<std::size_t>(pattern.slot(j, j))]);
   }
+  fill_in_masses(system, diagonal);
   return diagonal;
 }
 
@@ -504,6 +586,18 @@ std::vector<double> diagonal_of_lengths(const System& system) {
 }
 
 }  // namespace
+
+double smallest_unit(const System& system) { return smallest_share_of_model * system.extent(); }
+
+ConstraintMetric constraint_metric(System& system, const State& state, Conditions conditions) {
+  const Pattern& pattern = system.pattern(false);
+  const State still = without_multipliers(state);
+  const auto n = static_cast<std::size_t>(system.sizes().ae);
+  RedundantConstraints all;
+  if (!all.measure(system, pattern, gradients_beside(diagonal_of_masses(system, still, pattern), system, still, conditions, pattern), 0, 1))
+    return {std::vector<double>(n), std::vector<double>(n, 1.0)};
+  return {all.weights(), all.units()};
+}
 
 RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length, double eps) {
   const Pattern& pattern = system.pattern(false);

@@ -111,7 +111,8 @@ std::vector<std::string> Solver::items_in_singular_position() {
   const State away = motion.moved_by(away_from_position, *system_, current(), conditions);
   const RedundantConstraints there = dalembert::redundant_constraints(*system_, away, conditions, moment_length, eps);
   system_->reactions_are_known(here.equations());
-  if (!(there.count() < here.count())) return {};
+  const bool has_left = redundant_constraints().in_use() && there.count() < redundant_constraints().count();  // what always follows from others
+  if (has_left || !(there.count() < here.count())) return {};
   // Items that could leave out as many elsewhere may take part all the same, where all do.
   const std::vector<RedundantConstraints::Item> always = there.items(*system_);
   std::vector<std::string> more, all;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "dalembert/math/decompositions.hpp"
 #include "dalembert/output/numbers.hpp"
@@ -27,6 +28,7 @@ constexpr double evident = 1e-3, evident_rest = 1e-6, evident_loss = 1e-4;
 constexpr int most_projections = 5;
 constexpr double unknown = 1e-10;           // the share of what is known in a column
 constexpr double separate = 0.25;           // what others add to a combination that vanishes by itself
+constexpr double same_factor = 1e-13;       // changes of a metric that turn nothing
 constexpr double removable_share = 1e-10;   // squared: of the equations of an item in combinations that vanish
 
 using Block = Eigen::MatrixXd;
@@ -348,16 +350,31 @@ void RedundantConstraints::count_parts() {
 void RedundantConstraints::Part::take(std::span<const double> found) {
   count = static_cast<int>(found.size() / rows.size());
   combinations.assign(found.begin(), found.end());
+  leading_.clear();
+}
+
+std::span<const int> RedundantConstraints::Part::leading() const {
+  if (leading_.empty() && count > 0) {
+    const GivenBlock all(combinations.data(), static_cast<Eigen::Index>(rows.size()), count);
+    leading_ = pivoted_triangle(all.transpose()).columns;
+    leading_.resize(static_cast<std::size_t>(count));
+  }
+  return leading_;
 }
 
 void RedundantConstraints::Part::rescale(std::span<const int> equations, std::span<const double> from, std::span<const double> to) {
-  if (count == 0) return;
-  Block all = GivenBlock(combinations.data(), static_cast<Eigen::Index>(rows.size()), count);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  const auto factor = [&](std::size_t i) {
     const auto k = static_cast<std::size_t>(equations[static_cast<std::size_t>(rows[i])]);
-    all.row(static_cast<Eigen::Index>(i)) *= std::sqrt(to[k] / from[k]);
-  }
+    return std::sqrt(to[k] / from[k]);
+  };
+  bool is_same = true;  // but for a factor in common: steps of other sizes
+  for (std::size_t i = 1; i < rows.size() && is_same; ++i) is_same = std::abs(factor(i) - factor(0)) <= same_factor * factor(0);
+  if (count == 0 || is_same) return;
+  Block all = GivenBlock(combinations.data(), static_cast<Eigen::Index>(rows.size()), count);
+  for (std::size_t i = 0; i < rows.size(); ++i) all.row(static_cast<Eigen::Index>(i)) *= factor(i);
+  std::vector<int> same = std::exchange(leading_, {});
   take(numbers_of(orthonormal(all)));
+  leading_ = std::move(same);
 }
 
 // Combinations that are known from a state close by become those of this one by one application of P. A vector at random beside them tells

@@ -67,46 +67,85 @@ std::vector<int> System::nodes_of_coordinates() const {
   return nodes;
 }
 
-double System::extent() const {
-  SystemParts& parts = *parts_;
-  const Ports& ports = parts.ports;
-  Vec3<double> low, high;
-  low.x.fill(std::numeric_limits<double>::infinity());
-  high.x.fill(-std::numeric_limits<double>::infinity());
-  const auto include = [&](const double* point, int components) {
+namespace {
+
+// Around points in space, and what reaches from one of them.
+class Box {
+ public:
+  Box() {
+    low_.x.fill(std::numeric_limits<double>::infinity());
+    high_.x.fill(-std::numeric_limits<double>::infinity());
+  }
+  void include(const double* point, int components) {
     for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], i < components ? point[i] : 0.0);
-      high[i] = std::max(high[i], i < components ? point[i] : 0.0);
+      low_[i] = std::min(low_[i], i < components ? point[i] : 0.0);
+      high_[i] = std::max(high_[i], i < components ? point[i] : 0.0);
     }
-  };
+  }
+  void include_reach(double reach) { reach_ = std::max(reach_, reach); }
+  // Zero: all is one point.
+  double size() const {
+    const Vec3<double> span = high_ - low_;
+    const double diagonal = std::sqrt(dot(span, span)), size = std::isfinite(diagonal) ? std::max(diagonal, reach_) : reach_;
+    return size > smallest_extent ? size : 0;
+  }
+
+ private:
+  Vec3<double> low_, high_;
+  double reach_ = 0;
+};
+
+// box(coordinate) takes what moves with an ODE2 coordinate; -1: with none.
+template <class F>
+void fill_boxes(SystemParts& parts, F&& box) {
+  const Ports& ports = parts.ports;
   for (const PortLayout& port : ports.ports)
-    if (port.values == PointPort::values || port.values == RigidPort::values) include(ports.values.data() + port.first_value, 3);
+    if (port.values == PointPort::values || port.values == RigidPort::values)
+      box(port.n > 0 ? ports.dofs[static_cast<std::size_t>(port.first_dof)] : -1).include(ports.values.data() + port.first_value, 3);
   for (const NodePlace& node : parts.nodes)
-    if (is_in_space(node)) include(parts.total.data() + node.ode2, node.translations);
+    if (is_in_space(node)) box(node.ode2).include(parts.total.data() + node.ode2, node.translations);
   std::vector<int> coordinates;
   std::vector<double> points;
-  double reach = 0;
-  for (const auto& term : parts.terms)
-    if (const auto* bodies = dynamic_cast<const LinkedBodies*>(term.get())) reach = std::max(reach, bodies->reach());
   for (ObjectPlace& object : parts.objects) {
     const auto& [batch, entry] = object.member;
+    const auto* bodies = dynamic_cast<const LinkedBodies*>(batch);
     const int count = batch == nullptr ? 0 : batch->mesh_nodes(entry);
-    if (count <= 0) continue;
+    if (count <= 0 && bodies == nullptr) continue;
     coordinates.clear();
-    parts.list_coordinates(object, Coordinates::ode2, coordinates);
+    parts.list_coordinates(object, System::Coordinates::ode2, coordinates);
+    auto& around = box(coordinates.empty() ? -1 : coordinates.front());
+    if (bodies != nullptr) around.include_reach(bodies->reach(entry));
+    if (count <= 0) continue;
     const Evaluation now = parts.output_evaluation(parts.state(ConfigurationType::Current), coordinates);
     const auto look = [&](int first, int number) {
       if (batch->mesh_outputs(entry, first, number, OutputVariableType::Position, now, points))
-        for (int i = 0; i < number; ++i) include(points.data() + 3 * i, 3);
+        for (int i = 0; i < number; ++i) around.include(points.data() + 3 * i, 3);
     };
     if (static_cast<std::size_t>(count) <= many_nodes * coordinates.size())
       look(0, count);
     else
       for (const int node : outermost_nodes(parts, object, count)) look(node, 1);
   }
-  const Vec3<double> span = high - low;
-  const double diagonal = std::sqrt(dot(span, span)), size = std::isfinite(diagonal) ? std::max(diagonal, reach) : reach;
-  return size > smallest_extent ? size : 1;
+}
+
+}  // namespace
+
+double System::extent() const {
+  Box all;
+  fill_boxes(*parts_, [&](int) -> Box& { return all; });
+  const double size = all.size();
+  return size > 0 ? size : 1;
+}
+
+std::vector<double> System::extents(std::span<const int> groups, int count) const {
+  std::vector<Box> boxes(static_cast<std::size_t>(count) + 1);
+  fill_boxes(*parts_, [&](int coordinate) -> Box& {
+    const int group = coordinate < 0 ? -1 : groups[static_cast<std::size_t>(coordinate)];
+    return group < 0 ? boxes.back() : boxes[static_cast<std::size_t>(group)];
+  });
+  std::vector<double> sizes;
+  for (int i = 0; i < count; ++i) sizes.push_back(boxes[static_cast<std::size_t>(i)].size());
+  return sizes;
 }
 
 }  // namespace dalembert

@@ -124,7 +124,7 @@ class InitialConditionsSettings(_Settings):
     inconsistentIsError: bool
     """true: constraints that are not fulfilled at the start are an error; false: a warning; default: False"""
     positionTolerance: float
-    """largest gap that is not reported: relative to the size of the model, which is the diagonal of the box around all nodes and markers, or in rad [1]; default: 1e-05"""
+    """largest gap that is not reported: relative to the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, or in rad [1]; default: 1e-05"""
     velocityTolerance: float
     """largest rate of a gap that is not reported, relative to the sum of the magnitudes of the velocities that meet in the constraint; rates that open a gap of less than positionTolerance in one second are not reported [1]; default: 0.01"""
     def __init__(self) -> None: ...
@@ -178,9 +178,9 @@ class RedundantConstraintsSettings(_Settings):
     """constraint equations that follow from others, such as those of the second hinge of a door"""
 
     largestMisfit: float
-    """gap that redundant constraints which contradict each other may leave, relative to the size of the model, or in rad: up to it the solver distributes it among them and warns, above it is an error [1]; default: 1e-06"""
+    """gap that redundant constraints which contradict each other may leave, relative to the size of their mechanism, or in rad: up to it the solver distributes it among them and warns, above it is an error [1]; default: 1e-06"""
     momentLength: float
-    """the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the model, which is the diagonal of the box around all nodes and markers, but at most 20 radii of gyration of its bodies (on average) [m]; default: 0.0"""
+    """the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, but at most 20 radii of gyration of its bodies (on average) [m]; default: 0.0"""
     treat: bool
     """true: find redundant constraints and solve in spite of them; false: a matrix that they make singular stops the solver, and where round-off hides that, reactions are arbitrary; default: True"""
     def __init__(self) -> None: ...

@@ -16,11 +16,11 @@ from dalembert._solving.projection import REGULAR, SMALLER, SMALLEST, Linearized
 from dalembert._solving.quiet import assemble_if_needed, given_or_default
 
 _NAME = "ComputeConsistentInitialConditions"
-_ROUND_OFF = 1e-10  # gaps of this size, relative to that of the model, are accepted where nothing makes them smaller
+_ROUND_OFF = 1e-10  # gaps of this size, relative to that of mechanisms, are accepted where nothing makes them smaller
 _LARGEST_TURN = 1.0  # rad in one step
 _CONTRADICTING_SHARE = 0.5  # of gaps that no motion closes
-_LEFT_BY_GAPS, _NOTICEABLE = 1e4, 1e-3  # eps for steps, relative to the square of gaps, and at most
-_CLOSE_JOINTS = 10  # the size of the model, in distances of joints that turn each other when they do not fit
+_LEFT_BY_GAPS, _NOTICEABLE = 1e5, 1e-3  # eps for steps, relative to the square of gaps, and at most
+_CLOSE_JOINTS = 10  # the size of mechanisms, in distances of joints that turn each other when they do not fit
 _LISTED = 5
 
 
@@ -136,9 +136,14 @@ class _Projection:
         self.of_velocities = testing.constraint_rates(mbs, self.state)[2] == 1
         self.misfit = misfit  # what joints that contradict each other may leave open, relative to the size of the model
         self.contradicts = False  # whether some do
-        self.apart = 0.0  # what they do leave: m, rad
-        self.tolerance = tolerance * max(1.0, testing.extent(mbs))
-        self.round_off = max(self.tolerance, _ROUND_OFF * max(1.0, testing.extent(mbs)))
+        self.apart = 0.0  # what they do leave
+        self.units = testing.constraint_metric(mbs, self.state)[1]  # of gaps: sizes of mechanisms, radians
+        self.tolerance = tolerance
+        self.round_off = max(tolerance, _ROUND_OFF)
+
+    def size(self, gaps: FloatArray) -> float:
+        """Return the largest of gaps, or of their rates, in units of their equations."""
+        return _largest(gaps / self.units)
 
     def gaps(self, q: FloatArray | None = None) -> FloatArray:
         """Return the gaps of positions; zeros for equations of velocities."""
@@ -165,11 +170,13 @@ class _Projection:
         gradient = coo_array((values[wanted], (rows[wanted] - first, columns[wanted])), shape=(equations, size))
         rows, columns, values = testing.mass_entries(self.mbs, state)
         mass = coo_array((values, (rows, columns)), shape=(size, size))
-        return LinearizedConstraints(weights(mass), gradient.tocsr(), self.nodes.held if held is None else held)
+        # Joints that contradict each other share what is left open, as in solvers.
+        shares = testing.constraint_metric(self.mbs, state)[0] if self.contradicts else np.zeros(equations)
+        return LinearizedConstraints(weights(mass), gradient.tocsr(), self.nodes.held if held is None else held, shares)
 
     def close_gaps(self, maxIterations: int) -> int:
         """Move positions until all gaps are closed; return the number of steps."""
-        if _largest(self.gaps()) <= self.tolerance:
+        if self.size(self.gaps()) <= self.tolerance:
             return 0
         self.state.q = start = self.nodes.normalized(self.state.q, self.reference)
         iterations, is_smallest = self._close(maxIterations)
@@ -177,8 +184,8 @@ class _Projection:
             self.state.q, self.contradicts = start, True
             iterations, is_smallest = self._close(maxIterations)
             is_smallest = is_smallest and self._contradict_each_other_a_little()
-            self.apart = _largest(self.gaps())
-        if _largest(self.gaps()) > self.round_off and not (self.contradicts and is_smallest):
+            self.apart = self.size(self.gaps())
+        if self.size(self.gaps()) > self.round_off and not (self.contradicts and is_smallest):
             raise ValueError(self._refusal("positions", rates=False))
         return iterations
 
@@ -186,7 +193,7 @@ class _Projection:
         """Make gaps smaller; return the number of steps, and whether nothing makes gaps smaller that are open."""
         gaps, damping, scale = self.gaps(), 0.0, None
         for iteration in range(maxIterations):
-            if _largest(gaps) <= self.tolerance:
+            if self.size(gaps) <= self.tolerance:
                 return iteration, False
             constraints = self.linearized(rate_level=False)
             if scale is None:  # of all steps: they are compared
@@ -194,7 +201,7 @@ class _Projection:
                 scale[constraints.rows] = constraints.row_scale
             moved = self._better(constraints, self._closable(constraints, gaps), scale, damping)
             if moved is None:
-                return iteration + 1, _largest(gaps) > self.round_off
+                return iteration + 1, self.size(gaps) > self.round_off
             self.state.q, gaps, damping = moved
         return maxIterations, False
 
@@ -226,7 +233,7 @@ class _Projection:
             after = self.gaps(q)
             return float(np.linalg.norm(scale * after)), q, after
 
-        apart = self._left_by_gaps(_largest(gaps))
+        apart = self._left_by_gaps(self.size(gaps))
         while damping <= 1e4:
             found = moved(max(damping, REGULAR, apart))
             if apart > max(damping, REGULAR) and not found[0] < merit / 2:  # constraints may be as weak
@@ -244,21 +251,21 @@ class _Projection:
         """
         if not self.contradicts:
             return 0.0
-        return float(min(_LEFT_BY_GAPS * (gap / testing.extent(self.mbs)) ** 2, _NOTICEABLE))
+        return float(min(_LEFT_BY_GAPS * gap**2, _NOTICEABLE))
 
     def project_velocities(self) -> None:
         """Change velocities such that gaps stay as they are; passes after the first remove what it leaves."""
         rates = self.rates()
-        if _largest(rates) <= self.tolerance:
+        if self.size(rates) <= self.tolerance:
             return
         constraints = self.linearized(rate_level=True)
         of_joints_apart = self._left_by_gaps(self.apart)
         for eps in (of_joints_apart,) if of_joints_apart > REGULAR else (REGULAR, SMALLER, SMALLEST):
             rates = self._passes(constraints.solver(eps), rates)
-            if _largest(rates) <= self.tolerance:
+            if self.size(rates) <= self.tolerance:
                 return
         rates, speeds, _ = testing.constraint_rates(self.mbs, self.state)
-        if (np.abs(rates) > max(self.round_off, _CLOSE_JOINTS * self.apart) * np.maximum(speeds, 1.0)).any():
+        if (np.abs(rates) > max(self.round_off, _CLOSE_JOINTS * self.apart) * np.maximum(speeds, self.units)).any():
             raise ValueError(self._refusal("velocities", rates=True))
 
     def _passes(self, solve: Callable[[FloatArray], FloatArray], rates: FloatArray) -> FloatArray:
@@ -269,7 +276,7 @@ class _Projection:
             v[self.nodes.held == 1] = before[self.nodes.held == 1]
             self.state.v = v
             after = self.rates()
-            if not _largest(after) < _largest(rates) / 2:
+            if not self.size(after) < self.size(rates) / 2:
                 self.state.v = before
                 return rates
             rates = after
@@ -336,7 +343,7 @@ def ComputeConsistentInitialConditions(
     simulationSettings: constraints that change with time are taken at timeIntegration.startTime.
     positions, velocities: what may be changed.
     fixedCoordinates, fixedNodes: ODE2 coordinates (global indices) and nodes that stay as they are, bit for bit.
-    tolerance: of the gaps, relative to the size of the model if that is more than 1 m.
+    tolerance: of the gaps, relative to the size of their mechanism, or in rad.
     storeInNodes: write the result to initialCoordinates and initialVelocities of the nodes; otherwise the next
         mbs.Assemble() returns to the values of before.
 
@@ -354,7 +361,7 @@ def ComputeConsistentInitialConditions(
     iterations = projection.close_gaps(maxIterations) if positions else 0
     if velocities:
         projection.project_velocities()
-    redundant = projection.linearized(rate_level=True).redundant(projection.apart / testing.extent(mbs))
+    redundant = projection.linearized(rate_level=True).redundant(projection.apart)
     if projection.apart > 0:
         projection.warn_of_contradictions()
     displacements, velocityChanges = nodes.changes(state.q - q), nodes.changes(state.v - v)

@@ -69,9 +69,12 @@ def weights(mass: Any) -> Any:
 
 
 class LinearizedConstraints:
-    """G x = b at one state; `held` coordinates do not move. Rows that nothing moves are left out."""
+    """G x = b at one state; `held` coordinates do not move. Rows that nothing moves are left out.
 
-    def __init__(self, mass: Any, gradient: Any, held: FloatArray) -> None:
+    Where no x fulfils all rows, `shares` weighs what each is left with; rows whose share is zero have their own.
+    """
+
+    def __init__(self, mass: Any, gradient: Any, held: FloatArray, shares: FloatArray) -> None:
         from scipy.sparse import diags_array
 
         free = diags_array(1.0 - held)
@@ -80,7 +83,7 @@ class LinearizedConstraints:
         self._scale = 1 / np.sqrt(self._mass.diagonal())
         squares = gradient.multiply(gradient) @ self._scale**2
         self.rows = np.flatnonzero(squares > 0)
-        self.row_scale = 1 / np.sqrt(squares[self.rows])
+        self.row_scale = 1 / np.sqrt(np.where(shares > 0, shares, squares)[self.rows])
         self._gradient = gradient[self.rows]
 
     def _factor(self, eps: float) -> Any:
@@ -118,7 +121,7 @@ class LinearizedConstraints:
 
         eps (S + eps)^-1 with S = G M^-1 G^T has eigenvalues of one for combinations of rows that vanish, and small ones
         otherwise. Subspace iteration finds the former, eight at a time. Joints that are apart, relative to the size of
-        the model, leave the square of that of what vanishes where they fit.
+        their mechanism, leave the square of that of what vanishes where they fit.
         """
         eps = max(_RANK, _LEFT_BY_JOINTS_APART * apart**2)
         size, count = len(self._scale), len(self.rows)

@@ -2,6 +2,7 @@
 // instantiated in one place.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,6 +34,13 @@ struct PivotedTriangle {
   std::vector<int> columns;  // of the matrix, in this order
 };
 PivotedTriangle pivoted_triangle(const Eigen::MatrixXd& matrix);
+
+// An orthonormal basis of which the first `rank` vectors span all columns. None: what is left of one behind others is neither as large as that nor negligible.
+struct TurnedApart {
+  Eigen::MatrixXd basis;
+  Eigen::Index rank;
+};
+std::optional<TurnedApart> turned_apart(const Eigen::MatrixXd& columns, double large, double negligible);
 
 // Columns that span what the matrix takes to zero; pivots count as zero below that share of the largest.
 Eigen::MatrixXd kernel_of(const Eigen::MatrixXd& matrix, double negligible_pivot);

@@ -73,8 +73,13 @@ class RedundantConstraints {
   std::vector<int> equations() const;
   // What no motion closes of these gaps.
   std::vector<double> misfit(std::span<const double> gaps) const;
+  // By ODE2 coordinate: which mechanism it belongs to, and its size; -1: to none.
+  std::span<const int> mechanisms() const { return mechanism_of_coordinate_; }
+  std::span<const double> lengths() const { return lengths_; }
   // The largest of gaps, in units of their equations.
   double largest(std::span<const double> gaps) const;
+  // Of positions, also of equations that none follows from.
+  double largest_of_all(std::span<const double> gaps) const;
   // What no motion closes of gaps, by factors of the regularized matrix.
   std::vector<double> left_open(LinearSolver& factors, std::span<const double> gaps);
   // The largest of positions, where solutions may count rates; and of what no motion closes of them.
@@ -124,9 +129,11 @@ class RedundantConstraints {
   double left_open(int equation, double multiplier) const {
     return eps_ * row_factor(equation) * weight_[static_cast<std::size_t>(equation)] * multiplier;
   }
-  // What counts as one in the gap of an equation: the size of the model, or a radian; where rates count, within a step.
+  // What counts as one in the gap of an equation: the size of its mechanism, or a radian; where rates count, within a step.
   double unit(int equation) const { return row_factor(equation) * unit_[static_cast<std::size_t>(equation)]; }
   std::span<const int> rows() const { return rows_; }
+  const std::vector<double>& weights() const { return weight_; }
+  const std::vector<double>& units() const { return unit_; }
 
  private:
   static constexpr std::size_t few_rows = 40;  // not worth to be taken apart
@@ -137,9 +144,9 @@ class RedundantConstraints {
   std::vector<double> without_eps(std::span<const double> values) const;
   // P with another eps and D, for all equations with a weight.
   void apply(LinearSolver& factors, double eps, std::span<const double> weights, std::span<double> multipliers);
-  // The number of one of its equations, for each; those that act on a node in common belong to one mechanism.
-  std::vector<int> mechanisms(const Pattern& pattern, std::span<const double> values) const;
-  void find_weights(const std::vector<double>& ratios, const std::vector<int>& mechanisms, const std::vector<CoordinateUnit>& units, double moment_length);
+  // Of equations and of coordinates: those that act on a node in common belong to one mechanism. How many there are.
+  int find_mechanisms(const Pattern& pattern, std::span<const double> values);
+  void find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length);
   std::span<const int> slots(const Pattern& pattern);
   class Search;
   // Combinations that vanish, of equations that may follow from each other.
@@ -150,6 +157,9 @@ class RedundantConstraints {
     std::vector<double> combinations;  // one after the other, orthonormal in sqrt(D) lambda
     void take(std::span<const double> found);
     void rescale(std::span<const int> equations, std::span<const double> from, std::span<const double> to);  // into another metric
+    // As many equations as combinations, that tell these apart; found when they are asked for first.
+    std::span<const int> leading() const;
+    mutable std::vector<int> leading_ = {};
     std::span<const double> combination(int k) const { return std::span(combinations).subspan(rows.size() * static_cast<std::size_t>(k), rows.size()); }
   };
   std::vector<Part> all_in_one() const;
@@ -165,6 +175,8 @@ class RedundantConstraints {
   int first_ae_ = 0;
   std::vector<int> nodes_;           // of ODE2 coordinates
   double length_ = 1;                // the size of the model
+  std::vector<double> lengths_;      // of each mechanism; 0: it is in one point
+  std::vector<int> mechanism_, mechanism_of_coordinate_;  // of each equation
   std::vector<double> weight_;       // D, by equation; zero: it is never redundant
   std::vector<double> own_weight_;   // the same as if there were no other equation
   std::vector<double> unit_;
@@ -190,6 +202,12 @@ bool treats_redundancy(const Sizes& sizes, const RedundantConstraintsSettings& s
 // Of the constraints as they are in a state; with a larger eps, also of those that nearly follow from others.
 RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length,
                                            double eps = RedundantConstraints::counting_eps);
+// By equation, around the masses: D, zero where an equation is never redundant, and what counts as one in its gap.
+struct ConstraintMetric {
+  std::vector<double> weights, units;
+};
+double smallest_unit(const System& system);  // none is smaller
+ConstraintMetric constraint_metric(System& system, const State& state, Conditions conditions);
 // See RedundantConstraints::growth; masses, stiffness and step sizes have no part in it.
 double growth_of_multipliers(System& system, const State& state, Conditions conditions);
 

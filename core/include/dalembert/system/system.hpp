@@ -133,6 +133,8 @@ class System {
   std::vector<int> nodes_of_coordinates() const;  // ODE2
   // The diagonal of the box around all markers, nodes and meshes in space, in m, as the last evaluation has left them; 1 if all is one point.
   double extent() const;
+  // The same for what moves with ODE2 coordinates of each group, by the group of each coordinate (-1: none); 0 if all is one point.
+  std::vector<double> extents(std::span<const int> groups, int count) const;
 
   // Coordinates that linear constraints simply keep at zero, for explicit integrators that eliminate them; empty optional: there
   // are other constraints.

@@ -10,8 +10,8 @@ class LinkedBodies {
  public:
   virtual ~LinkedBodies() = default;
   virtual int links(int entry) const = 0;
-  // From the base to the farthest joint or centre of mass of any of them, if links were stretched.
-  virtual double reach() const = 0;
+  // From the base to the farthest joint or centre of mass, if links were stretched.
+  virtual double reach(int entry) const = 0;
   virtual Motion<double> link_motion(int entry, int link, const Vec3<double>& local, const Evaluation& evaluation) const = 0;
 };
 

@@ -280,11 +280,7 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
     return true;
   }
   int links(int entry) const override { return entries_[entry].body.count(); }
-  double reach() const override {
-    double farthest = 0;
-    for (const Entry& e : entries_) farthest = std::max(farthest, e.body.reach());
-    return farthest;
-  }
+  double reach(int entry) const override { return entries_[entry].body.reach(); }
   Motion<double> link_motion(int entry, int link, const Vec3<double>& local, const Evaluation& evaluation) const override {
     return entries_[entry].body.motion(evaluation, link, local, entries_[entry].output_room);
   }
