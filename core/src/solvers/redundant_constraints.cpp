@@ -1,6 +1,7 @@
 #include "dalembert/solvers/redundant_constraints.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -226,10 +227,11 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   nodes_ = system.nodes_of_coordinates();
 
   std::vector<double> diagonal(static_cast<std::size_t>(s.ode2)), ratio(n, 0.0), columns(n, 0.0), lines(n, 0.0);
-  std::vector<std::map<CoordinateUnit, double>> largest(n);
+  const std::vector<CoordinateUnit> units_of_coordinates = system.coordinate_units();
+  std::vector<std::array<double, 3>> largest(n, std::array<double, 3>{});  // by unit
+  const auto inertia_beside = [&](int k, int j) -> double& { return largest[static_cast<std::size_t>(k)][static_cast<std::size_t>(units_of_coordinates[static_cast<std::size_t>(j)])]; };
   for (int j = 0; j < s.ode2; ++j) diagonal[j] = std::abs(values[static_cast<std::size_t>(pattern.slot(j, j))]);
   const std::map<int, Turning> turning = turnings(system, pattern, values, nodes_);
-  const std::vector<CoordinateUnit> units_of_coordinates = system.coordinate_units();
   std::vector<CoordinateUnit> units(n, CoordinateUnit::unknown);
   const auto each_force = [&](auto&& f) {  // f(equation, coordinate, entry) of G^T
     for (int k = 0; k < s.ae; ++k) {
@@ -239,8 +241,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
     }
   };
   each_force([&](int k, int j, double g) {
-    double& known = largest[k][units_of_coordinates[j]];
-    known = std::max(known, diagonal[j]);
+    inertia_beside(k, j) = std::max(inertia_beside(k, j), diagonal[j]);
     columns[k] += g * g;
     units[k] = std::max(units[k], units_of_coordinates[j]);
   });
@@ -254,7 +255,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
     const int at = nodes_[static_cast<std::size_t>(j)];
     const auto turns = turning.find(at);
     if (turns == turning.end() || units_of_coordinates[j] != CoordinateUnit::radian) {
-      if (diagonal[j] > no_inertia * largest[k][units_of_coordinates[j]]) ratio[k] += g * g / diagonal[j];
+      if (diagonal[j] > no_inertia * inertia_beside(k, j)) ratio[k] += g * g / diagonal[j];
       return;
     }
     if (k != equation || at != node) {
