@@ -1,12 +1,14 @@
 """Count the instructions that redundant constraints cost.
 
-`python benchmarks/redundancy.py` compares Bricard's mechanism with the same one without an equation, from solver start
-to end, and a regular four-bar linkage with itself without a search for redundancy; counted by callgrind, with
-generalized alpha and two iterations per step.
+`python benchmarks/redundancy.py` compares mechanisms with the same ones of which the redundant equations are freed, and
+these with the same of which more equations are: what an equation costs that is not redundant is no cost of the
+treatment. Besides, a regular four-bar linkage with itself without a search for redundancy. All from solver start to
+end, counted by callgrind, with generalized alpha.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 from instructions import count_all
@@ -14,37 +16,73 @@ from instructions import count_all
 TESTS = Path(__file__).parents[1] / "tests"
 SETUP = f"""
 sys.path[:0] = [{str(TESTS / "models")!r}, {str(TESTS)!r}]
+from redundant_models import ladder, platform
 from test_bricard import Bricard
 from test_four_bar import Bars
 from solving import settings
-def solution(model, steps, treat=True):
-    s = settings(0.005 * steps, steps)
+def solution(mbs, steps, treat=True):
+    s = settings(0.002 * steps, steps)
     s.redundantConstraints.treat = treat
-    return lambda: model.mbs.SolveDynamic(s)
+    return lambda: mbs.SolveDynamic(s)
 """
 STEPS = (50, 200)
-PAIRS = {  # with and without
-    "Bricard's mechanism, one of 30 equations redundant": ("Bricard({{}}), {0}", "Bricard({{5: 0}}), {0}"),
-    "regular four-bar linkage, search for redundancy": ("Bars(1), {0}", "Bars(1), {0}, False"),
-}
+
+
+@dataclass(frozen=True)
+class Case:
+    """Solutions with what is to be counted, without it, and without as much again, of which `share` is freed."""
+
+    name: str
+    solutions: tuple[str, ...]
+    share: float = 1
+
+
+CASES = (
+    Case(
+        "Bricard's mechanism, 1 of 30 equations redundant",
+        ("Bricard({}).mbs, {steps}", "Bricard({5: 0}).mbs, {steps}", "Bricard({5: 0, 2: 3}).mbs, {steps}"),
+    ),
+    Case(
+        "ladder of 50 loops in space, 150 of 755 equations redundant",
+        tuple(f"ladder(50, {freed}), {{steps}}" for freed in range(3)),
+    ),
+    Case(
+        "platform on six legs with double joints, 18 of 90 equations redundant",
+        tuple(f"platform({freed}), {{steps}}" for freed in range(3)),
+        share=1 / 3,
+    ),
+    Case("regular four-bar linkage, search for redundancy", ("Bars(1).mbs, {steps}", "Bars(1).mbs, {steps}, False")),
+)
 
 
 def main() -> None:
     """Count and print: what a solution costs more, and what each step does, without start and search."""
-    cases = {
-        f"{name} {steps} {i}": f"solution({models[i].format(steps)})"
-        for name, models in PAIRS.items()
-        for steps in STEPS
-        for i in (0, 1)
-    }
-    counts = count_all(cases, SETUP)
-    for name in PAIRS:
-        few, many = ([counts[f"{name} {steps} {i}"] for i in (0, 1)] for steps in STEPS)
-        changes = [*(x / y - 1 for x, y in (few, many)), (many[0] - few[0]) / (many[1] - few[1]) - 1]
-        shown = (
-            f"{steps} steps {100 * change:+.1f} %" for steps, change in zip((*STEPS, "further"), changes, strict=True)
+    counts = count_all(
+        {
+            f"{case.name} {steps} {i}": f"solution({text.replace('{steps}', str(steps))})"
+            for case in CASES
+            for i, text in enumerate(case.solutions)
+            for steps in STEPS
+        },
+        SETUP,
+    )
+    for case in CASES:
+        few, many = ([counts[f"{case.name} {steps} {i}"] for i in range(len(case.solutions))] for steps in STEPS)
+        further = [y - x for x, y in zip(few, many, strict=True)]
+        titles = (*(f"{steps} steps" for steps in STEPS), "further steps")
+        print(
+            f"{case.name}:",
+            "; ".join(f"{t} {told(c, case.share)}" for t, c in zip(titles, (few, many, further), strict=True)),
         )
-        print(f"{name}: {', '.join(shown)}")
+
+
+def told(counts: list[int], share: float) -> str:
+    """Return what the first solution costs beyond the second, and how much of that equations would cost anyhow."""
+    total = 100 * (counts[0] / counts[1] - 1)
+    if len(counts) < 3:
+        return f"{total:+.1f} %"
+    equations = 100 * (1 - counts[2] / counts[1]) / share
+    return f"{total:+.1f} % (as equations {equations:+.1f} %, as redundant ones {total - equations:+.1f} %)"
 
 
 if __name__ == "__main__":
