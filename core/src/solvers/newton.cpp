@@ -262,9 +262,9 @@ bool NewtonSolver::check_convergence() {
   return true;
 }
 
-// Idle multipliers of small steps grow by the round-off of gaps, and rounding errors with them.
+// Idle multipliers of small steps grow by the round-off of gaps, and rounding errors with them, where redundancy lasts.
 bool NewtonSolver::stagnated() const {
-  return loop_.idle >= idle_iterations && (conv.residual <= 10 * loop_.best_residual || redundant_.in_use()) &&
+  return loop_.idle >= idle_iterations && (conv.residual <= 10 * loop_.best_residual || treatment_ == Treatment::lasting) &&
          newton_settings.newtonResidualMode == 0;
 }
 
