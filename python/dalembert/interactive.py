@@ -12,7 +12,7 @@ from dalembert._calls import check_given
 from dalembert._checks import as_number, as_positive, check_integer, check_type, shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, Print
 from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution, check_solution_of
-from dalembert._tools.dialog_items import check_items, check_plots, initial_value
+from dalembert._tools import dialog_items
 
 _noticed: set[str] = set()
 
@@ -88,8 +88,8 @@ class InteractiveDialog:
         for name, function in (("userStartSimulation", userStartSimulation), ("userOnChange", userOnChange)):
             if function is not None:
                 _check_function(f"{here} {name}", function)
-        check_plots(f"{here} plots", mbs, plots)
-        check_items(f"{here} dialogItems", dialogItems)
+        dialog_items.check_plots(f"{here} plots", mbs, plots)
+        dialog_items.check_items(f"{here} dialogItems", dialogItems)
         self.mbs, self.SC = mbs, mbs.GetSystemContainer()
         self.simulationSettings, self.simulationFunction = simulationSettings, simulationFunction
         self.dialogItems, self.plots = dialogItems, plots or []
@@ -102,7 +102,7 @@ class InteractiveDialog:
         self.stepSize = integration.endTime / integration.numberOfSteps
         self.counter = 0
         self.simulationStopped = True
-        self.values = {item["variable"]: initial_value(item) for item in dialogItems if "variable" in item}
+        self.values = {item["variable"]: dialog_items.initial_value(item) for item in dialogItems if "variable" in item}
         labels = (item for item in dialogItems if item["type"] == "label")
         self.labelStringVariables = [LabelText(item) for item in labels] if addLabelStringVariables else []
         self._variables = mbs.sys if useSysVariables else mbs.variables

@@ -550,20 +550,26 @@ bool treats_redundancy(const Sizes& sizes, const RedundantConstraintsSettings& s
 
 namespace {
 
-// The gradients of constraints around a diagonal: any metric serves for counting, and one without zeros makes the matrix regular whatever the model is.
-std::vector<double> gradients_beside(std::span<const double> diagonal, System& system, const State& still, const Conditions& conditions, const Pattern& pattern) {
+// The forces of constraints around a diagonal: any metric serves for counting, and one without zeros makes the matrix regular whatever the model is.
+std::vector<double> forces_beside(std::span<const double> diagonal, System& system, const State& still, const Conditions& conditions, const Pattern& pattern) {
   const Sizes& s = system.sizes();
   std::vector<double> matrix(static_cast<std::size_t>(pattern.values())), part(matrix.size());
   for (int j = 0; j < s.first_ae(); ++j) matrix[static_cast<std::size_t>(pattern.slot(j, j))] = j < s.ode2 ? diagonal[static_cast<std::size_t>(j)] : 1;
-  const auto take = [&](auto&& wanted) {
-    for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
-      if (wanted(row, column)) matrix[slot] = part[slot];
-    });
-  };
   system.tangent(still, at_level(conditions, false), along_positions, pattern, part);
-  take([&](int row, int column) { return column >= s.first_ae() && (row < s.ode2 || row >= s.first_ae()); });
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (column >= s.first_ae() && (row < s.ode2 || row >= s.first_ae())) matrix[slot] = part[slot];
+  });
+  return matrix;
+}
+
+// And what velocities change.
+std::vector<double> gradients_beside(std::span<const double> diagonal, System& system, const State& still, const Conditions& conditions, const Pattern& pattern) {
+  const Sizes& s = system.sizes();
+  std::vector<double> matrix = forces_beside(diagonal, system, still, conditions, pattern), part(matrix.size());
   system.tangent(still, at_level(conditions, true), along_velocities, pattern, part);
-  take([&](int row, int column) { return row >= s.first_ae() && column < s.ode2; });
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (row >= s.first_ae() && column < s.ode2) matrix[slot] = part[slot];
+  });
   return matrix;
 }
 
@@ -595,7 +601,8 @@ ConstraintMetric constraint_metric(System& system, const State& state, Condition
   const State still = without_multipliers(state);
   const auto n = static_cast<std::size_t>(system.sizes().ae);
   RedundantConstraints all;
-  if (!all.measure(system, pattern, gradients_beside(diagonal_of_masses(system, still, pattern), system, still, conditions, pattern), 0, 1))
+  // Users' functions that are asked for positions alone need not know of velocities.
+  if (!all.measure(system, pattern, forces_beside(diagonal_of_masses(system, still, pattern), system, still, conditions, pattern), 0, 1))
     return {std::vector<double>(n), std::vector<double>(n, 1.0)};
   return {all.weights(), all.units()};
 }
