@@ -35,6 +35,16 @@ def failing(parameters: dict[str, Any]) -> float:
     return 1 / (parameters["a"] - 2)
 
 
+def ending(parameters: dict[str, Any]) -> float:
+    if parameters["a"] == 2:
+        os._exit(3)
+    return float(parameters["a"])
+
+
+def large_or_failing(parameters: dict[str, Any]) -> Any:
+    return np.full(30_000, 1 / (parameters["a"] - 13))
+
+
 RANGES = {"a": (-3.0, 4.0), "b": (-2.0, 5.0)}
 
 
@@ -119,6 +129,24 @@ def test_exceptions_surface_as_themselves(parallel: bool) -> None:
             failing, {"a": [1, 2, 3]}, useMultiProcessing=parallel, numberOfThreads=1, showProgress=False
         )
     assert "evaluation 1 of 3 with parameters {'a': 2}" in error.value.__notes__[0]
+
+
+def test_processes_that_end_without_a_result_are_told() -> None:
+    """As those do that the system ends when memory is short; nobody would ever hear of what they were to compute."""
+    with pytest.raises(RuntimeError, match="a process has ended without a result: it has crashed, was killed"):
+        processing.ParameterVariation(
+            ending, {"a": [1, 2, 3]}, useMultiProcessing=True, numberOfThreads=2, showProgress=False
+        )
+
+
+def test_exceptions_end_a_study_whatever_others_are_sending() -> None:
+    """Processes that were killed while they sent results left the study waiting, once in some rounds."""
+    sets = [{"a": a} for a in range(40)]
+    for _ in range(20):
+        with pytest.raises(ZeroDivisionError):
+            processing.ProcessParameterList(
+                large_or_failing, sets, useMultiProcessing=True, numberOfThreads=4, showProgress=False
+            )
 
 
 def test_what_was_evaluated_before_an_exception_counts(tmp_path: Path) -> None:

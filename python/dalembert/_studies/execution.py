@@ -239,17 +239,32 @@ def _outcomes(function: Function, sets: Sequence[ParameterSet]) -> list[Any]:
 
 
 def _in_processes(function: Function, sets: Sequence[ParameterSet], threads: int) -> Iterator[Any]:
-    """Yield results in order. Processes take portions: passing one on may take as long as to evaluate a function."""
-    from multiprocessing import Pool
+    """Yield results in order. Processes take portions: passing one on may take as long as to evaluate a function.
+
+    After an exception, those that are at work end their portion by themselves: to kill one that is sending its results
+    would leave others waiting for ever.
+    """
+    from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
 
     size = max(1, len(sets) // (100 * threads))  # small enough to show progress and to end together
     portions = [sets[i : i + size] for i in range(0, len(sets), size)]
-    with Pool(processes=threads) as pool:
-        for outcomes in pool.imap(functools.partial(_outcomes, function), portions):
+    executor = ProcessPoolExecutor(threads)
+    finished = False
+    try:
+        for outcomes in executor.map(functools.partial(_outcomes, function), portions):
             for outcome in outcomes:
                 if isinstance(outcome, _Raised):
                     raise outcome.error
                 yield outcome
+        finished = True
+    except BrokenProcessPool:
+        raise RuntimeError(
+            "a process has ended without a result: it has crashed, was killed, or there was not enough memory; "
+            "useMultiProcessing=False shows where, and a smaller numberOfThreads takes less memory"
+        ) from None
+    finally:
+        executor.shutdown(wait=finished, cancel_futures=True)
 
 
 def _in_threads(function: Function, sets: Sequence[ParameterSet], threads: int) -> Iterator[Any]:
@@ -324,7 +339,7 @@ def _choose(
         return _with_mpi(function, sets), "mpi4py"
     if parallel:
         n = number_of_threads(threads)
-        return _in_processes(function, sets, n), f"multiprocessing.Pool, numberOfThreads={n}"
+        return _in_processes(function, sets, n), f"processes, numberOfThreads={n}"
     return map(function, sets), "serial"
 
 

@@ -192,7 +192,7 @@ def GeneticOptimization(
             "parameter sets are those of the resultsFile"
         )
     file, threads = results_file("GeneticOptimization", kwargs), number_of_threads(kwargs.get("numberOfThreads"))
-    mode = f"multiprocessing.Pool, numberOfThreads={threads}" if useMultiProcessing else ""
+    mode = f"processes, numberOfThreads={threads}" if useMultiProcessing else ""
 
     breeding = _Breeding(parameters, childDistribution, crossoverProbability)
     generation = breeding.first(kwargs.get("initialPopulationSize", populationSize))
