@@ -173,8 +173,8 @@ bool Solver::has_left_constraints(std::span<const double> misfit) {
   const RedundantConstraints& constraints = redundant_constraints();
   const auto apart = [&](const State& at) { return constraints.largest_apart(gaps_of_positions(system(), at, conditions_)); };
   const double open = conditions_.rate_level ? apart(current()) : constraints.largest_apart(misfit);
-  const std::vector<char> driven = driven_equations(system(), initial(), conditions_, last_time());
-  return apart(is_static() ? start_of_step() : initial()) < none * open && std::ranges::none_of(driven, [](char d) { return d != 0; });
+  return apart(is_static() ? start_of_step() : initial()) < none * open &&
+         std::ranges::none_of(driven_equations(system(), initial(), conditions_, last_time()), [](char d) { return d != 0; });
 }
 
 [[gnu::noinline]] void Solver::diagnose_contradiction(std::span<const double> misfit) {

@@ -15,29 +15,20 @@ namespace {
 // What counts as beside a position: far enough that what is singular there shows, and so close that constraints are left open by little.
 constexpr double little = 1e-4;
 
-// Of a motion in each mechanism: so much, relative to the size of it or to a radian.
-void add_part_in_mechanisms(const System& system, const RedundantConstraints& known, double part, std::span<const double> direction, std::span<double> step) {
+// Of a motion in each mechanism: so much, relative to the size of it or to a radian; of all at once, relative to that of the model, where none are known.
+void add_part(const System& system, double part, std::span<const double> direction, std::span<double> step, std::span<const int> mechanisms = {},
+              std::span<const double> lengths = {}) {
   const std::vector<CoordinateUnit> units = system.coordinate_units();
   const double extent = system.extent();
-  std::vector<double> sizes(known.lengths().size() + 1);  // of those that belong to none at last
-  const auto mechanism = [&](std::size_t i) { return known.mechanisms()[i] < 0 ? sizes.size() - 1 : static_cast<std::size_t>(known.mechanisms()[i]); };
+  std::vector<double> sizes(lengths.size() + 1);  // of those that belong to none at last
+  const auto mechanism = [&](std::size_t i) { return mechanisms.empty() || mechanisms[i] < 0 ? lengths.size() : static_cast<std::size_t>(mechanisms[i]); };
   for (std::size_t i = 0; i < direction.size(); ++i) {
-    const double length = mechanism(i) + 1 < sizes.size() ? known.lengths()[mechanism(i)] : 0;
-    const double unit = units[i] == CoordinateUnit::meter ? (length > 0 ? length : extent) : 1;
-    sizes[mechanism(i)] = std::max(sizes[mechanism(i)], std::abs(direction[i]) / unit);
+    const std::size_t m = mechanism(i);
+    const double length = m < lengths.size() && lengths[m] > 0 ? lengths[m] : extent;
+    sizes[m] = std::max(sizes[m], std::abs(direction[i]) / (units[i] == CoordinateUnit::meter ? length : 1));
   }
   for (std::size_t i = 0; i < direction.size(); ++i)
-    if (sizes[mechanism(i)] > at_rest) step[i] += part * direction[i] / sizes[mechanism(i)];
-}
-
-// Of a motion as a whole: so much, relative to the size of the model or to a radian.
-void add_part(const System& system, double part, std::span<const double> direction, std::span<double> step) {
-  const std::vector<CoordinateUnit> units = system.coordinate_units();
-  const double extent = system.extent();
-  double size = 0;
-  for (std::size_t i = 0; i < direction.size(); ++i) size = std::max(size, std::abs(direction[i]) / (units[i] == CoordinateUnit::meter ? extent : 1));
-  if (!(size > at_rest)) return;
-  for (std::size_t i = 0; i < direction.size(); ++i) step[i] += part * direction[i] / size;
+    if (const double size = sizes[mechanism(i)]; size > at_rest) step[i] += part * direction[i] / size;
 }
 
 }  // namespace
@@ -59,7 +50,7 @@ void ConstrainedMotion::add_free_motion(double part, const System& system, const
   for (std::size_t i = 0; i < n; ++i) x[i] = matrix_[static_cast<std::size_t>(pattern_->slot(static_cast<int>(i), static_cast<int>(i)))] * random();
   solve(x);
   const auto add = [&](std::span<const double> direction) {
-    if (redundant_.in_use()) add_part_in_mechanisms(system, redundant_, part, direction, step);
+    if (redundant_.in_use()) add_part(system, part, direction, step, redundant_.mechanisms(), redundant_.lengths());
     else add_part(system, part, direction, step);
   };
   add(std::span<const double>(x).first(n));
