@@ -48,12 +48,28 @@ def _linearize(function: str, mbs: Any, simulationSettings: Any, autoAssemble: b
     return _Matrices(M, jacobian[:n2, :n2], D, jacobian[:n2, first:], jacobian[first:, first:])
 
 
+# Equations that are so much smaller than others act by round-off alone.
+_ROUND_OFF_OF_EQUATIONS = 1e-12
+
+
+def _scaled(equations: FloatArray) -> FloatArray:
+    """Return equations, in columns, of size one: units and factors do not make one of them smaller than others."""
+    sizes = np.linalg.norm(equations, axis=0)
+    acts = sizes > _ROUND_OFF_OF_EQUATIONS * sizes.max(initial=0.0)
+    return np.asarray(np.where(acts, equations / np.where(acts, sizes, 1.0), 0.0))
+
+
+def _rank(singularValues: Any, tolerance: float) -> int:
+    """Round-off grows with the largest singular value, thus the tolerance as well."""
+    return int((singularValues > tolerance * singularValues.max(initial=0.0)).sum())
+
+
 def _nullspace(C: FloatArray, tolerance: float) -> FloatArray:
     """Return an orthonormal basis, in rows, of the motions that the constraints permit."""
     from scipy.linalg import svd
 
-    U, singularValues, _ = svd(C)
-    return np.asarray(U[:, int((np.abs(singularValues) > tolerance).sum()) :].T)
+    U, singularValues, _ = svd(_scaled(C))
+    return np.asarray(U[:, _rank(singularValues, tolerance) :].T)
 
 
 def ComputeLinearizedSystem(
@@ -69,7 +85,8 @@ def ComputeLinearizedSystem(
 
     The ODE2 coordinates count (n x n), or the motions that the constraints permit if projectIntoConstraintNullspace.
     With constraints and returnConstraintJacobian or -Nullspace, the list goes on with C (n x constraints, or []) and
-    the nullspace N (motions x n, or []); N C = 0. Singular values below singularValuesTolerance are taken for zero.
+    the nullspace N (motions x n, or []); N C = 0. Singular values of the equations, scaled to size one, are taken for
+    zero below singularValuesTolerance times the largest.
     """
     system = _linearize("ComputeLinearizedSystem", mbs, simulationSettings, autoAssemble)
     matrices: list[Any] = [system.M, system.K, system.D]
@@ -213,11 +230,13 @@ def _counts_by_singular_values(
     n2, constraints = system.C.shape
     if constraints == 0:
         return _summary(mbs, n2, 0, 0, 0)
-    both = (np.vstack([system.C, system.algebraic]), system.algebraic)
+    both = (_scaled(np.vstack([system.C, system.algebraic])), system.algebraic)
     values, pure_values = (np.linalg.svd(matrix, compute_uv=False) for matrix in both)
     if verbose:
-        _core.Print(f"singular values of the constraints: {values}\nof the multipliers alone: {pure_values}")
-    return _summary(mbs, n2, constraints, int((values <= threshold).sum()), int((pure_values > threshold).sum()))
+        _core.Print(
+            f"singular values of the constraints, scaled to size one: {values}\nof the multipliers alone: {pure_values}"
+        )
+    return _summary(mbs, n2, constraints, constraints - _rank(values, threshold), _rank(pure_values, threshold))
 
 
 def _rank_of_algebraic(rows: Any, columns: Any, values: FloatArray) -> int:
