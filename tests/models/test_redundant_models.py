@@ -422,6 +422,27 @@ def test_variations_of_a_door() -> None:
     assert np.abs(results.sensorValues[:, 2]) == pytest.approx(weights, abs=1e-6)
 
 
+def test_variations_do_not_know_what_others_have_found() -> None:
+    """Explicit solvers look in the first step: what a sensor writes before was the number of the variation before on the same thread."""
+    door = Door()
+    mbs = door.mbs
+    mbs.AddSensor(
+        exu.itemInterface.SensorObject(
+            objectNumber=door.hinges[0], outputVariableType=Variable.NonUniqueReactions, storeInternal=True
+        )
+    )
+    mbs.Assemble()
+    results = mbs.SolveVariations(
+        {(door.door, "physicsMass"): [10.0, 30.0, 50.0]},
+        settings(0.1, 10),
+        solverType=Solver.DOPRI5,
+        storeHistories=True,
+        numberOfThreads=1,
+    )
+    told = np.array([history[:, 1] for history in results.sensorHistories])
+    assert np.isnan(told[:, 0]).all() and (told[:, 1:] == 5).all()
+
+
 # ---- models that are regular, whatever Newton's method tries --------------------------------------------------------------
 
 

@@ -82,6 +82,7 @@ bool Solver::initialize() {
   read_continuation();
   initialize_output();
   if (!check_system()) return false;
+  system_->reactions_are_unknown();
   tell_settings_without_effect(*settings_, hooks().warn);
   initialize_data();
   if (!starts_finite()) return false;

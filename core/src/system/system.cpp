@@ -321,6 +321,8 @@ void System::reactions_are_known(std::span<const int> not_unique) {
   for (const int k : not_unique) parts_->not_unique[static_cast<std::size_t>(k)] = 1;
 }
 
+void System::reactions_are_unknown() { parts_->not_unique.clear(); }
+
 std::string System::describe(const EquationOwner& owner) const {
   return parts_->describe(owner.of_node ? ItemKind::node : ItemKind::object, owner.number);
 }

@@ -211,6 +211,7 @@ class System {
   std::string describe(const EquationOwner& owner) const;  // "object 3 'joint' (JointRevoluteZ)"
   // What a solver has found, for outputs of the objects: equations whose multipliers are not unique, all others being so.
   void reactions_are_known(std::span<const int> not_unique);
+  void reactions_are_unknown();  // until a solver has looked
 
   // ---- results: written into `values`, whose memory is used again ----------------------------------------------
   using Values = std::vector<double>;
