@@ -66,6 +66,7 @@ for part, color in zip(starts, (graphics.color.red, graphics.color.green, graphi
         )
     )
 mbs.Assemble()
+mbs.ComputeConsistentInitialConditions()  # the wire is as close to the cycloid as its elements can be
 
 settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = 1.2 * time

@@ -15,6 +15,8 @@ mass, axial, elements = 0.8, 4e5, 20  # kg/m, N, 1
 end = 10.0  # s
 
 mbs = exu.SystemContainer().AddSystem()
+towers = [graphics.Brick([x, -3, 0], [0.8, 6, 0.8], color=graphics.color.grey) for x in (-0.4, span + 0.4)]
+mbs.CreateGround(graphicsDataList=towers)
 haul = mbs.AddNode(
     NodeGenericODE2(
         numberOfODE2Coordinates=1, referenceCoordinates=[0], initialCoordinates=[0], initialCoordinates_t=[0]

@@ -48,6 +48,14 @@ mbs.AddObject(
     CoordinateConstraint(markerNumbers=[fixed, trolley], offsetUserFunction=lambda mbs, t, item, offset: way(t))
 )
 
+
+def draw_trolley(mbs, item):
+    """Return the trolley, where the rope begins."""
+    x, y, _ = mbs.GetNodeOutput(nodes[0], exu.OutputVariableType.Position, exu.ConfigurationType.Visualization)
+    return [exu.graphics.Brick([x, y + 0.1, 0], [1, 0.25, 0.6], color=exu.graphics.color.dodgerblue)]
+
+
+mbs.AddObject(ObjectGround(visualization=VObjectGround(graphicsDataUserFunction=draw_trolley)))
 drawing = exu.graphics.Brick([0, -0.6, 0], [1.2, 1.2, 1.2], color=exu.graphics.color.orange)
 weight = mbs.CreateMassPoint(
     referencePosition=[0, -length, 0], physicsMass=load, gravity=[0, -g, 0], graphicsDataList=[drawing]

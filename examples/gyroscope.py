@@ -24,16 +24,18 @@ k = (axial * spin) ** 2 / (4 * weight * across)
 lowest = k - np.sqrt(k**2 - 2 * k * np.cos(tilt) + 1)
 
 mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround()
+feet = np.array([[0, 0, 0], [0, 0.4, 0]])  # m, side by side
+stands = [graphics.Cylinder(foot - [0, 0, 0.12], [0, 0, 0.12], 0.008, color=graphics.color.grey) for foot in feet]
+ground = mbs.CreateGround(graphicsDataList=stands)
 turn = RotationMatrixY(tilt)
 axis = turn @ [0, 0, 1]
 
 
-def gyroscope(rate, color):
+def gyroscope(foot, rate, color):
     """The disc on its shaft, with spin and rate of precession about the vertical; returns a sensor of its place."""
     omega = (spin - rate * np.cos(tilt)) * axis + np.array([0, 0, rate])
     body = mbs.CreateRigidBody(
-        referencePosition=arm * axis,
+        referencePosition=foot + arm * axis,
         referenceRotationMatrix=turn,
         initialVelocity=np.cross(omega, arm * axis),
         initialAngularVelocity=omega,
@@ -44,13 +46,14 @@ def gyroscope(rate, color):
             graphics.Cylinder([0, 0, -arm], [0, 0, 1.3 * arm], 0.006, color=graphics.color.lightgrey, nTiles=24),
         ],
     )
-    mbs.CreateSphericalJoint(bodyNumbers=[ground, body], position=[0, 0, 0])
+    mbs.CreateSphericalJoint(bodyNumbers=[ground, body], position=foot)
     return mbs.AddSensor(
         SensorBody(bodyNumber=body, outputVariableType=exu.OutputVariableType.Position, storeInternal=True)
     )
 
 
-steady, nodding = gyroscope(precession, graphics.color.dodgerblue), gyroscope(0, [1, 0.5, 0, 0.5])
+steady = gyroscope(feet[0], precession, graphics.color.dodgerblue)
+nodding = gyroscope(feet[1], 0, graphics.color.orange)
 mbs.Assemble()
 
 settings = exu.SimulationSettings()
@@ -68,8 +71,8 @@ mbs.PlotSensor(
     fileName="gyroscope_height.png", closeAll=True,
 )  # fmt: skip
 mbs.PlotSensor(
-    [steady, nodding], componentsX=[0, 0], components=[1, 1], labels=["steady", "let go at rest"], xLabel="x (m)",
-    yLabel="y (m)", fileName="gyroscope_path.png",
+    [steady, nodding], componentsX=[0, 0], components=[1, 1], offsets=list(-feet[:, 1]), xLabel="x (m)",
+    yLabel="y from the foot (m)", labels=["steady", "let go at rest"], fileName="gyroscope_path.png",
 )  # fmt: skip
 
 t, x, y, z = mbs.GetSensorStoredData(steady).T

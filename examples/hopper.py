@@ -54,7 +54,7 @@ box = walls(ring(wide, 0), ring(wide, 0.8 * outlet))
 shapes = []
 for points, triangles in (floor, funnel, column, box):
     contact.AddTrianglesRigidBodyBased(ground, pointList=points, triangleList=triangles, **surface)
-for points, triangles in (floor, funnel, box):
+for points, triangles in (floor, funnel, column, box):
     shapes.append(graphics.FromPointsAndTrigs(points, triangles, color=[0.5, 0.6, 0.7, 0.25]))
 mbs.CreateGround(graphicsDataList=shapes)
 

@@ -35,10 +35,10 @@ mbs = exu.SystemContainer().AddSystem()
 # ---- the room: walls, a box and a column, which the lidar sees
 x, y = room / 2
 shapes = [
-    graphics.Brick(centerPoint=center, size=size, color=graphics.color.lightgrey)
+    graphics.Brick(centerPoint=center, size=size, color=graphics.color.steelblue)
     for center, size in [
-        ([0, y + 0.1, 0.25], [2 * x, 0.2, 0.5]),
-        ([0, -y - 0.1, 0.25], [2 * x, 0.2, 0.5]),
+        ([0, y + 0.1, 0.25], [2 * x + 0.4, 0.2, 0.5]),
+        ([0, -y - 0.1, 0.25], [2 * x + 0.4, 0.2, 0.5]),
         ([x + 0.1, 0, 0.25], [0.2, 2 * y, 0.5]),
         ([-x - 0.1, 0, 0.25], [0.2, 2 * y, 0.5]),
     ]

@@ -14,14 +14,16 @@ dampingRatios, frequencies = np.linspace(0.05, 0.8, 50), np.linspace(1, 3, 20)  
 # one model: a mass that is guided vertically, spring and damper below it
 mbs = exu.SystemContainer().AddSystem()
 node = mbs.AddNode(Node1D(referenceCoordinates=[0]))
-shape = graphics.Brick([0.25, 0, 0], [0.3, 0.6, 0.6], color=graphics.color.dodgerblue)
+angles = np.linspace(0, 12 * np.pi, 200)
+coil = graphics.Lines(np.column_stack([angles / angles[-1] * 0.7 - 0.6, 0.1 * np.cos(angles), 0.1 * np.sin(angles)]))
+shapes = [coil, graphics.Brick([0.25, 0, 0], [0.3, 0.6, 0.6], color=graphics.color.dodgerblue)]
 mbs.AddObject(
     Mass1D(
         nodeNumber=node,
         physicsMass=mass,
         referencePosition=[0, 0, 0.6],  # where it is drawn, its coordinate upwards
         referenceRotation=RotationMatrixY(-np.pi / 2),
-        visualization=VMass1D(graphicsData=[shape]),
+        visualization=VMass1D(graphicsData=shapes),
     )
 )
 mbs.CreateGround(graphicsDataList=[graphics.CheckerBoard(size=2)])

@@ -22,7 +22,10 @@ ground = mbs.CreateGround()
 
 # bodies: the mechanism is stretched in the reference configuration, the crank along x
 crank = mbs.CreateRigidBody(
-    referencePosition=[crankLength / 2, 0, 0], inertia=bar(crankLength), gravity=gravity, color=graphics.color.orange
+    referencePosition=[crankLength / 2, 0, 0],
+    inertia=bar(crankLength),
+    gravity=gravity,
+    color=graphics.color.orange,
 )
 rod = mbs.CreateRigidBody(
     referencePosition=[crankLength + rodLength / 2, 0, 0],

@@ -51,8 +51,9 @@ print(f"first mass after one period: {first[-1, 1]:.6f} m, at the start {corner[
 follower = min((second, third), key=lambda way: abs(way[100, 1] - corner[0]))
 print(f"the next mass a third of the period later: {follower[100, 2]:.6f} m, where the first was {corner[1]:.6f} m")
 mbs.PlotSensor(
-    ways, componentsX=[0] * 3, components=[1] * 3, xLabel="x (m)", yLabel="y (m)", fileName="eight.png", closeAll=True
-)
+    ways, componentsX=[0] * 3, components=[1] * 3, labels=["first", "second", "third"], lineStyles=["-", "--", ":"],
+    xLabel="x (m)", yLabel="y (m)", fileName="eight.png", closeAll=True,
+)  # fmt: skip
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.connectors.show = shown.nodes.show = shown.markers.show = False
 shown.sensors.traces.showPositionTrace = True

@@ -59,4 +59,4 @@ mbs.SolveDynamic(settings)
 
 mbs.Draw(fileName="user_functions_picture.png")
 mbs.PlotSensor(kinetic, yLabel="kinetic energy (J)", closeAll=True, fileName="user_functions.png")
-print("largest kinetic energy", mbs.GetSensorStoredData(kinetic)[:, 1].max())
+print(f"largest kinetic energy: {mbs.GetSensorStoredData(kinetic)[:, 1].max():.3f} J")

@@ -22,7 +22,8 @@ std::string called(const char* method) { return "mbs." + std::string(method) + "
 OutputVariableType variable_argument(const py::object& value, const char* method) {
   static const Enumeration variables("OutputVariableType");
   if (!variables.has(value.ptr()))
-    refuse(ErrorKind::type, {called(method), "variableType", "", show(value.ptr()), "a member of OutputVariableType", ""});
+    refuse(ErrorKind::type, {called(method), "variableType", "", show(value.ptr()), "a member of OutputVariableType",
+                              member_advice("OutputVariableType", value.ptr())});
   return static_cast<OutputVariableType>(Enumeration::number(value.ptr()));
 }
 

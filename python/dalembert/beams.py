@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert import itemInterface as eii
-from dalembert._checks import FloatArray, shape_error
+from dalembert._checks import FloatArray, as_vector, shape_error
 from dalembert._fem.section_constants import ComputeSectionConstants, SectionConstants
 from dalembert._fem.section_outlines import (
     SectionCircle,
@@ -132,7 +132,8 @@ def GenerateStraightBeam(
     for end, flags in enumerate((fixedConstraintsNode0, fixedConstraintsNode1)):
         if flags is not None and (len(flags) < size or np.any(np.asarray(flags[size:]) != 0)):
             raise shape_error(f"{function}: fixedConstraintsNode{end}", f"{size} flags for {kind}", flags)
-    start, line = np.array(positionOfNode0, dtype=float), np.subtract(positionOfNode1, positionOfNode0)
+    start = as_vector(f"{function}: positionOfNode0", positionOfNode0, 3)
+    line = as_vector(f"{function}: positionOfNode1", positionOfNode1, 3) - start
     length = float(np.linalg.norm(line))
     if length == 0:
         raise shape_error(f"{function}: positionOfNode1", "another position than that of node 0", positionOfNode1)

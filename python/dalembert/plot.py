@@ -29,7 +29,7 @@ from dalembert._plots.sensor_curves import (
     per_curve,
     shift_list,
 )
-from dalembert._plots.styles import check_axes, check_curves, check_figure, check_numbers, draw_legend
+from dalembert._plots.styles import check_axes, check_curves, check_figure, check_numbers, draw_legend, place_legend
 from dalembert._tools.missing_names import nearest
 from dalembert.advancedUtilities import PlotLineCode
 
@@ -193,6 +193,7 @@ def PlotSensor(
             data of its sensor, e.g. to plot differences.
     How it looks:
         xLabel, yLabel, title, labels, fontSize, legendArgs: texts; legendArgs is a location or a dict of arguments.
+            Without it, the legend stands beside the axes if it would hide a curve wherever it is within.
         colors, lineStyles, lineWidths, markerStyles, markerSizes: matplotlib's codes, one for all or a list; a blank
             in a marker style makes it empty. Without colors, PlotLineCode(curve + colorCodeOffset) decides.
         markerDensity: number of markers (int), distance relative to the diagonal (float) or one per point (None).
@@ -280,9 +281,10 @@ def PlotSensor(
     _set_axes(ax, (style["majorTicksX"], style["majorTicksY"]), (rangeX, rangeY), kwargs)
     if legendArgs is not None:
         draw_legend(ax, legendArgs)
-    elif ax.get_legend_handles_labels()[0]:
-        ax.legend()
     figure.tight_layout()
+    if legendArgs is None and ax.get_legend_handles_labels()[0]:
+        place_legend(ax)
+        figure.tight_layout()
     if not kwargs.get("logScaleX"):
         _part_labels(figure, ax, style["majorTicksX"])
     show_figure(plt, figure)

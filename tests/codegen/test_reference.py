@@ -34,9 +34,27 @@ SIGNATURES = {
         "mbs", "t", "itemNumber", "displacement", "velocity", "stiffness", "damping", "offset",
     ],
 }  # fmt: skip
-# Symbols of other outputs: velocities written with the letter of accelerations, where all other nodes have v.
+# Symbols that do not say what is computed, or not how it is written elsewhere: what is wrong in them, and what is right.
+LOCAL, TURNED = r"\LU{0b}{\Rot}\pLocB", r"(\LU{0b}{\Rot}\cConfig - \LU{0b}{\Rot}\cRef) \pLocB"
 MISPRINTS = {
-    (node, "Velocity"): (r"{\mathbf{a}}", r"{\mathbf{v}}") for node in ("NodePointSlope12", "NodePointSlope23")
+    **{(f"NodePointSlope{n}", "Velocity"): (r"{\mathbf{a}}", r"{\mathbf{v}}") for n in ("1", "12", "23")},
+    **{(f"ObjectRigidBody{n}", "Displacement"): (LOCAL, TURNED) for n in ("", "2D")},
+    **{(f"ObjectRigidBody{n}", "Velocity"): (r"\pLocB\cConfig)", r"\pLocB)") for n in ("", "2D")},
+    **{("ObjectANCFCable2D", f"Angular{n}"): (r"[0,\, ,0,", r"[0,\, 0,") for n in ("Velocity", "Acceleration")},
+    ("ObjectANCFCable", "Position"): (r" + y\cdot {\mathbf{n}}\cConfig(x)", ""),
+    **{
+        ("ObjectContactFrictionCircleCable2D", name): ("n_{cs}}", "n_{cs}-1}")
+        for name in ("Coordinates", "Coordinates_t", "ForceLocal")
+    },
+    ("ObjectConnectorRollingDiscPenalty", "ForceLocal"): (
+        r"\LU{0}{[f_{t,x},\, f_{t,y},\, f_{n}]\tp}",
+        r"[f_{t,x},\, f_{t,y},\, f_{n}]\tp",
+    ),
+    ("ObjectJointRollingDisc", "ForceLocal"): (
+        r"\LU{0}{[f_0,\, f_1,\, f_2]\tp}= [-{\mathbf{z}}^T \LU{0}{{\mathbf{w}}_{lat}}, \, "
+        r"-{\mathbf{z}}^T \LU{0}{{\mathbf{w}}_2}, \, -{\mathbf{z}}^T \LU{0}{{\mathbf{v}}_{PN}}]\tp",
+        r"[f_0,\, f_1,\, f_2]\tp = -[\lambda_0,\, \lambda_1,\, \lambda_2]\tp",
+    ),
 }
 # Orientation is asked for where there is friction, as models of the reference have it; the kernels see to that.
 REQUESTED = {"ObjectContactSphereSphere": ["Position"], "ObjectContactSphereTriangle": ["Position"]}

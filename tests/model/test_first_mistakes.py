@@ -35,6 +35,7 @@ from dalembert.rigidBodyUtilities import (
     RotationMatrixX,
 )
 from dalembert.robotics import Robot
+from dalembert.robotics.utilities import GetURDFrobotData
 from dalembert.utilities import TreeLink
 
 BAR = InertiaCuboid(1000, [1, 0.1, 0.1])
@@ -99,6 +100,11 @@ class Model:
     def joint_of_one_marker(self) -> None:
         marker = self.mbs.AddMarker(MarkerBodyRigid(bodyNumber="bar"))
         self.mbs.AddObject(SphericalJoint(name="joint", markerNumbers=[marker, marker]))
+        self.mbs.Assemble()
+
+    def cable_on_one_node(self) -> None:
+        node = self.mbs.AddNode(exu.NodePoint2DSlope1(name="end", referenceCoordinates=[0, 0, 1, 0]))
+        self.mbs.AddObject(exu.ObjectANCFCable2D(name="cable", physicsLength=1, nodeNumbers=[node, node]))
         self.mbs.Assemble()
 
     def coordinate_load(self) -> None:
@@ -353,6 +359,19 @@ MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
     ("function that divides by zero", lambda m: m.with_force(lambda mbs, t, load: [1 / 0, 0, 0]), ["division by zero", "'loadVectorUserFunction' of load 1 'push'", "time 0"]),
     ("type of a node in quotes", lambda m: m.mbs.CreateRigidBody(inertia=BAR, nodeType="RotationRxyz"), ["CreateRigidBody", "'nodeType'", "NodeType.RotationRxyz", "(str)"]),
     ("point for a rigid body", lambda m: (m.mbs.AddObject(RigidBody(name="r", nodeNumber="Node:mass")), m.mbs.Assemble()), ["object 3 'r'", "'nodeNumber'", "'Node:mass'", "provides Position, Orientation"]),
+    ("axis of quoted numbers", lambda m: m.mbs.CreateRevoluteJoint("hinge", ["ground", "bar"], axis=["0", "0", "1"]), ["CreateRevoluteJoint", "'axis'", "3 finite components", "['0', '0', '1']"]),
+    ("gravity of quoted numbers", lambda m: m.mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, "-9.81"]), ["CreateMassPoint", "'gravity'", "3 finite components", "'-9.81'"]),
+    ("rotation of quoted numbers", lambda m: m.mbs.CreateRigidBody("r", inertia=BAR, referenceRotationMatrix=[["1", 0, 0], [0, 1, 0], [0, 0, 1]]), ["CreateRigidBody", "'referenceRotationMatrix'", "a 3x3 rotation matrix"]),
+    ("cable on one node", lambda m: m.cable_on_one_node(), ["object 3 'cable'", "'nodeNumbers'", "node 2 'end' (NodePoint2DSlope1) twice", "different nodes"]),
+    ("cable between points of a plane", lambda m: beams.GenerateStraightLineANCFCable2D(m.mbs, [0, 0], [1, 0], 4, exu.ObjectANCFCable2D()), ["positionOfNode0", "3 components", "[0, 0]"]),
+    ("output in quotes", lambda m: (m.mbs.Assemble(), m.mbs.GetNodeOutput(0, "Position")), ["GetNodeOutput", "'variableType'", "Write OutputVariableType.Position without quotes"]),
+    ("search of a function that returns nothing", lambda m: processing.Minimize(lambda p: None, {"a": (0, 1)}, showProgress=False), ["Minimize: objectiveFunction returned None", "a number"]),
+    ("generations of a function that returns nothing", lambda m: processing.GeneticOptimization(lambda p: None, {"a": (0, 1)}, showProgress=False), ["GeneticOptimization: result of objectiveFunction", "a number", "None"]),
+    ("file for a robot", lambda m: GetURDFrobotData("arm.urdf"), ["GetURDFrobotData: robot", "LoadURDFrobot(...)['robot']", "'arm.urdf'"]),
+    ("view in words", lambda m: m.mbs.Draw(view="from above"), ["Draw: view", "top", "'from above'"]),
+    ("width alone", lambda m: m.mbs.Draw(windowSize=400), ["Draw: windowSize", "width and height in pixels", "400"]),
+    ("picture of no format", lambda m: m.mbs.Draw("bar.xyz"), ["Draw: fileName", ".png"]),
+    ("frames of no format", lambda m: m.mbs.DrawSolution("frame%05d.gifs"), ["DrawSolution: fileName", ".png"]),
     ("robot that cannot move", lambda m: m.still_robot(), ["CreateRobot", "'fileName'", "a joint that moves"]),
 ]  # fmt: skip
 

@@ -275,6 +275,16 @@ def test_a_picture_that_is_saved_is_what_is_seen(SC: Any, viewer: Viewer, tab: T
         assert 0.005 < ink[1] == pytest.approx(ink[0], rel=0.25), part  # letters are not on the same pixels
 
 
+def test_what_rounding_leaves_of_zero_is_zero_on_the_bar_of_colors(SC: Any, viewer: Viewer, tab: Tab) -> None:
+    SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.Position
+    viewer.redraw()
+    tab.wait("document.querySelectorAll('.contour i').length > 0")
+    told = tab.value(
+        "(page.range(-1.5e-28, 0.6), [...document.querySelectorAll('.contour i')].map((i) => i.textContent))"
+    )
+    assert told[0] == "0.6000" and told[-1] == "0" and all(float(number) > 0 for number in told[:-1])
+
+
 def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> None:
     other = browser.tab(viewer.server.address)
     other.wait("page.frames > 0")

@@ -190,11 +190,54 @@ def test_names_of_no_film_are_refused_before_it_is_drawn(pendulum: Any, name: st
 def test_videos_need_ffmpeg(pendulum: Any) -> None:
     solve(pendulum)
     if shutil.which("ffmpeg") is None:
-        with pytest.raises(FileNotFoundError, match=r"film 'film.mp4': the program ffmpeg is not installed.*\.gif"):
+        with pytest.raises(
+            FileNotFoundError, match=r"DrawSolution: fileName: for 'film.mp4', the program ffmpeg.*\.gif"
+        ):
             pendulum.DrawSolution("film.mp4")
     else:
         pendulum.DrawSolution("film.mp4", windowSize=[80, 60], framesPerSecond=10)
         assert Path("film.mp4").stat().st_size > 500
+
+
+def test_a_film_tells_its_time_from_the_first_image_on(SC: Any, pendulum: Any) -> None:
+    """The image at time 0 differs from that without times; a picture before any simulation shows none."""
+    start = np.asarray(pendulum.Draw(windowSize=[200, 150], view="front"))
+    solve(pendulum)
+    settings, first = SC.visualizationSettings.general, {}
+    for shown in (True, False):
+        settings.showSolverTime = shown
+        pendulum.DrawSolution("f%d.png", windowSize=[200, 150], view="front")
+        first[shown] = np.asarray(Image.open("f0.png"))
+    rows = np.argwhere((first[True] != first[False]).any(axis=2))[:, 0]
+    assert len(rows) > 0 and rows.max() < 30  # letters at the top
+    pendulum.Assemble()
+    np.testing.assert_array_equal(start, np.asarray(pendulum.Draw(windowSize=[200, 150], view="front")))
+
+
+def test_the_background_of_a_film_is_that_of_its_images(SC: Any, pendulum: Any) -> None:
+    solve(pendulum)
+    SC.visualizationSettings.general.backgroundColor = [0.9, 0.8, 0.7, 1]
+    pendulum.DrawSolution("film.gif", windowSize=[80, 60])
+    with Image.open("film.gif") as film:
+        for number in range(film.n_frames):
+            film.seek(number)
+            assert film.convert("RGB").getpixel((40, 2)) == (230, 204, 179)
+
+
+def test_what_rounding_leaves_of_zero_is_zero_on_the_bar_of_colors() -> None:
+    from dalembert._pictures.overlay import numbers_of_bar
+
+    assert numbers_of_bar(-3e-4, 3e-4 + 1e-19, 4) == [
+        "-0.0003",
+        "-0.0002",
+        "-0.0001",
+        "0",
+        "0.0001",
+        "0.0002",
+        "0.0003",
+    ]
+    assert numbers_of_bar(-1.5e-28, 0.6, 2) == ["0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6"]
+    assert numbers_of_bar(1e-12, 7e-12, 2)[0] == "1e-12"
 
 
 def test_a_film_needs_a_solution(pendulum: Any) -> None:

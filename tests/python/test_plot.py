@@ -327,3 +327,21 @@ def test_figures_without_an_ending_have_that_of_matplotlib(mbs: Any, tmp_path: P
 def test_errors_of_phase_plots_name_their_arguments(mbs: Any, arguments: dict[str, Any], text: str) -> None:
     with pytest.raises((ValueError, FileNotFoundError), match=f"^{text}"):
         plot.PlotPhase(**({"mbs": mbs, "sensorX": 0, "sensorY": 0} | arguments))
+
+
+def test_a_legend_hides_no_curve(mbs: Any) -> None:
+    """Within the axes where there is room; otherwise above them, or at the right of what has a title."""
+
+    def place(data: Any, **arguments: Any) -> tuple[Any, Any]:
+        axes = plot.PlotSensor(mbs, [data], labels="a long name", closeAll=True, **arguments)[2]
+        axes.figure.canvas.draw()
+        return axes.get_legend().get_window_extent(), axes.get_window_extent()
+
+    legend, axes = place(DATA)
+    assert axes.x0 < legend.x0 and legend.x1 < axes.x1 and axes.y0 < legend.y0 and legend.y1 < axes.y1
+    t = np.linspace(0, 1, 500)
+    dense = np.column_stack([t, np.sin(200 * t)])
+    legend, axes = place(dense)
+    assert legend.y0 > axes.y1 - 1
+    legend, axes = place(dense, title="title")
+    assert legend.x0 > axes.x1 - 1

@@ -70,7 +70,10 @@ class Checker {
       if (row.check >= Check::rotation) check_value(row);
     }
     if (kind_ == ItemKind::node) check_coordinates();
-    if (kind_ == ItemKind::object) check_ends();
+    if (kind_ == ItemKind::object) {
+      check_ends();
+      check_nodes();
+    }
     if (kind_ == ItemKind::load) check_follower();
     if (type.physics != nullptr) type.physics->check_values(item_.record.get(), {model_, kind_, number_});
   }
@@ -176,6 +179,17 @@ class Checker {
     if (carrying == nullptr) return {};
     if (provides(*carrying->type, "Ground")) return {Carrier::Kind::ground};
     return {Carrier::Kind::node, node};
+  }
+
+  // An element between a node and itself has no length, and bodies of several nodes would count its coordinates twice.
+  void check_nodes() const {
+    for (const Row& row : item_.type->rows) {
+      if (const IndexStorage index = index_storage(row.storage); !index.is_list || index.kind != ItemKind::node) continue;
+      const auto nodes = index_values(row, item_.record.get());
+      for (auto node = nodes.begin(); node != nodes.end(); ++node)
+        if (std::find(nodes.begin(), node, *node) != node)
+          complain(row, model_.describe(ItemKind::node, *node) + " twice", "different nodes", "Give each node of the object once");
+    }
   }
 
   // Both markers of a connector: two of them, and of a joint on different bodies.

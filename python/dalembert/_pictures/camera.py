@@ -71,8 +71,8 @@ def turned(rotation_vector: Any) -> FloatArray:
     return np.asarray(RotationVector2RotationMatrix(np.asarray(rotation_vector, float)), float)
 
 
-def named(view: Any, up: int = 2) -> FloatArray:
-    """Return the rotation of the scene for the name of a view, or for a rotation matrix."""
+def named(view: Any, up: int = 2, where: str = "") -> FloatArray:
+    """Return the rotation of the scene for the name of a view, or for a rotation matrix; errors begin with `where`."""
     quarter = {
         "front": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
         "back": [[-1, 0, 0], [0, 1, 0], [0, 0, -1]],
@@ -87,9 +87,9 @@ def named(view: Any, up: int = 2) -> FloatArray:
         if view in quarter:
             return np.array(quarter[view], float)
         raise ValueError(
-            f"view: expected {', '.join([*quarter, 'axonometric'])} or a rotation matrix, received '{view}'"
+            f"{where}view: expected {', '.join([*quarter, 'axonometric'])} or a rotation matrix, received '{view}'"
         )
-    return as_rotation("view", view)
+    return as_rotation(f"{where}view", view)
 
 
 def automatic(box: FloatArray | None, up: int) -> FloatArray:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dalembert._checks import as_array, as_number, shape_error
+from dalembert._checks import as_array, as_positive, shape_error
 from dalembert._core import ConfigurationType
 from dalembert._io.files import file_to_write
 from dalembert._tools.found_items import index_of
@@ -42,7 +42,7 @@ def Draw(
     """
     from PIL import Image as Pillow
 
-    from dalembert._pictures.films import save_image
+    from dalembert._pictures.films import check_image_name, save_image
     from dalembert._pictures.studio import Studio
 
     if configuration is not None and (not isinstance(configuration, ConfigurationType) or configuration not in STATES):
@@ -50,12 +50,13 @@ def Draw(
         raise shape_error("Draw: configuration", f"one of ConfigurationType: {names}", configuration)
     if fileName not in ("", None):
         fileName = file_to_write("Draw: fileName", fileName, newFolder=True)
+        check_image_name(fileName, "Draw: fileName")
     if around is not None:
         around = [index_of(mbs, "Object", item, "Draw: around") for item in np.atleast_1d(np.asarray(around, object))]
     studio = Studio(mbs.GetSystemContainer(), [mbs])
     scene = studio.scene(configuration)
-    size = studio.size(0) if windowSize is None else _size(windowSize)
-    camera = camera_for(studio, scene, view, size, zoom, around)
+    size = studio.size(0) if windowSize is None else _size(windowSize, "Draw")
+    camera = camera_for(studio, scene, view, size, zoom, around, "Draw: ")
     if around is None:
         studio.track(camera, 0, studio.tracked())
     image = studio.image(scene, camera, size=size)
@@ -83,14 +84,16 @@ def DrawSolution(
     """
     from pathlib import Path
 
-    from dalembert._pictures.films import check_name, numbered, save_film, save_image
+    from dalembert._pictures.films import check_image_name, check_name, numbered, save_film, save_image
     from dalembert._pictures.motion import Motion
 
     fileName = file_to_write("DrawSolution: fileName", fileName, newFolder=True)
-    name_of = numbered(fileName) if "%" in fileName else None
+    name_of = numbered(fileName, "DrawSolution: fileName") if "%" in fileName else None
     if name_of is None:
-        check_name(Path(fileName))
-    size = None if windowSize is None else _size(windowSize)
+        check_name(Path(fileName), "DrawSolution: fileName")
+    else:
+        check_image_name(name_of(0), "DrawSolution: fileName")
+    size = None if windowSize is None else _size(windowSize, "DrawSolution")
     motion = Motion(mbs, "DrawSolution", solution, framesPerSecond, speed, view, size, zoom)
     if name_of is not None:
         for number, image in enumerate(motion.images()):
@@ -109,25 +112,27 @@ def around(scenes: list[Scene]) -> Scene:
     return Scene(lines=lines, value_name=scenes[0].value_name)
 
 
-def _size(windowSize: Any) -> tuple[int, int]:
+def _size(windowSize: Any, caller: str) -> tuple[int, int]:
     from dalembert._pictures.studio import LARGEST
 
-    size = as_array("windowSize", windowSize, "width and height in pixels")
+    name = f"{caller}: windowSize"
+    size = as_array(name, windowSize, "width and height in pixels")
     if size.shape != (2,) or not (size >= 1).all() or not (size <= LARGEST).all():
-        raise shape_error("windowSize", f"width and height in pixels, each from 1 to {LARGEST}", windowSize)
+        raise shape_error(name, f"width and height in pixels, each from 1 to {LARGEST}", windowSize)
     return int(size[0]), int(size[1])
 
 
 def camera_for(
-    studio: Studio, scene: Scene, view: Any, size: tuple[int, int], zoom: float, around: Any = None
+    studio: Studio, scene: Scene, view: Any, size: tuple[int, int], zoom: float, around: Any = None, where: str = ""
 ) -> Camera:
-    """Return the camera for a view; that of the renderer if it was set and no other is wanted. It follows no marker."""
+    """Return the camera for a view; that of the renderer if it was set and no other is wanted. It follows no marker.
+
+    Errors begin with `where`.
+    """
     from dalembert._pictures import camera as cameras
     from dalembert._pictures.renderer import state_of
 
-    zoom = as_number("zoom", zoom)
-    if not zoom > 0:
-        raise ValueError(f"zoom: expected a positive number, received {zoom:g}")
+    zoom = as_positive(f"{where}zoom", zoom)
     chosen = studio.camera_at_rest(scene, 0, size)
     start = np.asarray(studio.settings.openGL.advanced.initialModelRotation, float)
     free = bool(studio.settings.general.autoFitScene) and bool((start == np.eye(3)).all())
@@ -137,7 +142,7 @@ def camera_for(
             scene.box() if around is None else scene.box_of([int(n) for n in np.atleast_1d(np.asarray(around, object))])
         )
         if view is not None:
-            chosen.rotation = cameras.named(view, studio.upwards())
+            chosen.rotation = cameras.named(view, studio.upwards(), where)
         elif free:
             chosen.rotation = cameras.automatic(box, studio.upwards())
         studio.fit(chosen, scene, box, size)

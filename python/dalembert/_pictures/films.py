@@ -23,11 +23,16 @@ VIDEOS = (".mp4", ".mkv", ".mov", ".avi", ".webm", ".m4v", ".mpg", ".ogv")  # by
 def save_image(image: Image, name: str | Path) -> None:
     """Save an image in the format that the ending of the name says; its folder is made if needed."""
     path = Path(file_to_write("fileName", name, newFolder=True))
-    if path.suffix.lower() not in Pillow.registered_extensions():
-        raise ValueError(f"fileName: {str(name)!r} does not end as images do; give it the ending .png, .jpg or .webp")
+    check_image_name(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as written:
         Pillow.fromarray(image).save(written)
+
+
+def check_image_name(name: str | Path, where: str = "fileName") -> None:
+    """Refuse names that are none of images."""
+    if Path(name).suffix.lower() not in Pillow.registered_extensions():
+        raise ValueError(f"{where}: {str(name)!r} does not end as images do; give it the ending .png, .jpg or .webp")
 
 
 def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
@@ -37,7 +42,7 @@ def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
     if path.suffix.lower() in ANIMATIONS:
         frames = [Pillow.fromarray(image) for image in images]
         if path.suffix.lower() == ".gif":
-            palette = frames[len(frames) // 2].quantize(255, method=Pillow.Quantize.MEDIANCUT)
+            palette = _palette(frames[len(frames) // 2])
             frames = [frame.quantize(palette=palette, dither=Pillow.Dither.NONE) for frame in frames]
         with replacing(path) as written:
             frames[0].save(written, save_all=True, append_images=frames[1:], duration=round(1000 / rate), loop=0)
@@ -52,6 +57,17 @@ def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
             )
         whole = max(round(rate), 1)
         ConvertImages2Video(folder, outputFile=str(path.resolve()), inputFrameRate=whole, outputFrameRate=whole)
+
+
+def _palette(frame: Pillow.Image) -> Pillow.Image:
+    """Return the colors of a film; what fills most of the image, its background, is exact."""
+    palette = frame.quantize(255, method=Pillow.Quantize.MEDIANCUT)
+    colors, counts = np.unique(np.asarray(frame).reshape(-1, 3), axis=0, return_counts=True)
+    background = colors[counts.argmax()].astype(int)
+    chosen = np.array((palette.getpalette() or [])[: 3 * 255]).reshape(-1, 3)
+    chosen[np.abs(chosen - background).max(axis=1) < 8] = background  # Pillow does not tell closer ones apart
+    palette.putpalette([*chosen.ravel().tolist(), *background.tolist()])
+    return palette
 
 
 def make_video(
@@ -85,14 +101,14 @@ def make_video(
         raise RuntimeError(f"{where} ffmpeg failed: {result.stderr.strip()[-500:]}")
 
 
-def check_name(path: Path) -> None:
+def check_name(path: Path, where: str) -> None:
     """Refuse, before anything is drawn, names that are none of films, and videos where there is no ffmpeg."""
     if path.suffix.lower() not in (*ANIMATIONS, *VIDEOS):
         raise ValueError(
-            f"fileName: {str(path)!r} does not end as films do; give it the ending .gif, .webp or .mp4, "
+            f"{where}: {str(path)!r} does not end as films do; give it the ending .gif, .webp or .mp4, "
             "or a number for each image, as in 'frame%05d.png'"
         )
-    require_ffmpeg(path)
+    require_ffmpeg(path, where)
 
 
 def numbered(name: str, where: str = "fileName") -> Callable[[int], str]:
@@ -105,12 +121,12 @@ def numbered(name: str, where: str = "fileName") -> Callable[[int], str]:
     raise ValueError(f"{where}: {name!r} has no place for the numbers of images; write one, as in 'frame%05d.png'")
 
 
-def require_ffmpeg(path: Path) -> None:
+def require_ffmpeg(path: Path, where: str = "fileName") -> None:
     """Refuse videos where there is no ffmpeg."""
     if path.suffix.lower() not in ANIMATIONS and shutil.which("ffmpeg") is None:
         raise FileNotFoundError(
-            f"film '{path}': the program ffmpeg is not installed, or not in the search path; "
-            "names that end with .gif or .webp need no other program"
+            f"{where}: for {str(path)!r}, the program ffmpeg is needed, which is not installed, "
+            "or not in the search path; names that end with .gif or .webp need no other program"
         )
 
 

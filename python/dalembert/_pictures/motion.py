@@ -60,7 +60,7 @@ class Motion:
             times = np.asarray(data["data"], float)[:, 0]
             rows = np.arange(len(times)) if every_row else self._rows(times, speed, caller)
             self.scenes = self._scenes(mbs, data, rows)
-        self.camera = draw.camera_for(self.studio, draw.around(self.scenes), view, self.size, zoom)
+        self.camera = draw.camera_for(self.studio, draw.around(self.scenes), view, self.size, zoom, where=f"{caller}: ")
 
     def images(self) -> Iterator[Image]:
         """Return the images; the camera follows a marker as view0.camera.trackMarker says."""
@@ -93,6 +93,7 @@ class Motion:
             for row in rows:
                 SetSolutionState(mbs, data, int(row), ConfigurationType.Visualization)
                 scenes.append(self._scene())
+                scenes[-1].of_motion = True
         finally:
             mbs.systemData.SetSystemState(before, ConfigurationType.Visualization)
             mbs.systemData.SetTime(time, ConfigurationType.Visualization)

@@ -41,7 +41,11 @@ def add(image: npt.NDArray[np.uint8], scene: Scene, camera: Camera, looks: Looks
     lines = list(scene.information)
     if looks.setting("general.renderWindowString"):
         lines.insert(0, str(looks.setting("general.renderWindowString")))
-    if view.window.showComputationInfo and looks.setting("general.showSolverTime") and scene.time > 0:
+    if (
+        view.window.showComputationInfo
+        and looks.setting("general.showSolverTime")
+        and (scene.time != 0 or scene.of_motion)
+    ):
         lines.append(f"t = {scene.time:.{max(int(looks.setting('general.rendererPrecision')), 1)}g} s")
     if lines:
         ImageDraw.Draw(canvas).text((1.2 * size, size), "\n".join(lines), ink, font(round(1.15 * size)))
@@ -98,13 +102,20 @@ def _add_axes(canvas: Pillow.Image, camera: Camera, looks: Looks, size: float) -
     canvas.paste(sheet, (0, canvas.height - 2 * half), sheet)
 
 
+def numbers_of_bar(low: float, high: float, digits: int) -> list[str]:
+    """Return the numbers beside the bar of colors, from below; what rounding leaves of zero is zero."""
+    numbers = low + (high - low) * np.arange(7) / 6
+    numbers[np.abs(numbers) < 1e-9 * max(abs(low), abs(high))] = 0.0
+    return [f"{number:.{digits}g}" for number in numbers]
+
+
 def _add_bar(canvas: Pillow.Image, scene: Scene, looks: Looks, size: float, ink: Any) -> None:
     """Draw the bar of colors at the right edge, with numbers."""
     tiles = max(int(looks.setting("contour.advanced.colorBarTiling")), 2)
     digits = max(int(looks.setting("contour.advanced.colorBarPrecision")), 1)
     low, high = scene.value_range
     top, bottom = 0.14 * canvas.height, 0.78 * canvas.height
-    texts = [f"{low + (high - low) * k / 6:.{digits}g}" for k in range(7)]
+    texts = numbers_of_bar(low, high, digits)
     letters = font(round(size))
     wide = max(letters.getlength(text) for text in texts)
     left = canvas.width - wide - 3.6 * size

@@ -113,6 +113,7 @@ class Scene:
     balls: Balls = field(default_factory=Balls)
     threads: Threads = field(default_factory=Threads)
     time: float = 0.0
+    of_motion: bool = False  # one of many, whose times are shown from the first on
     information: list[str] = field(default_factory=list)  # for the corner of the picture
     value_name: str = ""  # what the values are; "" if there are none
     value_range: tuple[float, float] = (0.0, 1.0)

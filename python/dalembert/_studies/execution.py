@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dalembert._calls import checked
-from dalembert._checks import check_type, shape_error
+from dalembert._checks import as_array, check_type, shape_error
 from dalembert._io.files import file_to_write, naming
 from dalembert._tools.missing_names import nearest
 
@@ -474,6 +474,10 @@ def _cut_to_rows(resultsFile: str, rows: int) -> None:
         file.writelines(lines[: header + rows])
 
 
-def scalar_objective(value: Any) -> float:
+def scalar_objective(where: str, value: Any) -> float:
     """Return a number to be minimized: the value itself, or the norm of several values."""
-    return float(value) if np.ndim(value) == 0 else float(np.linalg.norm(np.ravel(value)))
+    name, expected = f"{where}: result of objectiveFunction", "a number, or several whose norm counts"
+    if value is None:  # of which numpy makes nan
+        raise shape_error(name, expected, value)
+    array = as_array(name, value, expected)
+    return float(array) if array.ndim == 0 else float(np.linalg.norm(array.ravel()))

@@ -216,7 +216,7 @@ def GeneticOptimization(
         all_sets += generation
         all_values += values
         candidates, candidate_values = generation + survivors, values + surviving_values
-        objectives = np.array([scalar_objective(value) for value in candidate_values])
+        objectives = np.array([scalar_objective("GeneticOptimization", value) for value in candidate_values])
         order = [int(i) for i in np.argsort(objectives, kind="stable")]
         best, best_value = candidates[order[0]], objectives[order[0]]
         if debugMode:

@@ -59,7 +59,7 @@ class _Objective:
         return self._keep(x, self.function(self.named(x)))
 
     def _keep(self, x: Any, value: Any) -> Any:
-        if np.ndim(value) != 0:
+        if value is None or isinstance(value, (str, bytes)) or np.ndim(value) != 0:
             raise TypeError(f"Minimize: objectiveFunction returned {value!r}, but expected a number")
         self.evaluations += 1
         self._known[self.inside(x).tobytes()] = value

@@ -11,7 +11,7 @@ from typing import Any, Literal, NamedTuple, NoReturn
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import COLOR, ROTATION, color_problem, rotation_problem, shape_error
+from dalembert._checks import COLOR, ROTATION, as_array, color_problem, rotation_problem, shape_error
 from dalembert._core import (
     MarkerIndex,
     NodeIndex,
@@ -65,8 +65,8 @@ def _has_shape(value: Any, shape: tuple[int, ...]) -> bool:
     if isinstance(value, (str, bytes, dict)) or not hasattr(value, "__len__"):
         return False
     try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
+        array = as_array("", value)  # which refuses texts of numbers
+    except ValueError:
         return False
     return array.shape == shape and bool(np.isfinite(array).all())
 

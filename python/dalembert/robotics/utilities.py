@@ -97,6 +97,10 @@ def GetURDFrobotData(
     joints, so that no localHT is needed. linkColorList gives links other colours; returnStaticGraphicsList adds
     staticGraphicsList, all graphics at their places. exportMesh and verbose change nothing.
     """
+    if not isinstance(robot, Robot):
+        raise TypeError(
+            str(shape_error("GetURDFrobotData: robot", "a Robot, such as LoadURDFrobot(...)['robot']", robot))
+        )
     n = robot.NumberOfLinks()
     q = (
         np.zeros(n)

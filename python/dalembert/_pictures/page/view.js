@@ -147,7 +147,13 @@ export class View {
       element(row, "span").style.background = `rgb(${color.join(",")})`;
       if (i % 3 === 0) values.push([element(row, "i"), i / (contour.colors.length - 1)]);
     });
-    this.range = (low, high) => values.forEach(([place, part]) => (place.textContent = (high + (low - high) * part).toPrecision(4)));
+    this.range = (low, high) => {
+      const least = 1e-9 * Math.max(Math.abs(low), Math.abs(high)); // less is what rounding leaves of zero
+      for (const [place, part] of values) {
+        const number = high + (low - high) * part;
+        place.textContent = Math.abs(number) < least ? "0" : number.toPrecision(4);
+      }
+    };
     if (range) this.range(...range);
   }
 
