@@ -222,6 +222,47 @@ mbs.SolveDynamic()
 """
 
 
+MOVED = """
+import numpy as np
+
+import dalembert as exu
+from dalembert.utilities import *
+
+mbs = exu.SystemContainer().AddSystem()
+fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
+rotor = mbs.AddNode(Node1D("rotor", initialVelocities=[2 * np.pi]))
+mbs.AddObject(Rotor1D("disc", physicsInertia=1, nodeNumber=rotor))
+turned = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=rotor, coordinate=0))
+motor = CoordinateConstraint("motor", markerNumbers=[fixed, turned], offsetUserFunction=lambda mbs, t, i, o: 2 * np.pi * t)
+mbs.AddObject(motor)
+contact = mbs.AddGeneralContact()
+contact.SetFrictionPairings([[0]])
+ball = mbs.AddMarker(MarkerNodePosition(nodeNumber=mbs.AddNode(NodePoint("here"))))
+mbs.AddObject(MassPoint("ball", physicsMass=1, nodeNumber="here"))
+contact.AddSphereWithMarker(ball, radius=1, contactStiffness=1, contactDamping=0, frictionMaterialIndex=0)
+mbs.SolveDynamic()
+"""
+
+
+def test_what_moves_by_a_function_or_touches_is_no_mistake(tmp_path):
+    """A motor leaves no degree of freedom, its speed is found by differences; markers of contact are used."""
+    (tmp_path / "moved.py").write_text(MOVED)
+    checked = run("check", "moved.py", cwd=tmp_path)
+    assert checked.returncode == 0 and checked.stdout.endswith("nothing looks wrong\n"), checked.stdout
+    still = MOVED.replace(", offsetUserFunction=lambda mbs, t, i, o: 2 * np.pi * t", "").replace("2 * np.pi", "0")
+    still = still.split("contact =")[0] + "mbs.SolveDynamic()"
+    (tmp_path / "still.py").write_text(still)
+    assert "nothing can move" in run("check", "still.py", cwd=tmp_path).stdout
+
+
+def test_items_that_are_alike_are_told_together(tmp_path):
+    lines = WRONG.replace("mbs.SolveDynamic()", "")
+    more = "for _ in range(3):\n    mbs.AddMarker(MarkerNodePosition(nodeNumber=0))\nmbs.SolveDynamic()\n"
+    (tmp_path / "wrong.py").write_text(lines + more)
+    told = run("check", "wrong.py", cwd=tmp_path).stdout
+    assert "'lost' and 3 others are used by nothing." in told, told
+
+
 def test_gaps_are_told_as_they_are_at_the_start(tmp_path):
     """Two places of a body cannot be at one place: what the search for others leaves says nothing of the mistake."""
     (tmp_path / "driven.py").write_text(DRIVEN)

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
+from dalembert._core import SimulationSettings, testing
+
 _KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
-_TARGETS = {f"{kind.lower()}Number": kind for kind in _KINDS} | {"bodyNumber": "Object"}
+_TARGETS = {f"{kind.lower()}Number": kind for kind in _KINDS} | {
+    "bodyNumber": "Object",
+    "slidingMarkerNumber": "Marker",
+}
 _FREE_NODES = ("GenericData", "GenericAE", "PointGround")  # need no object
 
 
@@ -36,12 +41,14 @@ def findings(mbs: Any) -> list[str]:
 
 
 def _gaps(mbs: Any) -> Iterator[str]:
-    trial = copy.copy(mbs)
+    """What solvers tell when they start."""
+    trial, tolerated = copy.copy(mbs), SimulationSettings().initialConditions
     trial.Assemble()
-    found = trial.ComputeConsistentInitialConditions(positions=False, velocities=False)  # nothing is moved
-    for text in found.contradictions:
+    state = testing.State(trial)
+    found = testing.open_constraints(trial, state, tolerated.positionTolerance, tolerated.velocityTolerance)
+    for *_, text in found:
         yield f"initial values contradict a constraint: {text}"
-    if not found.contradictions:
+    if not found:
         return
     try:
         trial.ComputeConsistentInitialConditions()
@@ -58,8 +65,17 @@ def _redundancy(mbs: Any) -> Iterator[str]:
             f"{number} of {counted['nAE']} constraints are redundant. Solvers find the motion all the same, and the "
             "smallest reactions, see 'Closed loops'; joints that constrain only what is still free have unique ones."
         )
-    if counted["degreeOfFreedom"] == 0 and counted["nODE2"]:
+    if counted["degreeOfFreedom"] == 0 and counted["nODE2"] and not _is_driven(mbs):
         yield "no degree of freedom is left: nothing can move."
+
+
+def _is_driven(mbs: Any) -> bool:
+    """Return whether a constraint moves something, by a function of time or at a constant speed."""
+    items = (mbs.GetObject(number) for number in range(mbs.systemData.NumberOfObjects()))
+    return any(
+        item.get("offsetUserFunction") or item.get("offsetUserFunction_t") or item.get("velocityLevel")
+        for item in items
+    )
 
 
 def _masses(mbs: Any) -> Iterator[tuple[str, float]]:
@@ -91,10 +107,20 @@ def _magnitudes(mbs: Any) -> Iterator[str]:
                     f"object {number} '{item['name']}' has a radius of gyration of {radius:.3g} m; "
                     "is its inertia zero, or in kg mm^2? Units are kg m^2."
                 )
+    accelerations: dict[float, list[str]] = {}
     for number in range(mbs.systemData.NumberOfLoads()):
         load = mbs.GetLoad(number)
         if load["loadType"] == "MassProportional" and (g := float(np.linalg.norm(load["loadVector"]))) > 100:
-            yield f"load {number} '{load['name']}' is an acceleration of {g:g} m/s^2; gravity in mm/s^2?"
+            accelerations.setdefault(g, []).append(f"load {number} '{load['name']}'")
+    for g, titles in accelerations.items():
+        yield f"{_all_of(titles)} an acceleration of {g:g} m/s^2; gravity in mm/s^2?"
+
+
+def _all_of(titles: list[str]) -> str:
+    """Return the beginning of a sentence on items that are alike."""
+    if len(titles) == 1:
+        return f"{titles[0]} is"
+    return f"{titles[0]} and {len(titles) - 1} other{'s' if len(titles) > 2 else ''} are"
 
 
 def _self_connections(mbs: Any) -> Iterator[str]:
@@ -130,6 +156,15 @@ def _nodes_of_objects(mbs: Any) -> set[int]:
     return found
 
 
+def _markers_of_contacts(mbs: Any) -> Iterator[int]:
+    """Give the markers of spheres, triangles and other shapes of general contact."""
+    for contact in mbs.GetDictionary().get("generalContactList", []):
+        for table in contact.values():
+            for name, column in table.items() if isinstance(table, Mapping) else ():
+                if name.lower().endswith("markerindex"):
+                    yield from map(int, column)
+
+
 def _unused(mbs: Any) -> Iterator[str]:
     used: dict[str, set[int]] = {kind: set() for kind in _KINDS}
     for kind in _KINDS:
@@ -143,9 +178,14 @@ def _unused(mbs: Any) -> Iterator[str]:
             title = f"node {number} '{node['name']}' ({node['nodeType']})"
             user = "belongs to no object" if number in used["Node"] else "is used by nothing"
             yield f"{title} {user}: its coordinates have no equations."
-    for number in range(mbs.systemData.NumberOfMarkers()):
-        if number not in used["Marker"]:
-            yield f"marker {number} '{mbs.GetMarkerParameter(number, 'name')}' is used by nothing."
+    used["Marker"].update(_markers_of_contacts(mbs))
+    titles = [
+        f"marker {number} '{mbs.GetMarkerParameter(number, 'name')}'"
+        for number in range(mbs.systemData.NumberOfMarkers())
+        if number not in used["Marker"]
+    ]
+    if titles:
+        yield f"{_all_of(titles)} used by nothing."
     for number in range(mbs.systemData.NumberOfSensors()):
         sensor = mbs.GetSensor(number)
         if not sensor["storeInternal"] and not (sensor["writeToFile"] and sensor["fileName"]):
