@@ -1,5 +1,6 @@
 // Names of settings: finding them, following earlier names, and naming the nearest when there is none.
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "dalembert/model/errors.hpp"
@@ -77,6 +78,16 @@ SettingsField find_field(const SettingsView& view, std::string_view name) {
   return {};
 }
 
+namespace {
+
+// What is looked for among settings that have a number of steps instead.
+bool is_step_size(std::string_view name) {
+  constexpr std::array<std::string_view, 6> words{"stepSize", "stepsize", "step_size", "timeStep", "timestep", "dt"};
+  return std::ranges::find(words, name) != words.end();
+}
+
+}  // namespace
+
 void refuse_unknown(const SettingsView& view, std::string_view name) {
   const std::string problem = view.title() + " has no parameter " + in_quotes(name);
   std::vector<std::string_view> known;
@@ -95,6 +106,8 @@ void refuse_unknown(const SettingsView& view, std::string_view name) {
     for (const std::string& path : elsewhere) advice += (&path == &elsewhere.front() ? "" : " or ") + dalembert::in_quotes(path);
     advice += "?";
   }
+  if (is_step_size(name) && std::ranges::find(known, "numberOfSteps") != known.end())
+    advice = "The size of steps follows from their number: numberOfSteps = int(round((endTime - startTime)/stepSize)).";
   refuse(ErrorKind::name, {.problem = problem, .advice = advice});
 }
 

@@ -18,6 +18,8 @@ IntArray = npt.NDArray[np.int64]
 
 def shape_error(name: str, expected: str, received: Any) -> ValueError:
     """Return the ValueError that names an argument, what was expected and what was received."""
+    if isinstance(received, np.number):
+        received = received.item()
     try:
         text = repr(received)
     except Exception:  # a broken __repr__ must not hide the argument error

@@ -372,6 +372,8 @@ MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
     ("width alone", lambda m: m.mbs.Draw(windowSize=400), ["Draw: windowSize", "width and height in pixels", "400"]),
     ("picture of no format", lambda m: m.mbs.Draw("bar.xyz"), ["Draw: fileName", ".png"]),
     ("frames of no format", lambda m: m.mbs.DrawSolution("frame%05d.gifs"), ["DrawSolution: fileName", ".png"]),
+    ("size of steps", lambda m: setattr(exu.SimulationSettings().timeIntegration, "stepSize", 1e-3), ["timeIntegration has no parameter 'stepSize'", "numberOfSteps = int(round("]),
+    ("side below zero", lambda m: InertiaCuboid(1000, [1, -1, 1]), ["InertiaCuboid: sideLengths", "not negative", "received -1.0 (float)"]),
     ("robot that cannot move", lambda m: m.still_robot(), ["CreateRobot", "'fileName'", "a joint that moves"]),
 ]  # fmt: skip
 

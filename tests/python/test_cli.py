@@ -255,6 +255,18 @@ def test_what_moves_by_a_function_or_touches_is_no_mistake(tmp_path):
     assert "nothing can move" in run("check", "still.py", cwd=tmp_path).stdout
 
 
+def test_loads_that_act_twice_or_not_at_all_are_told(tmp_path):
+    lines = SWING.replace(
+        "mbs.Assemble()",
+        "mbs.AddLoad(Gravity('again', markerNumber=0, loadVector=[0, -9.81, 0]))\n"
+        "mbs.CreateForce('push', bodyNumber=ground, loadVector=[1, 0, 0])\nmbs.Assemble()",
+    )
+    (tmp_path / "loaded.py").write_text(lines)
+    told = run("check", "loaded.py", cwd=tmp_path).stdout
+    assert "and load 1 'again' both act on the mass of object 1 'arm': is its weight there twice?" in told, told
+    assert "load 2 'push' is on ground, and without effect." in told and told.endswith("2 findings\n")
+
+
 def test_items_that_are_alike_are_told_together(tmp_path):
     lines = WRONG.replace("mbs.SolveDynamic()", "")
     more = "for _ in range(3):\n    mbs.AddMarker(MarkerNodePosition(nodeNumber=0))\nmbs.SolveDynamic()\n"

@@ -37,7 +37,7 @@ def findings(mbs: Any) -> list[str]:
         mbs.Assemble()
     except Exception as error:  # whatever a kernel or a user function says
         return [f"Assemble(): {error}"]
-    return [*_gaps(mbs), *_redundancy(mbs), *_magnitudes(mbs), *_self_connections(mbs), *_unused(mbs)]
+    return [*_gaps(mbs), *_redundancy(mbs), *_magnitudes(mbs), *_loads(mbs), *_self_connections(mbs), *_unused(mbs)]
 
 
 def _gaps(mbs: Any) -> Iterator[str]:
@@ -107,13 +107,32 @@ def _magnitudes(mbs: Any) -> Iterator[str]:
                     f"object {number} '{item['name']}' has a radius of gyration of {radius:.3g} m; "
                     "is its inertia zero, or in kg mm^2? Units are kg m^2."
                 )
+
+
+def _loads(mbs: Any) -> Iterator[str]:
     accelerations: dict[float, list[str]] = {}
+    weights: dict[int, list[str]] = {}
+    on_ground: list[str] = []
     for number in range(mbs.systemData.NumberOfLoads()):
         load = mbs.GetLoad(number)
-        if load["loadType"] == "MassProportional" and (g := float(np.linalg.norm(load["loadVector"]))) > 100:
-            accelerations.setdefault(g, []).append(f"load {number} '{load['name']}'")
+        title = f"load {number} '{load['name']}'"
+        marker = mbs.GetMarker(load["markerNumber"])
+        body = marker.get("bodyNumber")
+        if load["loadType"] != "MassProportional":
+            if body is not None and mbs.GetObject(body)["objectType"] == "Ground":
+                on_ground.append(title)
+            continue
+        weights.setdefault(int(body), []).append(title)
+        if (g := float(np.linalg.norm(load["loadVector"]))) > 100:
+            accelerations.setdefault(g, []).append(title)
     for g, titles in accelerations.items():
         yield f"{_all_of(titles)} an acceleration of {g:g} m/s^2; gravity in mm/s^2?"
+    for body, titles in weights.items():
+        if len(titles) > 1:
+            name = mbs.GetObject(body)["name"]
+            yield f"{' and '.join(titles)} both act on the mass of object {body} '{name}': is its weight there twice?"
+    if on_ground:
+        yield f"{_all_of(on_ground)} on ground, and without effect."
 
 
 def _all_of(titles: list[str]) -> str:
