@@ -80,15 +80,17 @@ void register_linear_solver(py::module_& module) {
   py::module_ testing = module.attr("testing");
   py::class_<PatternSolver>(testing, "LinearSolver",
                             "Solver of A x = b for matrices with one pattern, in compressed columns as scipy.sparse.csc_array "
-                            "has them. instructions: one of instruction_sets(), by default the first.")
+                            "has them. instructions: one of instruction_sets(), by default the first; left_out: "
+                            "unknowns that are zero, with their rows.")
       .def(py::init([](const Integers& column_start, const Integers& row_index, bool dense, double pivot_threshold,
-                       bool ignore_singular, int unsettled_matrices, const std::string& instructions) {
-             return std::make_unique<PatternSolver>(
-                 column_start, row_index, dense,
-                 LinearSolverOptions{pivot_threshold, ignore_singular, unsettled_matrices, instructions});
+                       bool ignore_singular, int unsettled_matrices, const std::string& instructions, const std::vector<int>& left_out) {
+             LinearSolverOptions options{pivot_threshold, ignore_singular, unsettled_matrices, instructions};
+             options.left_out = left_out;
+             return std::make_unique<PatternSolver>(column_start, row_index, dense, options);
            }),
            py::arg("indptr"), py::arg("indices"), py::kw_only(), py::arg("dense") = false, py::arg("pivot_threshold") = 0.0,
-           py::arg("ignore_singular") = false, py::arg("unsettled_matrices") = 0, py::arg("instructions") = "")
+           py::arg("ignore_singular") = false, py::arg("unsettled_matrices") = 0, py::arg("instructions") = "",
+           py::arg("left_out") = std::vector<int>{})
       .def("factorize", &PatternSolver::factorize, py::arg("data"),
            "Factors of the matrix with these values, which stand in the order of indices. Returns -1, or the column at "
            "which no pivot was left.")

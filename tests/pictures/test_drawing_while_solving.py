@@ -230,7 +230,7 @@ def test_traces_of_nodes_in_a_frame_have_the_frames_of_their_time(mbs: Any) -> N
     shadow = _core._Shadow(mbs)
     history, seen, places = History(mbs, shadow, exu.VisualizationSettings()), [], []
     settings = exu.SimulationSettings()
-    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 1000, 0.3
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 5000, 0.3
     settings.solutionSettings.writeSolutionToFile = False
 
     def look(original: Any, t: float) -> bool:

@@ -5,6 +5,7 @@
 #include "complete_pivoting_lu.hpp"
 #include "dense_lu.hpp"
 #include "occupied_lu.hpp"
+#include "reduced_lu.hpp"
 
 namespace dalembert {
 
@@ -14,6 +15,7 @@ bool is_dense(LinearSolverType type) {
 
 std::unique_ptr<LinearSolver> make_linear_solver(const Pattern& pattern, LinearSolverType type,
                                                  const LinearSolverOptions& options) {
+  if (!options.left_out.empty()) return std::make_unique<ReducedLu>(pattern, type, options);
   switch (type) {
     case LinearSolverType::EXUdense:
     case LinearSolverType::EigenDense:

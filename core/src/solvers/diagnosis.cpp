@@ -169,17 +169,21 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
 // Joints that fit at the start do so in any motion that they allow, unless something drives them apart: what opens then is the motion's. Where
 // rates are constrained, what is left of them tells nothing of the gaps that there are. Static solutions close gaps of the start.
 bool Solver::has_left_constraints(std::span<const double> misfit) {
-  constexpr double none = 1e-3;
-  const RedundantConstraints& constraints = redundant_constraints();
-  const auto apart = [&](const State& at) { return constraints.largest_apart(gaps_of_positions(system(), at, conditions_)); };
-  const double open = conditions_.rate_level ? apart(current()) : constraints.largest_apart(misfit);
-  return apart(is_static() ? start_of_step() : initial()) < none * open &&
+  return have_fitted(is_static() ? start_of_step() : initial(), misfit) &&
          std::ranges::none_of(driven_equations(system(), initial(), conditions_, last_time()), [](char d) { return d != 0; });
 }
 
+bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
+  constexpr double none = 1e-3;
+  const RedundantConstraints& constraints = redundant_constraints();
+  const auto apart = [&](const State& state) { return constraints.largest_apart(gaps_of_positions(system(), state, conditions_)); };
+  return apart(at) < none * (conditions_.rate_level ? apart(current()) : constraints.largest_apart(misfit));
+}
+
 [[gnu::noinline]] void Solver::diagnose_contradiction(std::span<const double> misfit) {
-  const bool begun_before = largest_misfit_ > RedundantConstraints::silent_misfit;  // actions may have closed a joint that does not fit
-  if ((begun_before || is_static()) && has_left_constraints(misfit)) {
+  // Actions may have closed a joint that does not fit.
+  const bool begun_before = largest_misfit_ > RedundantConstraints::silent_misfit || have_fitted(start_of_step(), misfit);
+  if (begun_before && has_left_constraints(misfit)) {
     Diagnosis& d = diagnose(FailureReason::open_constraints);
     add_largest(d.values, misfit, "equation", sizes_.first_ae());
     if (is_static()) {

@@ -68,7 +68,7 @@ void NewtonSolver::take_pattern() {
   const auto make = [&](const LinearSolverOptions& options) { return make_linear_solver(*pattern, linear_type(), options); };
   if (idle_ == Idle::at_factors) idle_ = Idle::at_state;
   forces_.reset();
-  linear_ = make(redundant_.in_use() ? redundant_.options(newton_options()) : newton_options());
+  linear_ = redundant_.in_use() ? treating_solver() : make(newton_options());
   if (plain_) plain_ = make(newton_options());
   factorized_ = false;
   pattern_ = pattern;
@@ -115,7 +115,9 @@ double NewtonSolver::evaluate_residual() {
     }
   } while (redundant_.in_use() && renewals++ < most_renewals && renews_misfit());
   if (!succeeded()) return false;
-  if (leaves_correction() || (redundant_.in_use() && leaves_misfit())) correct_motion();
+  const bool left_open = redundant_.in_use() && leaves_misfit();
+  if (left_open && !left_out_.empty()) return false;
+  if (left_open || leaves_correction()) correct_motion();
   return !redundant_.in_use() || settle_multipliers();
 }
 
@@ -132,11 +134,13 @@ void NewtonSolver::begin_newton() {
     predicted_ = full_newton_ && !conditions_.rate_level && !(largest_misfit_ > RedundantConstraints::silent_misfit);
     if (std::exchange(treatment_failed_, false)) drop_treatment();
     else if (treatment_ == Treatment::unknown) look_for_redundancy_at_start();
+    else if (treatment_ == Treatment::announced && may_leave_out()) leave_out(redundant_.dependent());
     else if (treatment_ != Treatment::announced && it.currentStepIndex != treated_since_) look_again_at_redundancy();
   }
   State& now = current();
   clear_numbers(now.lambda.data(), now.lambda.size());
   clear_numbers(increment_.data(), increment_.size());
+  left_out_.put_held(now.lambda);
   compute_update(true);
   it.newtonSteps = 0;
 }

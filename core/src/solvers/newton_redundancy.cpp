@@ -18,6 +18,8 @@ constexpr double harmless_multiple = 0.01;  // of eps may be left open, in units
 constexpr double torn_apart = 0.1;  // gaps relative to the size of the model, or in radians
 // Before anything is known of the matrix: large enough that round-off hardly shows, and if that is too large, `try_harder` takes less.
 constexpr double first_eps = RedundantConstraints::regular_eps;
+// Of equations that are left out. Many in one part have combinations that take longer to find than what regularized factors take more.
+constexpr int most_left_out = 32, fewest_steps_held = 10, most_inclusions = 8;
 
 // Joints that are far apart hide what is redundant, until their gaps are closed.
 bool hides_some(const RedundantConstraints& found, const Conditions& conditions) {
@@ -42,6 +44,8 @@ void NewtonSolver::forget_redundancy() {
   plain_.reset();
   misfit_.clear();
   confirmed_ = false;
+  left_out_ = {};
+  times_included_ = 0;
   looks_at_next_ = treats_redundancy();
   treatment_ = looks_at_next_ ? Treatment::unknown : Treatment::none;
 }
@@ -64,7 +68,46 @@ void NewtonSolver::constraints_are_known(RedundantConstraints found) {
   if (treatment_ == Treatment::none) return;
   redundant_ = std::move(found);
   confirmed_ = redundant_.lasts();
-  linear_ = regularized_solver();
+  linear_ = treating_solver();
+}
+
+// Where all equations fit, those that follow from others are fulfilled with these.
+bool NewtonSolver::may_leave_out() const {
+  return confirmed_ && redundant_.consistent() && !redundant_.allows_for_gaps() && redundant_.most_of_a_part() <= most_left_out &&
+         !(largest_misfit_ > silent_misfit) && !conditions_.rate_level && !is_static() && !has_replaced_parts() && times_included_ < most_inclusions;
+}
+
+[[gnu::noinline]] void NewtonSolver::leave_out(const std::vector<DependentEquations>& parts) {
+  treatment_ = Treatment::lasting;
+  left_out_ = LeftOutEquations(parts, redundant_.weights(), sizes_.first_ae());
+  left_out_.hold(current().lambda);
+  steps_to_hold_ = 1;
+  linear_ = treating_solver();
+  conv.jacobianUpdateRequested = true;
+  announce_redundancy();
+}
+
+[[gnu::noinline]] void NewtonSolver::follow_left_out() {
+  std::vector<double> smallest = current().lambda;
+  if (!left_out_.make_smallest(*pattern_, jacobian_, *linear_, smallest)) return include_again();
+  steps_to_hold_ = std::max(fewest_steps_held, left_out_.solutions());
+  left_out_.hold(smallest);
+  const std::vector<DependentEquations> better = left_out_.better();
+  if (better.empty()) return;
+  std::ranges::copy(smallest, current().lambda.begin());  // in place: users have views of these numbers
+  idle_ = Idle::none;
+  leave_out(better);
+}
+
+// Where they do not fit, or the rest of the equations is not enough any more.
+[[gnu::noinline]] void NewtonSolver::include_again() {
+  ++times_included_;
+  left_out_ = {};
+  confirmed_ = false;
+  treatment_ = Treatment::announced;
+  linear_ = treating_solver();
+  if (idle_ == Idle::at_factors) idle_ = Idle::at_state;
+  conv.jacobianUpdateRequested = true;
 }
 
 // Combinations are those of all matrices with these constraints, weights are not. False: there are other constraints now.
@@ -89,12 +132,14 @@ void NewtonSolver::begin_announced_treatment() {
 
 void NewtonSolver::regularize() {
   if (treatment_ == Treatment::announced) begin_announced_treatment();
-  else if (treatment_ == Treatment::lasting && !(std::abs(std::log(row_scale() / measured_for_)) < other_step)) weigh_again();
+  if (!left_out_.empty()) return redundant_.count_rates(rate_factor());
+  if (treatment_ == Treatment::lasting && !(std::abs(std::log(row_scale() / measured_for_)) < other_step)) weigh_again();
   if (redundant_.in_use()) redundant_.regularize(*pattern_, jacobian_, rate_factor());
 }
 
-std::unique_ptr<LinearSolver> NewtonSolver::regularized_solver() const {
-  return make_linear_solver(*pattern_, linear_type(), redundant_.options(newton_options()));
+std::unique_ptr<LinearSolver> NewtonSolver::treating_solver() const {
+  const LinearSolverOptions options = newton_options();
+  return make_linear_solver(*pattern_, linear_type(), left_out_.empty() ? redundant_.options(options) : left_out_.options(options));
 }
 
 // With the factors; none: the matrix is singular for other reasons as well.
@@ -166,13 +211,14 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   }
   treated_since_ = it.currentStepIndex;
   redundant_.use(eps);
-  linear_ = regularized_solver();
+  linear_ = treating_solver();
   factorize_anew();
 }
 
 // A step that fails in spite of its treatment is repeated without: weights are those of its size.
 [[gnu::noinline]] void NewtonSolver::drop_treatment() {
   treatment_ = Treatment::none;
+  left_out_ = {};
   redundant_.use(0);
   plain_.reset();
   system().reactions_are_known({});
@@ -184,7 +230,10 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
 // singular position only, and what was to be passed may have come to stay.
 [[gnu::noinline]] void NewtonSolver::look_again_at_redundancy() {
   if (treatment_ == Treatment::passing) return end_treatment();
-  if (confirmed_) return;
+  if (confirmed_) {
+    if (left_out_.empty() && may_leave_out()) leave_out(redundant_.dependent());
+    return;
+  }
   confirmed_ = true;
   if (largest_misfit_ > silent_misfit) return;
   compute_residual();
@@ -217,6 +266,11 @@ void NewtonSolver::end_treatment() {
 
 // Once per call of newton, where constraints may be to blame that it has not converged. True: again from the start of the step.
 [[gnu::noinline]] bool NewtonSolver::try_harder() {
+  if (!left_out_.empty()) {
+    include_again();
+    reset_to_start_of_step();
+    return true;
+  }
   const bool has_been_looked_at = conv.linearSolverFailed && it.newtonSteps <= 1;
   if (tried_harder_ || sizes_.ae == 0 || it.newtonSteps == 0 || has_been_looked_at) return false;
   tried_harder_ = true;
@@ -255,7 +309,7 @@ bool NewtonSolver::treat_from_start_of_step() {
 // position, motions close all gaps. So they do where a step is predicted, to second order: that is no misfit, and where it is small, multipliers of
 // the size that it gives them do no harm.
 [[gnu::noinline]] void NewtonSolver::take_off_misfit() {
-  if (treatment_ == Treatment::passing) return;
+  if (treatment_ == Treatment::passing || !left_out_.empty()) return;
   const bool first = std::exchange(predicted_, false);
   // Rates count by what they change within a step, which is less than positions are rounded by.
   const double round_off = RedundantConstraints::round_off_of_gaps / (conditions_.rate_level ? std::max(1.0, rate_factor()) : 1);
@@ -285,8 +339,12 @@ double NewtonSolver::residual_without_misfit() {
 // Multipliers start from zero in each step: what is idle of them is taken off where somebody looks, by the forces of this state where those of the
 // factors are others. This changes no motion.
 const std::vector<double>* NewtonSolver::told_multipliers() {
-  const Idle idle = std::exchange(idle_, Idle::none);
-  if (idle == Idle::at_factors) redundant_.take_off_idle_part(*linear_, current().lambda);
+  Idle idle = std::exchange(idle_, Idle::none);
+  if (idle == Idle::at_factors && !left_out_.empty()) {
+    if (!left_out_.make_smallest(*pattern_, jacobian_, *linear_, current().lambda)) idle = Idle::at_state;
+  } else if (idle == Idle::at_factors) {
+    redundant_.take_off_idle_part(*linear_, current().lambda);
+  }
   if (idle == Idle::at_state) {
     if (!forces_) prepare(*(forces_ = std::make_unique<ConstrainedMotion>()));
     RedundantConstraints known = redundant_;
@@ -325,6 +383,12 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
 
 // After Newton's method has converged. False: constraints contradict each other too much.
 [[gnu::noinline]] bool NewtonSolver::settle_multipliers() {
+  if (!left_out_.empty()) {
+    idle_ = full_newton_ ? Idle::at_factors : Idle::at_state;
+    if (--steps_to_hold_ <= 0) follow_left_out();
+    if (!multipliers_may_wait()) told_multipliers();
+    return true;
+  }
   const double misfit = misfit_.empty() ? 0 : redundant_.largest(misfit_);
   if (misfit > settings().redundantConstraints.largestMisfit && !joints_fit()) {
     conv.newtonConverged = false;

@@ -464,11 +464,30 @@ LinearSolverOptions RedundantConstraints::options_to_find(LinearSolverOptions op
 
 LinearSolverOptions RedundantConstraints::options(LinearSolverOptions options) const {
   for (const int k : rows_) options.tiny_diagonal.push_back(first_ae_ + k);
+  for (const DependentEquations& part : dependent())
+    for (const int k : part.dependent) options.dependent.push_back(first_ae_ + k);
+  return options;
+}
+
+std::vector<DependentEquations> RedundantConstraints::dependent() const {
+  std::vector<DependentEquations> found;
   for (const Part& part : parts_) {
     if (part.count == 0) continue;
-    for (const int i : part.leading()) options.dependent.push_back(first_ae_ + rows_[part.rows[static_cast<std::size_t>(i)]]);
+    const auto equations = [&](std::span<const int> places) {
+      std::vector<int> all;
+      for (const int i : places) all.push_back(rows_[static_cast<std::size_t>(i)]);
+      return all;
+    };
+    DependentEquations& some = found.emplace_back(DependentEquations{equations(part.rows), {}});
+    for (const int i : part.leading()) some.dependent.push_back(some.all[static_cast<std::size_t>(i)]);
   }
-  return options;
+  return found;
+}
+
+int RedundantConstraints::most_of_a_part() const {
+  int most = 0;
+  for (const Part& part : parts_) most = std::max(most, part.count);
+  return most;
 }
 
 // Equations that are off state their multipliers themselves.

@@ -19,6 +19,7 @@ struct LinearSolverOptions {
   std::string instructions = {};  // one of instruction_sets(); empty: the first
   std::vector<int> tiny_diagonal = {};  // unknowns whose diagonal entry, if there is one, is too small to count as a pivot
   std::vector<int> dependent = {};  // of these, as many as follow from others: what is left of them at last is that entry
+  std::vector<int> left_out = {};   // of these, rows and columns have no part: in solutions they are zero
 };
 
 struct LinearSolverStatistics {

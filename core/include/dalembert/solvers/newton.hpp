@@ -91,9 +91,13 @@ class NewtonSolver : public Solver {
   void allow_for_gaps();
   bool is_in_singular_position();
   void begin_announced_treatment();
+  bool may_leave_out() const;
+  void leave_out(const std::vector<DependentEquations>& parts);
+  void follow_left_out();
+  void include_again();
   bool weigh_again();
   void regularize();
-  std::unique_ptr<LinearSolver> regularized_solver() const;
+  std::unique_ptr<LinearSolver> treating_solver() const;
   std::unique_ptr<LinearSolver> find_redundancy();
   void end_treatment();
   void look_again_at_redundancy();
@@ -152,6 +156,8 @@ class NewtonSolver : public Solver {
   bool looks_at_next_ = false;  // at the next matrix
   bool contradiction_ = false;  // it has converged, and left too much open
   bool tried_harder_ = false, announced_ = false;
+  LeftOutEquations left_out_;
+  int steps_to_hold_ = 0, times_included_ = 0;  // their multipliers; since the start
   StepCount treated_since_ = 0;          // step
   bool begun_at_trial_ = false;          // treatment since a matrix of unknowns that Newton's method tried
   bool treatment_failed_ = false;        // within the step in which it was begun

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/solvers/left_out_equations.hpp"
 #include "dalembert/simulation_settings.hpp"
 #include "dalembert/system/system.hpp"
 
@@ -69,6 +70,9 @@ class RedundantConstraints {
   // Whether combinations that vanish could be told from others, in spite of round-off.
   bool certain() const { return certain_; }
   std::vector<Item> items(const System& system) const;
+  // As many equations as follow from others, such that the rest is independent; of each part of the system with some.
+  std::vector<DependentEquations> dependent() const;
+  int most_of_a_part() const;
   // Equations whose multipliers are not unique.
   std::vector<int> equations() const;
   // What no motion closes of these gaps.
@@ -133,6 +137,7 @@ class RedundantConstraints {
   double unit(int equation) const { return row_factor(equation) * unit_[static_cast<std::size_t>(equation)]; }
   std::span<const int> rows() const { return rows_; }
   const std::vector<double>& weights() const { return weight_; }
+  void count_rates(double rate_factor) { rate_factor_ = rate_factor; }
   const std::vector<double>& units() const { return unit_; }
 
  private:

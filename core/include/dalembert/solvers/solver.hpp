@@ -222,6 +222,7 @@ class Solver {
   void diagnose_open_gaps();  // that no motion onto the constraints has closed
   // Of redundant constraints, by what no motion closes of their gaps.
   bool has_left_constraints(std::span<const double> misfit);
+  bool have_fitted(const State& at, std::span<const double> misfit);  // beside this misfit
   void diagnose_contradiction(std::span<const double> misfit);
   void warn_of_contradiction(std::span<const double> misfit);  // once
   void warn_of_undecided_start();  // once
