@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -519,3 +520,32 @@ def test_workers_are_one_argument() -> None:
         processing.ProcessParameterList(noted, [{"a": 1}], "process")
     with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster, Client(cluster) as client:
         assert processing.ProcessParameterList(bumpy_a, [{"a": 1}], client) == [np.sin(1)]
+
+
+UNNAMED = """
+from concurrent.futures import ProcessPoolExecutor
+from dalembert import processing
+
+def study(**options):
+    processing.ParameterVariation(lambda p: p["a"], {"a": (0, 1, 20)}, showProgress=False, **options)
+
+for options in ({}, {"numberOfThreads": 2}):
+    try:
+        study(useMultiProcessing=True, **options)
+    except Exception as error:
+        print(error.__notes__[-1])
+with ProcessPoolExecutor(2) as executor:
+    try:
+        study(useMultiProcessing=executor)
+    except Exception as error:
+        print(error.__notes__[-1])
+"""
+
+
+def test_programs_end_after_functions_that_cannot_be_passed_on(tmp_path: Path) -> None:
+    (tmp_path / "unnamed.py").write_text(UNNAMED)
+    for _ in range(3):  # pools that had failed to pass a function on ended sometimes
+        done = subprocess.run(
+            [sys.executable, "unnamed.py"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=True
+        )
+        assert done.stdout.count("define them with def in a file") == 3, done.stdout + done.stderr

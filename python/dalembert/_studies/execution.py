@@ -238,6 +238,21 @@ def _outcomes(function: Function, sets: Sequence[ParameterSet]) -> list[Any]:
     return outcomes
 
 
+def _require_passable(function: Function, sets: Sequence[ParameterSet]) -> None:
+    """Refuse what processes cannot receive: a pool of Python 3.11 that fails to pass it on may never end."""
+    from multiprocessing.reduction import ForkingPickler
+
+    ForkingPickler.dumps((function, list(sets)))
+
+
+def _on_executor(executor: Any, function: Function, sets: Sequence[ParameterSet]) -> Iterator[Any]:
+    from concurrent.futures import ProcessPoolExecutor
+
+    if isinstance(executor, ProcessPoolExecutor):
+        _require_passable(function, sets)
+    yield from executor.map(function, sets)
+
+
 def _in_processes(function: Function, sets: Sequence[ParameterSet], threads: int) -> Iterator[Any]:
     """Yield results in order. Processes take portions: passing one on may take as long as to evaluate a function.
 
@@ -247,6 +262,7 @@ def _in_processes(function: Function, sets: Sequence[ParameterSet], threads: int
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
 
+    _require_passable(function, sets)
     size = max(1, len(sets) // (100 * threads))  # small enough to show progress and to end together
     portions = [sets[i : i + size] for i in range(0, len(sets), size)]
     executor = ProcessPoolExecutor(threads)
@@ -324,7 +340,7 @@ def _choose(
     if _is_client(parallel):
         parallel, cluster = True, parallel
     if isinstance(parallel, Executor):
-        return parallel.map(function, sets), type(parallel).__name__
+        return _on_executor(parallel, function, sets), type(parallel).__name__
     if isinstance(parallel, str):
         if parallel not in ("threads", "processes"):
             expected = "a bool, 'processes', 'threads', a Dask client or an Executor of concurrent.futures"
