@@ -119,6 +119,38 @@ def test_forces_of_constraints_count() -> None:
     assert turning == pytest.approx([still - 0.7, still + 0.7], rel=1e-9)
 
 
+@pytest.mark.parametrize("node", [exu.NodeType.RotationEulerParameters, exu.NodeType.RotationRotationVector])
+@pytest.mark.parametrize("length", [1.0, 1e3], ids=["m", "mm"])
+def test_redundant_joints_change_nothing(length: float, node: Any) -> None:
+    """A door on up to three hinges about x and a torsional spring, spun about its hinges: omega^2 = c / J, and the speed has no part in it.
+
+    Their singular matrices were refused, or ended the process.
+    """
+    size, stiffness = length * np.array([2.0, 0.9, 0.04]), 40.0 * length**2
+    inertia = exu.utilities.InertiaCuboid(30 / np.prod(size), size)
+    about_hinges = inertia.InertiaCOM()[0, 0] + 30 * (size[1] / 2) ** 2
+    for hinges in (1, 2, 3):
+        mbs = new_system()
+        ground = mbs.CreateGround()
+        door = mbs.CreateRigidBody(referencePosition=size * [0.5, 0.5, 0], inertia=inertia, nodeType=node)
+        for x in (0.3, 1.7, 1.0)[:hinges]:
+            mbs.CreateRevoluteJoint(bodyNumbers=[ground, door], position=[x * length, 0, 0], axis=[1, 0, 0])
+        markers = [
+            mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=body, localPosition=-size * [0.5, 0.5, 0] * (body == door)))
+            for body in (ground, door)
+        ]
+        turned = exu.utilities.RotationMatrixY(np.pi / 2)
+        mbs.AddObject(
+            exu.TorsionalSpringDamper(
+                markerNumbers=markers, rotationMarker0=turned, rotationMarker1=turned, stiffness=stiffness
+            )
+        )
+        mbs.Assemble()
+        for speed in (0.0, 3.0):
+            found = mbs.ComputeVibrationModes(1, [speed, 0, 0]).eigenvalues
+            assert found == pytest.approx([1j * np.sqrt(stiffness / about_hinges)], rel=1e-9)
+
+
 def test_large_system() -> None:
     """More than 10 000 unknowns, by sparse factors; their rounding grows with the stiffness of short elements."""
     found = string(1700, 100.0, 0.05).ComputeVibrationModes(4)

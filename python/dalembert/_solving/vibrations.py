@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +19,10 @@ _DENSE = 250  # numbers of the first order system up to which all eigenvalues ar
 _SHIFT = 1e-5  # of the largest frequency: rigid motions are no singularity, and the lowest frequencies come first
 _LEAST_SHIFT = 1e-7  # the square of this is above round-off, so that they still are none
 _ITERATIONS = 30
+_IDLE = (
+    1e-11  # takes the place of zeros of multipliers where constraints follow from others, relative to what these state
+)
+_REFINEMENTS, _SETTLED = 5, 1e-8  # solutions for what that has left, and the change that is the last one
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
 _ROUND_OFF = 1e3 * np.finfo(float).eps
 _BASIS = 4  # vectors of Arnoldi's method per eigenvalue: two do not always tell pairs of equal size apart
@@ -184,14 +189,53 @@ def _start(mbs: Any) -> Any:
     return state
 
 
+def _solution(matrix: Any, n: int) -> Callable[[FloatArray], FloatArray]:
+    """Return the function that solves with this matrix, of n coordinates and of constraints, perhaps redundant ones.
+
+    Springs against what constraints hold, as stiff as their bodies, change no solution; beside them, the same small
+    number takes the place of the zeros of all multipliers, and what that leaves of the equations is solved for again.
+    Without it, SuperLU does not always refuse a singular matrix: it may end the process.
+    """
+    from scipy.sparse import block_array, diags_array
+
+    if matrix.shape[0] == n:
+        return _factors(matrix).solve
+    resistance, states_itself = np.abs(matrix.diagonal()[:n]), matrix.diagonal()[n:] != 0
+    forces, gradients = matrix[:n, n:], matrix[n:, :n]
+    acting = abs(forces).sign()
+    largest = (diags_array(resistance) @ acting).max(axis=0).toarray().ravel()
+    squares = np.asarray(forces.power(2).sum(axis=0)).ravel()
+    held = (largest > 0) & (squares > 0) & ~states_itself
+    springs = np.where(held, np.divide(largest, squares, out=np.ones(len(squares)), where=squares > 0), 0.0)
+    compliance = np.divide(1.0, springs, out=np.where(states_itself, 0.0, 1.0), where=springs > 0)
+    stiffer = forces @ diags_array(springs)
+    factors = _factors(
+        matrix + block_array([[stiffer @ gradients, None], [None, diags_array(-_IDLE * compliance)]], format="csr")
+    )
+
+    def step(right: FloatArray) -> FloatArray:
+        return np.asarray(factors.solve(np.concatenate([right[:n] + stiffer @ right[n:], right[n:]])))
+
+    def solve(right: FloatArray) -> FloatArray:
+        x = step(right)
+        for _ in range(_REFINEMENTS):
+            change = step(right - matrix @ x)
+            x = x + change
+            if np.linalg.norm(change[:n]) <= _SETTLED * np.linalg.norm(x[:n]):  # the next one is that much smaller
+                break
+        return x
+
+    return solve
+
+
 def _factors(matrix: Any) -> Any:
     from scipy.sparse.linalg import splu
 
     try:
         return splu(matrix.tocsc())
     except RuntimeError as error:
-        advice = "mbs.ComputeSystemDegreeOfFreedom() names redundant constraints; coordinates need stiffness or mass"
-        raise _error("singularMatrix", f"the matrix of small motions is singular ({error})", advice) from error
+        problem = f"the matrix of small motions is singular ({error})"
+        raise _error("singularMatrix", problem, "give all coordinates stiffness or mass") from error
 
 
 def _shifted(M: Any, G: Any, K: Any, shift: float) -> Any:
@@ -228,7 +272,7 @@ def _find_balance(mbs: Any, state: Any, rotation: _Rotation) -> None:
             return
         before = size
         # rigid motions, which nothing resists, stay as they are
-        increment = -_factors(_shifted(M, G * 0, K, _shift_of(M, K))).solve(residual)
+        increment = -_solution(_shifted(M, G * 0, K, _shift_of(M, K)), n)(residual)
         state.q = testing.compose(mbs, state, increment[:n])
         state.lam = np.asarray(state.lam) + increment[n:]
     advice = (
@@ -258,14 +302,14 @@ def _nearest(M: Any, G: Any, K: Any, count: int, shift: float) -> tuple[ComplexA
     from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs
 
     n, size = M.shape[0], K.shape[0]
-    factors = _factors(_shifted(M, G, K, shift))
+    solve = _solution(_shifted(M, G, K, shift), n)
     damped = G + shift * M
 
     def inverse(y: FloatArray) -> FloatArray:
         y = y.reshape(2 * n, -1)
         right = np.zeros((size, y.shape[1]))
         right[:n] = -(M @ y[n:]) - damped @ y[:n]
-        x = factors.solve(right)[:n]
+        x = solve(right)[:n]
         return np.vstack([x, shift * x + y[:n]])
 
     wanted = 2 * count + 4
@@ -325,8 +369,8 @@ def ComputeVibrationModes(
     whole model, with ground and the directions of loads, is seen from a frame that rotates: its steady state is found
     by Newton's method from the initial state, and motions are those relative to the frame. Bodies with a floating frame
     turn with that; ObjectGenericODE2 rotates if its nodes are points or rigid bodies. Dampers between bodies and
-    ground see the speed of the rotation. updateInitialValues makes that state the initial one. Matrices are sparse:
-    the time grows with the number of modes and, nearly linearly, with the size of the system.
+    ground see the speed of the rotation. Constraints may be redundant. updateInitialValues makes that state the initial
+    one. Matrices are sparse: the time grows with the number of modes and, nearly linearly, with the size of the system.
     """
     speed, middle = np.asarray(angularVelocity, dtype=float), np.asarray(center, dtype=float)
     for name, vector in (("angularVelocity", speed), ("center", middle)):
