@@ -169,29 +169,31 @@ Eigen::MatrixXd LeftOutEquations::weighed(const Cluster& cluster) const {
 }
 
 // Solutions tell combinations of a group apart by the equations that these have had before: where some have got others, each is found alone.
-bool LeftOutEquations::make_smallest(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors, std::span<double> multipliers) {
-  const auto find_parts = [&] {
-    drop_small_terms();
-    find_groups();
-    find_clusters();
-    return true;
-  };
-  if (clusters_.empty()) {
+bool LeftOutEquations::renew(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors) {
+  bool are_others = clusters_.empty();
+  if (are_others) {
     x_.resize(static_cast<std::size_t>(pattern.size()));
     sizes_.assign(x_.size(), 0.0);
     add_equations_without_weight(pattern, matrix);
     find_groups();
-    if (find(pattern, matrix, factors)) find_parts();
-  } else if (!find(pattern, matrix, factors)) {
-    clusters_.clear();
   }
-  if (clusters_.empty()) {
-    if (equations_.size() > most_found_alone) return false;
+  bool found = find(pattern, matrix, factors);
+  if (!found && equations_.size() <= most_found_alone) {
+    are_others = true;
     allow_all_equations();
     find_groups();
-    if (!find(pattern, matrix, factors)) return false;
-    find_parts();
+    found = find(pattern, matrix, factors);
   }
+  if (found && are_others) {
+    drop_small_terms();
+    find_groups();
+    find_clusters();
+  }
+  return found;
+}
+
+bool LeftOutEquations::make_smallest(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors, std::span<double> multipliers) {
+  if (!renew(pattern, matrix, factors)) return false;
   for (const Cluster& cluster : clusters_) {
     Eigen::VectorXd now(static_cast<Eigen::Index>(cluster.equations.size()));
     for (Eigen::Index i = 0; i < now.size(); ++i) {

@@ -370,14 +370,10 @@ double RedundantConstraints::growth(LinearSolver& factors) {
 bool RedundantConstraints::suspected(LinearSolver& factors) { return !(suspicious_multiple * counting_ * growth(factors) < 1); }
 
 std::vector<int> RedundantConstraints::equations() const {
-  constexpr double noticeable = 1e-6;
   std::vector<int> found;
   for (const Part& part : parts_)
-    for (std::size_t i = 0; i < part.rows.size(); ++i) {
-      double sum = 0;
-      for (int k = 0; k < part.count; ++k) sum += part.combination(k)[i] * part.combination(k)[i];
-      if (sum > noticeable * noticeable) found.push_back(rows_[part.rows[i]]);
-    }
+    for (std::size_t i = 0; i < part.rows.size(); ++i)
+      if (part.has(i)) found.push_back(rows_[static_cast<std::size_t>(part.rows[i])]);
   std::ranges::sort(found);
   return found;
 }

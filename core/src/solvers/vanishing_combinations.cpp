@@ -142,7 +142,7 @@ class RedundantConstraints::Search {
     Eigen::VectorXd weakest;
     explicit PartAtWork(Part& p) : part(p) {
       const auto m = static_cast<Eigen::Index>(p.rows.size());
-      guess = GivenBlock(p.combinations.data(), m, p.count);
+      guess = GivenBlock(p.combinations().data(), m, p.count);
       known.resize(m, 0);
     }
   };
@@ -313,17 +313,16 @@ class RedundantConstraints::Search {
 };
 
 std::vector<RedundantConstraints::Part> RedundantConstraints::all_in_one() const {
-  Part all;
-  all.rows.resize(rows_.size());
-  std::iota(all.rows.begin(), all.rows.end(), 0);
-  return {std::move(all)};
+  std::vector<int> all(rows_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return {Part(std::move(all))};
 }
 
 std::vector<RedundantConstraints::Part> RedundantConstraints::apart(bool by_loops, const Pattern& pattern, std::span<const double> values,
                                                                     bool& is_local) const {
   std::vector<Part> parts;
   for (ConstraintBlock& block : constraint_blocks(by_loops ? BlocksOf::loops : BlocksOf::coordinates, pattern, values, first_ae_, nodes_, rows_))
-    parts.push_back({.rows = std::move(block.rows), .hangs_on = block.hangs_on, .count = 0, .combinations = {}});
+    parts.emplace_back(std::move(block.rows), block.hangs_on);
   is_local = by_loops && take_local_combinations(parts, pattern, values);
   return is_local || rows_.size() > few_rows ? parts : all_in_one();
 }
@@ -349,13 +348,22 @@ void RedundantConstraints::count_parts() {
 
 void RedundantConstraints::Part::take(std::span<const double> found) {
   count = static_cast<int>(found.size() / rows.size());
-  combinations.assign(found.begin(), found.end());
+  combinations_.assign(found.begin(), found.end());
+  factors_.clear();
   leading_.clear();
+}
+
+// In any metric.
+bool RedundantConstraints::Part::has(std::size_t i) const {
+  constexpr double noticeable = 1e-6;
+  double sum = 0;
+  for (std::size_t at = i; at < combinations_.size(); at += rows.size()) sum += combinations_[at] * combinations_[at];
+  return sum > noticeable * noticeable;
 }
 
 std::span<const int> RedundantConstraints::Part::leading() const {
   if (leading_.empty() && count > 0) {
-    const GivenBlock all(combinations.data(), static_cast<Eigen::Index>(rows.size()), count);
+    const GivenBlock all(combinations_.data(), static_cast<Eigen::Index>(rows.size()), count);
     leading_ = pivoted_triangle(all.transpose()).columns;
     leading_.resize(static_cast<std::size_t>(count));
   }
@@ -370,11 +378,23 @@ void RedundantConstraints::Part::rescale(std::span<const int> equations, std::sp
   bool is_same = true;  // but for a factor in common: steps of other sizes
   for (std::size_t i = 1; i < rows.size() && is_same; ++i) is_same = std::abs(factor(i) - factor(0)) <= same_factor * factor(0);
   if (count == 0 || is_same) return;
-  Block all = GivenBlock(combinations.data(), static_cast<Eigen::Index>(rows.size()), count);
-  for (std::size_t i = 0; i < rows.size(); ++i) all.row(static_cast<Eigen::Index>(i)) *= factor(i);
-  std::vector<int> same = std::exchange(leading_, {});
-  take(numbers_of(orthonormal(all)));
-  leading_ = std::move(same);
+  factors_.resize(rows.size(), 1.0);
+  for (std::size_t i = 0; i < rows.size(); ++i) factors_[i] *= factor(i);
+}
+
+std::span<const double> RedundantConstraints::Part::combinations() const {
+  if (!factors_.empty()) {
+    Block all = GivenBlock(combinations_.data(), static_cast<Eigen::Index>(rows.size()), count);
+    for (std::size_t i = 0; i < rows.size(); ++i) all.row(static_cast<Eigen::Index>(i)) *= factors_[i];
+    all = orthonormal(all);
+    combinations_.assign(all.data(), all.data() + all.size());
+    factors_.clear();
+  }
+  return combinations_;
+}
+
+bool RedundantConstraints::as_many(const std::vector<Part>& some, const std::vector<Part>& others) {
+  return std::ranges::equal(some, others, [](const Part& one, const Part& other) { return one.count == other.count; });
 }
 
 // Combinations that are known from a state close by become those of this one by one application of P. A vector at random beside them tells
@@ -386,6 +406,8 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
   if (!search.factorize()) return false;
   bool is_local = false;
   std::vector<Part> parts = apart(true, pattern, values, is_local);
+  if (is_local && as_many(parts, parts_))
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].lead_as(parts_[i]);
   if (parts_.empty() || is_local) parts_ = std::move(parts);
   local_ = is_local;
   const auto into = [&](std::span<const double> from, std::span<const double> to) {
@@ -430,8 +452,7 @@ bool RedundantConstraints::confirm_locally(const Pattern& pattern, std::span<con
 }
 
 bool RedundantConstraints::take_if_as_many(std::vector<Part> parts) {
-  const auto same = [](const Part& one, const Part& other) { return one.count == other.count; };
-  if (!std::ranges::equal(parts, parts_, same)) return false;
+  if (!as_many(parts, parts_)) return false;
   parts_ = std::move(parts);
   return true;
 }
@@ -463,7 +484,7 @@ void RedundantConstraints::each_owner(F&& f, const System& system) const {
   const auto owners = system.equation_owners();
   for (const Part& part : parts_) {
     if (part.count == 0) continue;
-    const GivenBlock all(part.combinations.data(), static_cast<Eigen::Index>(part.rows.size()), part.count);
+    const GivenBlock all(part.combinations().data(), static_cast<Eigen::Index>(part.rows.size()), part.count);
     auto owner = owners.begin();
     for (std::size_t i = 0; i < part.rows.size();) {
       while (rows_[part.rows[i]] >= owner->first + owner->count) ++owner;
@@ -498,7 +519,7 @@ std::vector<std::string> RedundantConstraints::contradictions(std::span<const do
   const auto whole_of = [&](const Part& part) -> Eigen::VectorXd {
     Eigen::VectorXd scaled(static_cast<Eigen::Index>(part.rows.size()));
     for (std::size_t i = 0; i < part.rows.size(); ++i) scaled[static_cast<Eigen::Index>(i)] = misfit[rows_[part.rows[i]]] / std::sqrt(weight_[rows_[part.rows[i]]]);
-    return GivenBlock(part.combinations.data(), scaled.size(), part.count).transpose() * scaled;
+    return GivenBlock(part.combinations().data(), scaled.size(), part.count).transpose() * scaled;
   };
   double largest = 0;
   for (const Part& part : parts_) largest = std::max(largest, part.count > 0 ? whole_of(part).norm() : 0.0);

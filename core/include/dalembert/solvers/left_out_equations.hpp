@@ -49,6 +49,7 @@ class LeftOutEquations {
     std::vector<int> combinations, equations;
   };
 
+  bool renew(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors);
   bool find(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors);
   bool exerts_nothing(const Combination& combination, const Pattern& pattern, std::span<const double> matrix);
   void add_equations_without_weight(const Pattern& pattern, std::span<const double> matrix);

@@ -8,6 +8,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
@@ -155,17 +156,26 @@ class RedundantConstraints {
   std::span<const int> slots(const Pattern& pattern);
   class Search;
   // Combinations that vanish, of equations that may follow from each other.
-  struct Part {
-    std::vector<int> rows;             // places in rows_
-    int hangs_on = -1;                 // of loops, see ConstraintBlock
+  class Part {
+   public:
+    explicit Part(std::vector<int> places, int node = -1) : rows(std::move(places)), hangs_on(node) {}
+    std::vector<int> rows;  // places in rows_
+    int hangs_on;           // of loops, see ConstraintBlock
     int count = 0;
-    std::vector<double> combinations;  // one after the other, orthonormal in sqrt(D) lambda
     void take(std::span<const double> found);
     void rescale(std::span<const int> equations, std::span<const double> from, std::span<const double> to);  // into another metric
+    // One after the other, orthonormal in sqrt(D) lambda.
+    std::span<const double> combinations() const;
+    std::span<const double> combination(int k) const { return combinations().subspan(rows.size() * static_cast<std::size_t>(k), rows.size()); }
+    bool has(std::size_t i) const;  // whether this row has a share in any
     // As many equations as combinations, that tell these apart; found when they are asked for first.
     std::span<const int> leading() const;
-    mutable std::vector<int> leading_ = {};
-    std::span<const double> combination(int k) const { return std::span(combinations).subspan(rows.size() * static_cast<std::size_t>(k), rows.size()); }
+    void lead_as(const Part& other) { leading_ = other.leading_; }  // with the same combinations
+
+   private:
+    mutable std::vector<double> combinations_;  // in the metric that they were asked for in last
+    mutable std::vector<double> factors_;       // of rows, from that metric to the one of now; none: it is the same
+    mutable std::vector<int> leading_;
   };
   std::vector<Part> all_in_one() const;
   // `is_local`: with the combinations of each, which are all that there are.
@@ -174,6 +184,7 @@ class RedundantConstraints {
   bool take_local_combinations(std::vector<Part>& parts, const Pattern& pattern, std::span<const double> values) const;
   void count_parts();
   bool take_if_as_many(std::vector<Part> parts);
+  static bool as_many(const std::vector<Part>& some, const std::vector<Part>& others);
   template <class F>
   void each_owner(F&& f, const System& system) const;
 
