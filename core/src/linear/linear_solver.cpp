@@ -15,10 +15,10 @@ bool is_dense(LinearSolverType type) {
 
 std::unique_ptr<LinearSolver> make_linear_solver(const Pattern& pattern, LinearSolverType type,
                                                  const LinearSolverOptions& options) {
-  if (!options.left_out.empty()) return std::make_unique<ReducedLu>(pattern, type, options);
   switch (type) {
     case LinearSolverType::EXUdense:
     case LinearSolverType::EigenDense:
+      if (!options.left_out.empty()) return std::make_unique<ReducedLu>(pattern.size(), type, options);
       if (options.ignore_singular) return std::make_unique<CompletePivotingLu>(pattern.size(), options);
       return std::make_unique<DenseLu>(pattern.size(), options);
     case LinearSolverType::EigenSparse:

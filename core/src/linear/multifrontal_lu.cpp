@@ -168,14 +168,23 @@ void MultifrontalLu::take_over(const Front& child, double* to) {
   kernels_.add_columns(from, child.length, child.updates, runs, places_.data() + child.first_update, to);
 }
 
-void MultifrontalLu::solve(std::span<double> b) {
+template <class Place>
+void MultifrontalLu::solve_at(Place&& place, std::span<double> b) {
   double* const x = unknowns_.data();
   double* const end = x + pivot_slots_;
-  for (std::size_t k = 0; k < unknowns_.size(); ++k) x[k] = b[row_of_slot_[k]] * row_scale_[k];
+  for (std::size_t k = 0; k < unknowns_.size(); ++k) x[k] = b[place(row_of_slot_[k])] * row_scale_[k];
   kernels_.forward(sizes_, factor(0), row_slot_.data(), x, work_.data());
   std::fill(end, x + unknowns_.size(), 0.0);
   kernels_.backward(sizes_, factor(first_upper_), column_slot_.data() + column_slot_.size(), x, end);
-  for (int j = 0; j < size_; ++j) b[j] = x[slot_of_column_[j]] * column_scale_[j];
+  for (int j = 0; j < size_; ++j) b[place(j)] = x[slot_of_column_[j]] * column_scale_[j];
+}
+
+void MultifrontalLu::solve(std::span<double> b) {
+  solve_at([](int j) { return j; }, b);
+}
+
+void MultifrontalLu::solve_for(std::span<const int> places, std::span<double> x) {
+  solve_at([places](int j) { return places[static_cast<std::size_t>(j)]; }, x);
 }
 
 }  // namespace dalembert

@@ -24,6 +24,8 @@ class MultifrontalLu final : public LinearSolver {
   MultifrontalLu(const Pattern& pattern, const LinearSolverOptions& options, std::vector<int> slots = {});
   int factorize(std::span<const double> given) override;
   void solve(std::span<double> x) override;
+  // The same for unknowns and equations that stand at these places among others.
+  void solve_for(std::span<const int> places, std::span<double> x);
   LinearSolverStatistics statistics() const override;
 
  private:
@@ -60,6 +62,8 @@ class MultifrontalLu final : public LinearSolver {
   bool repeat(std::span<const double> given);
   bool regular() const;
   double residual_of_test(std::span<const double> values);
+  template <class Place>
+  void solve_at(Place&& place, std::span<double> b);
   void assemble(const Front& front, std::span<const double> given);
   template <int Length>
   void take_runs(const Front& front, const double* given, double* to) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dalembert {
 
@@ -12,11 +13,18 @@ constexpr double largest_share = 0.5;
 
 }  // namespace
 
+OccupiedLu::OccupiedLu(const Pattern& pattern, const LinearSolverOptions& options)
+    : pattern_(pattern), options_(options), left_out_(std::exchange(options_.left_out, {})),
+      has_part_(static_cast<std::size_t>(pattern.size()), 1), unsettled_(options.unsettled_matrices) {
+  for (const int j : left_out_) has_part_[static_cast<std::size_t>(j)] = 0;
+  take_whole_pattern();
+}
+
 int OccupiedLu::factorize(std::span<const double> values) {
   if (!chosen_ && unsettled_-- == 0) {
     chosen_ = true;
     if (mostly_zeros(values)) {
-      select(values);
+      take(occupied_slots(values));
       return factorize_occupied(values);
     }
   }
@@ -38,11 +46,10 @@ int OccupiedLu::factorize_occupied(std::span<const double> values) {
 }
 
 void OccupiedLu::solve(std::span<double> x) {
-  if (!occupied_ || lone_.empty()) return solver_->solve(x);
+  if (static_cast<int>(coupled_.size()) == pattern_.size() || !occupied_) return solver_->solve(x);
   for (const Lone& lone : lone_) x[lone.unknown] *= lone.inverse;
-  for (std::size_t k = 0; k < coupled_.size(); ++k) x_[k] = x[coupled_[k]];
-  solver_->solve(x_);
-  for (std::size_t k = 0; k < coupled_.size(); ++k) x[coupled_[k]] = x_[k];
+  solver_->solve_for(coupled_, x);
+  for (const int j : left_out_) x[static_cast<std::size_t>(j)] = 0;
 }
 
 LinearSolverStatistics OccupiedLu::statistics() const {
@@ -55,6 +62,7 @@ LinearSolverStatistics OccupiedLu::statistics() const {
 
 // Before another solver takes over.
 void OccupiedLu::count_as_earlier() {
+  if (!solver_) return;
   const LinearSolverStatistics last = solver_->statistics();
   earlier_.factorizations += last.factorizations;
   earlier_.pivot_searches += last.pivot_searches;
@@ -65,8 +73,7 @@ bool OccupiedLu::mostly_zeros(std::span<const double> values) const {
   return static_cast<double>(occupied) <= largest_share * static_cast<double>(values.size());
 }
 
-void OccupiedLu::select(std::span<const double> values) {
-  const std::vector<char> occupied = occupied_slots(values);
+void OccupiedLu::take(const std::vector<char>& occupied) {
   find_neighbours(occupied);
   const auto starts = pattern_.column_start(), rows = pattern_.row_index();
   std::vector<int> place(static_cast<std::size_t>(pattern_.size()), -1);
@@ -80,11 +87,10 @@ void OccupiedLu::select(std::span<const double> values) {
     }
     occupied_starts.push_back(static_cast<int>(occupied_rows.size()));
   }
-  zeros_.reserve(values.size() - slots.size() - lone_.size());
-  for (int slot = 0; slot < pattern_.values(); ++slot) {
-    if (!occupied[slot]) zeros_.push_back(slot);
-  }
-  x_.resize(coupled_.size());
+  zeros_.clear();
+  pattern_.for_each_transposed([&](int slot, int transposed) {
+    if (!occupied[slot] && has_part_[static_cast<std::size_t>(rows[slot])] && has_part_[static_cast<std::size_t>(rows[transposed])]) zeros_.push_back(slot);
+  });
   occupied_ = Pattern::sparse(std::move(occupied_starts), std::move(occupied_rows));
   count_as_earlier();
   LinearSolverOptions options = options_;
@@ -101,12 +107,24 @@ std::vector<char> OccupiedLu::occupied_slots(std::span<const double> values) con
   pattern_.for_each_transposed([&, to = occupied.data()](int slot, int transposed) {
     if (values[slot] != 0 || slot == transposed) to[slot] = to[transposed] = 1;
   });
+  leave_out(occupied);
   return occupied;
+}
+
+// Rows and columns.
+void OccupiedLu::leave_out(std::vector<char>& occupied) const {
+  if (left_out_.empty()) return;
+  pattern_.for_each_transposed([&, rows = pattern_.row_index()](int slot, int transposed) {
+    if (!has_part_[static_cast<std::size_t>(rows[slot])]) occupied[slot] = occupied[transposed] = 0;
+  });
 }
 
 void OccupiedLu::find_neighbours(const std::vector<char>& occupied) {
   const auto starts = pattern_.column_start();
+  lone_.clear();
+  coupled_.clear();
   for (int j = 0; j < pattern_.size(); ++j) {
+    if (!has_part_[static_cast<std::size_t>(j)]) continue;
     const auto begin = occupied.begin() + starts[j], end = occupied.begin() + starts[j + 1];
     if (std::count(begin, end, 1) > 1) {
       coupled_.push_back(j);
@@ -117,12 +135,16 @@ void OccupiedLu::find_neighbours(const std::vector<char>& occupied) {
 }
 
 void OccupiedLu::take_whole_pattern() {
+  if (!left_out_.empty()) {
+    std::vector<char> all(static_cast<std::size_t>(pattern_.values()), 1);
+    leave_out(all);
+    return take(all);
+  }
   count_as_earlier();
   solver_ = std::make_unique<MultifrontalLu>(pattern_, options_);
   occupied_.reset();
   lone_ = {};
   coupled_ = zeros_ = {};
-  x_ = {};
 }
 
 }  // namespace dalembert

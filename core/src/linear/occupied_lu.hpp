@@ -1,6 +1,7 @@
 // A sparse matrix whose pattern is for the most part zeros, as a mass matrix on the pattern of a tangent: only what is not zero
 // is analysed and factorized, and unknowns without neighbours are divided by their diagonal entries. Should another entry become
-// nonzero, the whole pattern is taken, as it is for the first matrices if they may be unlike those that follow.
+// nonzero, the whole pattern is taken, as it is for the first matrices if they may be unlike those that follow. Unknowns that are left out have
+// no part in either.
 #pragma once
 
 #include <memory>
@@ -13,9 +14,7 @@ namespace dalembert {
 
 class OccupiedLu final : public LinearSolver {
  public:
-  OccupiedLu(const Pattern& pattern, const LinearSolverOptions& options)
-      : pattern_(pattern), options_(options), unsettled_(options.unsettled_matrices),
-        solver_(std::make_unique<MultifrontalLu>(pattern, options)) {}
+  OccupiedLu(const Pattern& pattern, const LinearSolverOptions& options);
   int factorize(std::span<const double> values) override;
   void solve(std::span<double> x) override;
   LinearSolverStatistics statistics() const override;
@@ -27,8 +26,9 @@ class OccupiedLu final : public LinearSolver {
     double inverse;
   };
   bool mostly_zeros(std::span<const double> values) const;
-  void select(std::span<const double> values);
+  void take(const std::vector<char>& occupied);
   std::vector<char> occupied_slots(std::span<const double> values) const;
+  void leave_out(std::vector<char>& occupied) const;
   void find_neighbours(const std::vector<char>& occupied);
   int factorize_occupied(std::span<const double> values);
   void take_whole_pattern();
@@ -36,13 +36,14 @@ class OccupiedLu final : public LinearSolver {
 
   const Pattern& pattern_;
   LinearSolverOptions options_;
+  std::vector<int> left_out_;
+  std::vector<char> has_part_;      // by unknown
   int unsettled_;
   bool chosen_ = false;
   std::optional<Pattern> occupied_;  // of the unknowns with neighbours
   std::vector<Lone> lone_;
   std::vector<int> coupled_;        // the others
   std::vector<int> zeros_;          // slots in the whole pattern that must stay zero
-  std::vector<double> x_;
   std::unique_ptr<MultifrontalLu> solver_;
   LinearSolverStatistics earlier_;  // of solvers before this one
 };

@@ -65,23 +65,21 @@ bool LeftOutEquations::find(const Pattern& pattern, std::span<const double> matr
 
 // Beside what each of its equations causes. Leaves zeros behind.
 bool LeftOutEquations::exerts_nothing(const Combination& combination, const Pattern& pattern, std::span<const double> matrix) {
-  const auto each = [&](auto&& f) {
-    for (const Term& term : combination) each_force(pattern, matrix, first_ae_, term.equation, [&](std::size_t j, double g) { f(j, term.factor * g); });
-  };
-  each([&](std::size_t j, double force) {
-    x_[j] += force;
-    sizes_[j] += std::abs(force);
-  });
+  touched_.clear();
+  for (const Term& term : combination)
+    each_force(pattern, matrix, first_ae_, term.equation, [&](std::size_t j, double g) {
+      if (sizes_[j] == 0) touched_.push_back(j);
+      x_[j] += term.factor * g;
+      sizes_[j] += std::abs(term.factor * g);
+    });
   double rest = 0, whole = 0;
-  each([&](std::size_t j, double) {
+  for (const std::size_t j : touched_) {
     const double force = std::exchange(x_[j], 0.0), size = std::exchange(sizes_[j], 0.0);
-    if (size == 0) return;
-    const int i = static_cast<int>(j);
-    const double inertia = std::abs(matrix[static_cast<std::size_t>(pattern.slot(i, i))]);
-    if (!(inertia > 0)) return;
+    const double inertia = std::abs(matrix[static_cast<std::size_t>(pattern.slot(static_cast<int>(j), static_cast<int>(j)))]);
+    if (!(inertia > 0)) continue;
     rest += force * force / inertia;
     whole += size * size / inertia;
-  });
+  }
   return rest <= no_force * no_force * whole;
 }
 

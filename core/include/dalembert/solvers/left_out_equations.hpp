@@ -72,6 +72,7 @@ class LeftOutEquations {
   std::vector<std::vector<int>> groups_;   // of those without equations in common: one solution finds all of a group
   std::vector<Cluster> clusters_;
   std::vector<double> x_, sizes_;
+  std::vector<std::size_t> touched_;  // coordinates
 };
 
 }  // namespace dalembert
