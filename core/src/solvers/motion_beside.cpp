@@ -78,11 +78,11 @@ bool ConstrainedMotion::same_follow_beside(System& system, const State& at, cons
   State moved = at;
   move_positions(system, step, moved.q);
   fill(system, moved, conditions);
-  RedundantConstraints there;
-  bool same = there.measure(system, *pattern_, matrix_, settings_.momentLength, 1) && there.take_over(redundant_);
-  if (same && there.confirm_locally(*pattern_, matrix_)) {
+  RedundantConstraints there = redundant_;
+  bool same = there.confirm_locally(*pattern_, matrix_);
+  if (same) {
     redundant_.found_beside();
-  } else if (same) {
+  } else if (there.measure(system, *pattern_, matrix_, settings_.momentLength, 1) && there.take_over(redundant_)) {
     there.use(redundant_.counting());
     there.regularize(*pattern_, matrix_, 1);
     same = factors_->factorize(matrix_) == LinearSolver::success && there.confirm(*pattern_, matrix_, *factors_);
