@@ -11,6 +11,7 @@ import pytest
 from solving import Solver, new_system, settings
 
 import dalembert as exu
+from dalembert._core import testing
 from dalembert.rigidBodyUtilities import InertiaCuboid, RotationMatrixX, RotationMatrixZ
 
 MASS = 30.0
@@ -124,3 +125,18 @@ def test_eigenvalues(length: float) -> None:
         assert mass.shape == (10, 10)
         assert motions @ motions.T == pytest.approx(np.eye(10), abs=1e-12)
         assert np.abs(motions @ gradients).max() < 1e-12 * np.abs(gradients).max()
+
+
+@pytest.mark.parametrize("length", [1, 1e3], ids=["m", "mm"])
+@pytest.mark.parametrize("off", [-1, 0, 1])
+def test_wrong_numbers_of_redundant_constraints_say_so(
+    off: int, length: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Singular values tell, in small systems."""
+    mbs, found = hung_chain(length, 2, links=3), testing.redundant_constraints
+    monkeypatch.setattr(testing, "redundant_constraints", lambda *a: (r := found(*a)) | {"count": r["count"] + off})
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        counts = mbs.ComputeSystemDegreeOfFreedom()
+    assert counts["redundantConstraints"] == 15 + off
+    assert ["do not tell as many redundant ones" in str(w.message) for w in told] == [True] * abs(off)

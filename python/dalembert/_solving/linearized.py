@@ -250,6 +250,24 @@ def _rank_of_algebraic(rows: Any, columns: Any, values: FloatArray) -> int:
     return int(np.linalg.matrix_rank(matrix))
 
 
+_LARGEST_TO_BE_CHECKED = 10_000  # entries, of which singular values take a millisecond
+_CERTAINLY_ZERO, _CERTAINLY_NOT = 1e-10, 1e-4
+
+
+def _may_be(redundant: int, n2: int, constraints: int, rows: Any, columns: Any, values: FloatArray) -> bool:
+    """Return whether singular values that may or may not be zero allow for this number; True for large systems."""
+    if n2 * constraints > _LARGEST_TO_BE_CHECKED:
+        return True
+    first = int(columns.max()) + 1 - constraints
+    equations = np.zeros((first + constraints, constraints))
+    held = (columns >= first) & ((rows < n2) | (rows >= first))
+    equations[rows[held], columns[held] - first] = values[held]
+    largest = np.abs(equations).max(axis=1, keepdims=True)  # of coordinates, whose units do not matter either
+    sizes = np.linalg.svd(_scaled(equations / np.where(largest > 0, largest, 1)), compute_uv=False)
+    fewest, most = (constraints - _rank(sizes, tolerance) for tolerance in (_CERTAINLY_ZERO, _CERTAINLY_NOT))
+    return fewest <= redundant <= most
+
+
 def _counts(name: str, mbs: Any, autoAssemble: bool) -> dict[str, Any]:
     assemble_if_needed(name, mbs, autoAssemble)
     state, data, initial = testing.State(mbs), mbs.systemData, _core.ConfigurationType.Initial
@@ -267,6 +285,13 @@ def _counts(name: str, mbs: Any, autoAssemble: bool) -> dict[str, Any]:
             stacklevel=3,
         )
     rows, columns, values = testing.tangent_entries(mbs, state)
+    if not _may_be(found["count"], n2, constraints, rows, columns, values):
+        warnings.warn(
+            f"{name}: singular values of the constraints do not tell as many redundant ones, {found['count']}: with "
+            "these units of length and mass, round-off of forces hides moments, or these hide forces; useSVD=True "
+            "counts by singular values",
+            stacklevel=3,
+        )
     algebraic = (rows >= n2 + len(state.y)) & (columns >= n2 + len(state.y))
     pure = _rank_of_algebraic(rows[algebraic], columns[algebraic], values[algebraic])
     counts = _summary(mbs, n2, constraints, found["count"], pure)
