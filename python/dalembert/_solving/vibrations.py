@@ -19,9 +19,8 @@ _DENSE = 250  # numbers of the first order system up to which all eigenvalues ar
 _SHIFT = 1e-5  # of the largest frequency: rigid motions are no singularity, and the lowest frequencies come first
 _LEAST_SHIFT = 1e-7  # the square of this is above round-off, so that they still are none
 _ITERATIONS = 30
-_IDLE = (
-    1e-11  # takes the place of zeros of multipliers where constraints follow from others, relative to what these state
-)
+# Takes the place of zeros of multipliers where constraints follow from others, relative to what these state.
+_IDLE = 1e-11
 _REFINEMENTS, _SETTLED = 5, 1e-8  # solutions for what that has left, and the change that is the last one
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
 _ROUND_OFF = 1e3 * np.finfo(float).eps
