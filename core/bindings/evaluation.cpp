@@ -213,10 +213,16 @@ void register_constraints(py::module_& module) {
       "redundant_constraints",
       [](MainSystem& main, const EvaluationState& s, double moment_length) {
         System& system = checked(main, s, "redundant_constraints");
-        return redundancy_dictionary(redundant_constraints(system, s.state, s.conditions, moment_length), system);
+        const RedundantConstraints found = redundant_constraints(system, s.state, s.conditions, moment_length);
+        py::dict result = redundancy_dictionary(found, system);
+        std::vector<int> dependent;
+        for (const DependentEquations& part : found.dependent()) dependent.insert(dependent.end(), part.dependent.begin(), part.dependent.end());
+        result["dependent"] = dependent;
+        return result;
       },
       py::arg("mbs"), py::arg("state"), py::arg("momentLength") = 0.0,
-      "Constraint equations that follow from others, as GetRedundantConstraints of the solvers gives them.");
+      "Constraint equations that follow from others, as GetRedundantConstraints of the solvers gives them; dependent: as many of them as could be "
+      "left out.");
   module.def(
       "constraint_metric",
       [](MainSystem& main, const EvaluationState& s) {

@@ -1,12 +1,15 @@
-// The solvers of linear equations by themselves, for tests and measurements: dalembert._core.testing.LinearSolver.
+// The solvers of linear equations by themselves, for tests and measurements: LinearSolver and LeftOutEquations of dalembert._core.testing.
 #include "dalembert/linear/linear_solver.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "dalembert/model/errors.hpp"
+#include "dalembert/solvers/left_out_equations.hpp"
 #include "module.hpp"
 
 namespace dalembert {
@@ -36,12 +39,15 @@ class PatternSolver {
   PatternSolver(const PatternSolver&) = delete;
   PatternSolver& operator=(const PatternSolver&) = delete;
 
-  int factorize(const DoubleArray& values) {
+  int factorize(const DoubleArray& values) { return solver_->factorize(in_order_of_pattern(values)); }
+  std::span<const double> in_order_of_pattern(const DoubleArray& values) {
     check(values, slots_.size(), "data");
-    if (complete_) return solver_->factorize({values.data(), slots_.size()});
+    if (complete_) return {values.data(), slots_.size()};
     for (std::size_t k = 0; k < slots_.size(); ++k) values_[slots_[k]] = values.data()[k];
-    return solver_->factorize(values_);
+    return values_;
   }
+  const Pattern& pattern() const { return pattern_; }
+  LinearSolver& solver() { return *solver_; }
 
   DoubleArray solve(const DoubleArray& right) {
     check(right, static_cast<std::size_t>(pattern_.size()), "b");
@@ -74,6 +80,38 @@ class PatternSolver {
   std::unique_ptr<LinearSolver> solver_;
 };
 
+// Equations that are left out of such a matrix.
+class PatternEquations {
+ public:
+  using Part = std::pair<std::vector<int>, std::vector<int>>;  // all, dependent
+  PatternEquations(const Integers& column_start, const Integers& row_index, const std::vector<Part>& parts, const std::vector<double>& weights, bool dense)
+      : equations_(dependent(parts), weights, static_cast<int>(column_start.size()) - 1 - static_cast<int>(weights.size())),
+        solver_(column_start, row_index, dense, equations_.options({})) {}
+
+  std::optional<std::vector<double>> smallest(const DoubleArray& values, std::vector<double> multipliers) {
+    const std::span<const double> matrix = solver_.in_order_of_pattern(values);
+    LinearSolver& factors = solver_.solver();
+    if (factors.factorize(matrix) != LinearSolver::success || !equations_.make_smallest(solver_.pattern(), matrix, factors, multipliers)) return std::nullopt;
+    return multipliers;
+  }
+  std::vector<Part> better() const {
+    std::vector<Part> found;
+    for (const DependentEquations& part : equations_.better()) found.emplace_back(part.all, part.dependent);
+    return found;
+  }
+  int solutions() const { return equations_.solutions(); }
+
+ private:
+  static std::vector<DependentEquations> dependent(const std::vector<Part>& parts) {
+    std::vector<DependentEquations> all;
+    for (const Part& part : parts) all.push_back({part.first, part.second});
+    return all;
+  }
+
+  LeftOutEquations equations_;
+  PatternSolver solver_;
+};
+
 }  // namespace
 
 void register_linear_solver(py::module_& module) {
@@ -98,6 +136,15 @@ void register_linear_solver(py::module_& module) {
       .def_property_readonly("statistics", &PatternSolver::statistics,
                              "factorizations; pivot_searches: how many of them chose their pivots; entries: numbers in the "
                              "factors.");
+  py::class_<PatternEquations>(testing, "LeftOutEquations",
+                               "Equations that follow from others and are left out of matrices with one pattern, whose last unknowns are multipliers, as "
+                               "many as there are weights. parts: equations, and those of them that are left out.")
+      .def(py::init<const Integers&, const Integers&, const std::vector<PatternEquations::Part>&, const std::vector<double>&, bool>(), py::arg("indptr"),
+           py::arg("indices"), py::arg("parts"), py::arg("weights"), py::kw_only(), py::arg("dense") = false)
+      .def("smallest", &PatternEquations::smallest, py::arg("data"), py::arg("multipliers"),
+           "The smallest multipliers, squared and weighed, that exert the same forces; None: not all of what is left out follows from others.")
+      .def("better", &PatternEquations::better, "Parts of which others are better left out; none if these are good.")
+      .def_property_readonly("solutions", &PatternEquations::solutions, "That `smallest` takes.");
   testing.def("instruction_sets", &instruction_sets,
               "Those of this processor for which the factorization has code of its own, best first.");
 }

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
 import pytest
+from rods import Rod, section
 from solving import Solver, settings
 from test_bricard import Bricard
 from test_redundant import LENGTH_OF_CUBE, NODES, Door, redundancy
+from test_units_of_length import hung_door
 from tolerances import by_tolerance
 
 import dalembert as exu
@@ -76,6 +79,88 @@ def test_errors_of_doors_beside_their_hinges_are_not_laid_on_jumps(solver: Any, 
     assert "ComputeConsistentInitialConditions" in doubt and "contradict" not in doubt and "'hinge 0'" in doubt
     door.mbs.ComputeConsistentInitialConditions()
     assert door.mbs.SolveDynamic(by_tolerance(settings(0.2, 20), 1e-8), solverType=solver) is True
+
+
+def freedoms(mbs: Any) -> list[int]:
+    """By elimination, by singular values, and by eigenvalues."""
+    counts = [mbs.ComputeSystemDegreeOfFreedom(useSVD=by)["degreeOfFreedom"] for by in (False, True)]
+    return [*counts, len(mbs.ComputeODE2Eigenvalues()[0])]
+
+
+@pytest.mark.parametrize("misplaced", [1e-8, 1e-7, 1e-6])
+@pytest.mark.parametrize("node", NODES)
+def test_degrees_of_freedom_where_hinges_hardly_fit(node: Any, misplaced: float) -> None:
+    """Fitted as closely as possible, their axes are not parallel by as much, which singular values took for a constraint without a word."""
+    door = Door(node=node, misplaced=misplaced)
+    with pytest.warns(UserWarning, match="constraints contradict each other"):
+        door.mbs.ComputeConsistentInitialConditions()
+    with pytest.warns(UserWarning, match="joints are apart") as told:
+        assert freedoms(door.mbs) == [1, 1, 1]
+    assert all("'hinge 0'" in str(w.message) and "'hinge 1'" in str(w.message) for w in told) and len(told) <= 2
+
+
+@pytest.mark.parametrize("turned", [1e-7, 1e-6])
+def test_degrees_of_freedom_where_hinges_are_turned(turned: float) -> None:
+    mbs = hung_door(1, 0, turned)
+    with pytest.warns(UserWarning, match="constraints contradict each other"):
+        mbs.ComputeConsistentInitialConditions()
+    with pytest.warns(UserWarning, match="joints are apart"):
+        assert freedoms(mbs) == [1, 1, 1]
+
+
+@pytest.mark.parametrize("gap", [1e-8, 1e-6, 3e-5, 1e-3, 1e-2])
+def test_degrees_of_freedom_beside_hinges(gap: float) -> None:
+    """Of initial values that are off, which hide what is redundant: counted all the same, or told."""
+    door = Door()
+    assert freedoms(door.mbs) == [1, 1, 1]
+    moved = np.array(door.mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Initial))
+    moved[:3] += gap * np.array([0.3, -0.8, 0.5])
+    moved[4:] += gap * np.array([0.6, 0.7, -0.4])  # of Euler parameters
+    door.mbs.systemData.SetODE2Coordinates(moved, exu.ConfigurationType.Initial)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        found = freedoms(door.mbs)
+    if gap < 1e-4:
+        assert found == [1, 1, 1]
+    else:
+        assert any("ComputeConsistentInitialConditions" in str(w.message) for w in told)
+    door.mbs.ComputeConsistentInitialConditions()
+    assert freedoms(door.mbs) == [1, 1, 1]
+
+
+def clamped_beam(apart: float) -> Any:
+    """A beam of 2 m, 5 cm thick, whose ends are clamped twice, the second time so far beside (m)."""
+    rod, E, thick = Rod(), 2e9, 0.05
+    area, second_moment = thick**2, thick**4 / 12
+    shear = E / 2.6 * 0.85 * area
+    stiffness = [E * area, shear, shear, E / 1.3 * second_moment, E * second_moment, E * second_moment]
+    of = section(stiffness, 1000 * area, 1000 * second_moment * np.array([2, 1, 1]))
+    nodes = rod.add_leg(np.zeros(3), np.eye(3), 2, 8, of)
+    for node, x in ((nodes[0], 0), (nodes[-1], 2)):
+        for beside in (0, apart):
+            place = exu.MarkerBodyRigid(bodyNumber=0, localPosition=[x, beside, 0])
+            rod.join(rod.mbs.AddMarker(place), rod.marker(node), np.eye(3))
+    rod.mbs.Assemble()
+    return rod.mbs
+
+
+@pytest.mark.parametrize("solver", [None, *OF_POSITIONS[::2]])
+def test_what_is_tolerated_at_a_clamp_is_relative_to_the_beam(solver: Any) -> None:
+    """Not to the radius of gyration of its node, beside which 1e-6 m were too much. The closest fit is off by half of what clamps are apart."""
+
+    def solve(apart: float) -> None:
+        mbs, s = clamped_beam(apart), settings(0.01, 10)
+        if solver is None:
+            mbs.SolveStatic(s)
+        else:
+            mbs.SolveDynamic(s, solverType=solver)
+        name = "staticSolver" if solver is None else "dynamicSolver"
+        assert mbs.sys[name].GetRedundantConstraints()["misfit"] == pytest.approx(apart / 2 / 2, rel=1e-3)
+
+    solve(1e-6)
+    with pytest.raises(SolverError) as refused:
+        solve(1e-5)
+    assert refused.value.reason == "contradictoryConstraints"
 
 
 def test_a_larger_misfit_may_be_allowed() -> None:

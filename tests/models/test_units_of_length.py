@@ -1,4 +1,4 @@
-"""Units of length do not change what closed mechanisms do: consistent values and motions of doors, eigenvalues of chains."""
+"""Units of length do not change what closed mechanisms do: consistent values and motions of doors, eigenvalues of chains, numbers of constraints."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 from solving import Solver, new_system, settings
 
 import dalembert as exu
@@ -125,6 +126,96 @@ def test_eigenvalues(length: float) -> None:
         assert mass.shape == (10, 10)
         assert motions @ motions.T == pytest.approx(np.eye(10), abs=1e-12)
         assert np.abs(motions @ gradients).max() < 1e-12 * np.abs(gradients).max()
+
+
+UNITS = pytest.mark.parametrize("length", [1e-3, 1, 10, 1e3, 1e6], ids=["km", "m", "0.1 m", "mm", "um"])
+
+
+def counts_of(mbs: Any) -> tuple[int, int]:
+    """Redundant equations and degrees of freedom, without a warning."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        counts = mbs.ComputeSystemDegreeOfFreedom()
+    return counts["redundantConstraints"], counts["degreeOfFreedom"]
+
+
+def counts_of_solver(mbs: Any) -> int:
+    mbs.SolveDynamic(settings(0.01, 2))
+    return int(mbs.sys["dynamicSolver"].GetRedundantConstraints()["count"])
+
+
+@UNITS
+@pytest.mark.parametrize("hinges", [1, 2, 3])
+def test_numbers_of_redundant_constraints(hinges: int, length: float) -> None:
+    """Of a door, and of chains. In micrometres, two moments of a single hinge were taken for round-off of forces."""
+    door = hung_door(length, 0, 0, np.linspace(0.3, 1.7, hinges))
+    consistent(door)
+    assert counts_of(door) == (5 * (hinges - 1), 1)
+    assert counts_of_solver(door) == 5 * (hinges - 1)
+    for links in (2, 10, 40):
+        assert counts_of(hung_chain(length, hinges, links)) == (5 * (hinges - 1) * links, links)
+
+
+def closed_tree(length: float, node: Any) -> Any:
+    """Three links in a plane that leans. The last one carries a coupler by two hinges, and this hangs on the ground by a hinge and a ball joint.
+
+    The coupler closes a planar loop of five joints, which has two degrees of freedom: of 10 coordinates (3 of the tree, 6 and a parameter of rotation more,
+    or 9), the 18 equations of joints leave 2 if 11 follow from others (one condition of unit length holds that parameter).
+    """
+    mbs = new_system()
+    ground = mbs.CreateGround()
+    lean, angles = Rotation.from_euler("xyz", [0.4, -0.7, 0.3]).as_matrix(), np.array([0.5, 0.6, -1.8])
+    along, gravity = np.array([length, 0, 0]), np.array([2, -3, -9.81]) * length
+    coordinates = mbs.AddNode(exu.NodeGenericODE2(referenceCoordinates=angles, numberOfODE2Coordinates=3))
+    tree = mbs.AddObject(
+        exu.KinematicTree(
+            nodeNumber=coordinates,
+            jointTypes=[exu.JointType.RevoluteZ] * 3,
+            linkParents=[-1, 0, 1],
+            jointTransformations=exu.Matrix3DList([lean, np.eye(3), np.eye(3)]),
+            jointOffsets=exu.Vector3DList([np.zeros(3), along, along]),
+            linkInertiasCOM=exu.Matrix3DList([np.diag([0.01, 0.05, 0.05]) * length**2] * 3),
+            linkCOMs=exu.Vector3DList([along / 2] * 3),
+            linkMasses=[1.0, 2.0, 0.5],
+            gravity=gravity,
+        )
+    )
+    heading = np.cumsum(angles)
+    tip = lean @ [length * np.cos(heading).sum(), length * np.sin(heading).sum(), 0]
+    center, end = (tip + lean @ np.array(place) * length for place in ([0.5, -0.3, 0], [1, -0.6, 0]))
+    size = np.array([1, 0.05, 0.05]) * length
+    coupler = mbs.CreateRigidBody(
+        referencePosition=center,
+        referenceRotationMatrix=lean,
+        inertia=InertiaCuboid(density=2.5 / np.prod(size), sideLengths=size),
+        gravity=gravity,
+        nodeType=node,
+    )
+    up, turned = np.array([0, 0, length]), Rotation.from_euler("z", -heading[-1]).as_matrix()
+
+    def join(on: Any, place: Any, axes: Sequence[int], turn: Any, from_center: Any) -> None:
+        at = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=coupler, localPosition=lean.T @ from_center + place))
+        mbs.AddObject(exu.GenericJoint(markerNumbers=[on, at], constrainedAxes=[*axes, 0], rotationMarker0=turn))
+
+    for height in (0, 0.2):
+        on = mbs.AddMarker(
+            exu.MarkerKinematicTreeRigid(objectNumber=tree, linkNumber=2, localPosition=along + height * up)
+        )
+        join(on, height * up, [1] * 5, turned, tip - center)
+    for height, axes in ((0, [1] * 5), (0.3, [1, 1, 1, 0, 0])):
+        on = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=ground, localPosition=end + lean @ up * height))
+        join(on, height * up, axes, lean, end - center)
+    mbs.Assemble()
+    return mbs
+
+
+@UNITS
+@pytest.mark.parametrize("node", [exu.NodeType.RotationEulerParameters, exu.NodeType.RotationRotationVector])
+def test_numbers_of_redundant_constraints_of_a_closed_tree(node: Any, length: float) -> None:
+    """In mm, 19 equations were taken for redundant without a word, as moments are small beside forces there."""
+    mbs = closed_tree(length, node)
+    assert counts_of(mbs) == (11, 2)
+    assert counts_of_solver(mbs) == 11
 
 
 @pytest.mark.parametrize("length", [1, 1e3], ids=["m", "mm"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -149,6 +150,43 @@ def test_redundant_joints_change_nothing(length: float, node: Any) -> None:
         for speed in (0.0, 3.0):
             found = mbs.ComputeVibrationModes(1, [speed, 0, 0]).eigenvalues
             assert found == pytest.approx([1j * np.sqrt(stiffness / about_hinges)], rel=1e-9)
+
+
+@pytest.mark.parametrize("hinges", [1, 2])
+def test_joints_that_do_not_fit(hinges: int) -> None:
+    """As in solvers: what is misplaced by a little is fitted with a warning, and refused by more. A single hinge moves the door to where it fits."""
+
+    def frequency(misplaced: float) -> float:
+        mbs = new_system()
+        ground, size = mbs.CreateGround(), np.array([2.0, 0.9, 0.04])
+        inertia = exu.utilities.InertiaCuboid(30 / np.prod(size), size)
+        door = mbs.CreateRigidBody(referencePosition=size * [0.5, 0.5, 0], inertia=inertia)
+        for x, beside in ((0.3, misplaced), (1.7, 0))[:hinges]:
+            ends = ((ground, [x, beside, 0]), (door, [x, 0, 0] - size * [0.5, 0.5, 0]))
+            markers = [mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=body, localPosition=p)) for body, p in ends]
+            turned = exu.utilities.RotationMatrixY(np.pi / 2)
+            mbs.AddObject(exu.RevoluteJointZ(markerNumbers=markers, rotationMarker0=turned, rotationMarker1=turned))
+        corners = [
+            mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=b, localPosition=p))
+            for b, p in ((ground, [1, 0.9, -1]), (door, [0, 0.45, 0]))
+        ]
+        mbs.AddObject(exu.SpringDamper(markerNumbers=corners, stiffness=500, referenceLength=1))
+        mbs.Assemble()
+        return float(mbs.ComputeVibrationModes(1).frequencies[0])
+
+    wanted = np.sqrt(500 * 0.9**2 / (30 * (0.9**2 + 0.04**2 / 4) / 3)) / (2 * np.pi)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert frequency(0) == pytest.approx(wanted, rel=2e-3)
+        if hinges == 1:
+            assert frequency(1e-3) == pytest.approx(frequency(0), rel=5e-3)
+            return
+    with pytest.warns(RuntimeWarning, match=r"constraints contradict each other(?s:.*)equation 1: gap") as told:
+        assert frequency(1e-6) == pytest.approx(frequency(0), rel=1e-5)
+    assert len(told) == 1
+    with pytest.raises(exu.SolverError, match="contradict each other") as refused:
+        frequency(1e-3)
+    assert refused.value.reason == "contradictoryConstraints"
 
 
 def test_large_system() -> None:

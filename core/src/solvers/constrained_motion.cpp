@@ -238,12 +238,11 @@ bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
 bool ConstrainedMotion::treat_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
   const bool regular = singular == LinearSolver::success;
   constexpr double eps = RedundantConstraints::regular_eps;
-  const LinearSolverOptions to_find = RedundantConstraints::options_to_find(options_);
-  auto factors = make_linear_solver(*pattern_, type_, redundant_.options(to_find));
+  auto factors = make_linear_solver(*pattern_, type_, redundant_.options(redundant_.options_to_find(options_)));
   std::unique_ptr<LinearSolver> closer;
   const bool local = redundant_.is_local(), at_once = redundant_.find_at_once(*pattern_, matrix_, eps, *factors);
   if (!at_once) {
-    closer = make_linear_solver(*pattern_, type_, to_find);
+    closer = make_linear_solver(*pattern_, type_, redundant_.options_to_find(options_));
     if (!redundant_.find(*pattern_, matrix_, redundant_.counting(), *closer)) return false;
   }
   if (regular && redundant_.count() == 0) return false;

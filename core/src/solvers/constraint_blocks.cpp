@@ -3,27 +3,14 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "dalembert/math/disjoint_sets.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 
 namespace dalembert {
 
 namespace {
-
-class Groups {
- public:
-  explicit Groups(int n) : parent_(static_cast<std::size_t>(n)) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int of(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) { parent_[of(i)] = of(j); }
-
- private:
-  std::vector<int> parent_;
-};
 
 // Of an undirected graph without parallel edges: the block of each edge. The last vertex is the root where it can be; blocks nearer to a root
 // have higher numbers.
@@ -92,7 +79,7 @@ class GraphBlocks {
 };
 
 // The group of each row, in the order in which groups begin.
-std::vector<ConstraintBlock> lists_of(Groups& groups, int rows) {
+std::vector<ConstraintBlock> lists_of(DisjointSets& groups, int rows) {
   std::vector<ConstraintBlock> lists;
   std::vector<int> list(static_cast<std::size_t>(rows), -1);
   for (int i = 0; i < rows; ++i) {
@@ -117,7 +104,7 @@ std::vector<ConstraintBlock> constraint_blocks(BlocksOf kind, const Pattern& pat
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
     if (row < ode2 && column >= first_ae && place[column - first_ae] >= 0 && values[slot] != 0) coordinates[place[column - first_ae]].push_back(row);
   });
-  Groups groups(count);
+  DisjointSets groups(count);
   if (kind == BlocksOf::coordinates) {
     std::vector<int> acts(static_cast<std::size_t>(ode2), -1);
     for (int i = 0; i < count; ++i)

@@ -229,10 +229,10 @@ bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
   warn(name() + ": " + told_contradiction_);
 }
 
-// Where round-off has hidden which constraints are redundant, it is what has grown.
+// Where round-off has hidden which constraints are redundant, it is what has grown; gaps may hide it as well, and are told by themselves.
 [[gnu::noinline]] void Solver::advise_on_weak_constraints() {
   const RedundantConstraints& constraints = redundant_constraints();
-  if (constraints.certain()) return;
+  if (constraints.certain() || constraints.allows_for_gaps()) return;
   Diagnosis& d = diagnosis_;
   if (d.dependent.empty()) {
     for (const auto& item : constraints.items(system()))

@@ -14,7 +14,8 @@ namespace {
 // Forces of a combination that count as none, and multipliers in it, relative to the largest.
 constexpr double no_force = 1e-8, no_multiplier = 1e-10;
 constexpr double largest_multiple = 10;          // of the multiplier of an equation that is left out, by their weights
-constexpr std::size_t most_found_alone = 100;    // equations, with one solution for each
+// Combinations of all equations: with one solution for each, and one number for each equation of the model.
+constexpr std::size_t most_found_alone = 100, most_terms = 1'000'000;
 
 // f(coordinate, entry) for the forces of an equation.
 template <class F>
@@ -176,7 +177,7 @@ bool LeftOutEquations::renew(const Pattern& pattern, std::span<const double> mat
     find_groups();
   }
   bool found = find(pattern, matrix, factors);
-  if (!found && equations_.size() <= most_found_alone) {
+  if (!found && equations_.size() <= most_found_alone && equations_.size() * roots_.size() <= most_terms) {
     are_others = true;
     allow_all_equations();
     find_groups();

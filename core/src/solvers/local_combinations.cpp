@@ -137,8 +137,11 @@ class Loops {
   template <class F>
   void each(int equation, F&& f) const {
     const ColumnRange column = column_range(all_.pattern, all_.first_ae + equation, static_cast<int>(all_.nodes.size()));
-    for (std::size_t slot = column.begin; slot < column.middle; ++slot)
-      if (all_.values[slot] != 0) f(row_in(all_.pattern, column, slot), all_.values[slot]);
+    for (std::size_t slot = column.begin; slot < column.middle; ++slot) {
+      if (all_.values[slot] == 0) continue;
+      const int j = row_in(all_.pattern, column, slot);
+      f(j, all_.values[slot] * all_.scales[static_cast<std::size_t>(j)]);
+    }
   }
 
   // Coordinates that the equations of a block act on, those of the node that it hangs on last, and the conditions of unit length among them.

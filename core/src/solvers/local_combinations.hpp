@@ -10,11 +10,11 @@
 
 namespace dalembert {
 
-// What blocks are made of: entries of the columns of the multipliers, by equation their metric (zero: it is not looked at) and whether they
-// are multipliers of constraints of motions.
+// What blocks are made of: entries of the columns of the multipliers, what these are multiplied by for each coordinate, by equation their metric (zero:
+// it is not looked at) and whether they are multipliers of constraints of motions.
 struct ConstraintEquations {
   const Pattern& pattern;
-  std::span<const double> values;
+  std::span<const double> values, scales;
   int first_ae;
   std::span<const int> nodes, rows;  // of ODE2 coordinates; the equations that are looked at
   std::span<const double> weights;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "dalembert/solvers/numerical_tangent.hpp"
 
@@ -24,8 +23,7 @@ void MassOperator::prepare_matrix(System& system) {
   inverse_.assign(static_cast<std::size_t>(size_), 0.0);
   diagonal_.resize(static_cast<std::size_t>(size_));
   alone_.assign(static_cast<std::size_t>(size_), 1);
-  parent_.resize(static_cast<std::size_t>(size_));
-  std::iota(parent_.begin(), parent_.end(), 0);
+  coupled_ = DisjointSets(size_);
   without_matrix_ = static_cast<int>(system.coordinates_without_matrix().size());
   for (const int i : system.coordinates_without_matrix()) {
     alone_[i] = 0;
@@ -44,20 +42,11 @@ void MassOperator::each_coupling(F&& f) const {
   });
 }
 
-int MassOperator::root(int i) {
-  while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-  return i;
-}
-
 // Blocks only grow: an entry that is zero now may return.
 bool MassOperator::join_blocks() {
   bool joined = false;
   each_coupling([&](const Entry& e) {
-    if (values_[e.slot] == 0) return;
-    const int a = root(e.row), b = root(e.column);
-    if (a == b) return;
-    parent_[std::max(a, b)] = std::min(a, b);
-    joined = true;
+    if (values_[e.slot] != 0 && coupled_.join(e.row, e.column)) joined = true;
   });
   return joined;
 }
@@ -65,9 +54,9 @@ bool MassOperator::join_blocks() {
 void MassOperator::build_blocks() {
   blocks_.clear();
   std::vector<int> members(size_, 0), block_of(size_, -1), place(size_, 0);
-  for (int i = 0; i < size_; ++i) ++members[root(i)];
+  for (int i = 0; i < size_; ++i) ++members[coupled_.of(i)];
   for (int i = 0; i < size_; ++i) {
-    const int r = root(i);
+    const int r = coupled_.of(i);
     if (members[r] == 1) continue;
     alone_[i] = 0;
     if (r == i) {

@@ -93,10 +93,11 @@ bool NewtonSolver::may_leave_out() const {
   steps_to_hold_ = std::max(fewest_steps_held, left_out_.solutions());
   left_out_.hold(smallest);
   const std::vector<DependentEquations> better = left_out_.better();
-  if (better.empty()) return;
+  const bool are_looked_at = !multipliers_may_wait() && idle_ == Idle::at_factors;
+  if (better.empty() && !are_looked_at) return;
   std::ranges::copy(smallest, current().lambda.begin());  // in place: users have views of these numbers
   idle_ = Idle::none;
-  leave_out(better);
+  if (!better.empty()) leave_out(better);
 }
 
 // Where they do not fit, or the rest of the equations is not enough any more.
@@ -144,7 +145,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::treating_solver() const {
 
 // With the factors; none: the matrix is singular for other reasons as well.
 std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
-  auto factors = make_linear_solver(*pattern_, linear_type(), RedundantConstraints::options_to_find(newton_options()));
+  auto factors = make_linear_solver(*pattern_, linear_type(), redundant_.options_to_find(newton_options()));
   if (!redundant_.find(*pattern_, jacobian_, redundant_.counting(), *factors)) factors.reset();
   return factors;
 }

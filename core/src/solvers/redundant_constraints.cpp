@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "constraint_states.hpp"
 #include "dalembert/math/decompositions.hpp"
+#include "dalembert/math/disjoint_sets.hpp"
 #include "finite.hpp"
 #include "number_sequence.hpp"
 
@@ -61,19 +62,20 @@ class WeightsOfKinds {
         other_(mean_of_logarithms(kinds[CoordinateUnit::unknown])) {
     const double radius_of_gyration = force_ > 0 && moment_ > 0 ? std::sqrt(force_ / moment_) : 0;
     size_ = size_of_mechanism > 0 ? size_of_mechanism : radius_of_gyration > 0 ? radius_of_gyration : size_of_model;
-    const double arm = radius_of_gyration > 0 ? std::clamp(size_, smallest_arm * radius_of_gyration, largest_arm * radius_of_gyration) : size_;
-    const double length = moment_length > 0 ? moment_length : arm;
+    arm_ = radius_of_gyration > 0 ? std::clamp(size_, smallest_arm * radius_of_gyration, largest_arm * radius_of_gyration) : size_;
+    const double length = moment_length > 0 ? moment_length : arm_;
     if (force_ > 0) moment_ = force_ / (length * length);
     else if (moment_ > 0) force_ = moment_ * length * length;
   }
   double size() const { return size_; }
+  double arm() const { return arm_; }  // of forces
   double of(CoordinateUnit unit) const {
     const double weight = unit == CoordinateUnit::meter ? force_ : unit == CoordinateUnit::radian ? moment_ : other_ > 0 ? other_ : force_;
     return weight > 0 ? weight : 1.0;
   }
 
  private:
-  double force_, moment_, other_, size_ = 0;
+  double force_, moment_, other_, size_ = 0, arm_ = 1;
 };
 
 double largest_number(std::span<const double> numbers) {
@@ -281,41 +283,39 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
     const double factor = columns[k] > 0 && lines[k] > 0 ? 0.5 * std::log(lines[k] / columns[k]) : 0;
     of_rate_[k] = std::abs(factor - std::log(rate_factor)) < std::abs(factor);
   }
-  const int mechanisms = find_mechanisms(pattern, values);
+  const int mechanisms = find_mechanisms(pattern, values, system.bodies_of_coordinates());
   lengths_ = system.extents(mechanism_of_coordinate_, mechanisms);
   find_weights(ratio, units, moment_length);
+  find_scales(pattern, values, units_of_coordinates);
   return true;
 }
 
-int RedundantConstraints::find_mechanisms(const Pattern& pattern, std::span<const double> values) {
-  const std::size_t nodes = nodes_.empty() ? 0 : static_cast<std::size_t>(*std::ranges::max_element(nodes_) + 1);
-  std::vector<int> root(multiplier_.size()), first(nodes, -1);  // equation of a node
-  std::iota(root.begin(), root.end(), 0);
-  const auto of = [&](int k) {
-    while (root[static_cast<std::size_t>(k)] != k) k = root[static_cast<std::size_t>(k)] = root[static_cast<std::size_t>(root[static_cast<std::size_t>(k)])];
-    return k;
-  };
+int RedundantConstraints::find_mechanisms(const Pattern& pattern, std::span<const double> values, std::span<const int> bodies) {
+  const std::size_t numbers = bodies.empty() ? 0 : static_cast<std::size_t>(*std::ranges::max_element(bodies) + 1);
+  const std::size_t equations = multiplier_.size();
+  DisjointSets joined(static_cast<int>(equations));
+  std::vector<int> first(numbers, -1);  // equation of a body
   for (const int k : rows_) {
-    const ColumnRange column = column_range(pattern, first_ae_ + k, static_cast<int>(nodes_.size()));
+    const ColumnRange column = column_range(pattern, first_ae_ + k, static_cast<int>(bodies.size()));
     for (std::size_t slot = column.begin; slot < column.middle; ++slot) {
-      const int node = values[slot] != 0 ? nodes_[static_cast<std::size_t>(row_in(pattern, column, slot))] : -1;
-      if (node < 0) continue;
-      int& other = first[static_cast<std::size_t>(node)];
+      const int body = values[slot] != 0 ? bodies[static_cast<std::size_t>(row_in(pattern, column, slot))] : -1;
+      if (body < 0) continue;
+      int& other = first[static_cast<std::size_t>(body)];
       if (other < 0) other = k;
-      else root[static_cast<std::size_t>(of(k))] = of(other);
+      else joined.join(k, other);
     }
   }
   int count = 0;
-  std::vector<int> number(root.size(), -1);
+  std::vector<int> number(equations, -1);
   const auto number_of = [&](int k) {
-    int& known = number[static_cast<std::size_t>(of(k))];
+    int& known = number[static_cast<std::size_t>(joined.of(k))];
     return known < 0 ? known = count++ : known;
   };
-  mechanism_.assign(root.size(), -1);
+  mechanism_.assign(equations, -1);
   for (const int k : rows_) mechanism_[static_cast<std::size_t>(k)] = number_of(k);
-  mechanism_of_coordinate_.assign(nodes_.size(), -1);
-  for (std::size_t j = 0; j < nodes_.size(); ++j)
-    if (nodes_[j] >= 0 && first[static_cast<std::size_t>(nodes_[j])] >= 0) mechanism_of_coordinate_[j] = number_of(first[static_cast<std::size_t>(nodes_[j])]);
+  mechanism_of_coordinate_.assign(bodies.size(), -1);
+  for (std::size_t j = 0; j < bodies.size(); ++j)
+    if (bodies[j] >= 0 && first[static_cast<std::size_t>(bodies[j])] >= 0) mechanism_of_coordinate_[j] = number_of(first[static_cast<std::size_t>(bodies[j])]);
   return count;
 }
 
@@ -330,6 +330,8 @@ void RedundantConstraints::find_weights(const std::vector<double>& ratios, const
   }
   std::vector<WeightsOfKinds> weights;
   for (std::size_t i = 0; i < lengths_.size(); ++i) weights.emplace_back(apart[i].empty() ? all : apart[i], lengths_[i], length_, moment_length);
+  arms_.clear();
+  std::ranges::transform(weights, std::back_inserter(arms_), &WeightsOfKinds::arm);
   units_ = units;
   weight_.assign(ratios.size(), 0.0);
   own_weight_.assign(ratios.size(), 0.0);
@@ -339,6 +341,26 @@ void RedundantConstraints::find_weights(const std::vector<double>& ratios, const
     weight_[k] = known.of(units[k]);
     own_weight_[k] = ratios[k] > 0 && std::isfinite(ratios[k]) ? ratios[k] : weight_[k];
     if (units[k] == CoordinateUnit::meter) unit_[k] = std::max(known.size(), smallest_share_of_model * length_);
+  }
+}
+
+// What equations state is of one size, in units of length: rotations count by the arm of moments, and coordinates of trees, of which nobody knows
+// whether they turn, by the longest lever, if it is more than one.
+void RedundantConstraints::find_scales(const Pattern& pattern, std::span<const double> values, std::span<const CoordinateUnit> units) {
+  scales_.assign(units.size(), 1.0);
+  std::vector<double> largest(units.size(), 1.0);
+  for (const int k : rows_) {
+    const double arm = units_[k] == CoordinateUnit::radian ? arms_[static_cast<std::size_t>(mechanism_[k])] : 1;
+    const ColumnRange column = column_range(pattern, first_ae_ + k, static_cast<int>(units.size()));
+    for (std::size_t slot = column.begin; slot < column.middle; ++slot) {
+      double& most = largest[static_cast<std::size_t>(row_in(pattern, column, slot))];
+      most = std::max(most, arm * std::abs(values[slot]));
+    }
+  }
+  for (std::size_t j = 0; j < units.size(); ++j) {
+    const int mechanism = mechanism_of_coordinate_[j];
+    if (units[j] == CoordinateUnit::unknown) scales_[j] = 1 / largest[j];
+    if (units[j] == CoordinateUnit::radian && mechanism >= 0) scales_[j] = 1 / arms_[static_cast<std::size_t>(mechanism)];
   }
 }
 
@@ -453,13 +475,20 @@ double RedundantConstraints::eps_for_gaps(std::span<const double> gaps, bool of_
   return eps_for(open, of_rates);
 }
 
-LinearSolverOptions RedundantConstraints::options_to_find(LinearSolverOptions options) {
+std::vector<int> RedundantConstraints::unknowns() const {
+  std::vector<int> all;
+  for (const int k : rows_) all.push_back(first_ae_ + k);
+  return all;
+}
+
+LinearSolverOptions RedundantConstraints::options_to_find(LinearSolverOptions options) const {
   options.unsettled_matrices = 0;
+  options.tiny_diagonal = unknowns();
   return options;
 }
 
 LinearSolverOptions RedundantConstraints::options(LinearSolverOptions options) const {
-  for (const int k : rows_) options.tiny_diagonal.push_back(first_ae_ + k);
+  options.tiny_diagonal = unknowns();
   for (const DependentEquations& part : dependent())
     for (const int k : part.dependent) options.dependent.push_back(first_ae_ + k);
   return options;
@@ -628,8 +657,9 @@ RedundantConstraints redundant_constraints(System& system, const State& state, C
   const std::vector<double> matrix = gradients_beside(diagonal_of_masses(system, still, pattern), system, still, conditions, pattern);
   RedundantConstraints found;
   if (!found.measure(system, pattern, matrix, moment_length, 1)) return found;
-  const auto factors = make_linear_solver(pattern, LinearSolverType::EigenSparse, {});
-  found.find(pattern, matrix, eps, *factors);
+  const auto factors = make_linear_solver(pattern, LinearSolverType::EigenSparse, found.options_to_find({}));
+  if (eps == 0) found.allow_for(gaps_of_positions(system, state, conditions));
+  found.find(pattern, matrix, eps > 0 ? eps : found.counting(), *factors);
   return found;
 }
 

@@ -64,6 +64,13 @@ class RedundantConstraints::Search {
     }
   }
   bool factorize() { return factors_.factorize(matrix_) == LinearSolver::success; }
+  // The same in units in which coordinates have an inertia of one, and equations a weight of one: in others, eps of the smallest weights is
+  // round-off beside the largest. Nobody else can use these factors.
+  bool factorize_in_own_units() {
+    find_own_units();
+    for_each_entry(pattern_, [&](int row, int column, std::size_t slot) { matrix_[slot] *= own_unit_[row] * own_unit_[column]; });
+    return factorize();
+  }
   // Fills the parts; what they have is only looked at again. False, with `is_finite`: they are not independent of each other.
   bool find_in(std::vector<Part>& parts, bool are_independent) {
     compares = parts.size() > 1 && !are_independent;
@@ -146,6 +153,24 @@ class RedundantConstraints::Search {
       known.resize(m, 0);
     }
   };
+
+  // Powers of two, which round nothing. Equations without a weight, such as conditions of unit length, have that of their entries.
+  void find_own_units() {
+    const auto unit_of = [](double size) { return size > 0 && std::isfinite(size) ? std::exp2(-std::round(0.5 * std::log2(size))) : 1; };
+    own_unit_.assign(x_.size(), 1);
+    const int first_ae = all_.first_ae_, end_of_ode2 = static_cast<int>(all_.nodes_.size());
+    for (int j = 0; j < end_of_ode2; ++j) own_unit_[static_cast<std::size_t>(j)] = unit_of(std::abs(matrix_[static_cast<std::size_t>(pattern_.slot(j, j))]));
+    for (int k = first_ae; k < static_cast<int>(x_.size()); ++k) {
+      double sum = 0;
+      const ColumnRange column = column_range(pattern_, k, end_of_ode2);
+      for (std::size_t slot = column.begin; slot < column.middle; ++slot) {
+        const double entry = matrix_[slot] * own_unit_[static_cast<std::size_t>(row_in(pattern_, column, slot))];
+        sum += entry * entry;
+      }
+      own_unit_[static_cast<std::size_t>(k)] = unit_of(sum);
+    }
+    for (std::size_t i = 0; i < root_.size(); ++i) own_unit_[unknown(i)] = unit_of(root_[i] * root_[i]);
+  }
 
   void add_to_weakest(const Part& part, const Eigen::VectorXd& share) {
     for (std::size_t i = 0; i < part.rows.size(); ++i) weakest_vector_[static_cast<std::size_t>(part.rows[i])] = share[static_cast<Eigen::Index>(i)];
@@ -283,7 +308,7 @@ class RedundantConstraints::Search {
   // the first solution shows.
   void apply(double* column) {
     wanted_.assign(x_.size(), 0.0);
-    for (std::size_t i = 0; i < root_.size(); ++i) wanted_[unknown(i)] = -eps_ * all_.row_factor(all_.rows_[i]) * column[i];
+    for (std::size_t i = 0; i < root_.size(); ++i) wanted_[unknown(i)] = -eps_ * all_.row_factor(all_.rows_[i]) * column[i] * own_unit(i);
     std::ranges::fill(x_, 0.0);
     for (int time = 0; time <= refinements_; ++time) {
       rest_ = wanted_;
@@ -292,12 +317,13 @@ class RedundantConstraints::Search {
       for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += rest_[i];
       if (time > 0 && largest_multiplier(rest_) < accurate * largest_multiplier(x_)) refinements_ = time - 1;
     }
-    for (std::size_t i = 0; i < root_.size(); ++i) column[i] = x_[unknown(i)];
+    for (std::size_t i = 0; i < root_.size(); ++i) column[i] = x_[unknown(i)] * own_unit(i);
   }
+  double own_unit(std::size_t i) const { return own_unit_.empty() ? 1 : own_unit_[unknown(i)]; }
   std::size_t unknown(std::size_t i) const { return static_cast<std::size_t>(all_.first_ae_ + all_.rows_[i]); }
   double largest_multiplier(const std::vector<double>& x) const {
     double size = 0;
-    for (std::size_t i = 0; i < root_.size(); ++i) size = std::max(size, std::abs(x[unknown(i)]));
+    for (std::size_t i = 0; i < root_.size(); ++i) size = std::max(size, std::abs(x[unknown(i)]) * own_unit(i));
     return size;
   }
 
@@ -307,7 +333,7 @@ class RedundantConstraints::Search {
   LinearSolver& factors_;
   double eps_;
   int refinements_ = most_refinements;
-  std::vector<double> root_, wanted_, rest_, x_, column_;
+  std::vector<double> root_, wanted_, rest_, x_, column_, own_unit_;
   std::vector<double> weakest_vector_;  // of the length one
   NumberSequence number_at_random;
 };
@@ -330,7 +356,7 @@ std::vector<RedundantConstraints::Part> RedundantConstraints::apart(bool by_loop
 bool RedundantConstraints::take_local_combinations(std::vector<Part>& parts, const Pattern& pattern, std::span<const double> values) const {
   std::vector<ConstraintBlock> blocks;
   for (const Part& part : parts) blocks.push_back({part.rows, part.hangs_on});
-  const std::vector<Block> found = local_combinations({pattern, values, first_ae_, nodes_, rows_, weight_, multiplier_, counting_}, blocks);
+  const std::vector<Block> found = local_combinations({pattern, values, scales_, first_ae_, nodes_, rows_, weight_, multiplier_, counting_}, blocks);
   for (std::size_t i = 0; i < found.size(); ++i) parts[i].take(numbers_of(found[i]));
   return !found.empty() || parts.empty();
 }
@@ -403,7 +429,7 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
   const bool counts = eps == counting_;
   const std::span<const double> weights = counts ? own_weight_ : weight_;
   Search search(*this, pattern, values, eps, weights, factors);
-  if (!search.factorize()) return false;
+  if (!search.factorize_in_own_units()) return false;
   bool is_local = false;
   std::vector<Part> parts = apart(true, pattern, values, is_local);
   if (is_local && as_many(parts, parts_))

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dalembert/math/disjoint_sets.hpp"
 #include "dalembert/system/parts.hpp"
 #include "dalembert/system/tree_term.hpp"
 
@@ -65,6 +66,22 @@ std::vector<int> System::nodes_of_coordinates() const {
     if (node.sizes.ode2 > 0) std::fill_n(nodes.begin() + node.ode2, node.sizes.ode2, static_cast<int>(i));
   }
   return nodes;
+}
+
+std::vector<int> System::bodies_of_coordinates() const {
+  DisjointSets joined(static_cast<int>(parts_->nodes.size()));
+  for (const ObjectPlace& object : parts_->objects) {
+    int before = -1;
+    for (const int node : object.nodes.of(parts_->references)) {
+      if (parts_->nodes[static_cast<std::size_t>(node)].sizes.ode2 == 0) continue;
+      if (before >= 0) joined.join(before, node);
+      before = node;
+    }
+  }
+  std::vector<int> bodies = nodes_of_coordinates();
+  for (int& body : bodies)
+    if (body >= 0) body = joined.of(body);
+  return bodies;
 }
 
 namespace {

@@ -12,6 +12,7 @@ from dalembert._core import ConfigurationType, testing
 from dalembert._solving.consistent import _Nodes
 from dalembert._solving.diagnosis import SolverError
 from dalembert._solving.quiet import assemble_if_needed
+from dalembert._solving.sparse_factors import sparse_solver
 
 _NAME = "ComputeBucklingLoads"
 _PROBE = 1e-4  # size of the displacements that the matrix is differentiated by, relative to the model; rad
@@ -80,8 +81,6 @@ def ComputeBucklingLoads(mbs: Any, numberOfLoads: int = 1, autoAssemble: bool = 
     and constraints, and those of loads are taken as linear in the factor, in the displacements that loads cause by
     linear theory. Where bodies move much before they buckle, SolveStatic with a small imperfection follows the path.
     """
-    from scipy.sparse.linalg import splu
-
     if numberOfLoads < 1:
         raise ValueError(f"{_NAME}: numberOfLoads: expected a positive number, received {numberOfLoads}")
     assemble_if_needed(_NAME, mbs, autoAssemble)
@@ -98,15 +97,22 @@ def ComputeBucklingLoads(mbs: Any, numberOfLoads: int = 1, autoAssemble: bool = 
             "start from the unloaded equilibrium: SolveStatic(updateInitialValues=True) without these loads finds it"
         )
         raise _error("notInBalance", "forces act in the initial state without loads", advice)
-    A0 = _matrix(mbs, start)
+    redundant = testing.redundant_constraints(mbs, start)
+    kept = np.setdiff1d(np.arange(len(load)), n + np.array(redundant["dependent"], dtype=int))
+
+    def independent(matrix: Any) -> Any:
+        return matrix[kept][:, kept]
+
+    A0 = independent(_matrix(mbs, start))
     try:
-        solve = splu(A0).solve
-    except RuntimeError as error:
+        solve = sparse_solver(A0)
+    except np.linalg.LinAlgError as error:
         advice = "hold the motions that nothing resists; mbs.ComputeSystemDegreeOfFreedom() counts them"
         raise _error(
             "singularMatrix", f"the system is no structure: its matrix is singular ({error})", advice
         ) from error
-    response = -solve(load)
+    response = np.zeros(len(load))
+    response[kept] = -solve(load[kept])
     nodes = _Nodes(mbs, (), ())
     size = max(nodes.largest_turn(response[:n]), np.abs(response[:n]).max() / testing.extent(mbs))
     step = _PROBE / size
@@ -115,7 +121,10 @@ def ComputeBucklingLoads(mbs: Any, numberOfLoads: int = 1, autoAssemble: bool = 
         state = start.copy()
         state.q, state.lam = testing.compose(mbs, start, factor * response[:n]), factor * response[n:]
         state.load_factor = factor
-        return _matrix(mbs, state)
+        if redundant["count"] > 0 and testing.redundant_constraints(mbs, state)["count"] != redundant["count"]:
+            problem = "constraints follow from others in the initial state, and not beside it"
+            raise _error("singularPosition", problem, "free equations that others state as well in this state alone")
+        return independent(_matrix(mbs, state))
 
     A1 = (loaded(step) - loaded(-step)) / (2 * step)
     inverse, vectors = _inverse_factors(A0, solve, A1, numberOfLoads)

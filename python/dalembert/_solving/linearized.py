@@ -12,6 +12,7 @@ from dalembert._checks import FloatArray
 from dalembert._core import SimulationSettings, testing
 from dalembert._solving.diagnosis import SolverError
 from dalembert._solving.quiet import assemble_if_needed, quiet_static_solver
+from dalembert._solving.sparse_factors import sparse_solver
 
 
 class _Matrices(NamedTuple):
@@ -50,6 +51,12 @@ def _linearize(function: str, mbs: Any, simulationSettings: Any, autoAssemble: b
 
 # Equations that are so much smaller than others act by round-off alone.
 _ROUND_OFF_OF_EQUATIONS = 1e-12
+# Of gaps: so many times their size, up to this, may be left of equations that follow from others where joints fit.
+_MULTIPLE_OF_GAPS, _HIDES_MOST = 10.0, 1e-3
+_LARGE_GAP = (
+    1e-4  # relative to the size of the mechanism, or in rad: it hides what follows from others, here as for solvers
+)
+_LISTED = 5
 
 
 def _scaled(equations: FloatArray) -> FloatArray:
@@ -64,12 +71,48 @@ def _rank(singularValues: Any, tolerance: float) -> int:
     return int((singularValues > tolerance * singularValues.max(initial=0.0)).sum())
 
 
-def _nullspace(C: FloatArray, tolerance: float) -> FloatArray:
+def _initial_state(mbs: Any) -> Any:
+    state, data, initial = testing.State(mbs), mbs.systemData, _core.ConfigurationType.Initial
+    state.q, state.v = data.GetODE2Coordinates(initial), data.GetODE2Coordinates_t(initial)
+    state.y, state.data = data.GetODE1Coordinates(initial), data.GetDataCoordinates(initial)
+    state.lam, state.t = np.zeros_like(state.lam), data.GetTime(initial)
+    return state
+
+
+def _joints_apart(mbs: Any, state: Any, tolerance: float) -> tuple[float, str]:
+    """Return the largest of gaps, relative to the size of its mechanism or in rad, and lines on them with advice."""
+    gaps = testing.open_constraints(mbs, state, tolerance, tolerance, False)
+    if not gaps:
+        return 0.0, ""
+    units = testing.constraint_metric(mbs, state)[1]
+    advice = "mbs.ComputeConsistentInitialConditions() finds initial values where they fit, if there are any"
+    lines = [f"  {text}" for *_, text in gaps[:_LISTED]] + [f"  {advice}"]
+    return max(abs(gap) / float(units[row]) for row, _, gap, _, _ in gaps), "\n".join(lines)
+
+
+def _allow_for_gaps(name: str, mbs: Any, singularValues: Any, tolerance: float) -> float:
+    """Return below what singular values count as zero: gaps leave as much of constraints that follow from others."""
+    largest = singularValues.max(initial=0.0)
+    doubtful = singularValues[(singularValues > tolerance * largest) & (singularValues <= _HIDES_MOST * largest)]
+    gap, lines = _joints_apart(mbs, _initial_state(mbs), tolerance) if len(doubtful) else (0.0, "")
+    hides = min(_MULTIPLE_OF_GAPS * gap, _HIDES_MOST)
+    hidden = int((doubtful <= hides * largest).sum())
+    if hidden == 0:
+        return tolerance
+    warnings.warn(
+        f"{name}: joints are apart, and {hidden} of the constraint equations follow from others nearly: they are taken "
+        f"for redundant.\n{lines}",
+        stacklevel=4,
+    )
+    return hides
+
+
+def _nullspace(name: str, mbs: Any, C: FloatArray, tolerance: float) -> FloatArray:
     """Return an orthonormal basis, in rows, of the motions that the constraints permit."""
     from scipy.linalg import svd
 
     U, singularValues, _ = svd(_scaled(C))
-    return np.asarray(U[:, _rank(singularValues, tolerance) :].T)
+    return np.asarray(U[:, _rank(singularValues, _allow_for_gaps(name, mbs, singularValues, tolerance)) :].T)
 
 
 def ComputeLinearizedSystem(
@@ -95,7 +138,7 @@ def ComputeLinearizedSystem(
         return matrices
     extra: list[Any] = [system.C if returnConstraintJacobian else []]
     if wants_nullspace:
-        N = _nullspace(system.C, singularValuesTolerance)
+        N = _nullspace("ComputeLinearizedSystem", mbs, system.C, singularValuesTolerance)
         extra.append(N if returnConstraintNullspace else [])
         if projectIntoConstraintNullspace:
             matrices = [N @ matrix @ N.T for matrix in matrices]
@@ -139,11 +182,13 @@ def _damped_modes(K: FloatArray, D: FloatArray, M: FloatArray) -> Any:
 def _sparse_modes(K: FloatArray, M: FloatArray, number: int) -> Any:
     """Return the `number` eigenvalues omega^2 nearest to zero and their eigenvectors, by shift-inverted Lanczos."""
     from scipy.sparse import csc_matrix
-    from scipy.sparse.linalg import eigsh
+    from scipy.sparse.linalg import LinearOperator, eigsh
 
+    stiffness = csc_matrix(K)
     try:
-        return eigsh(csc_matrix(K), k=number, M=csc_matrix(M), which="LM", sigma=0, mode="normal")
-    except RuntimeError as error:  # no factors, or no convergence
+        inverse = LinearOperator(K.shape, matvec=sparse_solver(stiffness), dtype=float)
+        return eigsh(stiffness, k=number, M=csc_matrix(M), which="LM", sigma=0, mode="normal", OPinv=inverse)
+    except (RuntimeError, np.linalg.LinAlgError) as error:  # no convergence, or no factors
         advice = "set useSparseSolver=False, or hold coordinates that no spring holds by constrainedCoordinates"
         raise _eigenvalue_error("singularMatrix", f"no factors of the stiffness matrix ({error})", advice) from error
 
@@ -190,7 +235,11 @@ def ComputeODE2Eigenvalues(
     M, K, D = system.M, system.K, system.D
     basis: FloatArray | None = None  # x = basis @ y leaves free coordinates y
     if has_constraints or held:
-        basis = _nullspace(system.C, singularValuesTolerance).T if has_constraints else np.delete(np.eye(n), held, 1)
+        basis = (
+            _nullspace(name, mbs, system.C, singularValuesTolerance).T
+            if has_constraints
+            else np.delete(np.eye(n), held, 1)
+        )
         M, K, D = (basis.T @ matrix @ basis for matrix in (M, K, D))
     if computeComplexEigenvalues:
         values, vectors = _damped_modes(K, D, M)
@@ -236,7 +285,8 @@ def _counts_by_singular_values(
         _core.Print(
             f"singular values of the constraints, scaled to size one: {values}\nof the multipliers alone: {pure_values}"
         )
-    return _summary(mbs, n2, constraints, constraints - _rank(values, threshold), _rank(pure_values, threshold))
+    redundant = constraints - _rank(values, _allow_for_gaps(name, mbs, values, threshold))
+    return _summary(mbs, n2, constraints, redundant, _rank(pure_values, threshold))
 
 
 def _rank_of_algebraic(rows: Any, columns: Any, values: FloatArray) -> int:
@@ -270,15 +320,18 @@ def _may_be(redundant: int, n2: int, constraints: int, rows: Any, columns: Any, 
 
 def _counts(name: str, mbs: Any, autoAssemble: bool) -> dict[str, Any]:
     assemble_if_needed(name, mbs, autoAssemble)
-    state, data, initial = testing.State(mbs), mbs.systemData, _core.ConfigurationType.Initial
-    state.q, state.v = data.GetODE2Coordinates(initial), data.GetODE2Coordinates_t(initial)
-    state.y, state.data = data.GetODE1Coordinates(initial), data.GetDataCoordinates(initial)
-    state.lam, state.t = np.zeros_like(state.lam), data.GetTime(initial)
+    state = _initial_state(mbs)
     n2, constraints = len(state.q), len(state.lam)
     if constraints == 0:
         return _summary(mbs, n2, 0, 0, 0)
     found = testing.redundant_constraints(mbs, state)
-    if not found["certain"]:
+    if lines := _joints_apart(mbs, state, _LARGE_GAP)[1]:
+        warnings.warn(
+            f"{name}: joints are apart, which may hide that some constraint equations follow from others: the numbers "
+            f"of redundant ones and of degrees of freedom may be those of this state alone.\n{lines}",
+            stacklevel=3,
+        )
+    elif not found["certain"]:
         warnings.warn(
             f"{name}: some constraint equations are hardly independent of others (by {found['weakest']:.1g}): the "
             "numbers of redundant ones and of degrees of freedom may be wrong; useSVD=True counts by singular values",

@@ -3,26 +3,25 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from dalembert._checks import ComplexArray, FloatArray
-from dalembert._core import ConfigurationType, testing
+from dalembert._core import ConfigurationType, SimulationSettings, testing
 from dalembert._solving.diagnosis import SolverError
 from dalembert._solving.quiet import assemble_if_needed
+from dalembert._solving.sparse_factors import ConstrainedSolver
 
 _NAME = "ComputeVibrationModes"
 _DENSE = 250  # numbers of the first order system up to which all eigenvalues are computed
 _SHIFT = 1e-5  # of the largest frequency: rigid motions are no singularity, and the lowest frequencies come first
 _LEAST_SHIFT = 1e-7  # the square of this is above round-off, so that they still are none
 _ITERATIONS = 30
-# Takes the place of zeros of multipliers where constraints follow from others, relative to what these state.
-_IDLE = 1e-11
-_REFINEMENTS, _SETTLED = 5, 1e-8  # solutions for what that has left, and the change that is the last one
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
+_CLOSED, _NOTICEABLE = 1e-11, 1e-10  # gaps of joints, relative to the size of their mechanism, or in rad
+_LISTED = 5  # of these
 _ROUND_OFF = 1e3 * np.finfo(float).eps
 _BASIS = 4  # vectors of Arnoldi's method per eigenvalue: two do not always tell pairs of equal size apart
 _RESTARTS = 30  # of Arnoldi's method, which takes a few where the shift is good
@@ -188,51 +187,10 @@ def _start(mbs: Any) -> Any:
     return state
 
 
-def _solution(matrix: Any, n: int) -> Callable[[FloatArray], FloatArray]:
-    """Return the function that solves with this matrix, of n coordinates and of constraints, perhaps redundant ones.
-
-    Springs against what constraints hold, as stiff as their bodies, change no solution; beside them, the same small
-    number takes the place of the zeros of all multipliers, and what that leaves of the equations is solved for again.
-    Without it, SuperLU does not always refuse a singular matrix: it may end the process.
-    """
-    from scipy.sparse import block_array, diags_array
-
-    if matrix.shape[0] == n:
-        return _factors(matrix).solve
-    resistance, states_itself = np.abs(matrix.diagonal()[:n]), matrix.diagonal()[n:] != 0
-    forces, gradients = matrix[:n, n:], matrix[n:, :n]
-    acting = abs(forces).sign()
-    largest = (diags_array(resistance) @ acting).max(axis=0).toarray().ravel()
-    squares = np.asarray(forces.power(2).sum(axis=0)).ravel()
-    held = (largest > 0) & (squares > 0) & ~states_itself
-    springs = np.where(held, np.divide(largest, squares, out=np.ones(len(squares)), where=squares > 0), 0.0)
-    compliance = np.divide(1.0, springs, out=np.where(states_itself, 0.0, 1.0), where=springs > 0)
-    stiffer = forces @ diags_array(springs)
-    factors = _factors(
-        matrix + block_array([[stiffer @ gradients, None], [None, diags_array(-_IDLE * compliance)]], format="csr")
-    )
-
-    def step(right: FloatArray) -> FloatArray:
-        return np.asarray(factors.solve(np.concatenate([right[:n] + stiffer @ right[n:], right[n:]])))
-
-    def solve(right: FloatArray) -> FloatArray:
-        x = step(right)
-        for _ in range(_REFINEMENTS):
-            change = step(right - matrix @ x)
-            x = x + change
-            if np.linalg.norm(change[:n]) <= _SETTLED * np.linalg.norm(x[:n]):  # the next one is that much smaller
-                break
-        return x
-
-    return solve
-
-
-def _factors(matrix: Any) -> Any:
-    from scipy.sparse.linalg import splu
-
+def _factors(matrix: Any, n: int, apart: float) -> ConstrainedSolver:
     try:
-        return splu(matrix.tocsc())
-    except RuntimeError as error:
+        return ConstrainedSolver(matrix, n, apart)
+    except np.linalg.LinAlgError as error:
         problem = f"the matrix of small motions is singular ({error})"
         raise _error("singularMatrix", problem, "give all coordinates stiffness or mass") from error
 
@@ -255,23 +213,32 @@ def _shift_of(M: Any, K: Any) -> float:
     return _SHIFT * highest if highest > 0 else 1.0
 
 
-def _find_balance(mbs: Any, state: Any, rotation: _Rotation) -> None:
-    """Move the state to where all forces, those of the rotation among them, are in balance."""
-    n, largest, before = len(state.q), 0.0, np.inf
+def _find_balance(mbs: Any, state: Any, rotation: _Rotation) -> float:
+    """Move the state to where all forces, those of the rotation among them, are in balance, and joints fit.
+
+    Return what joints that contradict each other leave open, relative to the size of their mechanism, or in rad.
+    """
+    n, largest, before, open_before = len(state.q), 0.0, np.inf, np.inf
+    units, extent = testing.constraint_metric(mbs, state)[1], testing.extent(mbs)
     for _ in range(_ITERATIONS):
         M, G, K = _matrices(mbs, state, rotation)
         residual = np.asarray(testing.residual(mbs, state))
-        size = float(np.linalg.norm(residual))
+        size, gap = float(np.linalg.norm(residual[:n])), float(np.abs(residual[n:] / units).max(initial=0.0))
         magnitudes = np.abs(np.concatenate([rotation.reference + state.q, state.lam]))
-        round_off = _ROUND_OFF * float(np.linalg.norm(abs(K) @ magnitudes))
+        magnitudes[:n] = np.maximum(magnitudes[:n], extent)  # positions of other points are rounded as well
+        round_off = _ROUND_OFF * float(np.linalg.norm((abs(K) @ magnitudes)[:n]))
         largest = max(largest, size)
-        if not np.isfinite(size):
+        if not np.isfinite(size + gap):
             break
-        if size <= _BALANCE * largest or (size <= round_off and size > before / 2):
-            return
-        before = size
+        is_closed = gap <= _CLOSED or gap > open_before / 2  # nothing makes it smaller
+        if is_closed and (size <= _BALANCE * largest or (size <= round_off and size > before / 2)):
+            return gap
         # rigid motions, which nothing resists, stay as they are
-        increment = -_solution(_shifted(M, G * 0, K, _shift_of(M, K)), n)(residual)
+        factors = _factors(_shifted(M, G * 0, K, _shift_of(M, K)), n, gap if is_closed else 0.0)
+        before, open_before = size, gap
+        if gap > _CLOSED:
+            residual[n:] -= factors.left_open(residual)
+        increment = -factors.solve(residual)
         state.q = testing.compose(mbs, state, increment[:n])
         state.lam = np.asarray(state.lam) + increment[n:]
     advice = (
@@ -281,12 +248,26 @@ def _find_balance(mbs: Any, state: Any, rotation: _Rotation) -> None:
     raise _error("newton", f"no balance of forces after {_ITERATIONS} iterations (residual {size:.3g})", advice)
 
 
-def _eigenpairs(M: Any, G: Any, K: Any, count: int) -> tuple[ComplexArray, ComplexArray]:
+def _check_that_joints_fit(mbs: Any, state: Any) -> None:
+    """Refuse what solvers do not tolerate, and warn of what they do."""
+
+    def left_open(tolerance: float) -> list[str]:
+        return [f"  {text}" for *_, text in testing.open_constraints(mbs, state, tolerance, tolerance, False)]
+
+    problem = "constraints contradict each other; what the closest fit leaves open:"
+    if refused := left_open(SimulationSettings().redundantConstraints.largestMisfit):
+        advice = "move or turn the markers of these joints until they fit, or free equations that others state as well"
+        raise _error("contradictoryConstraints", "\n".join([problem, *refused[:_LISTED]]), advice)
+    if some := left_open(_NOTICEABLE):
+        warnings.warn("\n".join([f"{_NAME}: {problem}", *some[:_LISTED]]), RuntimeWarning, stacklevel=3)
+
+
+def _eigenpairs(M: Any, G: Any, K: Any, count: int, apart: float) -> tuple[ComplexArray, ComplexArray]:
     """Return lambda and x of lambda^2 M x + lambda G x + K x + C^T mu = 0, C x = 0, those nearest to zero first."""
     shift = _shift_of(M, K)
     least = _LEAST_SHIFT / _SHIFT * shift
     while True:
-        found = _nearest(M, G, K, count, shift)
+        found = _nearest(M, G, K, count, shift, apart)
         smallest = float(np.abs(found[0]).min()) if found is not None and len(found[0]) else 0.0
         if found is not None and shift <= max(smallest, least):
             return found
@@ -296,12 +277,14 @@ def _eigenpairs(M: Any, G: Any, K: Any, count: int) -> tuple[ComplexArray, Compl
         shift = max(shift / 10, smallest / 2, least)  # far from a shift, low frequencies look alike
 
 
-def _nearest(M: Any, G: Any, K: Any, count: int, shift: float) -> tuple[ComplexArray, ComplexArray] | None:
+def _nearest(
+    M: Any, G: Any, K: Any, count: int, shift: float, apart: float
+) -> tuple[ComplexArray, ComplexArray] | None:
     """Return eigenvalues next to the shift, and their vectors; None if they are too much alike."""
     from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs
 
     n, size = M.shape[0], K.shape[0]
-    solve = _solution(_shifted(M, G, K, shift), n)
+    solve = _factors(_shifted(M, G, K, shift), n, apart).solve
     damped = G + shift * M
 
     def inverse(y: FloatArray) -> FloatArray:
@@ -380,9 +363,10 @@ def ComputeVibrationModes(
     assemble_if_needed(_NAME, mbs, autoAssemble)
     state = _start(mbs)
     rotation = _Rotation(mbs, speed, middle)
-    _find_balance(mbs, state, rotation)
+    apart = _find_balance(mbs, state, rotation)
+    _check_that_joints_fit(mbs, state)
     M, G, K = _matrices(mbs, state, rotation)
-    values, vectors = _eigenpairs(M, G, K, numberOfModes)
+    values, vectors = _eigenpairs(M, G, K, numberOfModes, apart)
     upper = values.imag >= 0
     values, vectors = values[upper], vectors[:, upper]
     order = np.argsort(np.abs(values))[:numberOfModes]

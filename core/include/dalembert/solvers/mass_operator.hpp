@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/math/disjoint_sets.hpp"
 #include "dalembert/system/large_vectors.hpp"
 
 namespace dalembert {
@@ -49,7 +50,6 @@ class MassOperator {
   int invert(int coordinate, double mass);
   template <class F>
   void each_coupling(F&& f) const;
-  int root(int i);
   bool join_blocks();
   void build_blocks();
   void solve_blocks(std::span<double> x);
@@ -60,7 +60,7 @@ class MassOperator {
   int size_ = 0, without_matrix_ = 0;  // numbers of coordinates
   std::vector<double> values_, inverse_;   // inverse_: of coordinates that stand alone, otherwise 0
   std::vector<std::size_t> diagonal_;
-  std::vector<int> parent_;                // union-find over coordinates
+  DisjointSets coupled_;                   // coordinates
   std::vector<char> alone_;
   std::vector<Block> blocks_;
 };

@@ -157,7 +157,8 @@ class NewtonSolver : public Solver {
   bool contradiction_ = false;  // it has converged, and left too much open
   bool tried_harder_ = false, announced_ = false;
   LeftOutEquations left_out_;
-  int steps_to_hold_ = 0, times_included_ = 0;  // their multipliers; since the start
+  int steps_to_hold_ = 0;                // until their multipliers are found again
+  int times_included_ = 0;               // again, since the start of the solution: where equations that were left out did not follow any more
   StepCount treated_since_ = 0;          // step
   bool begun_at_trial_ = false;          // treatment since a matrix of unknowns that Newton's method tried
   bool treatment_failed_ = false;        // within the step in which it was begun

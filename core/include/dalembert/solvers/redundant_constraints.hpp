@@ -47,7 +47,7 @@ class RedundantConstraints {
   // Finds the combinations that vanish; factorizes the matrix with this eps, by a solver with `options_to_find`. To count, each equation has a weight
   // of its own, which leaves most of what is weak above round-off. Those that are known from a state
   // close by are only looked at again. False: the matrix is singular for other reasons as well.
-  static LinearSolverOptions options_to_find(LinearSolverOptions options);
+  LinearSolverOptions options_to_find(LinearSolverOptions options) const;
   bool find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors);
   // The same without factors, by entries alone. False: they do not tell.
   bool find_locally(const Pattern& pattern, std::span<const double> values);
@@ -147,12 +147,14 @@ class RedundantConstraints {
   double row_factor(int equation) const { return of_rate_[static_cast<std::size_t>(equation)] ? rate_factor_ : 1; }
   // What takes the place of a zero.
   double entry_of(int equation) const { return -eps_ * row_factor(equation) * weight_[static_cast<std::size_t>(equation)]; }
+  std::vector<int> unknowns() const;  // multipliers of rows_
   std::vector<double> without_eps(std::span<const double> values) const;
   // P with another eps and D, for all equations with a weight.
   void apply(LinearSolver& factors, double eps, std::span<const double> weights, std::span<double> multipliers);
-  // Of equations and of coordinates: those that act on a node in common belong to one mechanism. How many there are.
-  int find_mechanisms(const Pattern& pattern, std::span<const double> values);
+  // Of equations and of coordinates: those that act on a body in common belong to one mechanism. How many there are.
+  int find_mechanisms(const Pattern& pattern, std::span<const double> values, std::span<const int> bodies);
   void find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length);
+  void find_scales(const Pattern& pattern, std::span<const double> values, std::span<const CoordinateUnit> units);
   std::span<const int> slots(const Pattern& pattern);
   class Search;
   // Combinations that vanish, of equations that may follow from each other.
@@ -197,6 +199,8 @@ class RedundantConstraints {
   std::vector<double> own_weight_;   // the same as if there were no other equation
   std::vector<double> unit_;
   std::vector<CoordinateUnit> units_;
+  std::vector<double> arms_;         // of moments, by mechanism
+  std::vector<double> scales_;       // by coordinate: what equations state of these is of one size, in units of length or none
   // Whether an equation constrains velocities, has a multiplier, and acts on anything.
   std::vector<char> of_rate_, multiplier_, acting_;
   std::vector<int> rows_;            // equations with a weight
@@ -215,9 +219,8 @@ class RedundantConstraints {
 
 // Whether solvers go on in spite of them.
 bool treats_redundancy(const Sizes& sizes, const RedundantConstraintsSettings& settings, bool ignores_singular);
-// Of the constraints as they are in a state; with a larger eps, also of those that nearly follow from others.
-RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length,
-                                           double eps = RedundantConstraints::counting_eps);
+// Of the constraints as they are in a state, as far as gaps hide none; with an eps, of those of which less is left.
+RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length, double eps = 0);
 // By equation, around the masses: D, zero where an equation is never redundant, and what counts as one in its gap.
 struct ConstraintMetric {
   std::vector<double> weights, units;

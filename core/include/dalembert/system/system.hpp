@@ -131,6 +131,8 @@ class System {
   // What each ODE2 coordinate measures: components of positions, the other coordinates of such nodes, or no one knows what.
   std::vector<CoordinateUnit> coordinate_units() const;
   std::vector<int> nodes_of_coordinates() const;  // ODE2
+  // The same number for those of all nodes that bodies connect, such as the elements of a beam.
+  std::vector<int> bodies_of_coordinates() const;
   // The diagonal of the box around all markers, nodes and meshes in space, in m, as the last evaluation has left them; 1 if all is one point.
   double extent() const;
   // The same for what moves with ODE2 coordinates of each group, by the group of each coordinate (-1: none); 0 if all is one point.
