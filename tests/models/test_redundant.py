@@ -516,15 +516,18 @@ def test_reactions_are_the_smallest_with_all_kinds_of_newton(level: str, modifie
 
 
 class ClosedChain:
-    """Bars in a plane in space, joined to each other and to the ground by revolute joints normal to the plane."""
+    """Bars in a plane in space, joined to each other and to the ground by revolute joints normal to the plane.
 
-    def __init__(self, random: np.random.Generator, bars: int, node: Any) -> None:
-        self.mbs = new_system()
+    unit: units of length per metre.
+    """
+
+    def __init__(self, random: np.random.Generator, bars: int, node: Any, unit: float = 1) -> None:
+        self.mbs, self.unit = new_system(), unit
         self.joints: list[Any] = []
         ground = self.mbs.CreateGround()
         turn = Rotation.random(random_state=random).as_matrix()
         angles = np.sort(random.uniform(0, 2 * np.pi, bars + 1)) + np.arange(bars + 1) * 1e-2
-        radii = random.uniform(0.5, 1.5, bars + 1)
+        radii = random.uniform(0.5, 1.5, bars + 1) * unit
         corners = [turn @ [r * np.cos(a), r * np.sin(a), 0] for r, a in zip(radii, angles, strict=True)]
         bodies = [ground]
         for start, end in zip(corners[:-1], corners[1:], strict=True):
@@ -539,12 +542,12 @@ class ClosedChain:
         self, start: np.ndarray, end: np.ndarray, normal: np.ndarray, random: np.random.Generator, node: Any
     ) -> Any:
         along = (end - start) / np.linalg.norm(end - start)
-        size = [float(np.linalg.norm(end - start)), 0.1, 0.05]
+        size = [float(np.linalg.norm(end - start)), 0.1 * self.unit, 0.05 * self.unit]
         return self.mbs.CreateRigidBody(
             referencePosition=(start + end) / 2,
             referenceRotationMatrix=np.column_stack([along, np.cross(normal, along), normal]),
-            inertia=InertiaCuboid(density=random.uniform(500, 5000), sideLengths=size),
-            gravity=[0, 0, -9.81],
+            inertia=InertiaCuboid(density=random.uniform(500, 5000) / self.unit**3, sideLengths=size),
+            gravity=[0, 0, -9.81 * self.unit],
             nodeType=node,
         )
 

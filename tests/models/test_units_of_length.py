@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from solving import Solver, new_system, settings
+from test_redundant import NODES, ClosedChain, redundancy
 
 import dalembert as exu
 from dalembert._core import testing
@@ -216,6 +217,29 @@ def test_numbers_of_redundant_constraints_of_a_closed_tree(node: Any, length: fl
     mbs = closed_tree(length, node)
     assert counts_of(mbs) == (11, 2)
     assert counts_of_solver(mbs) == 11
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("length", [1e-3, 1e3, 1e6], ids=["km", "mm", "um"])
+def test_reactions_of_random_mechanisms(length: float, node: Any) -> None:
+    """Of planar loops in space, of which three equations follow from others: the smallest reactions are the same forces and moments."""
+    for bars in (3, 4, 5, 7):
+        told = []
+        for unit in (1, length):
+            chain = ClosedChain(np.random.default_rng(bars), bars, node, unit)
+            assert counts_of(chain.mbs) == (3, bars - 2)
+            s = settings(0.02, 20, tolerance=1e-12)
+            s.redundantConstraints.momentLength = unit
+            chain.mbs.SolveDynamic(s)
+            assert redundancy(chain.mbs)["count"] == 3
+            forces, moments = (
+                np.array([chain.mbs.GetObjectOutput(joint, of) for joint in chain.joints])
+                for of in (exu.OutputVariableType.ForceLocal, exu.OutputVariableType.TorqueLocal)
+            )
+            told.append(np.concatenate([forces / unit, moments / unit**2]))
+        assert np.linalg.norm(told[1] - told[0]) < 1e-7 * np.linalg.norm(
+            told[0]
+        )  # multipliers are exact to that by eps
 
 
 @pytest.mark.parametrize("length", [1, 1e3], ids=["m", "mm"])
