@@ -237,9 +237,7 @@ def test_reactions_of_random_mechanisms(length: float, node: Any) -> None:
                 for of in (exu.OutputVariableType.ForceLocal, exu.OutputVariableType.TorqueLocal)
             )
             told.append(np.concatenate([forces / unit, moments / unit**2]))
-        assert np.linalg.norm(told[1] - told[0]) < 1e-7 * np.linalg.norm(
-            told[0]
-        )  # multipliers are exact to that by eps
+        assert np.linalg.norm(told[1] - told[0]) < 1e-6 * np.linalg.norm(told[0])  # to which they are the smallest
 
 
 @pytest.mark.parametrize("length", [1, 1e3], ids=["m", "mm"])

@@ -125,6 +125,22 @@ def test_outgrown_equations_are_taken_for_others() -> None:
     assert others.better() == []
 
 
+@pytest.mark.parametrize("unit", [1e-11, 1e11])
+def test_moments_may_be_measured_in_other_units(unit: float) -> None:
+    """Terms are small beside others by their weights, not by their numbers."""
+    model = doubled()
+    model.gradients[[1, 4, 7]] /= unit  # such that their multipliers are as much larger
+    model.weights[[1, 4, 7]] /= unit**2
+    left_out = model.leave_out(PARTS)
+    multipliers = model.rng.normal(size=10)
+    multipliers[[1, 4, 7]] *= unit
+    found = left_out.smallest(model.data(), multipliers.tolist())
+    assert found is not None
+    assert found / np.sqrt(1 / model.weights) == pytest.approx(
+        model.smallest(multipliers) / np.sqrt(1 / model.weights), abs=1e-9
+    )
+
+
 def test_equations_without_weight_have_a_part() -> None:
     """Conditions of unit length follow from joints that say the same of parameters of rotation."""
     model = doubled()

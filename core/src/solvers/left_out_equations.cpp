@@ -13,6 +13,8 @@ namespace {
 
 // Forces of a combination that count as none, and multipliers in it, relative to the largest.
 constexpr double no_force = 1e-8, no_multiplier = 1e-10;
+constexpr double exact = 1e-10;  // such forces, where another solution would not make reactions better
+constexpr int most_solutions = 3;
 constexpr double largest_multiple = 10;          // of the multiplier of an equation that is left out, by their weights
 // Combinations of all equations: with one solution for each, and one number for each equation of the model.
 constexpr std::size_t most_found_alone = 100, most_terms = 1'000'000;
@@ -50,22 +52,36 @@ void LeftOutEquations::hold(std::span<const double> multipliers) {
   for (std::size_t i = 0; i < held_.size(); ++i) held_[i] = multipliers[static_cast<std::size_t>(equations_[i])];
 }
 
-// The forces of an equation that is left out are those of others, multiplied by what the factors find for them.
+// The forces of an equation that is left out are those of others, multiplied by what the factors find for them. Where these are hardly exact, as with
+// forces beside small moments, what is left of the forces is found once more.
 bool LeftOutEquations::find(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors) {
+  for (Combination& c : combinations_)
+    for (Term& term : std::span(c).subspan(1)) term.factor = 0;
+  double rest = 1;
+  for (int time = 0; time < most_solutions && rest > exact; ++time) {
+    improve(pattern, matrix, factors);
+    rest = 0;
+    for (const Combination& c : combinations_)
+      if (const double left = rest_of_forces(c, pattern, matrix); !(left <= rest)) rest = left;
+  }
+  return rest <= no_force;
+}
+
+void LeftOutEquations::improve(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors) {
   for (const std::vector<int>& group : groups_) {
     std::ranges::fill(x_, 0.0);
     for (const int i : group)
-      each_force(pattern, matrix, first_ae_, combination(i).front().equation, [&](std::size_t j, double g) { x_[j] += g; });
+      for (const Term& term : combination(i))
+        if (term.factor != 0) each_force(pattern, matrix, first_ae_, term.equation, [&](std::size_t j, double g) { x_[j] += term.factor * g; });
     factors.solve(x_);
     for (const int i : group)
-      for (Term& term : std::span(combination(i)).subspan(1)) term.factor = -x_[static_cast<std::size_t>(first_ae_ + term.equation)];
+      for (Term& term : std::span(combination(i)).subspan(1)) term.factor -= x_[static_cast<std::size_t>(first_ae_ + term.equation)];
   }
   std::ranges::fill(x_, 0.0);
-  return std::ranges::all_of(combinations_, [&](const Combination& c) { return exerts_nothing(c, pattern, matrix); });
 }
 
-// Beside what each of its equations causes. Leaves zeros behind.
-bool LeftOutEquations::exerts_nothing(const Combination& combination, const Pattern& pattern, std::span<const double> matrix) {
+// Of a combination, beside what each of its equations causes. Leaves zeros behind.
+double LeftOutEquations::rest_of_forces(const Combination& combination, const Pattern& pattern, std::span<const double> matrix) {
   touched_.clear();
   for (const Term& term : combination)
     each_force(pattern, matrix, first_ae_, term.equation, [&](std::size_t j, double g) {
@@ -81,7 +97,7 @@ bool LeftOutEquations::exerts_nothing(const Combination& combination, const Patt
     rest += force * force / inertia;
     whole += size * size / inertia;
   }
-  return rest <= no_force * no_force * whole;
+  return rest > 0 || std::isnan(rest) ? std::sqrt(rest / whole) : 0;
 }
 
 // Of nodes that a combination acts on, such as conditions of unit length.
@@ -107,11 +123,17 @@ void LeftOutEquations::allow_all_equations() {
   }
 }
 
+// Forces and moments are compared by their weights; what has none, such as conditions of unit length, by its number.
 void LeftOutEquations::drop_small_terms() {
   for (Combination& c : combinations_) {
-    double largest = 0;
-    for (const Term& term : c) largest = std::max(largest, std::abs(term.factor));
-    std::erase_if(c, [&](const Term& term) { return !(std::abs(term.factor) > no_multiplier * largest); });
+    double largest = 0, heaviest = 0;
+    for (const Term& term : c) {
+      largest = std::max(largest, std::abs(term.factor));
+      heaviest = std::max(heaviest, std::abs(weighed(term)));
+    }
+    std::erase_if(c, [&](const Term& term) {
+      return root(term.equation) > 0 ? !(std::abs(weighed(term)) > no_multiplier * heaviest) : !(std::abs(term.factor) > no_multiplier * largest);
+    });
   }
 }
 

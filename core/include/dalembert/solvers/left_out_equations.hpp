@@ -51,7 +51,8 @@ class LeftOutEquations {
 
   bool renew(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors);
   bool find(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors);
-  bool exerts_nothing(const Combination& combination, const Pattern& pattern, std::span<const double> matrix);
+  void improve(const Pattern& pattern, std::span<const double> matrix, LinearSolver& factors);
+  double rest_of_forces(const Combination& combination, const Pattern& pattern, std::span<const double> matrix);
   void add_equations_without_weight(const Pattern& pattern, std::span<const double> matrix);
   void allow_all_equations();
   void drop_small_terms();
