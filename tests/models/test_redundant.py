@@ -312,6 +312,60 @@ def test_hinges_that_actions_open_leave_nothing_redundant(solver: Any) -> None:
     assert redundancy(mbs)["count"] == 0 and not_unique(mbs, door.hinges) == [0, 0]
 
 
+@pytest.mark.parametrize(
+    "solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.DOPRI5, Solver.RK44, Solver.ESDIRK43]
+)
+@pytest.mark.parametrize(
+    "active",
+    [
+        [(1, 1), (1, 0), (1, 1)],
+        [(1, 1), (0, 1), (1, 0)],
+        [(1, 0), (1, 1), (0, 1)],
+        [(0, 1), (1, 0), (1, 1)],
+    ],
+)
+def test_reactions_follow_hinges_that_actions_switch(active: Sequence[tuple[int, int]], solver: Any) -> None:
+    """Those of a door that are active in turn carry its weight, which tells nothing of those before; the motion is that on one of them."""
+
+    def moved(active: Sequence[tuple[int, int]]) -> tuple[Door, np.ndarray]:
+        door = Door()
+        mbs = door.mbs
+
+        def switch(on: tuple[int, int]) -> None:
+            for hinge, it_is in zip(door.hinges, on, strict=True):
+                mbs.SetObjectParameter(hinge, "activeConnector", bool(it_is))
+
+        def act(mbs: Any, t: float, event: int, direction: int) -> bool:
+            switch(active[event + 1])
+            return True
+
+        switch(active[0])
+        mbs.SetEventsUserFunction(lambda mbs, t: [(t - 0.1511, 1), (t - 0.3137, 1)])
+        mbs.SetEventActionUserFunction(act)
+        sensors = [
+            mbs.AddSensor(exu.SensorObject(objectNumber=hinge, outputVariableType=variable, storeInternal=True))
+            for variable in (Variable.NonUniqueReactions, Variable.ForceLocal)
+            for hinge in door.hinges
+        ]
+        mbs.Assemble()
+        s = settings(0.45, 90)
+        s.timeIntegration.automaticStepSize = False
+        assert mbs.SolveDynamic(s, solverType=solver)
+        stored = [mbs.GetSensorStoredData(sensor) for sensor in sensors]
+        rows = [int(np.abs(stored[0][:, 0] - t).argmin()) for t in (0.1, 0.25, 0.4)]
+        return door, np.array([[abs(values[row, -1]) for values in stored] for row in rows])
+
+    door, told = moved(active)
+    on = np.array(active)
+    weight = MASS * 9.81 * np.cos(LEAN)
+    np.testing.assert_array_equal(told[:, :2], 5 * on.all(axis=1, keepdims=True) * [1, 1])
+    assert told[:, 2:] == pytest.approx(weight * on / on.sum(axis=1, keepdims=True), abs=1e-6)
+    reference, _ = moved([(1, 0)] * 3)
+    assert door.edge() == pytest.approx(
+        reference.edge(), abs=1e-9
+    )  # what the tolerance of Newton's method leaves of velocities
+
+
 @pytest.mark.parametrize("opens", [True, False])
 def test_reactions_after_events_are_of_second_order(opens: bool) -> None:
     """An event within a step leaves no swinging of reactions behind, not even without numerical damping: of the first order, it was 2 N at 10 ms and grew.
