@@ -110,10 +110,13 @@ double MultifrontalLu::residual_of_test(std::span<const double> values) {
   solve(x);
   for_each_entry([&](int i, int j, double value) { b[i] -= value * x[j]; });
   double largest_x = 1, residual = 0, largest = 0;
+  const auto include = [](double& so_far, double number) {  // what is not a number is larger than all
+    if (!(number <= so_far)) so_far = number;
+  };
   for (int j = 0; j < size_; ++j) {
-    largest_x = std::max(largest_x, std::abs(x[j]) / scaling_.column(j));
-    residual = std::max(residual, std::abs(b[j]) * scaling_.row(j));
-    largest = std::max(largest, size[j] * scaling_.row(j));
+    include(largest_x, std::abs(x[j]) / scaling_.column(j));
+    include(residual, std::abs(b[j]) * scaling_.row(j));
+    include(largest, size[j] * scaling_.row(j));
   }
   return residual / (largest * largest_x);
 }
