@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from solving import Variable, new_system
+from test_redundant import NODES, ClosedChain, assert_smallest, redundancy
 
 import dalembert as exu
 from dalembert.rigidBodyUtilities import InertiaCuboid
@@ -89,3 +90,59 @@ def test_a_soft_loop_turns_far_in_one_load_step(node: Any, frees_three: bool) ->
     assert mbs.SolveStatic(s) is True
     place = mbs.GetObjectOutputBody(coupler, Variable.Position, [0.1, 0, 0])
     np.testing.assert_allclose(place, place_on_coupler(0.1), rtol=0, atol=1e-7)  # what static solutions are exact to
+
+
+def held_chain(bars: int, seed: int, node: Any, unit: float = 1, freed: bool = False) -> ClosedChain:
+    """A planar loop in space, solved under its weight: springs hold as many joints as there are motions, and the last joint may be free of what others
+    state."""
+    chain = ClosedChain(np.random.default_rng(1000 * bars + seed), bars, node, unit)
+    mbs = chain.mbs
+
+    def parameters(joint: Any) -> dict[str, Any]:
+        names = ("markerNumbers", "rotationMarker0", "rotationMarker1")
+        return {name: mbs.GetObject(joint)[name] for name in names}
+
+    for joint in chain.joints[: bars - 2]:
+        mbs.AddObject(exu.TorsionalSpringDamper(**parameters(joint), stiffness=3e4 * unit**2))
+    if freed:
+        mbs.AddObject(exu.GenericJoint(**parameters(chain.joints[-1]), constrainedAxes=[1, 1, 0, 0, 0, 0]))
+        mbs.SetObjectParameter(chain.joints[-1], "activeConnector", False)
+    mbs.Assemble()
+    s = exu.SimulationSettings()
+    s.staticSolver.verboseMode = 0
+    s.staticSolver.newton.relativeTolerance = 1e-10
+    s.solutionSettings.writeSolutionToFile = False
+    s.redundantConstraints.momentLength = unit
+    assert mbs.SolveStatic(s) is True
+    return chain
+
+
+def places(chain: ClosedChain) -> np.ndarray:
+    """Of the bars, in m."""
+    nodes = range(chain.mbs.systemData.NumberOfNodes())
+    return np.array([chain.mbs.GetNodeOutput(node, Variable.Position) for node in nodes]) / chain.unit
+
+
+def reactions(chain: ClosedChain) -> np.ndarray:
+    """Forces in N and moments in N m."""
+    forces, moments = (
+        np.array([chain.mbs.GetObjectOutput(joint, of) for joint in chain.joints])
+        for of in (Variable.ForceLocal, Variable.TorqueLocal)
+    )
+    return np.concatenate([forces / chain.unit, moments / chain.unit**2])
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("bars", [3, 4, 6])
+@pytest.mark.parametrize("seed", [2, 6, 9])
+def test_loops_on_springs_under_their_weight(seed: int, bars: int, node: Any) -> None:
+    """Where springs resist some motions alone, stiffness told wrong numbers of redundant equations, and reactions were up to a thousand times the smallest ones."""
+    freed, redundant = held_chain(bars, seed, node, freed=True), held_chain(bars, seed, node)
+    assert redundancy(redundant.mbs, "staticSolver")["count"] == 3
+    np.testing.assert_allclose(places(redundant), places(freed), rtol=0, atol=1e-9)
+    assert_smallest(redundant.mbs, 1.0)
+    in_mm = held_chain(bars, seed, node, 1e3)
+    assert redundancy(in_mm.mbs, "staticSolver")["count"] == 3
+    np.testing.assert_allclose(places(in_mm), places(freed), rtol=0, atol=1e-9)
+    wanted = reactions(redundant)
+    assert np.linalg.norm(reactions(in_mm) - wanted) < 1e-6 * np.linalg.norm(wanted)

@@ -248,7 +248,7 @@ bool ConstrainedMotion::treat_redundancy(System& system, const State& state, con
   if (regular && redundant_.count() == 0) return false;
   system.reactions_are_known(redundant_.equations());
   if (redundant_.count() == 0) return pass(singular);
-  redundant_.use(redundant_.eps_for_gaps(gaps_, true, *pattern_, matrix_, closer ? *closer : *factors));
+  redundant_.use(redundant_.eps_for_gaps(gaps_, true, [&](double nearly) { redundant_.find(*pattern_, matrix_, nearly, closer ? *closer : *factors); }));
   const std::vector<double> plain = matrix_;
   redundant_.regularize(*pattern_, matrix_, 1);
   const bool serve = at_once || (local && redundant_.is_local());  // pivots, of the same combinations

@@ -74,7 +74,7 @@ void NewtonSolver::constraints_are_known(RedundantConstraints found) {
 // Where all equations fit, those that follow from others are fulfilled with these.
 bool NewtonSolver::may_leave_out() const {
   return confirmed_ && redundant_.consistent() && !redundant_.allows_for_gaps() && redundant_.most_of_a_part() <= most_left_out &&
-         !(largest_misfit_ > silent_misfit) && !conditions_.rate_level && !is_static() && !has_replaced_parts() && times_included_ < most_inclusions;
+         !(largest_misfit_ > silent_misfit) && !conditions_.rate_level && !has_replaced_parts() && times_included_ < most_inclusions;
 }
 
 [[gnu::noinline]] void NewtonSolver::leave_out(const std::vector<DependentEquations>& parts) {
@@ -143,10 +143,20 @@ std::unique_ptr<LinearSolver> NewtonSolver::treating_solver() const {
   return make_linear_solver(*pattern_, linear_type(), left_out_.empty() ? redundant_.options(options) : left_out_.options(options));
 }
 
-// With the factors; none: the matrix is singular for other reasons as well.
+// Of which less than eps is left. Which they are does not depend on what resists: stiffness may resist some motions alone, and much more than others,
+// where masses resist all. False: the matrix is singular for other reasons as well.
+bool NewtonSolver::find_combinations(double eps, LinearSolver& factors) {
+  if (!is_static()) return redundant_.find(*pattern_, jacobian_, eps, factors);
+  const bool counts = eps == redundant_.counting();
+  const double moment_length = settings().redundantConstraints.momentLength;
+  return redundant_.take_over(dalembert::redundant_constraints(system(), current(), conditions_, moment_length, counts ? 0 : eps)) &&
+         redundant_.find_rest(*pattern_, jacobian_, factors);
+}
+
+// With the factors; none: see above.
 std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   auto factors = make_linear_solver(*pattern_, linear_type(), redundant_.options_to_find(newton_options()));
-  if (!redundant_.find(*pattern_, jacobian_, redundant_.counting(), *factors)) factors.reset();
+  if (!find_combinations(redundant_.counting(), *factors)) factors.reset();
   return factors;
 }
 
@@ -181,7 +191,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   if (!measure_redundancy()) return;
   allow_for_gaps();
   looks_at_next_ = hides_some(redundant_, conditions_) && !conv.linearSolverFailed;
-  if (!conv.linearSolverFailed && !redundant_.suspected(*linear_)) return;
+  if (!conv.linearSolverFailed && !is_static() && !redundant_.suspected(*linear_)) return;
   const auto factors = find_redundancy();
   if (factors && (redundant_.count() > 0 || conv.linearSolverFailed)) begin_treatment(*factors);
 }
@@ -203,7 +213,7 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   double eps = RedundantConstraints::passing_eps;
   if (treatment_ == Treatment::lasting) {
     const auto gaps = std::span<const double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
-    eps = redundant_.eps_for_gaps(gaps, conditions_.rate_level, *pattern_, jacobian_, factors);
+    eps = redundant_.eps_for_gaps(gaps, conditions_.rate_level, [&](double nearly) { find_combinations(nearly, factors); });
     announce_redundancy();
   } else {
     passing_singular_position();
@@ -212,7 +222,9 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   }
   treated_since_ = it.currentStepIndex;
   redundant_.use(eps);
-  linear_ = treating_solver();
+  confirmed_ = is_static() && treatment_ == Treatment::lasting;
+  if (is_static() && may_leave_out()) leave_out(redundant_.dependent());
+  else linear_ = treating_solver();
   factorize_anew();
 }
 
@@ -241,7 +253,7 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   compute_jacobian();
   conv.jacobianUpdateRequested = true;
   allow_for_gaps();
-  if (!redundant_.find(*pattern_, jacobian_, redundant_.counting(), *linear_) && !find_redundancy()) return;
+  if (!find_combinations(redundant_.counting(), *linear_) && !find_redundancy()) return;
   const bool gone = redundant_.count() == 0;
   system().reactions_are_known(redundant_.equations());
   redundant_.use(gone ? 0 : redundant_.eps_for(0, conditions_.rate_level));
@@ -251,7 +263,7 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
 }
 
 void NewtonSolver::factorize_anew() {
-  if (redundant_.in_use()) redundant_.regularize(*pattern_, jacobian_, rate_factor());
+  if (redundant_.in_use() && left_out_.empty()) redundant_.regularize(*pattern_, jacobian_, rate_factor());
   conv.linearSolverCausingRow = linear_->factorize(jacobian_);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
 }
@@ -385,8 +397,8 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
 // After Newton's method has converged. False: constraints contradict each other too much.
 [[gnu::noinline]] bool NewtonSolver::settle_multipliers() {
   if (!left_out_.empty()) {
-    idle_ = full_newton_ ? Idle::at_factors : Idle::at_state;
-    if (--steps_to_hold_ <= 0) follow_left_out();
+    idle_ = full_newton_ && !is_static() ? Idle::at_factors : Idle::at_state;
+    if (--steps_to_hold_ <= 0 && !is_static()) follow_left_out();
     if (!multipliers_may_wait()) told_multipliers();
     return true;
   }
@@ -403,8 +415,8 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
   largest_misfit_ = std::max(largest_misfit_, misfit);
   const double eps = redundant_.eps_for(misfit, conditions_.rate_level);
   const bool other_eps = treatment_ == Treatment::lasting && eps != redundant_.eps();
-  // Factors of an earlier state have its forces, and rows of rates are not those of forces: velocities turn them.
-  idle_ = full_newton_ && !conditions_.rate_level ? Idle::at_factors : Idle::at_state;
+  // Factors of an earlier state have its forces, rows of rates are not those of forces, as velocities turn them, and stiffness hardly resists some motions.
+  idle_ = full_newton_ && !conditions_.rate_level && !is_static() ? Idle::at_factors : Idle::at_state;
   if (!multipliers_may_wait() || treatment_ != Treatment::lasting || other_eps) told_multipliers();
   if (!confirmed_ && treatment_ == Treatment::lasting && !(largest_misfit_ > silent_misfit)) confirmed_ = redundant_.confirm(*pattern_, jacobian_, *linear_);
   if (other_eps) {

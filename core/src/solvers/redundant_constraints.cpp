@@ -26,9 +26,9 @@ constexpr double round_off_of_forces = 1e-12;
 constexpr double suspicious_multiple = 1e4;
 // The filter is applied again as long as it would take more than this off multipliers that forces come from.
 constexpr double harmless_share = 1e-7;
-constexpr int most_passes = 3;
-// An idle part leaves 1e-16 / eps of it as round-off: this times eps of the multipliers may be idle, such that 1e-8 of them is left.
-constexpr double harmless_round_off = 1e8;
+constexpr int most_passes = 3, most_times = 4;
+// An idle part leaves 1e-16 / eps of it as round-off: this times eps of the multipliers may be idle, such that 1e-10 of them is left.
+constexpr double harmless_round_off = 1e6;
 // The range for redundancy that lasts: below, round-off of multipliers shows; above, singular positions are not passed.
 constexpr double smallest_eps = 1e-11;
 // Beside the weakest constraint that is none of the redundant ones.
@@ -214,6 +214,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   local_ = lasts_ = false;
   certain_ = true;
   counting_ = counting_eps;
+  weakest_by_masses_ = 0;
   const auto n = static_cast<std::size_t>(s.ae);
   x_.resize(static_cast<std::size_t>(s.total()));
   length_ = system.extent();
@@ -467,11 +468,10 @@ double RedundantConstraints::eps_for(double misfit, bool of_rates) const {
   return std::min({weak, largest_eps, std::max(eps_for_misfits, misaligned * misfit * misfit)});
 }
 
-double RedundantConstraints::eps_for_gaps(std::span<const double> gaps, bool of_rates, const Pattern& pattern, std::span<const double> values,
-                                          LinearSolver& factors) {
+double RedundantConstraints::eps_for_gaps(std::span<const double> gaps, bool of_rates, const std::function<void(double)>& find) {
   const double open = largest(misfit(gaps));
   consistent_ = !(open > silent_misfit);
-  if (!consistent_) find(pattern, values, std::max(eps_for_misfits, counting_), factors);
+  if (!consistent_) find(std::max(eps_for_misfits, counting_));
   return eps_for(open, of_rates);
 }
 
@@ -544,10 +544,16 @@ std::vector<double> RedundantConstraints::without_eps(std::span<const double> va
   return plain;
 }
 
+double RedundantConstraints::largest_weighed(std::span<const double> multipliers) const {
+  double size = 0;
+  for (const int k : rows_) size = std::max(size, weight_[static_cast<std::size_t>(k)] * multipliers[static_cast<std::size_t>(k)] * multipliers[static_cast<std::size_t>(k)]);
+  return std::sqrt(size);
+}
+
 // Again where the idle part is so large that its round-off would show, which eps enlarges.
 void RedundantConstraints::take_off_idle_part(LinearSolver& factors, std::span<double> multipliers) {
   const double large = std::clamp(harmless_round_off * eps_, 1e-3, 0.1);
-  for (int time = 0; time < 2; ++time) {
+  for (int time = 0; time < most_times; ++time) {
     idle_.assign(multipliers.begin(), multipliers.end());
     double share = 1;
     for (int i = 0; i < most_passes && share > harmless_share; ++i) {
@@ -555,7 +561,7 @@ void RedundantConstraints::take_off_idle_part(LinearSolver& factors, std::span<d
       share *= eps_ / (eps_ + weakest_);
     }
     for (std::size_t k = 0; k < idle_.size(); ++k) multipliers[k] -= idle_[k];
-    if (largest_number(idle_) <= large * largest_number(multipliers)) break;
+    if (largest_weighed(idle_) <= large * largest_weighed(multipliers)) break;
   }
 }
 

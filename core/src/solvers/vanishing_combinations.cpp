@@ -454,6 +454,16 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
   return true;
 }
 
+bool RedundantConstraints::find_rest(const Pattern& pattern, std::span<const double> values, LinearSolver& factors) {
+  Search search(*this, pattern, values, counting_, own_weight_, factors);
+  if (!search.factorize_in_own_units()) return false;
+  for (Part& part : parts_) part.rescale(rows_, weight_, own_weight_);
+  const bool found = search.look_at_the_rest(parts_);
+  for (Part& part : parts_) part.rescale(rows_, own_weight_, weight_);
+  weakest_by_masses_ = std::exchange(weakest_, search.weakest(weight_));
+  return found;
+}
+
 bool RedundantConstraints::find_at_once(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors) {
   Search search(*this, pattern, values, eps, weight_, factors);
   if (!search.factorize()) return false;
@@ -492,14 +502,16 @@ bool RedundantConstraints::take_over(const RedundantConstraints& found) {
   count_ = found.count_;
   certain_ = found.certain_;
   weakest_ = found.weakest_;
+  weakest_by_masses_ = found.weakest_by_masses_;
   consistent_ = found.consistent_;
   return true;
 }
 
 bool RedundantConstraints::serve_as(const RedundantConstraints& found) {
   if (!found.in_use() || found.rows_ != rows_) return false;
-  weakest_ = found.weakest_;
-  use(found.eps_);
+  const bool by_masses = found.weakest_by_masses_ > 0;
+  weakest_ = by_masses ? found.weakest_by_masses_ : found.weakest_;
+  use(by_masses ? eps_for(0, false) : found.eps_);
   return true;
 }
 

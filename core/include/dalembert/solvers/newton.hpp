@@ -98,6 +98,7 @@ class NewtonSolver : public Solver {
   bool weigh_again();
   void regularize();
   std::unique_ptr<LinearSolver> treating_solver() const;
+  bool find_combinations(double eps, LinearSolver& factors);
   std::unique_ptr<LinearSolver> find_redundancy();
   void end_treatment();
   void look_again_at_redundancy();

@@ -6,6 +6,7 @@
 // equations that vanish, and takes off multipliers what makes them larger than need be.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -49,6 +50,8 @@ class RedundantConstraints {
   // close by are only looked at again. False: the matrix is singular for other reasons as well.
   LinearSolverOptions options_to_find(LinearSolverOptions options) const;
   bool find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors);
+  // How far others are from vanishing, where combinations have been taken over. False: the matrix is singular for other reasons as well.
+  bool find_rest(const Pattern& pattern, std::span<const double> values, LinearSolver& factors);
   // The same without factors, by entries alone. False: they do not tell.
   bool find_locally(const Pattern& pattern, std::span<const double> values);
   // The same where it is evident, in a fraction of the time, after `find_locally`: factors with `options` and this eps, which solutions can go
@@ -107,8 +110,8 @@ class RedundantConstraints {
   static constexpr double largest_eps = 1e-7;
   // For combinations that have been found, and a misfit of that size; `of_rates`: of constraints of velocities, which drift.
   double eps_for(double misfit, bool of_rates) const;
-  // The same after a look at the gaps: where they contradict each other, combinations that nearly vanish are found as well.
-  double eps_for_gaps(std::span<const double> gaps, bool of_rates, const Pattern& pattern, std::span<const double> values, LinearSolver& factors);
+  // The same after a look at the gaps: where they contradict each other, `find` is to find combinations of which less than an eps is left as well.
+  double eps_for_gaps(std::span<const double> gaps, bool of_rates, const std::function<void(double)>& find);
   // Whether these gaps did not contradict each other.
   bool consistent() const { return consistent_; }
   bool in_use() const { return eps_ > 0; }
@@ -148,6 +151,7 @@ class RedundantConstraints {
   // What takes the place of a zero.
   double entry_of(int equation) const { return -eps_ * row_factor(equation) * weight_[static_cast<std::size_t>(equation)]; }
   std::vector<int> unknowns() const;  // multipliers of rows_
+  double largest_weighed(std::span<const double> multipliers) const;  // forces and moments in one unit
   std::vector<double> without_eps(std::span<const double> values) const;
   // P with another eps and D, for all equations with a weight.
   void apply(LinearSolver& factors, double eps, std::span<const double> weights, std::span<double> multipliers);
@@ -205,6 +209,7 @@ class RedundantConstraints {
   std::vector<char> of_rate_, multiplier_, acting_;
   std::vector<int> rows_;            // equations with a weight
   double rate_factor_ = 1, eps_ = 0, weakest_ = 0;
+  double weakest_by_masses_ = 0;     // where combinations have been found around these, and not around the matrix; 0: they have not
   double rest_ = 0;                  // the largest eigenvalue of P that is not one
   int count_ = 0;
   bool consistent_ = true, certain_ = true, lasts_ = false;
