@@ -673,7 +673,7 @@ constexpr std::array<std::string_view, 13> DynamicSolverType_values{
     "explicit Runge-Kutta method of order 6 with seven stages and fixed step",
     "explicit Runge-Kutta method of Bogacki and Shampine, order 3 with error estimate of order 2 and automatic step size",
     "explicit Runge-Kutta method of Dormand and Prince, order 5 with error estimate of order 4 and automatic step size",
-    "explicit Runge-Kutta method of Verner, order 6 with error estimate of order 5 and automatic step size",
+    "named for scripts of Exudyn; no solver has it and ``solverType`` refuses it: ``DOPRI5`` and ``DOP853`` are of orders 5 and 8",
     "explicit, second order (first where forces depend on velocities), one evaluation per step; for particles and contact",
     "explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; for tight tolerances",
     "diagonally implicit Runge-Kutta method of Kennedy and Carpenter, order 4 with error estimate of order 3 and automatic step size; L-stable, for stiff systems and higher accuracy than generalized alpha",

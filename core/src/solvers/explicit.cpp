@@ -24,7 +24,6 @@ const char* type_name(DynamicSolverType type) {
     case DynamicSolverType::ODE23: return "ODE23";
     case DynamicSolverType::DOPRI5: return "DOPRI5";
     case DynamicSolverType::DOP853: return "DOP853";
-    case DynamicSolverType::DVERK6: return "DVERK6";
     case DynamicSolverType::VelocityVerlet: return "VelocityVerlet";
     default: return "no explicit method";
   }
@@ -61,7 +60,7 @@ void ExplicitSolver::pre_initialize() {
   if (!verlet_ && method_.stages == 0) {
     throw ModelError(ErrorKind::value,
                      "timeIntegration.explicitIntegration.dynamicSolverType: received an implicit method; expected "
-                     "ExplicitEuler, ExplicitMidpoint, RK33, RK44, RK67, ODE23, DOPRI5, DOP853, DVERK6 or VelocityVerlet");
+                     "ExplicitEuler, ExplicitMidpoint, RK33, RK44, RK67, ODE23, DOPRI5, DOP853 or VelocityVerlet");
   }
   rows_.clear();
   const auto stages = static_cast<std::size_t>(method_.stages);

@@ -89,7 +89,7 @@ class DynamicSolverType(IntEnum):
     DOPRI5 = 9
     """explicit Runge-Kutta method of Dormand and Prince, order 5 with error estimate of order 4 and automatic step size"""
     DVERK6 = 10
-    """explicit Runge-Kutta method of Verner, order 6 with error estimate of order 5 and automatic step size"""
+    """named for scripts of Exudyn; no solver has it and ``solverType`` refuses it: ``DOPRI5`` and ``DOP853`` are of orders 5 and 8"""
     VelocityVerlet = 11
     """explicit, second order (first where forces depend on velocities), one evaluation per step; for particles and contact"""
     DOP853 = 12
