@@ -405,7 +405,10 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
   if (changed) {
     conv.jacobianUpdateRequested = true;
     if (system_->searches()) search();
-    if (acts) examine_constraints_anew();
+    if (acts) {
+      joints_are_examined();
+      examine_constraints_anew();
+    }
     if (acts && gaps_and_rates() != gaps) end_velocities_against_constraints(current().q == positions);
     if (settles && jumps(event_values(), before)) {
       start_of_step() = current();

@@ -417,7 +417,9 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
   const bool other_eps = treatment_ == Treatment::lasting && eps != redundant_.eps();
   // Factors of an earlier state have its forces, rows of rates are not those of forces, as velocities turn them, and stiffness hardly resists some motions.
   idle_ = full_newton_ && !conditions_.rate_level && !is_static() ? Idle::at_factors : Idle::at_state;
-  if (!multipliers_may_wait() || treatment_ != Treatment::lasting || other_eps) told_multipliers();
+  // Ends of steps by velocities bring parameters of rotation back to unit length: what is idle is that of their state.
+  const bool at_once = !multipliers_may_wait() && !conditions_.rate_level;
+  if (at_once || treatment_ != Treatment::lasting || other_eps) told_multipliers();
   if (!confirmed_ && treatment_ == Treatment::lasting && !(largest_misfit_ > silent_misfit)) confirmed_ = redundant_.confirm(*pattern_, jacobian_, *linear_);
   if (other_eps) {
     redundant_.use(eps);

@@ -83,6 +83,7 @@ bool Solver::initialize() {
   initialize_output();
   if (!check_system()) return false;
   system_->reactions_are_unknown();
+  joints_are_examined();
   tell_settings_without_effect(*settings_, hooks().warn);
   initialize_data();
   if (!starts_finite()) return false;
@@ -402,6 +403,7 @@ void Solver::initialize_step() {
   conditions_.step_size = it.currentStepSize;
   if (verbose(2)) announce_step();
   if (hooks().pre_step) call_pre_step();
+  if (renewed_constraints_ != system_->renewed_constraints()) [[unlikely]] look_for_switched_joints();
 }
 
 [[gnu::noinline]] void Solver::announce_step() {

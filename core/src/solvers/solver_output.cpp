@@ -264,7 +264,10 @@ void Solver::write_sensors() {
   record_sensors(t);
 }
 
-void Solver::forget() { system_->forget_searches(); }
+void Solver::forget() {
+  system_->forget_searches();
+  joints_are_examined();
+}
 
 void Solver::write_restart() {
   const double t = current().time;

@@ -108,6 +108,11 @@ std::span<const MarkerSeat> SystemParts::markers_on(ItemKind kind, int number) {
   return std::span(seats).subspan(first, seats_end[owner] - first);
 }
 
+std::uint64_t System::renewed_constraints() {
+  if (late_ != nullptr) refresh(*late_);
+  return renewed_constraints_;
+}
+
 void System::refresh(const Model& model) {
   SystemParts& parts = *parts_;
   if (std::exchange(late_, nullptr) != nullptr && parts.structure == model.structure_changes())
@@ -162,6 +167,7 @@ void System::refresh(const Model& model) {
         break;
       case ItemKind::object:
         ++renewed_objects_;
+        if (parts.objects[i].equations > 0) ++renewed_constraints_;
         parts.objects[i].record = record;
         complete(parts.objects[i], number);
         parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, parts.objects[i].record.get());

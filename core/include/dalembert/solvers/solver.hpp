@@ -180,7 +180,7 @@ class Solver {
   virtual void renew_accelerations() {}
   // Around the masses, where the solver keeps it anyway; null: it does not.
   virtual ConstrainedMotion* motion_under_constraints() { return nullptr; }
-  // After actions of the user, which may have switched constraints on or off.
+  // After actions and functions of the user that may have switched constraints on or off.
   virtual void examine_constraints_anew() {}
   // After a restart file has been written: nothing that follows may depend on what is not in it.
   virtual void forget();
@@ -346,6 +346,8 @@ class Solver {
   std::vector<std::string> sources_of_not_finite();
   std::string describe_data(int index) const;
   void call_pre_step();
+  void look_for_switched_joints();
+  void joints_are_examined();
   void poll();
   void show(bool record_image);
   bool time_to_look();
@@ -398,6 +400,8 @@ class Solver {
   };
   EqualSteps equal_steps_;
   bool end_reached_ = false;
+  std::uint64_t renewed_constraints_ = 0;  // when they have been looked at last
+  std::vector<char> equations_off_;        // empty: it is not known which
   bool warned_minimum_ = false;
   std::string closing_at_start_;  // why errors of the first steps are above the tolerances
   bool step_completed_ = false;  // the state is that of the end of a step, not one that is tried

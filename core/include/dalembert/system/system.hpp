@@ -118,6 +118,7 @@ class System {
   NodeFrame node_frame(int marker) const;
   bool calls_user_functions() const;  // of objects and loads, in evaluations
   std::uint64_t renewed_objects() const { return renewed_objects_; }  // grown: one has other parameters now
+  std::uint64_t renewed_constraints();                                // the same of those with algebraic equations
   // Generalised forces Q of  M a = Q, without constraint forces; rhs has sizes().ode2 entries. For explicit integrators.
   void forces(const State& state, const Conditions& conditions, std::span<double> rhs);
   // ODE1 right-hand side only; sizes().ode1 entries.
@@ -273,7 +274,7 @@ class System {
   Sizes sizes_;
   bool assembled_ = false;
   std::uint64_t version_ = 0;
-  std::uint64_t renewed_objects_ = 0;
+  std::uint64_t renewed_objects_ = 0, renewed_constraints_ = 0;
   const Model* late_ = nullptr;       // whose changes the next evaluation takes over
   // Whose marker frames and forces the ports hold.
   void ports_hold(const State* state) {
