@@ -92,9 +92,9 @@ def test_a_soft_loop_turns_far_in_one_load_step(node: Any, frees_three: bool) ->
     np.testing.assert_allclose(place, place_on_coupler(0.1), rtol=0, atol=1e-7)  # what static solutions are exact to
 
 
-def held_chain(bars: int, seed: int, node: Any, unit: float = 1, freed: bool = False) -> ClosedChain:
+def held_chain(bars: int, seed: int, node: Any, unit: float = 1, freed: bool = False, apart: float = 0) -> ClosedChain:
     """A planar loop in space, solved under its weight: springs hold as many joints as there are motions, and the last joint may be free of what others
-    state."""
+    state, or apart (m) from where it fits."""
     chain = ClosedChain(np.random.default_rng(1000 * bars + seed), bars, node, unit)
     mbs = chain.mbs
 
@@ -104,6 +104,9 @@ def held_chain(bars: int, seed: int, node: Any, unit: float = 1, freed: bool = F
 
     for joint in chain.joints[: bars - 2]:
         mbs.AddObject(exu.TorsionalSpringDamper(**parameters(joint), stiffness=3e4 * unit**2))
+    first = mbs.GetObject(chain.joints[-1])["markerNumbers"][0]
+    place = np.array(mbs.GetMarker(first)["localPosition"])
+    mbs.SetMarkerParameter(first, "localPosition", place + apart * unit * np.array([0.3, 0.5, -0.6]))
     if freed:
         mbs.AddObject(exu.GenericJoint(**parameters(chain.joints[-1]), constrainedAxes=[1, 1, 0, 0, 0, 0]))
         mbs.SetObjectParameter(chain.joints[-1], "activeConnector", False)
@@ -146,3 +149,15 @@ def test_loops_on_springs_under_their_weight(seed: int, bars: int, node: Any) ->
     np.testing.assert_allclose(places(in_mm), places(freed), rtol=0, atol=1e-9)
     wanted = reactions(redundant)
     assert np.linalg.norm(reactions(in_mm) - wanted) < 1e-6 * np.linalg.norm(wanted)
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("unit", [1, 1e3], ids=["m", "mm"])
+@pytest.mark.parametrize(("bars", "seed"), [(3, 2), (3, 9), (4, 1), (6, 2)])
+@pytest.mark.parametrize("apart", [1e-7, 1e-6])
+def test_loops_on_springs_that_hardly_fit(apart: float, bars: int, seed: int, unit: float, node: Any) -> None:
+    """What joints state against each other moves bars by as little as they are apart; it went along the motion, by a thousand times as much."""
+    freed, redundant = (held_chain(bars, seed, node, unit, freed, apart) for freed in (True, False))
+    found = redundancy(redundant.mbs, "staticSolver")
+    assert found["count"] == 3 and 0.001 * apart < found["misfit"] < apart
+    np.testing.assert_allclose(places(redundant), places(freed), rtol=0, atol=2 * apart)

@@ -215,6 +215,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   certain_ = true;
   counting_ = counting_eps;
   weakest_by_masses_ = 0;
+  weight_scale_ = 1;
   const auto n = static_cast<std::size_t>(s.ae);
   x_.resize(static_cast<std::size_t>(s.total()));
   length_ = system.extent();
@@ -343,6 +344,11 @@ void RedundantConstraints::find_weights(const std::vector<double>& ratios, const
     own_weight_[k] = ratios[k] > 0 && std::isfinite(ratios[k]) ? ratios[k] : weight_[k];
     if (units[k] == CoordinateUnit::meter) unit_[k] = std::max(known.size(), smallest_share_of_model * length_);
   }
+}
+
+void RedundantConstraints::scale_weights(double factor) {
+  for (double& weight : weight_) weight *= factor;
+  weight_scale_ *= factor;
 }
 
 // What equations state is of one size, in units of length: rotations count by the arm of moments, and coordinates of trees, of which nobody knows

@@ -454,6 +454,7 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
   return true;
 }
 
+// Where stiffness resists some motions alone, what is left of all others is much more than D, which joints that are apart would outweigh.
 bool RedundantConstraints::find_rest(const Pattern& pattern, std::span<const double> values, LinearSolver& factors) {
   Search search(*this, pattern, values, counting_, own_weight_, factors);
   if (!search.factorize_in_own_units()) return false;
@@ -461,6 +462,7 @@ bool RedundantConstraints::find_rest(const Pattern& pattern, std::span<const dou
   const bool found = search.look_at_the_rest(parts_);
   for (Part& part : parts_) part.rescale(rows_, own_weight_, weight_);
   weakest_by_masses_ = std::exchange(weakest_, search.weakest(weight_));
+  if (found && weakest_ > 1) scale_weights(std::exchange(weakest_, 1.0));
   return found;
 }
 
@@ -495,6 +497,7 @@ bool RedundantConstraints::take_if_as_many(std::vector<Part> parts) {
 
 bool RedundantConstraints::take_over(const RedundantConstraints& found) {
   if (found.rows_ != rows_) return false;
+  if (found.weight_scale_ != weight_scale_) scale_weights(found.weight_scale_ / weight_scale_);
   parts_ = found.parts_;
   local_ = found.local_;
   counting_ = found.counting_;

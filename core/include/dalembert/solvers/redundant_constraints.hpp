@@ -158,6 +158,7 @@ class RedundantConstraints {
   // Of equations and of coordinates: those that act on a body in common belong to one mechanism. How many there are.
   int find_mechanisms(const Pattern& pattern, std::span<const double> values, std::span<const int> bodies);
   void find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length);
+  void scale_weights(double factor);
   void find_scales(const Pattern& pattern, std::span<const double> values, std::span<const CoordinateUnit> units);
   std::span<const int> slots(const Pattern& pattern);
   class Search;
@@ -209,6 +210,7 @@ class RedundantConstraints {
   std::vector<char> of_rate_, multiplier_, acting_;
   std::vector<int> rows_;            // equations with a weight
   double rate_factor_ = 1, eps_ = 0, weakest_ = 0;
+  double weight_scale_ = 1;          // D in units of what the matrix alone would make of it
   double weakest_by_masses_ = 0;     // where combinations have been found around these, and not around the matrix; 0: they have not
   double rest_ = 0;                  // the largest eigenvalue of P that is not one
   int count_ = 0;
