@@ -79,7 +79,8 @@ def ComputeBucklingLoads(mbs: Any, numberOfLoads: int = 1, autoAssemble: bool = 
 
     The initial state has to be an equilibrium without loads. Stiffness, geometric terms of forces in bodies, connectors
     and constraints, and those of loads are taken as linear in the factor, in the displacements that loads cause by
-    linear theory. Where bodies move much before they buckle, SolveStatic with a small imperfection follows the path.
+    linear theory. Constraints may be redundant. Where bodies move much before they buckle, SolveStatic with a small
+    imperfection follows the path.
     """
     if numberOfLoads < 1:
         raise ValueError(f"{_NAME}: numberOfLoads: expected a positive number, received {numberOfLoads}")

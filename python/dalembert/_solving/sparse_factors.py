@@ -41,7 +41,7 @@ def sparse_solver(matrix: Any) -> Solve:
 
 
 class ConstrainedSolver:
-    """The same for a matrix of n coordinates and of constraints, perhaps redundant ones.
+    """Solutions with a matrix of n coordinates and of constraints, perhaps redundant ones; LinAlgError: it is singular.
 
     Springs against what constraints hold, as stiff as their bodies, change no solution; beside them, the same small
     number takes the place of the zeros of all multipliers.
