@@ -12,6 +12,7 @@ import numpy as np
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType, SimulationSettings, testing
+from dalembert._solving.diagnosis import listed
 from dalembert._solving.projection import REGULAR, SMALLER, SMALLEST, LinearizedConstraints, weights
 from dalembert._solving.quiet import assemble_if_needed, given_or_default
 
@@ -21,7 +22,6 @@ _LARGEST_TURN = 1.0  # rad in one step
 _CONTRADICTING_SHARE = 0.5  # of gaps that no motion closes
 _LEFT_BY_GAPS, _NOTICEABLE = 1e5, 1e-3  # eps for steps, relative to the square of gaps, and at most
 _CLOSE_JOINTS = 10  # the size of mechanisms, in distances of joints that turn each other when they do not fit
-_LISTED = 5
 
 
 @dataclass(frozen=True)
@@ -285,7 +285,7 @@ class _Projection:
         return "\n".join(
             [
                 f"mbs.{_NAME}: no {what} near the initial values fulfil all constraints; what remains:",
-                *self._listed(rates),
+                *listed(self.contradictions(rates)),
                 "These constraints contradict each other or what is held, or the initial values are too far away: "
                 "correct them, or hold less. The system is as it was.",
             ]
@@ -294,11 +294,7 @@ class _Projection:
     def warn_of_contradictions(self) -> None:
         """Name the joints that no positions fit."""
         first = f"mbs.{_NAME}: constraints contradict each other; what the closest fit leaves open:"
-        warnings.warn("\n".join([first, *self._listed(rates=False)]), stacklevel=3)
-
-    def _listed(self, rates: bool) -> list[str]:
-        remaining = self.contradictions(rates)
-        return [f"  {text}" for text in remaining[:_LISTED]] + ["  ..."] * (len(remaining) > _LISTED)
+        warnings.warn("\n".join([first, *listed(self.contradictions(rates=False))]), stacklevel=3)
 
     def contradictions(self, rates: bool = True) -> list[str]:
         found = testing.open_constraints(self.mbs, self.state, self.tolerance, 1e-9, rates)

@@ -132,6 +132,11 @@ def SolverErrorMessage(
     return "\n".join(lines)
 
 
+def listed(lines: Sequence[str], most: int = 5) -> list[str]:
+    """Return the first lines, indented, and dots if there are more."""
+    return [f"  {line}" for line in lines[:most]] + ["  ..."] * (len(lines) > most)
+
+
 def CheckSolverInfoStatistics(solverName: str, infoStat: Sequence[float], numberOfEvaluations: int) -> None:
     """Warn if memory was allocated in every evaluation since infoStat = special.InfoStat(False) was taken."""
     now = np.asarray(_core.special.InfoStat(False), dtype=float)

@@ -10,7 +10,7 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import SimulationSettings, testing
-from dalembert._solving.diagnosis import SolverError
+from dalembert._solving.diagnosis import SolverError, listed
 from dalembert._solving.quiet import assemble_if_needed, quiet_static_solver
 from dalembert._solving.sparse_factors import sparse_solver
 
@@ -56,7 +56,6 @@ _MULTIPLE_OF_GAPS, _HIDES_MOST = 10.0, 1e-3
 _LARGE_GAP = (
     1e-4  # relative to the size of the mechanism, or in rad: it hides what follows from others, here as for solvers
 )
-_LISTED = 5
 
 
 def _scaled(equations: FloatArray) -> FloatArray:
@@ -86,7 +85,7 @@ def _joints_apart(mbs: Any, state: Any, tolerance: float) -> tuple[float, str]:
         return 0.0, ""
     units = testing.constraint_metric(mbs, state)[1]
     advice = "mbs.ComputeConsistentInitialConditions() finds initial values where they fit, if there are any"
-    lines = [f"  {text}" for *_, text in gaps[:_LISTED]] + [f"  {advice}"]
+    lines = [*listed([text for *_, text in gaps]), f"  {advice}"]
     return max(abs(gap) / float(units[row]) for row, _, gap, _, _ in gaps), "\n".join(lines)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from dalembert._checks import ComplexArray, FloatArray
 from dalembert._core import ConfigurationType, SimulationSettings, testing
-from dalembert._solving.diagnosis import SolverError
+from dalembert._solving.diagnosis import SolverError, listed
 from dalembert._solving.quiet import assemble_if_needed
 from dalembert._solving.sparse_factors import ConstrainedSolver
 
@@ -21,7 +21,6 @@ _LEAST_SHIFT = 1e-7  # the square of this is above round-off, so that they still
 _ITERATIONS = 30
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
 _CLOSED, _NOTICEABLE = 1e-11, 1e-10  # gaps of joints, relative to the size of their mechanism, or in rad
-_LISTED = 5  # of these
 _ROUND_OFF = 1e3 * np.finfo(float).eps
 _BASIS = 4  # vectors of Arnoldi's method per eigenvalue: two do not always tell pairs of equal size apart
 _RESTARTS = 30  # of Arnoldi's method, which takes a few where the shift is good
@@ -252,14 +251,14 @@ def _check_that_joints_fit(mbs: Any, state: Any) -> None:
     """Refuse what solvers do not tolerate, and warn of what they do."""
 
     def left_open(tolerance: float) -> list[str]:
-        return [f"  {text}" for *_, text in testing.open_constraints(mbs, state, tolerance, tolerance, False)]
+        return listed([text for *_, text in testing.open_constraints(mbs, state, tolerance, tolerance, False)])
 
     problem = "constraints contradict each other; what the closest fit leaves open:"
     if refused := left_open(SimulationSettings().redundantConstraints.largestMisfit):
         advice = "move or turn the markers of these joints until they fit, or free equations that others state as well"
-        raise _error("contradictoryConstraints", "\n".join([problem, *refused[:_LISTED]]), advice)
+        raise _error("contradictoryConstraints", "\n".join([problem, *refused]), advice)
     if some := left_open(_NOTICEABLE):
-        warnings.warn("\n".join([f"{_NAME}: {problem}", *some[:_LISTED]]), RuntimeWarning, stacklevel=3)
+        warnings.warn("\n".join([f"{_NAME}: {problem}", *some]), RuntimeWarning, stacklevel=3)
 
 
 def _eigenpairs(M: Any, G: Any, K: Any, count: int, apart: float) -> tuple[ComplexArray, ComplexArray]:

@@ -212,7 +212,6 @@ class RedundantConstraints {
   double rate_factor_ = 1, eps_ = 0, weakest_ = 0;
   double weight_scale_ = 1;          // D in units of what the matrix alone would make of it
   double weakest_by_masses_ = 0;     // where combinations have been found around these, and not around the matrix; 0: they have not
-  double rest_ = 0;                  // the largest eigenvalue of P that is not one
   int count_ = 0;
   bool consistent_ = true, certain_ = true, lasts_ = false;
   std::vector<Part> parts_;
