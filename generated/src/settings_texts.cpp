@@ -56,7 +56,7 @@ constexpr std::array<std::string_view, 1> EventsSettings_rows{
 constexpr std::array<std::string_view, 4> InitialConditionsSettings_rows{
     "evaluate the gap and the rate of the gap of every constraint before the first step, and name the worst of those that are not fulfilled; the static solver looks at gaps only, closes them, and says so if its verboseMode is at least 1",
     "true: constraints that are not fulfilled at the start are an error; false: a warning",
-    "largest gap that is not reported: relative to the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, or in rad",
+    "largest gap that is not reported: relative to the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, or in rad; 1000 times as much is tolerated at the end of solutions that constrain velocities",
     "largest rate of a gap that is not reported, relative to the sum of the magnitudes of the velocities that meet in the constraint; rates that open a gap of less than positionTolerance in one second are not reported",
 };
 

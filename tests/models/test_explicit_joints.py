@@ -68,7 +68,7 @@ def test_a_light_cart_with_a_heavy_pole(method: Any, tolerance: float) -> None:
 
 
 def test_a_light_cart_with_the_default_solver() -> None:
-    """With tolerances, it holds the bound of the acceptance number P5; equal steps do not get through, and say so."""
+    """With tolerances, it holds the bound of the acceptance number P5; equal steps are too coarse, and say so."""
     mbs, cart, mass = cart_pole()
     s = tolerances(10, 1e-5, 1000)
     s.stepSizeControl.implicitSolvers = True
@@ -77,8 +77,8 @@ def test_a_light_cart_with_the_default_solver() -> None:
     place = [mbs.GetNodeOutput(cart, Variable.Position)[0], mbs.GetNodeOutput(mass, Variable.Position)[1]]
     assert place == pytest.approx([CART, MASS], abs=1e-2)
     mbs, _, _ = cart_pole()
-    with pytest.raises(SolverError, match="Newton's method did not converge"):
-        mbs.SolveDynamic(settings(10, 1000))
+    (doubt,) = mbs.SolveDynamic(settings(10, 1000)).doubts
+    assert doubt.startswith("constraints turn too far in ")
 
 
 @pytest.mark.parametrize("freed", [{}, {5: 0}], ids=["redundant", "regular"])

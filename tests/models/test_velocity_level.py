@@ -154,3 +154,35 @@ def test_driven_gyroscope(name: str, wheel_first: bool) -> None:
     )
     assert of_euler < 8 * of_vector
     assert of_fine_euler < 0.35 * of_euler
+
+
+@pytest.mark.parametrize("steps", [2000, 4000])
+def test_rotor_that_runs_up(steps: int) -> None:
+    """Constant torque about a fixed axis, 20 s, 711 revolutions: angle and speed are those of uniform acceleration.
+
+    Euler parameters are divided by their length l after each step. Rates divided by l instead of its square would lose speed in each step: 1e-3 of the values below.
+    """
+    mass, torque, end = 2.0, 0.2, 20.0
+    inertia = RigidBodyInertia(mass=mass, inertiaTensor=np.diag([0.5, 0.25 + 1 / 150, 0.25 + 1 / 150]) * mass * 0.5625)
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround()
+    rotor = mbs.CreateRigidBody(inertia=inertia)
+    for x, stiffness in ((-0.5, [800, 800, 800]), (0.5, [0, 800, 800])):
+        mbs.CreateCartesianSpringDamper(
+            bodyNumbers=[ground, rotor], localPosition0=[x, 0, 0], localPosition1=[x, 0, 0], stiffness=stiffness
+        )
+    mbs.CreateTorque(bodyNumber=rotor, loadVector=[torque, 0, 0])
+    parameters = mbs.AddSensor(
+        exu.SensorBody(bodyNumber=rotor, outputVariableType=Variable.Rotation, storeInternal=True)
+    )
+    mbs.Assemble()
+    s = settings(end, steps)
+    s.solutionSettings.sensorsWritePeriod = end / steps
+    mbs.SolveDynamic(s, solverType=exu.DynamicSolverType.TrapezoidalIndex2)
+    angle = np.unwrap(mbs.GetSensorStoredData(parameters)[:, 1])[-1]
+    speed = mbs.GetObjectOutputBody(rotor, Variable.AngularVelocity, localPosition=[0, 0, 0])[0]
+    acceleration = torque / (0.5 * mass * 0.5625)
+    assert angle - 0.5 * acceleration * end**2 == pytest.approx(
+        -9.358e-4 * (4000 / steps) ** 2, rel=0.01
+    )  # published for 4000 steps
+    assert abs(speed - acceleration * end) < 2e-6 * (4000 / steps) ** 2

@@ -67,7 +67,7 @@ def test_friction_that_has_not_settled() -> None:
 
 
 def test_gaps_at_the_end() -> None:
-    """Constraints of velocities, with steps in which a pendulum turns by half a radian."""
+    """Constraints of velocities, with steps in which a pendulum turns by up to a radian."""
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround()
     body = mbs.CreateRigidBody(
@@ -75,8 +75,11 @@ def test_gaps_at_the_end() -> None:
     )
     mbs.CreateRevoluteJoint(name="hinge", bodyNumbers=[ground, body], position=[0, 0, 0], axis=[0, 0, 1])
     mbs.Assemble()
-    (doubt,) = doubts(mbs, dynamic_settings(2.0, 30), Solver.TrapezoidalIndex2)
+    (doubt,) = doubts(mbs, dynamic_settings(2.0, 15), Solver.TrapezoidalIndex2)
     assert doubt.startswith("open at the end: ") and "'hinge'" in doubt
+    assert (
+        doubts(mbs, dynamic_settings(2.0, 30), Solver.TrapezoidalIndex2) == []
+    )  # a drift of 5 mm, with an error of the energy of 2 %
     assert doubts(mbs, dynamic_settings(2.0, 30)) == []
 
 

@@ -123,7 +123,7 @@ void StepInterpolation::evaluate(double time, State& state) const {
     state.y_t[i] = ((6 * s - 6 * s2) * chord + (1 - 4 * s + 3 * s2) * y0_[i] + (3 * s2 - 2 * s) * y1_[i]) / h;
   }
   for (std::size_t i = 0; i < state.lambda.size(); ++i) state.lambda[i] = (1 - s) * start_->lambda[i] + s * end_->lambda[i];
-  system_->restore_unit_lengths(state);
+  system_->restore_unit_lengths(state, 1);
 }
 
 // From rotations since the start to rotation vectors and angular velocities.

@@ -8,13 +8,15 @@
 
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
-#include "dalembert/solvers/open_constraints.hpp"
 #include "dalembert/solvers/second_order.hpp"
 
 namespace dalembert {
 
 bool SecondOrderSolver::discontinuous_iteration() {
-  return Solver::discontinuous_iteration() && (!it.automaticStepSize || control_step_size());
+  if (!Solver::discontinuous_iteration()) return false;
+  if (it.automaticStepSize) return control_step_size();
+  if (watches_velocities()) watch_velocities();
+  return true;
 }
 
 // Of a coordinate within a step of this size, algorithmic if there are such.
@@ -96,30 +98,9 @@ bool SecondOrderSolver::control_step_size() {
   }
   choose_next_step(passes ? 1 : wanted);
   if (sizes_.ae == 0) return true;
-  conditions_.rate_level ? end_swings() : lead_velocities(h, error <= 1);
+  if (conditions_.rate_level) end_swings();
+  else lead_velocities(h, it.currentStepSize, error <= 1);
   return true;
-}
-
-// Velocities along which gaps would open make the next accelerations jump. But those of equal steps are off the constraints, as `start_steadily` says,
-// and reactions of the second order follow from that: velocities get it for the next step, from accelerations at both ends of this one, if that is `smooth`.
-void SecondOrderSolver::lead_velocities(double step_size, bool smooth) {
-  State& now = current();
-  const std::vector<double> v = now.v;
-  const double next = it.currentStepSize, factor = smooth ? left_out() * next * next / step_size : 0;
-  for (std::size_t i = 0; i < v.size(); ++i) now.v[i] += factor * change_of_accelerations(i, step_size);
-  const std::span<const double> across = across_constraints(now);
-  for (std::size_t i = 0; i < v.size(); ++i) now.v[i] = v[i] - across[i];
-  belong_to_.velocities = smooth ? next : 0;
-}
-
-// The part of velocities along which gaps open, with the factors at hand. Where these are prescribed in time, users need not tell their rates.
-std::span<const double> SecondOrderSolver::across_constraints(const State& state) {
-  if (std::ranges::any_of(driven(), [](char d) { return d != 0; })) return move_across(constraint_rates(system(), state, conditions_, last_time()).rates);
-  Conditions rate = conditions_;
-  rate.rate_level = true;
-  std::vector<double> rates(state.lambda.size());
-  system().gaps(state, rate, rates);
-  return move_across(rates);
 }
 
 // Constraints of velocities do not tell of a part of the accelerations that changes its sign with each step, and becomes larger whenever the size of the
@@ -127,27 +108,11 @@ std::span<const double> SecondOrderSolver::across_constraints(const State& state
 void SecondOrderSolver::end_swings() {
   State& now = current();
   std::vector<double> accelerations = ConstrainedMotion::gap_accelerations_without_driving(system(), now, conditions_);
-  const std::vector<char>& is_driven = driven();
+  const std::vector<char>& driven = row_kinds().driven;
   for (std::size_t k = 0; k < accelerations.size(); ++k)
-    if (is_driven[k]) accelerations[k] = 0;
+    if (driven[k]) accelerations[k] = 0;
   const std::span<const double> across = move_across(accelerations);
   for (std::size_t i = 0; i < now.a.size(); ++i) now.a[i] -= across[i];
-}
-
-const std::vector<char>& SecondOrderSolver::driven() {
-  if (driven_.size() != static_cast<std::size_t>(sizes_.ae)) driven_ = driven_equations(system(), current(), conditions_, last_time());
-  return driven_;
-}
-
-// The motion that rates of gaps, or their accelerations, belong to.
-std::span<const double> SecondOrderSolver::move_across(std::span<const double> rates) {
-  const auto first = static_cast<std::size_t>(sizes_.first_ae());
-  const double factor = conditions_.rate_level ? rate_factor() : 1;  // of rows
-  std::ranges::fill(increment_, 0.0);
-  for (std::size_t k = 0; k < rates.size(); ++k)
-    if (system().constrains_motion(static_cast<int>(k))) increment_[first + k] = factor * rates[k];
-  linear_->solve(increment_);
-  return std::span<const double>(increment_).first(current().v.size());
 }
 
 }  // namespace dalembert

@@ -15,6 +15,7 @@ namespace dalembert {
 namespace {
 
 constexpr int dense_limit = 40;  // unknowns
+constexpr double tolerated_drift = 1000;  // multiple of the tolerance of positions where velocities are constrained: drift is an error of the steps
 
 // f(constraint, coordinate, derivative) of the constraint equations along the weights.
 template <class F>
@@ -190,7 +191,8 @@ void Solver::look_back() {
   doubt_angles();
   const auto& s = settings_->initialConditions;
   if (s.checkConstraints && sizes_.ae > 0) {
-    const auto open = open_constraints(*system_, current(), conditions_, {s.positionTolerance, s.velocityTolerance, false});
+    const double tolerance = (conditions_.rate_level ? tolerated_drift : 1) * s.positionTolerance;
+    const auto open = open_constraints(*system_, current(), conditions_, {tolerance, s.velocityTolerance, false});
     if (!open.empty()) doubts_.push_back("open at the end: " + listed(open, *system_) + "\n  Use smaller steps, or a solver that keeps constraints of positions");
   }
   output.trusted = doubts_.empty();

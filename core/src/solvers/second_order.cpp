@@ -100,7 +100,9 @@ void SecondOrderSolver::initialize_data() {
   previous_q_.assign(lie_ ? n : 0, 0.0);
   belong_to_ = belong_to_at_start_ = {};
   off_constraints_known_ = -1;
-  driven_.clear();
+  row_kinds_ = {};
+  lead_ = {};
+  lead_.constraints_renewed = system().renewed_constraints();
   rejected_ = renews_ = false;
   renewed_after_ = -2;
 }
@@ -113,6 +115,7 @@ void SecondOrderSolver::initial_conditions() {
     algorithmic_ = continued_values();
     belong_to_ = {continued_number(0), continued_number(1), continued_number(2) != 0};
     renewed_after_ = static_cast<StepCount>(continued_number(3));
+    continue_lead();
     return;
   }
   std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
@@ -277,7 +280,9 @@ void SecondOrderSolver::increase_step_size() {
 
 void SecondOrderSolver::forget() {
   NewtonSolver::forget();
-  driven_.clear();
+  row_kinds_ = {};
+  lead_.equal_steps = 0;
+  lead_.across.clear();
 }
 
 void SecondOrderSolver::save_start_of_step() {
@@ -359,7 +364,7 @@ void SecondOrderSolver::find_velocities_off_constraints() {
   still.time = it.currentTime - it.currentStepSize;
   off_constraints_.assign(still.v.size(), 0.0);
   if (it.automaticStepSize && factorized_) {
-    std::ranges::copy(across_constraints(still), off_constraints_.begin());
+    std::ranges::copy(move_across(rates_at(still)), off_constraints_.begin());
     return;
   }
   ConstrainedMotion motion;
@@ -412,7 +417,7 @@ void SecondOrderSolver::correct() {
 void SecondOrderSolver::finalize_newton() {
   belong_to_ = {it.currentStepSize, it.currentStepSize};
   add(system(), algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a);
-  if (conditions_.rate_level) system().restore_unit_lengths(current());
+  if (conditions_.rate_level) system().restore_unit_lengths(current(), 2);
 }
 
 Weights SecondOrderSolver::jacobian_weights() const {
@@ -513,6 +518,7 @@ std::string_view SecondOrderSolver::lockstep_obstacle() const {
   const auto& s = settings();
   if (it.automaticStepSize) return "steps whose size is chosen by their error";
   if (hooks().take_part_in_steps()) return "functions of the system that are called at each step";
+  if (lead_.active) return "velocities across constraints that oscillate";
   if (hooks().timeout >= 0) return "a limit of the time that solvers may take";
   if (verbose(1) || s.displayComputationTime) return "messages of the solver";
   if (has_replaced_parts() || !newton_settings.useNewtonSolver) return "parts of the solver that are replaced or left out";

@@ -84,4 +84,17 @@ void tell_settings_without_effect(const SimulationSettings& settings, const std:
   }
 }
 
+void warn_of_unused_tolerances(const SimulationSettings& settings, const std::function<void(std::string_view)>& warn) {
+  static const SimulationSettings defaults;
+  if (!warn) return;
+  const auto check = [&](double TimeIntegrationSettings::* tolerance, const std::string& name) {
+    const std::string path = "simulationSettings.timeIntegration." + name;
+    if (settings.timeIntegration.*tolerance == defaults.timeIntegration.*tolerance || !is_new(path)) return;
+    warn(path + " has no effect: this solver takes steps of equal size. Implicit solvers choose their steps by tolerances with "
+         "stepSizeControl.implicitSolvers=True and timeIntegration.automaticStepSize=True, explicit ones such as exu.DynamicSolverType.DOPRI5 with the latter alone");
+  };
+  check(&TimeIntegrationSettings::relativeTolerance, "relativeTolerance");
+  check(&TimeIntegrationSettings::absoluteTolerance, "absoluteTolerance");
+}
+
 }  // namespace dalembert

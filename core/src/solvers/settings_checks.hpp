@@ -15,4 +15,7 @@ void require_duration(double start_time, double end_time);
 // the life of the process. Without `warn`, none counts as told.
 void tell_settings_without_effect(const SimulationSettings& settings, const std::function<void(std::string_view)>& warn);
 
+// Warns, once for each setting, of tolerances that differ from their defaults although the solver takes steps of equal size.
+void warn_of_unused_tolerances(const SimulationSettings& settings, const std::function<void(std::string_view)>& warn);
+
 }  // namespace dalembert

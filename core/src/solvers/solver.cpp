@@ -85,6 +85,7 @@ bool Solver::initialize() {
   system_->reactions_are_unknown();
   joints_are_examined();
   tell_settings_without_effect(*settings_, hooks().warn);
+  if (!is_static() && !(settings_->timeIntegration.automaticStepSize && controls_step_size())) warn_of_unused_tolerances(*settings_, hooks().warn);
   initialize_data();
   if (!starts_finite()) return false;
   find_angles();

@@ -287,7 +287,7 @@ void System::gaps(const State& state, const Conditions& conditions, std::span<do
   for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
 }
 
-void System::restore_unit_lengths(State& state) const {
+void System::restore_unit_lengths(State& state, int power_of_rates) const {
   const std::vector<double>& reference = parts_->state(ConfigurationType::Reference).q;
   for (const auto& [first, size] : parts_->unit_vectors) {
     double square = 0;
@@ -295,7 +295,7 @@ void System::restore_unit_lengths(State& state) const {
     const double length = std::sqrt(square);
     for (int i = first; i < first + size; ++i) {
       state.q[i] = (reference[i] + state.q[i]) / length - reference[i];
-      state.v[i] /= length;
+      state.v[i] /= power_of_rates == 2 ? square : length;
       state.a[i] /= length;
     }
   }

@@ -124,7 +124,7 @@ class InitialConditionsSettings(_Settings):
     inconsistentIsError: bool
     """true: constraints that are not fulfilled at the start are an error; false: a warning; default: False"""
     positionTolerance: float
-    """largest gap that is not reported: relative to the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, or in rad [1]; default: 1e-05"""
+    """largest gap that is not reported: relative to the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, or in rad; 1000 times as much is tolerated at the end of solutions that constrain velocities [1]; default: 1e-05"""
     velocityTolerance: float
     """largest rate of a gap that is not reported, relative to the sum of the magnitudes of the velocities that meet in the constraint; rates that open a gap of less than positionTolerance in one second are not reported [1]; default: 0.01"""
     def __init__(self) -> None: ...

@@ -7,6 +7,7 @@
 //   groups (2022), for the kinematic relations of Lie-group nodes.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,7 @@ class SecondOrderSolver : public NewtonSolver {
   void finalize_newton() override;
   bool discontinuous_iteration() override;
   bool controls_step_size() const override { return settings().stepSizeControl.implicitSolvers; }
+  void look_back() override;
 
   const std::vector<double>& algorithmic_accelerations() const { return algorithmic_; }
   const std::vector<double>& algorithmic_accelerations_at_start() const { return algorithmic_at_start_; }
@@ -47,8 +49,11 @@ class SecondOrderSolver : public NewtonSolver {
   void save_start_of_step() override;
   std::span<const double> restart_values() const override { return algorithmic_; }
   std::vector<double> restart_numbers() const override {
-    return {belong_to_.accelerations, belong_to_.velocities, static_cast<double>(belong_to_.begins), static_cast<double>(renewed_after_)};
+    return {belong_to_.accelerations, belong_to_.velocities, static_cast<double>(belong_to_.begins), static_cast<double>(renewed_after_),
+            static_cast<double>(lead_.active), lead_.largest_speed, lead_.largest_energy, static_cast<double>(lead_.steps),
+            static_cast<double>(lead_.coarse), lead_.coarse_since, static_cast<double>(lead_.not_led), lead_.not_led_since};
   }
+  void continue_lead();
   void forget() override;
   KnownDerivatives complete_ends() override {
     return {it.currentStepIndex > 1 || settings().timeIntegration.generalizedAlpha.computeInitialAccelerations, it.currentStepIndex > 1};
@@ -76,11 +81,27 @@ class SecondOrderSolver : public NewtonSolver {
   double noise_of_estimates();  // in units of the tolerances
   bool give_up_at_round_off();
   double change_of_accelerations(std::size_t i, double step_size) const;
-  void lead_velocities(double step_size, bool smooth);
-  std::span<const double> across_constraints(const State& state);
-  std::span<const double> move_across(std::span<const double> rates);
-  const std::vector<char>& driven();
   void end_swings();
+
+  // ---- velocities across constraints (velocity_lead.cpp) --------------------------------------------------------------
+  bool watches_velocities() const { return sizes_.ae > 0 && !conditions_.rate_level && !it.automaticStepSize; }
+  void watch_velocities();
+  bool velocities_oscillate();
+  bool accelerations_alternate();
+  bool closes_gaps_of_start();
+  void lead_and_judge();
+  void count_doubt(StepCount& steps, double& since) const;
+  double lead_velocities(double step_size, double next, bool smooth);
+  std::vector<double> velocities_across(double step_size);
+  std::vector<double> rates_with_lead(double factor, std::span<const double> change);
+  std::vector<double> rates_at(const State& state);
+  std::span<const double> move_across(std::span<const double> rates);
+  double step_energy(std::span<const double> v) const;
+  // Constraint equations whose gaps are prescribed in time, and those that constrain velocities.
+  struct RowKinds {
+    std::vector<char> driven, of_velocities;
+  };
+  const RowKinds& row_kinds();
 
   // Accelerations and multipliers that fit the state; false, with a warning: there are none. Motions have their factors at it, unless an unknown has
   // no pivot.
@@ -125,7 +146,23 @@ class SecondOrderSolver : public NewtonSolver {
   bool rejected_ = false;
   bool renews_ = false;             // accelerations are found anew before the step is repeated
   StepCount renewed_after_ = -2;    // step
-  std::vector<char> driven_;        // equations whose gaps are prescribed in time
+  RowKinds row_kinds_;              // empty: not known
+  // Steps of equal size: velocities are led from the first step on in which they oscillate.
+  struct Lead {
+    bool active = false;
+    double largest_speed = 0;           // so far
+    double largest_energy = 0;          // since velocities are led
+    StepCount steps = 0;                // with lead
+    StepCount coarse = 0, not_led = 0;  // steps that are doubted, and the time of the first of them
+    double coarse_since = 0, not_led_since = 0;
+    std::optional<bool> begins_open;    // initial values contradict the constraints
+    double step_size = 0;               // of the last steps
+    int equal_steps = 0;                // in a row
+    std::vector<double> accelerations, change;  // algorithmic ones at the end of the last step, and their change in it
+    std::vector<double> across;         // velocities across constraints in the last step; empty: not known
+    std::uint64_t constraints_renewed = 0;
+  };
+  Lead lead_;
 };
 
 // Accelerations and multipliers that fit the positions and velocities of a state.

@@ -152,9 +152,10 @@ class System {
     int rotation;  // first of the three rotation coordinates in the ODE2 vector
   };
   std::span<const LieBlock> lie_blocks() const;
-  // Vectors of length one, such as Euler parameters, which solvers that constrain their rates alone let drift: they are divided by
-  // their length, and their rates and accelerations with them, which leaves the turn of their direction as it is.
-  void restore_unit_lengths(State& state) const;
+  // Divides vectors of length one, such as Euler parameters, by their length, their accelerations too, and their rates by the given power of it.
+  // The first power keeps the rate of the direction. The second power is for steps of the trapezoidal rule, which keep
+  // |p|^2 + h^2 |p_t|^2 / 4: the angular velocity then stays right over many steps.
+  void restore_unit_lengths(State& state, int power_of_rates) const;
 
   // One factor per algebraic variable: -1 for multipliers, which static solvers count with the opposite sign, 1 for
   // coordinates among them.
