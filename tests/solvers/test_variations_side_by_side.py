@@ -72,7 +72,9 @@ def test_cranks_are_what_each_gives_by_itself(count: int, modified: bool, thread
     s.timeIntegration.newton.useModifiedNewton = modified
     results = vary_crank(s, count, numberOfThreads=threads)
     assert_equal(results, cranks_alone(s, count))
-    slow = torques(count)[:, 2] < 9.2  # others turn by more than equal steps are stable with: their velocities are corrected, alone
+    slow = (
+        torques(count)[:, 2] < 9.2
+    )  # others turn by more than equal steps are stable with: their velocities are corrected, alone
     assert modified or threads > 1 or results.sideBySide[slow].all()
 
 
