@@ -11,6 +11,7 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import SimulationSettings, testing
 from dalembert._solving.diagnosis import SolverError, listed
+from dalembert._solving.preload import stiffness_of_reactions, warn_of_turning
 from dalembert._solving.quiet import assemble_if_needed, quiet_static_solver
 from dalembert._solving.sparse_factors import sparse_solver
 
@@ -29,7 +30,9 @@ def _dense(matrix: Any) -> FloatArray:
     return np.array(matrix.toarray() if hasattr(matrix, "toarray") else matrix, dtype=float)
 
 
-def _linearize(function: str, mbs: Any, simulationSettings: Any, autoAssemble: bool) -> _Matrices:
+def _linearize(
+    function: str, mbs: Any, simulationSettings: Any, autoAssemble: bool, counts_only: bool = False
+) -> _Matrices:
     """Compute all matrices of the linearized system; ODE1 coordinates are left out, with a warning."""
     with quiet_static_solver(function, mbs, simulationSettings, autoAssemble) as solver:
         n2, n1 = solver.GetODE2size(), solver.GetODE1size()
@@ -45,8 +48,13 @@ def _linearize(function: str, mbs: Any, simulationSettings: Any, autoAssemble: b
         jacobian = _dense(solver.GetSystemJacobian())
         solver.ComputeJacobianODE2RHS(mbs, scalarFactor_ODE2=0, scalarFactor_ODE2_t=-1, scalarFactor_ODE1=0)
         D = _dense(solver.GetSystemJacobian())[:n2, :n2]
-    first = n2 + n1
-    return _Matrices(M, jacobian[:n2, :n2], D, jacobian[:n2, first:], jacobian[first:, first:])
+    first, K, state = n2 + n1, jacobian[:n2, :n2], _initial_state(mbs)
+    if counts_only:  # of constraints and coordinates, whatever the stiffness is
+        return _Matrices(M, K, D, jacobian[:n2, first:], jacobian[first:, first:])
+    warn_of_turning(function, mbs, state)
+    if (more := stiffness_of_reactions(function, mbs, state)) is not None:
+        K = K + more
+    return _Matrices(M, K, D, jacobian[:n2, first:], jacobian[first:, first:])
 
 
 # Equations that are so much smaller than others act by round-off alone.
@@ -125,6 +133,8 @@ def ComputeLinearizedSystem(
 ) -> list[Any]:
     """Return [M, K, D]: mass, stiffness and damping matrix of the system linearized about the initial state.
 
+    In an equilibrium, forces of constraints add to the stiffness; in other states, a warning says that these are left
+    out. Bodies that turn give a warning: ComputeVibrationModes has gyroscopic modes in a rotating frame.
     The ODE2 coordinates count (n x n), or the motions that the constraints permit if projectIntoConstraintNullspace.
     With constraints and returnConstraintJacobian or -Nullspace, the list goes on with C (n x constraints, or []) and
     the nullspace N (motions x n, or []); N C = 0. Singular values of the equations, scaled to size one, are taken for
@@ -208,9 +218,11 @@ def ComputeODE2Eigenvalues(
     """Return [eigenvalues, eigenvectors in columns] of the system linearized about its initial state, sorted.
 
     Eigenvalues are omega^2 (rad^2/s^2), frequencies in Hz if convert2Frequencies, or the complex lambda (1/s) of the
-    damped system if computeComplexEigenvalues; useAbsoluteValues sorts and returns magnitudes. numberOfEigenvalues
-    limits the number (0: all). Constraints are projected out, unless ignoreAlgebraicEquations; constrainedCoordinates
-    lists ODE2 coordinates that are held. Complex eigenvectors without constraints are [x, lambda x].
+    damped system if computeComplexEigenvalues. Forces of constraints count in an equilibrium; elsewhere, and where
+    bodies turn, a warning names ComputeVibrationModes. useAbsoluteValues sorts and returns magnitudes.
+    numberOfEigenvalues limits the number (0: all). Constraints are projected out, unless ignoreAlgebraicEquations;
+    constrainedCoordinates lists ODE2 coordinates that are held. Complex eigenvectors without constraints are
+    [x, lambda x].
     """
     name = "ComputeODE2Eigenvalues"
     if not isinstance(numberOfEigenvalues, (int, np.integer)) or numberOfEigenvalues < 0:
@@ -274,7 +286,7 @@ def _summary(mbs: Any, n2: int, constraints: int, redundant: int, pure: int) -> 
 def _counts_by_singular_values(
     name: str, mbs: Any, simulationSettings: Any, threshold: float, verbose: bool | int, autoAssemble: bool
 ) -> dict[str, Any]:
-    system = _linearize(name, mbs, simulationSettings, autoAssemble)
+    system = _linearize(name, mbs, simulationSettings, autoAssemble, counts_only=True)
     n2, constraints = system.C.shape
     if constraints == 0:
         return _summary(mbs, n2, 0, 0, 0)

@@ -57,13 +57,37 @@ def RestoreSimulationSettings(simulationSettings: Any, store: dict[str, Any]) ->
     simulationSettings.solutionSettings.sensorsStoreAndWriteFiles = store["sensorsStoreAndWriteFilesOld"]
 
 
+class _CurrentState:
+    """The current state, which a solver that starts sets to the initial one."""
+
+    _PARTS = (
+        "ODE2Coordinates",
+        "ODE2Coordinates_t",
+        "ODE2Coordinates_tt",
+        "ODE1Coordinates",
+        "ODE1Coordinates_t",
+        "AECoordinates",
+        "DataCoordinates",
+        "Time",
+    )
+
+    def __init__(self, mbs: Any) -> None:
+        self._data = mbs.systemData
+        self._values = {part: getattr(self._data, f"Get{part}")() for part in self._PARTS}
+
+    def restore(self) -> None:
+        for part, value in self._values.items():
+            getattr(self._data, f"Set{part}")(value)
+
+
 @contextmanager
 def quiet_static_solver(function: str, mbs: Any, simulationSettings: Any, autoAssemble: bool) -> Iterator[Any]:
-    """Give an initialized static solver that writes nothing; the settings are as before afterwards, come what may."""
+    """Give an initialized static solver that writes nothing; settings and current state are as before afterwards."""
     settings = given_or_default(function, simulationSettings)
     assemble_if_needed(function, mbs, autoAssemble)
     store = DeactivateWritingOfSolvers(settings)
     solver = _core.MainSolverStatic()
+    state = _CurrentState(mbs)
     try:
         if not solver.InitializeSolver(mbs, settings):
             raise SolverError.FromSolver(function, solver)
@@ -71,3 +95,4 @@ def quiet_static_solver(function: str, mbs: Any, simulationSettings: Any, autoAs
         solver.FinalizeSolver(mbs, settings)
     finally:
         RestoreSimulationSettings(settings, store)
+        state.restore()

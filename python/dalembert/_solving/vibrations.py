@@ -10,29 +10,30 @@ import numpy as np
 
 from dalembert._checks import ComplexArray, FloatArray
 from dalembert._core import ConfigurationType, SimulationSettings, testing
+from dalembert._solving.coordinate_parts import CoordinateParts
 from dalembert._solving.diagnosis import SolverError, listed
 from dalembert._solving.quiet import assemble_if_needed
+from dalembert._solving.reduced_pencil import INFINITE, ReducedPencil, solve_the_equations
+from dalembert._solving.rotating_frame import RotatingFrame
 from dalembert._solving.sparse_factors import ConstrainedSolver
 
 _NAME = "ComputeVibrationModes"
 _DENSE = 250  # numbers of the first order system up to which all eigenvalues are computed
 _SHIFT = 1e-5  # of the largest frequency: rigid motions are no singularity, and the lowest frequencies come first
 _LEAST_SHIFT = 1e-7  # the square of this is above round-off, so that they still are none
-_ITERATIONS = 30
+_ITERATIONS = 50
+_LARGEST_TURN, _LARGEST_MOVE = 0.5, 1.0  # of one step of Newton's method: rad, and sizes of the model
+_FAR_TURN, _FAR_MOVE = 1.5, 2.0  # of an equilibrium that is not next to the initial state
+_SHORTER_STEPS = 8  # tries with more inertia until a step is short enough
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
 _CLOSED, _NOTICEABLE = 1e-11, 1e-10  # gaps of joints, relative to the size of their mechanism, or in rad
 _ROUND_OFF = 1e3 * np.finfo(float).eps
+_MORE = 4  # eigenvalues that are computed besides those asked for
 _BASIS = 4  # vectors of Arnoldi's method per eigenvalue: two do not always tell pairs of equal size apart
 _RESTARTS = 30  # of Arnoldi's method, which takes a few where the shift is good
 _LAST_DIGITS = 8  # by sums in elements, and by factors
 _DROWNED, _RIGID = 0.1, 0.01  # uncertainties, relative to eigenvalues of their own, and to the smallest elastic one
-_INFINITE = 1e-12  # inverse eigenvalues that belong to constraints and to coordinates without mass
-_RELATIVE = {
-    "FFRFreducedOrder": 1,
-    "FFRF": 1,
-    "ALEANCFCable2D": 2,
-}  # their nodes from this one on: steady in the rotating frame
-_VECTORS = {"Point": 3, "PointSlope1": 3, "PointSlope12": 3, "PointSlope23": 3, "Point2D": 2, "Point2DSlope1": 2}
+_LONGEST_CHAIN = 3  # of infinite eigenvalues of constraints
 
 
 @dataclass(frozen=True)
@@ -61,101 +62,6 @@ def _error(reason: str, problem: str, advice: str) -> SolverError:
     return SolverError(f"{_NAME}: {problem}", advice, reason=reason, solverName=_NAME, advice=[advice])
 
 
-def _cross(w: FloatArray) -> FloatArray:
-    return np.array([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
-
-
-class _Rotation:
-    """Velocities V and accelerations A of all coordinates if everything rotates; they change with the coordinates.
-
-    A state seen from the rotating frame moves by x: rates are V + V' x + x_t, accelerations A + A' x + 2 V' x_t + x_tt.
-    On Lie-group rotations, which are increments in the axes of the node, accelerations are x_tt + V' x_t.
-    """
-
-    def __init__(self, mbs: Any, speed: FloatArray, center: FloatArray) -> None:
-        self.mbs, self.speed, self.center = mbs, speed, center
-        self.reference = np.array(mbs.systemData.GetODE2Coordinates(ConfigurationType.Reference))
-        items = [mbs.GetObject(number) for number in range(mbs.systemData.NumberOfObjects())]
-        relative = {
-            int(node)
-            for item in items
-            if (first := _RELATIVE.get(item["objectType"])) is not None
-            for node in item["nodeNumbers"][first:]
-        }
-        self.moving = [
-            node
-            for node in range(mbs.systemData.NumberOfNodes())
-            if mbs.systemData.GetNodeLTGODE2(node) and node not in relative
-        ]
-        self.nodes = [(mbs.GetNode(i)["nodeType"], np.array(mbs.systemData.GetNodeLTGODE2(i))) for i in self.moving]
-        self.rotates = bool(speed.any())
-        if self.rotates:
-            self._check()
-
-    def _check(self) -> None:
-        known = {*_VECTORS, "RigidBody2D", "RigidBodyEP", "RigidBodyRotVecLG"}
-        planar = bool(self.speed[:2].any())
-        received = f"{_NAME}: angularVelocity: received {self.speed.tolist()} with"
-        for node in self.moving:
-            kind = self.mbs.GetNode(node)["nodeType"]
-            if kind not in known:
-                raise ValueError(
-                    f"{received} node {node} ({kind}), whose rotation with the frame is not defined; expected nodes of "
-                    + ", ".join(sorted(known))
-                )
-            if planar and kind in ("Point2D", "Point2DSlope1", "RigidBody2D"):
-                raise ValueError(
-                    f"{received} node {node} ({kind}), which stays in its plane; expected a rotation about z"
-                )
-
-    def blocks(self, q: FloatArray) -> Any:
-        """Yield, of each part of a node, its coordinates, V, V', A, A', and the factor of V' x_t in accelerations."""
-        spin = _cross(self.speed)
-        total = self.reference + q
-        for kind, numbers in self.nodes:
-            size = _VECTORS.get(kind, 2 if kind == "RigidBody2D" else 3)
-            turn = spin[:size, :size]
-            count = len(numbers) // size if kind in _VECTORS else 1
-            for i in range(count):
-                part = numbers[i * size : (i + 1) * size]
-                vector = total[part] - (self.center[:size] if i == 0 else 0)
-                yield part, turn @ vector, turn, turn @ turn @ vector, turn @ turn, 2
-            if kind == "RigidBody2D":
-                yield numbers[2:], self.speed[2:], np.zeros((1, 1)), np.zeros(1), np.zeros((1, 1)), 2
-            if kind == "RigidBodyEP":
-                w = self.speed / 2
-                turn = np.block([[np.zeros((1, 1)), -w[None, :]], [w[:, None], _cross(w)]])
-                yield numbers[3:], turn @ total[numbers[3:]], turn, turn @ turn @ total[numbers[3:]], turn @ turn, 2
-            if kind == "RigidBodyRotVecLG":
-                from scipy.spatial.transform import Rotation
-
-                local = Rotation.from_rotvec(total[numbers[3:]]).as_matrix().T @ self.speed
-                yield numbers[3:], local, _cross(local), np.zeros(3), np.zeros((3, 3)), 1
-
-    def apply(self, state: Any) -> tuple[Any, Any, Any]:
-        """Give the state V and A; return V', A', and what x_t is multiplied by in accelerations."""
-        from scipy.sparse import csr_array
-
-        n = len(state.q)
-        if not self.rotates:
-            state.v = state.a = np.zeros(n)
-            none = csr_array((n, n))
-            return none, none, none
-        v, a = np.zeros(n), np.zeros(n)
-        entries: list[list[FloatArray]] = [[], [], []]
-        rows, columns = [], []
-        for part, v_part, v_by, a_part, a_by, factor in self.blocks(np.array(state.q)):
-            v[part], a[part] = v_part, a_part
-            rows.append(np.repeat(part, len(part)))
-            columns.append(np.tile(part, len(part)))
-            for values, block in zip(entries, (v_by, a_by, factor * v_by), strict=True):
-                values.append(block.ravel())
-        state.v, state.a = v, a
-        places = (np.concatenate(rows), np.concatenate(columns))
-        by = [csr_array((np.concatenate(values), places), shape=(n, n)) for values in entries]
-        return by[0], by[1], by[2]
-
-
 def _square(entries: Any, size: int) -> Any:
     from scipy.sparse import csr_array
 
@@ -163,14 +69,17 @@ def _square(entries: Any, size: int) -> Any:
     return csr_array((values, (rows, columns)), shape=(size, size))
 
 
-def _matrices(mbs: Any, state: Any, rotation: _Rotation) -> tuple[Any, Any, Any]:
+def _matrices(mbs: Any, state: Any, rotation: RotatingFrame) -> tuple[Any, Any, Any]:
     """Return M and G of the ODE2 coordinates, and K with the constraints, as seen from the rotating frame."""
-    from scipy.sparse import block_diag, csr_array
+    from scipy.sparse import block_diag, csr_array, vstack
 
     n, size = len(state.q), len(state.q) + len(state.lam)
     v_by, a_by, rates = rotation.apply(state)
     saddle = _square(testing.tangent_entries(mbs, state, cq=1, cv=0), size)
-    D = _square(testing.tangent_entries(mbs, state, cq=0, cv=1), size)[:n, :n]
+    by_rates = _square(testing.tangent_entries(mbs, state, cq=0, cv=1), size)
+    D = by_rates[:n, :n]
+    if size > n and by_rates[n:, :n].nnz:  # small motions that constraints of velocities permit, as of rolling
+        saddle = saddle + vstack([csr_array((n, size)), by_rates[n:]], format="csr")
     M = _square(testing.mass_entries(mbs, state), size)[:n, :n]
     more = D @ v_by + M @ a_by
     K = saddle + block_diag([more, csr_array((size - n, size - n))], format="csr") if size > n else saddle + more
@@ -203,28 +112,51 @@ def _shifted(M: Any, G: Any, K: Any, shift: float) -> Any:
     return K + (block_diag([more, csr_array((rest, rest))], format="csr") if rest else more)
 
 
-def _shift_of(M: Any, K: Any) -> float:
-    mass, stiffness = M.diagonal(), np.abs(K.diagonal()[: M.shape[0]])
-    heavy = mass > 0
-    if not heavy.any():
+def _shift_of(M: Any, K: Any, parts: CoordinateParts) -> float:
+    mass = M.diagonal()
+    if not (mass > 0).any():
         raise _error("massMatrix", "no coordinate has mass", "give the bodies mass")
-    highest = float(np.sqrt((stiffness[heavy] / mass[heavy]).max()))
+    highest = parts.highest_frequency(mass, K.diagonal()[: M.shape[0]])
     return _SHIFT * highest if highest > 0 else 1.0
 
 
-def _find_balance(mbs: Any, state: Any, rotation: _Rotation) -> float:
+def _step(
+    matrices: tuple[Any, Any, Any], residual: FloatArray, parts: CoordinateParts, gap: float, is_closed: bool
+) -> FloatArray:
+    """Return the increment of Newton's method; where it is too long, that with inertia against it, which goes downhill.
+
+    Rigid motions, which nothing resists, stay as they are.
+    """
+    M, G, K = matrices
+    n, shift = M.shape[0], _shift_of(M, K, parts)
+    for _ in range(_SHORTER_STEPS):
+        factors = _factors(_shifted(M, G * 0, K, shift), n, gap if is_closed else 0.0)
+        right = residual.copy()
+        if gap > _CLOSED:
+            right[n:] -= factors.left_open(right)
+        increment = -factors.solve(right)
+        moves, turns = parts.sizes(increment[:n])
+        excess = max(moves.max(initial=0.0) / _LARGEST_MOVE, turns.max(initial=0.0) / _LARGEST_TURN)
+        if not excess > 1.0:
+            return increment
+        shift *= max(2.0, 1.2 * np.sqrt(excess))
+    increment[:n] /= excess
+    return increment
+
+
+def _find_balance(mbs: Any, state: Any, rotation: RotatingFrame, parts: CoordinateParts) -> float:
     """Move the state to where all forces, those of the rotation among them, are in balance, and joints fit.
 
     Return what joints that contradict each other leave open, relative to the size of their mechanism, or in rad.
     """
     n, largest, before, open_before = len(state.q), 0.0, np.inf, np.inf
-    units, extent = testing.constraint_metric(mbs, state)[1], testing.extent(mbs)
+    units = testing.constraint_metric(mbs, state)[1]
     for _ in range(_ITERATIONS):
         M, G, K = _matrices(mbs, state, rotation)
         residual = np.asarray(testing.residual(mbs, state))
         size, gap = float(np.linalg.norm(residual[:n])), float(np.abs(residual[n:] / units).max(initial=0.0))
         magnitudes = np.abs(np.concatenate([rotation.reference + state.q, state.lam]))
-        magnitudes[:n] = np.maximum(magnitudes[:n], extent)  # positions of other points are rounded as well
+        magnitudes[:n] = np.maximum(magnitudes[:n], parts.extent)  # positions of other points are rounded as well
         round_off = _ROUND_OFF * float(np.linalg.norm((abs(K) @ magnitudes)[:n]))
         largest = max(largest, size)
         if not np.isfinite(size + gap):
@@ -232,12 +164,8 @@ def _find_balance(mbs: Any, state: Any, rotation: _Rotation) -> float:
         is_closed = gap <= _CLOSED or gap > open_before / 2  # nothing makes it smaller
         if is_closed and (size <= _BALANCE * largest or (size <= round_off and size > before / 2)):
             return gap
-        # rigid motions, which nothing resists, stay as they are
-        factors = _factors(_shifted(M, G * 0, K, _shift_of(M, K)), n, gap if is_closed else 0.0)
         before, open_before = size, gap
-        if gap > _CLOSED:
-            residual[n:] -= factors.left_open(residual)
-        increment = -factors.solve(residual)
+        increment = _step((M, G, K), residual, parts, gap, is_closed)
         state.q = testing.compose(mbs, state, increment[:n])
         state.lam = np.asarray(state.lam) + increment[n:]
     advice = (
@@ -245,6 +173,39 @@ def _find_balance(mbs: Any, state: Any, rotation: _Rotation) -> float:
         "with updateInitialValues=True first"
     )
     raise _error("newton", f"no balance of forces after {_ITERATIONS} iterations (residual {size:.3g})", advice)
+
+
+def _warn_of_turning(mbs: Any, parts: CoordinateParts, rotation: RotatingFrame) -> None:
+    """Warn of initial velocities that turn bodies, which count in a rotating frame only."""
+    rates = mbs.systemData.GetODE2Coordinates_t(ConfigurationType.Initial)
+    moving = parts.turning[rates[parts.turning] != 0]
+    if len(moving) and not rotation.rotates:
+        warnings.warn(
+            f"{_NAME}: initial velocities are ignored, and so are gyroscopic effects of bodies that turn "
+            f"({testing.describe_row(mbs, int(moving[0]))}); angularVelocity gives the speed of a rotating frame",
+            RuntimeWarning,
+            stacklevel=3,
+        )
+
+
+def _warn_if_far(mbs: Any, state: Any, parts: CoordinateParts) -> None:
+    """Warn of an equilibrium that is not the one a user expects next to the initial state."""
+    change = np.array(state.q) - mbs.systemData.GetODE2Coordinates(ConfigurationType.Initial)
+    moves, turns = parts.sizes(change)
+    for sizes, limit, how in (
+        (turns, _FAR_TURN, "{:.3g} rad"),
+        (moves, _FAR_MOVE, "{:.3g} times the size of the model"),
+    ):
+        if sizes.max(initial=0.0) > limit:
+            place = int(np.argmax(sizes))
+            away, where = how.format(sizes[place]), testing.describe_row(mbs, place)
+            warnings.warn(
+                f"{_NAME}: the equilibrium found is {away} away from the initial state, at {where}. "
+                "Modes are those about this equilibrium; coordinates has its values",
+                RuntimeWarning,
+                stacklevel=3,
+            )
+            return
 
 
 def _check_that_joints_fit(mbs: Any, state: Any) -> None:
@@ -261,12 +222,18 @@ def _check_that_joints_fit(mbs: Any, state: Any) -> None:
         warnings.warn("\n".join([f"{_NAME}: {problem}", *some]), RuntimeWarning, stacklevel=3)
 
 
-def _eigenpairs(M: Any, G: Any, K: Any, count: int, apart: float) -> tuple[ComplexArray, ComplexArray]:
+def _eigenpairs(
+    M: Any, G: Any, K: Any, count: int, parts: CoordinateParts, apart: float
+) -> tuple[ComplexArray, ComplexArray]:
     """Return lambda and x of lambda^2 M x + lambda G x + K x + C^T mu = 0, C x = 0, those nearest to zero first."""
-    shift = _shift_of(M, K)
+    shift, n = _shift_of(M, K, parts), M.shape[0]
+    if 2 * n <= max(_DENSE, 2 * count + _MORE + 2):
+        return _dense(M, G, K, shift, apart)
     least = _LEAST_SHIFT / _SHIFT * shift
     while True:
         found = _nearest(M, G, K, count, shift, apart)
+        if found is not None and len(found[0]) == 0 and shift <= least:
+            return found  # constraints hold everything
         smallest = float(np.abs(found[0]).min()) if found is not None and len(found[0]) else 0.0
         if found is not None and shift <= max(smallest, least):
             return found
@@ -279,7 +246,11 @@ def _eigenpairs(M: Any, G: Any, K: Any, count: int, apart: float) -> tuple[Compl
 def _nearest(
     M: Any, G: Any, K: Any, count: int, shift: float, apart: float
 ) -> tuple[ComplexArray, ComplexArray] | None:
-    """Return eigenvalues next to the shift, and their vectors; None if they are too much alike."""
+    """Return eigenvalues next to the shift, and their vectors; None if they are too much alike.
+
+    Constraints have infinite eigenvalues in chains, whose rounding looks like fast motions: small systems are reduced
+    to the motions that constraints permit, and pairs that do not solve the equations of motion are dropped.
+    """
     from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs
 
     n, size = M.shape[0], K.shape[0]
@@ -293,19 +264,29 @@ def _nearest(
         x = solve(right)[:n]
         return np.vstack([x, shift * x + y[:n]])
 
-    wanted = 2 * count + 4
-    if 2 * n <= max(_DENSE, wanted + 2):
-        inverses, vectors = np.linalg.eig(inverse(np.eye(2 * n)))
-    else:
-        operator = LinearOperator((2 * n, 2 * n), matvec=lambda y: inverse(y).ravel(), dtype=float)
-        # what starts in the range of the operator fulfils the constraints
-        first = inverse(np.random.default_rng(1).normal(size=2 * n)).ravel()
-        try:
-            inverses, vectors = eigs(operator, k=wanted, ncv=min(_BASIS * wanted, 2 * n), v0=first, maxiter=_RESTARTS)
-        except ArpackNoConvergence:
-            return None
-    finite = np.abs(inverses) > _INFINITE * np.abs(inverses).max()
-    return shift + 1 / inverses[finite], vectors[:n, finite]
+    wanted = 2 * count + _MORE
+    operator = LinearOperator((2 * n, 2 * n), matvec=lambda y: inverse(y).ravel(), dtype=float)
+    # what starts in the range of the operator fulfils the constraints
+    first = np.random.default_rng(1).normal(size=2 * n)
+    for _ in range(_LONGEST_CHAIN):
+        first = inverse(first).ravel()
+        first /= np.linalg.norm(first)
+    try:
+        inverses, vectors = eigs(operator, k=wanted, ncv=min(_BASIS * wanted, 2 * n), v0=first, maxiter=_RESTARTS)
+    except ArpackNoConvergence:
+        return None
+    finite = np.abs(inverses) > INFINITE * np.abs(inverses).max()
+    values, vectors = shift + 1 / inverses[finite], vectors[:n, finite]
+    solves = solve_the_equations(M, G, K[:n, :n], values, vectors, shift)
+    return values[solves], vectors[:, solves]
+
+
+def _dense(M: Any, G: Any, K: Any, shift: float, apart: float) -> tuple[ComplexArray, ComplexArray]:
+    try:
+        return ReducedPencil(M, G, K, apart).nearest(shift)
+    except np.linalg.LinAlgError as error:
+        problem = f"the matrix of small motions is singular ({error})"
+        raise _error("singularMatrix", problem, "give all coordinates stiffness or mass") from error
 
 
 def _uncertainties(M: Any, G: Any, K: Any, values: ComplexArray, vectors: ComplexArray) -> FloatArray:
@@ -345,6 +326,7 @@ def ComputeVibrationModes(
 ) -> VibrationModes:
     """Return the lowest complex modes of small motions about the equilibrium next to the initial state.
 
+    There are fewer if the system has fewer degrees of freedom. A warning reports an equilibrium that is far away.
     All forces count at their full values: preloads, gyroscopic and centrifugal forces, damping, and geometric terms of
     forces in bodies, connectors and constraints. With an angularVelocity (rad/s, global axes) about center (m), the
     whole model, with ground and the directions of loads, is seen from a frame that rotates: its steady state is found
@@ -361,11 +343,14 @@ def ComputeVibrationModes(
         raise ValueError(f"{_NAME}: numberOfModes: expected a positive number, received {numberOfModes}")
     assemble_if_needed(_NAME, mbs, autoAssemble)
     state = _start(mbs)
-    rotation = _Rotation(mbs, speed, middle)
-    apart = _find_balance(mbs, state, rotation)
+    rotation = RotatingFrame(mbs, speed, middle)
+    parts = CoordinateParts(mbs, state)
+    _warn_of_turning(mbs, parts, rotation)
+    apart = _find_balance(mbs, state, rotation, parts)
+    _warn_if_far(mbs, state, parts)
     _check_that_joints_fit(mbs, state)
     M, G, K = _matrices(mbs, state, rotation)
-    values, vectors = _eigenpairs(M, G, K, numberOfModes, apart)
+    values, vectors = _eigenpairs(M, G, K, numberOfModes, parts, apart)
     upper = values.imag >= 0
     values, vectors = values[upper], vectors[:, upper]
     order = np.argsort(np.abs(values))[:numberOfModes]
