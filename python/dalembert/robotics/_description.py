@@ -23,6 +23,8 @@ from dalembert.robotics._parts import GraphicsList, RobotBase, RobotLink, VRobot
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._xml import Element
 
+_ROUNDED = 1e-3  # of principal moments, and, twice, of a mass in kg: negative moments that files have by rounding
+
 
 @dataclass
 class Body:
@@ -82,7 +84,15 @@ class _Moving:
 
 
 def inertia_in_file(element: Element, mass: float, tensor: FloatArray) -> RigidBodyInertia:
-    """Return the inertia that an element gives; what is wrong with it is told with file and line."""
+    """Return the inertia that an element gives; errors and warnings have its file and line."""
+    moments, axes = np.linalg.eigh(tensor) if np.isfinite(tensor).all() else (np.zeros(3), np.eye(3))
+    if -_ROUNDED * max(moments[-1], _ROUNDED * mass) <= moments[0] < 0:
+        warnings.warn(
+            f"{element.file}, line {element.line}: <{element.tag}>: a principal moment of {moments[0]:.3g} is taken "
+            "for zero",
+            stacklevel=2,
+        )
+        tensor = axes @ np.diag(np.maximum(moments, 0.0)) @ axes.T
     try:
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
@@ -141,7 +151,7 @@ def _moving(joint: Joint, carrier: int, T: FloatArray, number: int) -> list[_Mov
         to_axis = translated(joint.place) @ turned(A)
         back = joint_transformation(kind, np.array(-joint.reference))
         before = (T if i == 0 else np.eye(4)) @ to_axis @ back
-        name = joint.name if len(parts) == 1 else f"{joint.name}:{i}"
+        name = f"{joint.name}:{i}" if joint.name and len(parts) > 1 else joint.name
         own = _Moving(carrier if i == 0 else number + i - 1, before, kind, InverseHT(to_axis), joint=name)
         own.reference, own.values = joint.reference, joint.values
         result.append(own)
@@ -174,7 +184,8 @@ class _Builder:
                 link.inertia = link.inertia + body.inertia.Transformed(T)
         if fixed:
             self.frames[name] = (carrier, T)
-        self.frames |= {frame: (carrier, T @ local) for frame, local in body.frames.items()}
+        links = self.description.bodies  # their names go before those of other frames
+        self.frames |= {frame: (carrier, T @ local) for frame, local in body.frames.items() if frame not in links}
         for joint in self.children.get(name, []):
             if joint.kind == "fixed":
                 self._place(joint.child, carrier, T @ joint.T, fixed=True)

@@ -27,14 +27,41 @@ class Shape(NamedTuple):
 
 
 def mesh(path: Path, scale: FloatArray) -> Shape:
-    """Return the mesh of a file: STL, or what PyMeshLab reads."""
+    """Return the mesh of a file: STL, OBJ, or what PyMeshLab reads."""
     if path.suffix.lower() == ".stl":
         corners = _read_facets(str(path))[1]
+    elif path.suffix.lower() == ".obj":
+        corners = _read_obj(path)
     else:
         points, triangles = graphics.ToPointsAndTrigs(graphics.FromPyMeshlabFile(str(path)))
         corners = np.asarray(points, dtype=float)[np.asarray(triangles)]
     corners = corners * scale
     return Shape("mesh", corners=corners if scale.prod() > 0 else corners[:, ::-1])
+
+
+def _read_obj(path: Path) -> FloatArray:
+    """Return the corners of the triangles of an OBJ file; faces with more corners are cut into triangles."""
+    points: list[list[float]] = []
+    triangles: list[list[int]] = []
+    for line in path.read_text(errors="replace").replace("\\\n", " ").splitlines():
+        kind, *words = line.split() or [""]
+        if kind == "v":
+            points.append([float(word) for word in words[:3]])
+        elif kind == "f":
+            numbers = [int(word.split("/")[0]) for word in words]
+            face = [number - 1 if number > 0 else len(points) + number for number in numbers]
+            triangles += [[face[0], face[i], face[i + 1]] for i in range(1, len(face) - 1)]
+    if not triangles:
+        raise ValueError(f"{path}: expected faces (lines that begin with f) in this OBJ file")
+    return np.array(points)[np.array(triangles)]
+
+
+def volumes(corners: FloatArray) -> tuple[float, float]:
+    """Return the volume of a mesh, and the sum of absolute volumes between its facets and the middle of these."""
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    middle = (areas[:, None] * corners.mean(axis=1)).sum(axis=0) / areas.sum()
+    each = np.linalg.det(corners - middle) / 6
+    return float(each.sum()), float(np.abs(each).sum())
 
 
 def drawn(shape: Shape, color: Sequence[float]) -> GraphicsList:

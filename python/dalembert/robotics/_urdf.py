@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -48,6 +49,7 @@ _KNOWN = {
     "limit": ("lower upper effort velocity acceleration deceleration jerk", ""),
     "mimic": ("joint multiplier offset", ""),
 }
+_SPRINGS = ("springStiffness", "springReference", "spring_stiffness", "spring_reference")
 _GREY = (0.7, 0.7, 0.7, 1.0)
 
 Packages = str | Path | Sequence[str | Path] | Mapping[str, str | Path]
@@ -203,6 +205,49 @@ def _unique(things: Sequence[Body | Joint], what: str) -> None:
         seen[thing.name] = thing
 
 
+def _resolve_followers(joints: list[Joint]) -> None:
+    """Let joints that follow followers follow the joint at the end of the chain, which moves by itself."""
+    movable = {joint.name: joint for joint in joints if joint.kind in ("revolute", "prismatic")}
+    followers = {joint.name: joint.values["follows"] for joint in joints if "follows" in joint.values}
+    for joint in joints:
+        if "follows" not in joint.values:
+            continue
+        leader, factor, offset = joint.values["follows"]
+        seen = {joint.name}
+        while leader in followers and leader not in seen:
+            seen.add(leader)
+            leader, own_factor, own_offset = followers[leader]
+            factor, offset = factor * own_factor, offset + factor * own_offset
+        if leader not in movable or leader in followers:
+            known = ", ".join(name for name in movable if name not in followers)
+            joint.where.fail(f"joint '{joint.name}': mimic: expected a joint that moves by itself, of {known}")
+        joint.values["follows"] = (leader, factor, offset)
+
+
+def _descendants(element: Element) -> Iterator[Element]:
+    for child in element.children:
+        yield child
+        yield from _descendants(child)
+
+
+def _warn_of_what_is_left_out(fileName: str | Path, root: Element) -> None:
+    """Warn of what acts in other programs and has no counterpart here; refuse macros."""
+    left = []
+    for element in _descendants(root):
+        if element.tag.startswith("xacro:"):
+            element.fail("this is a macro; run xacro of ROS on the file first")
+    for joint in root.every("joint"):
+        kind, name = joint.text("type"), joint.text("name")
+        given = [tag for tag in ("limit", "dynamics", "mimic") if joint.only(tag)]
+        if kind in ("planar", "floating") and given:
+            left.append(f"<{'>, <'.join(given)}> of joint '{name}' ({kind})")
+    for gazebo in root.every("gazebo"):
+        if any(element.tag in _SPRINGS for element in _descendants(gazebo)):
+            left.append(f"springs of <gazebo reference='{gazebo.text('reference', '')}'>")
+    if left:
+        warnings.warn(f"{fileName}: left out: {', '.join(left)}", stacklevel=4)
+
+
 def read_urdf(
     fileName: str | Path, packages: Packages | None = None, shapes: bool = True, text: str | None = None
 ) -> Description:
@@ -218,11 +263,8 @@ def read_urdf(
     joints = [_joint(element) for element in root.every("joint")]
     _unique(bodies, "link")
     _unique(joints, "joint")
-    leaders = [j.name for j in joints if j.kind in ("revolute", "prismatic") and "follows" not in j.values]
-    for joint in joints:
-        if "follows" in joint.values and joint.values["follows"][0] not in leaders:
-            known = ", ".join(leaders)
-            joint.where.fail(f"joint '{joint.name}': mimic: expected a joint that moves by itself, of {known}")
+    _resolve_followers(joints)
+    _warn_of_what_is_left_out(fileName, root)
     if not bodies:
         root.fail("expected an element <link> in it")
     named = {body.name: body for body in bodies}

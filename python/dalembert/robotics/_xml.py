@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
@@ -50,9 +50,10 @@ class Element:
         for child in self.children if children else ():
             child._refuse_nearly("element", [child.tag], children.split())
 
-    def _refuse_nearly(self, what: str, given: Iterable[str], known: list[str]) -> None:
+    def _refuse_nearly(self, what: str, given: Collection[str], known: list[str]) -> None:
         for name in given:
-            if name not in known and (near := difflib.get_close_matches(name, known, 1, 0.7)):
+            near = [] if name in known else difflib.get_close_matches(name, known, 1, 0.7)
+            if near and near[0] not in given:  # beside it, this is a name of another program
                 self.fail(f"there is no {what} '{name}'; did you mean '{near[0]}'?")
 
     def text(self, name: str, default: str | None = None) -> str:

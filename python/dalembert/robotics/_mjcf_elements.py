@@ -1,0 +1,141 @@
+"""Elements of MJCF files before bodies are made of them: included files, repeated elements, misspelt names, options."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from dalembert._checks import FloatArray
+from dalembert.robotics._mjcf_compiler import Compiler
+from dalembert.robotics._xml import Element, read
+
+_ROTATIONS = "pos quat axisangle euler xyaxes zaxis"
+_BODY_PARTS = (
+    "inertial joint freejoint geom attach site camera light plugin composite flexcomp body frame replicate include"
+)
+# Attributes and children of the elements that count. MuJoCo has more elements, and plugins more
+# attributes; what is nearly one of these is misspelt.
+_KNOWN = {
+    "compiler": (
+        "autolimits boundmass boundinertia settotalmass balanceinertia strippath coordinate angle fitaabb eulerseq "
+        "meshdir texturedir assetdir discardvisual usethread fusestatic inertiafromgeom inertiagrouprange alignfree "
+        "saveinertial",
+        "",
+    ),
+    "worldbody": ("name childclass", _BODY_PARTS),
+    "body": (f"name childclass mocap gravcomp sleep user {_ROTATIONS}", _BODY_PARTS),
+    "frame": (f"name childclass {_ROTATIONS}", _BODY_PARTS),
+    "inertial": (f"mass diaginertia fullinertia {_ROTATIONS}", ""),
+    "freejoint": ("name group align", ""),
+    "joint": (
+        "name class type group pos axis springdamper limited actuatorfrclimited solreflimit solimplimit solreffriction "
+        "solimpfriction stiffness range actuatorfrcrange actuatorgravcomp margin ref springref armature damping "
+        "frictionloss user",
+        "",
+    ),
+    "geom": (
+        "name class type contype conaffinity condim group priority size material rgba friction mass density "
+        "shellinertia solmix solref solimp margin gap fromto hfield mesh fitscale fluidshape fluidcoef user "
+        f"{_ROTATIONS}",
+        "plugin",
+    ),
+}
+
+
+def refuse_misspelt(element: Element) -> None:
+    """Refuse misspelt names in compiler, defaults and bodies; in the others, nothing is read."""
+    if element.tag in _KNOWN:
+        element.refuse_misspelt(*_KNOWN[element.tag])
+    for child in element.children:
+        if element.tag in ("mujoco", "default", *_KNOWN) and child.tag in ("default", *_KNOWN):
+            refuse_misspelt(child)
+
+
+def included(element: Element, folder: Path) -> Element:
+    """Return an element with the contents of files in the place of <include file>."""
+    children = []
+    for child in element.children:
+        if child.tag == "include":
+            path = folder / child.text("file")
+            if not path.is_file():
+                child.fail(f"there is no file '{child.text('file')}'")
+            children += included(read(path), folder).children
+        else:
+            children.append(included(child, folder))
+    return replace(element, children=children)
+
+
+def _renamed(element: Element, suffix: str) -> Element:
+    """Return a copy of an element in which names have a suffix."""
+    attributes = dict(element.attributes)
+    if attributes.get("name"):
+        attributes["name"] += suffix
+    return replace(element, attributes=attributes, children=[_renamed(child, suffix) for child in element.children])
+
+
+def _frames_of(element: Element, compiler: Compiler) -> Iterator[Element]:
+    """Give a <frame> for each copy of a <replicate>: turned by multiples of its angles, each in front of the next."""
+    count, place = int(element.number("count")), np.zeros(3)
+    angles, offset = element.numbers("euler", 3, "0 0 0"), element.numbers("offset", 3, "0 0 0")
+    digits, separator = len(str(count - 1)), element.text("sep", "")
+    for i in range(count):
+        attributes = {"pos": _text(place), "euler": _text(i * angles)}
+        if "childclass" in element.attributes:
+            attributes["childclass"] = element.attributes["childclass"]
+        copies = [_renamed(child, f"{separator}{i:0{digits}d}") for child in element.children]
+        frame = Element("frame", attributes, element.file, element.line, copies)
+        yield frame
+        place = place + compiler.rotation(frame) @ offset
+
+
+def _text(values: FloatArray) -> str:
+    return " ".join(repr(float(value)) for value in values)
+
+
+def repeated(element: Element, compiler: Compiler) -> Element:
+    """Return an element with the copies that <replicate> makes in its place."""
+    children: list[Element] = []
+    for child in element.children:
+        inner = repeated(child, compiler)
+        children += _frames_of(inner, compiler) if child.tag == "replicate" else [inner]
+    return replace(element, children=children)
+
+
+def gravity_of(root: Element) -> FloatArray:
+    """Return the gravity of a file; what a later <option> does not give stays."""
+    gravity, off = np.array([0.0, 0.0, -9.81]), False
+    for option in root.every("option"):
+        if "gravity" in option.attributes:
+            gravity = option.numbers("gravity", 3)
+        for flag in option.every("flag"):
+            off = flag.text("gravity", "disable" if off else "enable") == "disable"
+    return gravity * 0 if off else gravity
+
+
+# What a robot has none of: elements, in which order they are named, and settings of <option>.
+_ELEMENTS = {
+    "actuator": "",
+    "contact": "",
+    "deformable": "",
+    "equality": " (loops that it closes are open)",
+    "extension": "",
+    "keyframe": "",
+    "tendon": "",
+}
+_MEDIUM = ("density", "viscosity", "wind")
+_FLAGS = ("spring", "damper", "passive", "limit", "frictionloss", "equality", "constraint")
+
+
+def left_out(root: Element) -> list[str]:
+    """Return what a file says that a robot has none of, in elements beside the bodies."""
+    found = [f"<{tag}>{more}" for tag, more in _ELEMENTS.items() if any(e.children for e in root.every(tag))]
+    for option in root.every("option"):
+        found += [f"{name} of <option>" for name in _MEDIUM if option.numbers(name, (1, 3), "0").any()]
+        for flag in option.every("flag"):
+            found += [f"<flag {name}='disable'>" for name in _FLAGS if flag.text(name, "enable") == "disable"]
+    if any(compiler.text("alignfree", "false") == "true" for compiler in root.every("compiler")):
+        found.append("alignfree of <compiler>")
+    return found
