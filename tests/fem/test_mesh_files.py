@@ -84,11 +84,15 @@ def test_instances_of_abaqus(tmp_path):
 
 
 WRONG = {
-    "two coordinates": ("27, 1.0, 1.0, 1.0", "27, 1.0, 1.0", r"block.inp, line 31: expected a node number and three"),
+    "four coordinates": (
+        "27, 1.0, 1.0, 1.0",
+        "27, 1.0, 1.0, 1.0, 1.0",
+        r"block.inp, line 31: expected a node number and up",
+    ),
     "no number": (
         "27, 1.0, 1.0, 1.0",
         "27, 1.0, 1.0, x",
-        r"line 31: expected a node number and three coordinates, found",
+        r"line 31: expected a node number and up to three coordinates, found",
     ),
     "node twice": ("27, 1.0, 1.0, 1.0", "26, 1.0, 1.0, 1.0", "node 26 is given more than once"),
     "unknown node": ("100, 1, 10", "100, 99, 10", "line 33: element 100 has node 99, which does not exist"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import os
 from collections.abc import Mapping
 from typing import Any
@@ -16,6 +18,7 @@ from dalembert._fem.materials import as_material
 from dalembert._fem.progress import reporter
 from dalembert._fem.sparse import MapSparseMatrixIndices
 from dalembert._fem.surfaces import Surfaces, surface_triangles
+from dalembert._io import nastran
 from dalembert._io.abaqus import read_abaqus, read_abaqus_matrix
 from dalembert._io.ansys import (
     ReadElementsFromAnsysTxt,
@@ -37,6 +40,22 @@ _MESHIO = {
 }
 
 
+_MOST_REGIONS = 1000  # numbers of elements are no regions
+
+
+def _read_by_meshio(name: str) -> Any:
+    """Return the mesh of a file; ValueError for whatever meshio does with a file that it cannot read."""
+    import meshio
+
+    try:
+        with contextlib.redirect_stdout(io.StringIO()):
+            return meshio.read(name)
+    except (Exception, SystemExit) as error:  # meshio ends the process for some files, and has errors without a text
+        reason = str(error) if str(error) not in ("", "1") else type(error).__name__
+        file_to_read("FEMinterface.ImportFromMeshio: mesh", name)
+        raise ValueError(f"FEMinterface.ImportFromMeshio: {name}: meshio cannot read this file ({reason})") from error
+
+
 class Imports(Surfaces):
     """Read meshes and matrices."""
 
@@ -54,7 +73,9 @@ class Imports(Surfaces):
         """Read nodes and solid elements of a part (or typeName='Instance'), with sets and materials; return positions.
 
         Numbers are those of the order in the file, from 0. Positions are those of the part: where an instance lies in
-        the assembly does not count. Element sets with a section keep its material for AssembleMatrices.
+        the assembly does not count. Element sets with a section keep its material for AssembleMatrices, which
+        integrates all elements fully, also those of types with reduced integration (C3D20R). Names of sets and
+        materials may differ in case. Elements that are no solids are left out with a warning.
         """
         fileName = file_to_read("FEMinterface.ImportFromAbaqusInputFile: fileName", fileName)
         mesh = read_abaqus(fileName, typeName, name)
@@ -66,7 +87,7 @@ class Imports(Surfaces):
         self.elements = [{"Name": "elements", **mesh.elements}]
         self.nodeSets = [_node_set(key, nodes) for key, nodes in mesh.node_sets.items()]
         for key, elements in mesh.element_sets.items():
-            material = mesh.materials.get(mesh.sections.get(key, ""), {})
+            material = mesh.material_of(key)
             more = {"Material": material} if len(material) == 3 else {}
             self.elementSets.append({"Name": key, "ElementNumbers": elements, **more})
         if verbose:
@@ -151,7 +172,8 @@ class Imports(Surfaces):
 
         `scale` turns the unit of the file into m, 1e-3 for instance. Solid elements, point and cell sets are taken;
         elements of surfaces and lines are left out, and so are nodes that belong to them alone. Tetrahedra may be
-        listed in either orientation.
+        listed in either orientation. Regions with numbers, such as properties of NASTRAN, become element sets of names
+        like 'nastran:ref:1'.
         """
         try:
             import meshio
@@ -159,12 +181,15 @@ class Imports(Surfaces):
             text = "the package meshio is needed; install it with 'pip install meshio'"
             raise ImportError(f"FEMinterface.ImportFromMeshio: {text}") from None
         name = "" if isinstance(mesh, meshio.Mesh) else os.fspath(mesh)
-        read = meshio.read(name) if name else mesh
+        read = _read_by_meshio(name) if name else mesh
         solid = [(i, cells) for i, cells in enumerate(read.cells) if cells.type in _MESHIO]
         if not solid:
             found = ", ".join(sorted({cells.type for cells in read.cells})) or "none"
             raise ValueError(f"FEMinterface.ImportFromMeshio: {name}: there are no solid elements; found: {found}")
-        self._new_mesh("meshio", name, scale * np.asarray(read.points, dtype=float)[:, :3])
+        positions = np.asarray(read.points, dtype=float)[:, :3]
+        if name.lower().endswith(nastran.SUFFIXES):
+            positions = nastran.global_positions(name, positions)
+        self._new_mesh("meshio", name, scale * positions)
         kinds = sorted({_MESHIO[cells.type] for _, cells in solid}, key=list(KINDS).index)
         grouped = {kind: [(i, cells.data) for i, cells in solid if _MESHIO[cells.type] == kind] for kind in kinds}
         points = self.GetNodePositionsAsArray()
@@ -197,7 +222,10 @@ class Imports(Surfaces):
             self.elementSets.append({"Name": name, "ElementNumbers": np.concatenate(found).astype(np.int64)})
 
     def _regions(self, read: Any, starts: Mapping[int, int]) -> None:
-        """Physical groups of gmsh as element sets."""
+        """Physical groups of gmsh, and other regions with numbers, such as properties of NASTRAN, as element sets."""
+        for key, values in read.cell_data.items():
+            if not key.startswith("gmsh:") and np.issubdtype(np.asarray(values[0]).dtype, np.integer):
+                self._numbered_regions(key, values, starts)
         tags = read.cell_data.get("gmsh:physical")
         names = {int(value[0]): key for key, value in read.field_data.items() if int(value[1]) == 3}
         for tag, key in names.items() if tags is not None else ():
@@ -205,6 +233,12 @@ class Imports(Surfaces):
             if numbers := [part for part in parts if len(part)]:
                 self.elementSets = [s for s in self.elementSets if s["Name"] != key]
                 self.elementSets.append({"Name": key, "ElementNumbers": np.concatenate(numbers)})
+
+    def _numbered_regions(self, key: str, values: Any, starts: Mapping[int, int]) -> None:
+        numbers = np.unique(np.concatenate([np.ravel(values[i]) for i in starts]))
+        for number in numbers if len(numbers) <= _MOST_REGIONS else ():
+            members = [np.flatnonzero(np.ravel(values[i]) == number) + start for i, start in starts.items()]
+            self.elementSets.append({"Name": f"{key}:{number}", "ElementNumbers": np.concatenate(members)})
 
     # -- meshes
 

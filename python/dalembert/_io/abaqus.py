@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import warnings
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -40,8 +42,14 @@ class AbaqusMesh:
     sections: dict[str, str]  # element set: material
     materials: dict[str, dict[str, float]]
 
+    def material_of(self, elementSet: str) -> dict[str, float]:
+        """Return the material of the section of a set, as far as the file has it; names may differ in case."""
+        sections = {name.lower(): material for name, material in self.sections.items()}
+        materials = {name.lower(): values for name, values in self.materials.items()}
+        return materials.get(sections.get(elementSet.lower(), "").lower(), {})
 
-def _blocks(fileName: str) -> list[_Block]:
+
+def _blocks(fileName: str, within: tuple[str, ...] = ()) -> list[_Block]:
     blocks: list[_Block] = []
     with open(fileName, encoding="utf-8", errors="replace") as file:
         for number, line in enumerate(file, 1):
@@ -52,10 +60,21 @@ def _blocks(fileName: str) -> list[_Block]:
                 keyword, *options = (word.strip() for word in text[1:].split(","))
                 pairs = (option.partition("=") for option in options if option)
                 values = {key.strip().lower(): value.strip() for key, _, value in pairs}
-                blocks.append(_Block(" ".join(keyword.lower().split()), values, number))
+                if keyword.lower() == "include":
+                    blocks += _included(fileName, number, values.get("input", "").strip("\"'"), within)
+                else:
+                    blocks.append(_Block(" ".join(keyword.lower().split()), values, number))
             elif blocks:
                 blocks[-1].rows.append((number, text))
     return blocks
+
+
+def _included(fileName: str, line: int, name: str, within: tuple[str, ...]) -> list[_Block]:
+    """Return the blocks of a file that another one includes, whose folder its name counts from."""
+    path = os.path.join(os.path.dirname(fileName), name)
+    if not os.path.isfile(path) or path in within:
+        raise ValueError(f"{fileName}, line {line}: *Include: there is no file '{name}', or it includes itself")
+    return _blocks(path, (*within, fileName))
 
 
 def _within(blocks: Sequence[_Block], fileName: str, typeName: str, name: str) -> list[_Block]:
@@ -90,13 +109,13 @@ def _numbers(fileName: str, line: int, text: str, kind: Any, expected: str) -> l
 
 
 def _read_nodes(fileName: str, blocks: Iterable[_Block]) -> tuple[IntArray, FloatArray]:
-    rows, expected = [], "a node number and three coordinates"
+    rows, expected = [], "a node number and up to three coordinates"
     for block in blocks:
         for line, text in block.rows:
             row = _numbers(fileName, line, text, float, expected)
-            if len(row) != 4:
+            if not 2 <= len(row) <= 4:
                 raise ValueError(f"{fileName}, line {line}: expected {expected}, found '{text}'")
-            rows.append(row)
+            rows.append(row + [0.0] * (4 - len(row)))
     table = np.array(rows, dtype=float).reshape(-1, 4)
     labels = table[:, 0].astype(np.int64)
     unique, counts = np.unique(labels, return_counts=True)
@@ -105,14 +124,13 @@ def _read_nodes(fileName: str, blocks: Iterable[_Block]) -> tuple[IntArray, Floa
     return labels, table[:, 1:]
 
 
-def _kind_of(fileName: str, block: _Block) -> str:
+def _kind_of(block: _Block) -> str | None:
+    """Return our name of a type of solid elements; None for others."""
     given = block.options.get("type", "").upper()
     for name, kind in sorted(_TYPES.items(), reverse=True):  # C3D10 before C3D
         if given.startswith(name) and given[len(name) :] in _SUFFIXES:
             return kind
-    known = ", ".join(_TYPES)
-    text = f"elements of type '{given}' are not known; known are solid elements {known}, also with R, H, I, M, S"
-    raise ValueError(f"{fileName}, line {block.line}: {text}")
+    return None
 
 
 def _read_elements(fileName: str, block: _Block, kind: str, nodes: dict[int, int]) -> tuple[list[int], list[list[int]]]:
@@ -140,19 +158,36 @@ def _read_elements(fileName: str, block: _Block, kind: str, nodes: dict[int, int
 
 
 def _read_sets(fileName: str, blocks: Iterable[_Block], option: str, numbers: dict[int, int]) -> dict[str, IntArray]:
-    """Sets of nodes or elements; a set may name others. Members of other parts are left out."""
+    """Sets of nodes or elements; a set may name others, in any case of letters. Members of other parts are left out."""
     sets: dict[str, list[int]] = {}
+    names: dict[str, str] = {}  # as they are first given
     for block in blocks:
-        members = sets.setdefault(block.options.get(option, ""), [])
+        name = block.options.get(option, "")
+        members = sets.setdefault(names.setdefault(name.lower(), name), [])
+        if block.keyword == "node":
+            members += [int(word) for word in _labels(block)]
+            continue
         for line, text in block.rows:
             words = [word.strip() for word in text.split(",") if word.strip()]
             if "generate" in block.options:
                 first, last, *step = _numbers(fileName, line, text, int, "first, last and step")
                 words = [str(i) for i in range(first, last + 1, *step)]
             for word in words:
-                members += [int(word)] if word.lstrip("-").isdigit() else sets.get(word, [])
+                if word.lstrip("-").isdigit():
+                    members.append(int(word))
+                elif word.lower() in names:
+                    members += sets[names[word.lower()]]
+                else:
+                    warnings.warn(
+                        f"{fileName}, line {line}: set '{word}' is not known, and left out of '{name}'", stacklevel=5
+                    )
     kept = {name: [numbers[i] for i in dict.fromkeys(members) if i in numbers] for name, members in sets.items()}
     return {name: np.array(members, dtype=np.int64) for name, members in kept.items() if members}
+
+
+def _labels(block: _Block) -> list[str]:
+    """Return the numbers of the nodes that a block defines."""
+    return [text.split(",")[0] for _, text in block.rows]
 
 
 def _read_materials(fileName: str, blocks: Sequence[_Block]) -> dict[str, dict[str, float]]:
@@ -169,9 +204,32 @@ def _read_materials(fileName: str, blocks: Sequence[_Block]) -> dict[str, dict[s
                 "isotropic",
                 "iso",
             ):
+                kind = block.options["type"]
+                warnings.warn(
+                    f"{fileName}, line {block.line}: *Elastic, type={kind} is not read; give this material to "
+                    "AssembleMatrices",
+                    stacklevel=4,
+                )
                 continue
             current |= dict(zip(names, row, strict=False))
     return materials
+
+
+def _report_others(fileName: str, others: Sequence[_Block], has_solids: bool) -> None:
+    """Warn of elements that are no solids; refuse a file that has no others."""
+    types = ", ".join(dict.fromkeys(f"'{block.options.get('type', '').upper()}'" for block in others))
+    if has_solids:
+        if others:
+            line = others[0].line
+            warnings.warn(
+                f"{fileName}, line {line}: elements of types {types} are left out; solids are read", stacklevel=4
+            )
+        return
+    if not others:
+        raise ValueError(f"{fileName}: there is no keyword *Element with solid elements")
+    known = ", ".join(_TYPES)
+    text = f"elements of type {types} are not known; known are solid elements {known}, also with R, H, I, M, S"
+    raise ValueError(f"{fileName}, line {others[0].line}: {text}")
 
 
 def read_abaqus(fileName: str, typeName: str, name: str) -> AbaqusMesh:
@@ -184,24 +242,33 @@ def read_abaqus(fileName: str, typeName: str, name: str) -> AbaqusMesh:
     nodes = {int(label): i for i, label in enumerate(labels)}
     by_kind: dict[str, tuple[list[int], list[list[int]]]] = {}
     own_sets: dict[str, list[int]] = {}
+    others: list[_Block] = []
     for block in inside:
         if block.keyword == "element":
-            kind = _kind_of(fileName, block)
+            kind = _kind_of(block)
+            if kind is None:
+                others.append(block)
+                continue
             found = _read_elements(fileName, block, kind, nodes)
             into = by_kind.setdefault(kind, ([], []))
             into[0].extend(found[0])
             into[1].extend(found[1])
             if "elset" in block.options:
-                own_sets.setdefault(block.options["elset"], []).extend(found[0])
-    if not by_kind:
-        raise ValueError(f"{fileName}: there is no keyword *Element with solid elements")
+                own_name = next((n for n in own_sets if n.lower() == block.options["elset"].lower()), None)
+                own_sets.setdefault(own_name or block.options["elset"], []).extend(found[0])
+    _report_others(fileName, others, bool(by_kind))
     ordered = {kind: by_kind[kind] for kind in KINDS if kind in by_kind}
     element_labels = np.array([label for part in ordered.values() for label in part[0]], dtype=np.int64)
     elements = {int(label): i for i, label in enumerate(element_labels)}
     assembly = [block for block in every if block not in inside and "instance" in block.options]
     sets = [
-        _read_sets(fileName, (block for block in [*inside, *assembly] if block.keyword == option), option, numbers)
-        for option, numbers in (("nset", nodes), ("elset", elements))
+        _read_sets(
+            fileName,
+            (b for b in [*inside, *assembly] if b.keyword in keywords and option in b.options),
+            option,
+            numbers,
+        )
+        for option, keywords, numbers in (("nset", ("nset", "node"), nodes), ("elset", ("elset",), elements))
     ]
     sets[1] |= {key: np.array([elements[i] for i in value], dtype=np.int64) for key, value in own_sets.items()}
     sections = {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from dalembert._io.files import file_to_read, file_to_write, replacing
 from dalembert.graphics._mesh import GraphicsData, mesh_of, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
 
+_SAME_POINT = 1e-6  # of the size of a surface
 _BINARY_FACET = np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("attribute", "<u2")])
 _FACET_LINES = ("facet normal", "outer loop", "vertex", "vertex", "vertex", "endloop", "endfacet")
 
@@ -83,10 +85,35 @@ def FromSTLfileASCII(
     return triangle_list("FromSTLfileASCII", corners.reshape(-1, 3), triangles, color, pointNormals)
 
 
+def _faults(corners: FloatArray) -> str:
+    """Return what is wrong with a surface that should enclose a volume; its edges meet in pairs, in both directions."""
+    size = np.ptp(corners.reshape(-1, 3), axis=0).max(initial=0.0)
+    if size == 0.0:
+        return ""
+    rounded = np.round(corners.reshape(-1, 3) / (_SAME_POINT * size)).astype(np.int64)
+    number = np.unique(rounded, axis=0, return_inverse=True)[1].reshape(-1, 3)
+    edges = np.stack([number, np.roll(number, -1, axis=1)], axis=-1).reshape(-1, 2)
+    edges = edges[edges[:, 0] != edges[:, 1]]
+    pairs, inverse = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
+    forward = np.where(edges[:, 0] < edges[:, 1], 1, -1)
+    balance = np.bincount(inverse.ravel(), forward, len(pairs))
+    count = np.bincount(inverse.ravel(), minlength=len(pairs))
+    if is_open := int((count % 2 == 1).sum()):
+        return f"the surface is open at {is_open} edges"
+    if turned := int((balance != 0).sum()):
+        return f"triangles at {turned} edges are turned against each other"
+    return ""
+
+
 def _mass_properties(corners: FloatArray, density: float) -> dict[str, Any]:
-    """Return volume, mass, centre of mass and inertia about it, of the tetrahedra from the origin to the triangles."""
+    """Return volume, mass, centre of mass and inertia about it, of the tetrahedra from the origin to the triangles.
+
+    Surfaces whose triangles are turned inward enclose the same volume.
+    """
     volumes = np.linalg.det(corners) / 6.0
     volume = volumes.sum()
+    if volume < 0.0:
+        volume, volumes = -volume, -volumes
     if volume == 0.0:
         raise ValueError("FromSTLfile: the surface encloses no volume, so density gives no mass")
     sums = corners.sum(axis=1)
@@ -112,7 +139,8 @@ def FromSTLfile(
     """Return a TriangleList from a text or binary STL file, scaled, then rotated by Aoff and shifted by pOff.
 
     With a density, the result is [graphicsData, properties] with minPos, maxPos, volume, mass, COM and the inertia
-    about COM. Unit normals are computed from the triangles; by default normals and triangles are inverted.
+    about COM. A warning reports a surface that is open or whose triangles are turned against each other. Unit normals
+    are computed from the triangles; by default normals and triangles are inverted.
     """
     corners = scale * _read_facets(fileName)[1]
     turned, moved = as_array("FromSTLfile: Aoff", Aoff), as_array("FromSTLfile: pOff", pOff)
@@ -128,6 +156,8 @@ def FromSTLfile(
     lower, upper = points.min(axis=0), points.max(axis=0)
     properties: dict[str, Any] = {"minPos": lower, "maxPos": upper}
     if density != 0:
+        if fault := _faults(corners):
+            warnings.warn(f"FromSTLfile: {fileName}: {fault}: mass and inertia may be wrong", stacklevel=3)
         properties |= _mass_properties(corners, density)
     if verbose:
         print(f"FromSTLfile: {fileName}: {len(points)} points")

@@ -61,7 +61,7 @@ def volumes(corners: FloatArray) -> tuple[float, float]:
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     middle = (areas[:, None] * corners.mean(axis=1)).sum(axis=0) / areas.sum()
     each = np.linalg.det(corners - middle) / 6
-    return float(each.sum()), float(np.abs(each).sum())
+    return float(abs(each.sum())), float(np.abs(each).sum())
 
 
 def drawn(shape: Shape, color: Sequence[float]) -> GraphicsList:
