@@ -111,3 +111,50 @@ def test_copies_keep_their_variables_apart(mbs: exu.MainSystem) -> None:
     mbs.variables["values"].append(2)
     assert shallow.variables == {"values": [1, 2]}
     assert deep.variables == {"values": [1]}
+
+
+def oscillator() -> tuple[exu.MainSystem, Any]:
+    """A mass on a spring with friction, whose data coordinates are part of the state, solved for a second."""
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround()
+    body = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1, initialVelocity=[1, 0, 0])
+    mbs.CreateSpringDamper(bodyNumbers=[ground, body], stiffness=50, referenceLength=0.8)
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 1, 100
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings, updateInitialValues=True)
+    settings.timeIntegration.startTime, settings.timeIntegration.endTime = 1, 2
+    return mbs, settings
+
+
+COPIES = {"copy": copy.copy, "deepcopy": copy.deepcopy, "pickle": lambda mbs: pickle.loads(pickle.dumps(mbs))}
+
+
+@pytest.mark.parametrize("way", COPIES)
+def test_copies_of_solved_systems_go_on_where_they_are(way: str) -> None:
+    """The second second of a copy is that of the original, bit for bit; copies started again from the model's initial values."""
+    mbs, settings = oscillator()
+    other = COPIES[way](mbs)
+    for configuration in (exu.ConfigurationType.Initial, exu.ConfigurationType.Current):
+        states = [each.systemData.GetSystemState(configuration) for each in (mbs, other)]
+        for now, then in zip(*states, strict=True):
+            np.testing.assert_array_equal(now, then)
+        assert other.systemData.GetTime(configuration) == mbs.systemData.GetTime(configuration)
+    assert other.systemData.GetTime() == 1
+    ends = []
+    for system in (other, mbs):
+        system.SolveDynamic(settings)
+        ends.append(system.systemData.GetODE2Coordinates())
+    np.testing.assert_array_equal(ends[0], ends[1])
+    assert np.abs(ends[0]).max() > 1e-3
+
+
+@pytest.mark.parametrize("way", COPIES)
+def test_copies_of_systems_that_are_not_assembled_stay_so(way: str) -> None:
+    mbs, _ = oscillator()
+    mbs.CreateMassPoint(physicsMass=1)
+    other = COPIES[way](mbs)
+    assert not other.systemIsConsistent
+    other.Assemble()
+    assert other.systemData.ODE2Size() == 6

@@ -324,3 +324,26 @@ def test_what_fails_leaves_the_system_as_it_was():
             wrong()
         assert repr(mbs.GetDictionary()) == before
     mbs.CreateMassPoint("other", [2, 0, 0], physicsMass=1)
+
+
+@pytest.mark.parametrize("kind", ["RotationEulerParameters", "RotationRxyz", "RotationRotationVector"])
+def test_initial_angular_velocity_is_global_whatever_the_initial_rotation(kind):
+    """It was turned by the initial rotation, as the rates of parameters were those at the reference orientation."""
+    import dalembert as exu
+    from dalembert.utilities import InertiaCuboid, RotationMatrixX, RotationMatrixY, RotationMatrixZ
+
+    reference = RotationMatrixZ(0.3) @ RotationMatrixY(-0.4)
+    for rotation, omega in ((RotationMatrixX(np.pi / 2), [0, 0, 3.0]), (RotationMatrixY(0.7), [1.0, -2.0, 0.5])):
+        mbs = exu.SystemContainer().AddSystem()
+        body = mbs.CreateRigidBody(
+            referenceRotationMatrix=reference,
+            initialRotationMatrix=rotation,
+            initialAngularVelocity=omega,
+            inertia=InertiaCuboid(1000, [0.1, 0.2, 0.3]),
+            nodeType=getattr(exu.NodeType, kind),
+        )
+        mbs.Assemble()
+        output = (body, exu.OutputVariableType.AngularVelocity, [0, 0, 0], exu.ConfigurationType.Initial)
+        np.testing.assert_allclose(mbs.GetObjectOutputBody(*output), omega, atol=1e-14)
+        output = (body, exu.OutputVariableType.RotationMatrix, [0, 0, 0], exu.ConfigurationType.Initial)
+        np.testing.assert_allclose(mbs.GetObjectOutputBody(*output).reshape(3, 3), reference @ rotation, atol=1e-14)

@@ -5,13 +5,26 @@ from __future__ import annotations
 import copy
 import io
 from collections.abc import Callable
+from contextlib import suppress
 from pickle import Unpickler
 from typing import Any, Self
 
-from dalembert._core import MainSystem
+from dalembert._core import ConfigurationType, MainSystem
 
 _dictionary: Callable[[MainSystem], dict[str, Any]] = MainSystem.GetDictionary  # the compiled one, replaced below
 _variables = ("variables", "systemVariables")
+_STATES = "systemStates"  # of an assembled system: coordinates and times, by configuration
+_CONFIGURATIONS = ("Initial", "StartOfStep", "Current")
+_COORDINATES = (
+    "ODE2Coordinates",
+    "ODE2Coordinates_t",
+    "ODE2Coordinates_tt",
+    "ODE1Coordinates",
+    "ODE1Coordinates_t",
+    "AECoordinates",
+    "DataCoordinates",
+    "Time",
+)
 
 
 class _Unpickler(Unpickler):
@@ -43,8 +56,30 @@ def _restored_dictionary(content: bytes) -> SystemDictionary:
 
 def _restored_system(content: bytes) -> MainSystem:
     mbs = MainSystem()
-    mbs.SetDictionary(_Unpickler(io.BytesIO(content), mbs).load())
+    _restore(mbs, _Unpickler(io.BytesIO(content), mbs).load())
     return mbs
+
+
+def _restore(mbs: MainSystem, entries: dict[str, Any]) -> None:
+    """Give a new system the items and, if the one that they are from was assembled, its coordinates."""
+    states = entries.pop(_STATES, None)
+    mbs.SetDictionary(entries)
+    if states is None:
+        return
+    mbs.Assemble()
+    for configuration, parts in states.items():
+        for part, values in parts.items():
+            getattr(mbs.systemData, f"Set{part}")(values, getattr(ConfigurationType, configuration))
+
+
+def _states(mbs: MainSystem) -> dict[str, dict[str, Any]]:
+    return {
+        configuration: {
+            part: getattr(mbs.systemData, f"Get{part}")(getattr(ConfigurationType, configuration))
+            for part in _COORDINATES
+        }
+        for configuration in _CONFIGURATIONS
+    }
 
 
 class SystemDictionary(dict[str, Any]):
@@ -76,10 +111,13 @@ def GetDictionary(mbs: MainSystem) -> dict[str, Any]:
 
 
 def _state(mbs: MainSystem) -> dict[str, Any]:
-    """The dictionary without variables that cannot be pickled: utilities keep solvers among them."""
+    """The dictionary without variables that cannot be pickled, as solvers kept there, and with coordinates."""
     entries = GetDictionary(mbs)
     for name in _variables:
         entries[name] = {key: value for key, value in entries[name].items() if _can_be_pickled(mbs, value)}
+    if mbs.systemIsConsistent:
+        with suppress(RuntimeError):  # another thread is solving it, and coordinates change
+            entries[_STATES] = _states(mbs)
     return entries
 
 
@@ -97,11 +135,11 @@ def __reduce__(mbs: MainSystem) -> tuple[Callable[[bytes], MainSystem], tuple[by
 
 def __copy__(mbs: MainSystem) -> MainSystem:
     made = MainSystem()
-    made.SetDictionary(_state(mbs))
+    _restore(made, _state(mbs))
     return made
 
 
 def __deepcopy__(mbs: MainSystem, memo: dict[int, Any]) -> MainSystem:
     made = memo[id(mbs)] = MainSystem()
-    made.SetDictionary(copy.deepcopy(_state(mbs), memo))
+    _restore(made, copy.deepcopy(_state(mbs), memo))
     return made

@@ -80,9 +80,9 @@ class ReducedPencil:
 
     def _corrected(self, value: complex, x: ComplexArray) -> tuple[complex, ComplexArray]:
         """Return a pair after steps of Newton's method; rigid motions, which are next to the shift, cost it digits."""
-        first = value, x
+        first: tuple[complex, Any] = value, x
         if value.imag == 0:
-            value, x = value.real, x.real  # of a pair, the conjugate would be lost
+            value, x = value.real, np.asarray(x.real, dtype=x.dtype)  # with round-off, it would look like one of a pair
         for _ in range(_CORRECTIONS):
             matrix = value**2 * self.M + value * self.G + self.K
             slope = 2 * value * (self.M @ x) + self.G @ x

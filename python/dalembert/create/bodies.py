@@ -127,7 +127,9 @@ class _RotationParameters(NamedTuple):
 
     item: str
     of_matrix: Callable[[FloatArray], FloatArray]
-    rates: Callable[[FloatArray, FloatArray, FloatArray], FloatArray]  # of omega, reference parameters and matrix
+    rates: Callable[
+        [FloatArray, FloatArray, FloatArray], FloatArray
+    ]  # of the global omega, initial parameters and matrix
 
 
 _ROTATION_PARAMETERS = {
@@ -165,14 +167,17 @@ def _node_3d(
     kind = _ROTATION_PARAMETERS[nodeType]
     reference = np.asarray(kind.of_matrix(A))
     initial = np.zeros(3 + len(reference))
+    total, turned = reference, A
     if displacement is not None:
         initial[:3] = displacement
     if rotation is not None:
-        initial[3:] = np.asarray(kind.of_matrix(A @ rotation)) - reference
+        turned = A @ rotation
+        total = np.asarray(kind.of_matrix(turned))
+        initial[3:] = total - reference
     return kind.item, {
         "referenceCoordinates": [*position, *reference],
         "initialCoordinates": list(initial),
-        "initialVelocities": [*velocity, *kind.rates(omega, reference, A)],
+        "initialVelocities": [*velocity, *kind.rates(omega, total, turned)],
     }
 
 
