@@ -142,7 +142,7 @@ constexpr std::array<std::string_view, 18> StaticSolverSettings_rows{
     "quasi-time at which the load steps start",
     "smallest step of the quasi-time; the solver stops with an error below it",
     "number of load steps; 1: the full load is applied at once",
-    "factor of a mass proportional term that is added to the Jacobian of the second order equations, and that fades out as one minus the square of the load factor; 0: none",
+    "factor of a mass proportional term that is added to the Jacobian of the second order equations, and that fades out as one minus the square of the load factor: it needs several load steps. It finds equilibria of what weight holds on hinges; 0: none",
     "sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only",
     "true: loads are multiplied with the load factor, which goes from 0 to 1; false: loads act in full, for loads that follow the quasi-time by themselves",
     "amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console",

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import functools
 import inspect
+import warnings
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dalembert import _core
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings
 from dalembert._solving.diagnosis import CheckSolverInfoStatistics, FinishedNotTrusted, SolverError, SolverErrorMessage
+from dalembert._solving.half_turns import warn_of_half_turns
 from dalembert._solving.integrators import kind_of, trapezoidal_rule
 from dalembert._solving.linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
 from dalembert._solving.quiet import (
@@ -105,6 +107,14 @@ def SolveStatic(
     settings = given_or_default("SolveStatic", simulationSettings)
     assemble_if_needed("SolveStatic", mbs, autoAssemble)
     slot = "staticSolver" if storeSolver else None
+    static = settings.staticSolver
+    if static.stabilizerODE2term > 0 and static.numberOfLoadSteps == 1:
+        warnings.warn(
+            "SolveStatic: staticSolver.stabilizerODE2term has no effect with a single load step: it fades out until "
+            "the full load is reached. Set staticSolver.numberOfLoadSteps, to 20 for instance",
+            stacklevel=3,
+        )
+    warn_of_half_turns("SolveStatic", mbs, ConfigurationType.Initial, "at the start")
     success = _run("SolveStatic", _core.MainSolverStatic(), mbs, settings, slot, showCausingItems)
     if success and updateInitialValues:
         _keep_as_initial_values(mbs, accelerations=False)
@@ -135,6 +145,7 @@ def SolveDynamic(
     kind = kind_of("SolveDynamic", solverType)
     assemble_if_needed("SolveDynamic", mbs, autoAssemble)
     slot = "dynamicSolver" if storeSolver else None
+    warn_of_half_turns("SolveDynamic", mbs, ConfigurationType.Initial, "at the start")
     allocations = _core.special.InfoStat(False)
     solver: Any
     if kind == "diagonally implicit":

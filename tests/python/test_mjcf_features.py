@@ -126,9 +126,10 @@ def test_sites_have_their_defaults_and_ends(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", CARRIED)
-def test_mujoco_says_the_same(name: str, tmp_path: Path) -> None:
+def test_mujoco_says_the_same(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Mass matrix, weight, and places of bodies and sites, at the reference configuration and away from it."""
     mujoco = pytest.importorskip("mujoco", reason="mujoco is installed by the extra [oracles]")
+    monkeypatch.chdir(tmp_path)  # where MuJoCo writes its log
     robot, _ = read(tmp_path / "robot.xml", CARRIED[name][0])
     model = mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml"))
     model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT

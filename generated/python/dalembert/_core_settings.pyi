@@ -296,7 +296,7 @@ class StaticSolverSettings(_Settings):
     numberOfLoadSteps: int
     """number of load steps; 1: the full load is applied at once; default: 1"""
     stabilizerODE2term: float
-    """factor of a mass proportional term that is added to the Jacobian of the second order equations, and that fades out as one minus the square of the load factor; 0: none [1]; default: 0.0"""
+    """factor of a mass proportional term that is added to the Jacobian of the second order equations, and that fades out as one minus the square of the load factor: it needs several load steps. It finds equilibria of what weight holds on hinges; 0: none [1]; default: 0.0"""
     stepInformation: int
     """sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only; default: 67"""
     useLoadFactor: bool

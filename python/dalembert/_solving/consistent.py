@@ -13,6 +13,7 @@ import numpy as np
 from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType, SimulationSettings, testing
 from dalembert._solving.diagnosis import listed
+from dalembert._solving.half_turns import warn_of_half_turns
 from dalembert._solving.projection import REGULAR, SMALLER, SMALLEST, LinearizedConstraints, weights
 from dalembert._solving.quiet import assemble_if_needed, given_or_default
 
@@ -364,6 +365,7 @@ def ComputeConsistentInitialConditions(
     for configuration in (ConfigurationType.Initial, ConfigurationType.Current):
         mbs.systemData.SetODE2Coordinates(state.q, configuration)
         mbs.systemData.SetODE2Coordinates_t(state.v, configuration)
+    warn_of_half_turns(_NAME, mbs, ConfigurationType.Initial, "as found")
     if storeInNodes:
         _store(mbs, projection, sorted(displacements.keys() | velocityChanges.keys()))
     return ConsistentInitialConditions(

@@ -13,6 +13,13 @@ from dalembert import _core
 _ALLOCATION_THRESHOLD = 10000  # fewer allocations than this are of no concern
 _COUNTED = (0, 2, 4)  # entries of InfoStat: new arrays, vectors, matrices
 
+# Static solutions that are singular at the start, as those of what hangs on hinges are.
+_NEEDS_STABILIZER = ("freeDirection", "singularMatrix")
+_STABILIZER = (
+    "if weight or another load holds it, as a pendulum, set staticSolver.numberOfLoadSteps = 20 and "
+    "staticSolver.stabilizerODE2term = 1: this adds inertia that fades out until the full load is reached"
+)
+
 # Parts of the text that the compiled solver gives: the start of the advice, and the items behind a number.
 _ADVICE = "  what to try:"
 _ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|rows [\d, ]+|equation \d+: \S+|\w+\[\d+\]: \S+))(?:: |  \().*$")
@@ -73,7 +80,11 @@ class SolverError(ValueError):
     def FromSolver(cls, function: str, solver: Any, showCausingItems: bool = True) -> SolverError:
         """Return the error of a solver that has failed, to be raised where its parts are called one by one."""
         text = SolverErrorMessage(solver, None, solver.IsStaticSolver(), showCausingItems, showCausingItems)
-        return cls(f"{function} terminated due to errors", text, solver, **solver.GetDiagnosisDictionary())
+        parts = solver.GetDiagnosisDictionary()
+        if solver.IsStaticSolver() and parts.get("reason") in _NEEDS_STABILIZER:
+            text += f"\n    - {_STABILIZER}"
+            parts["advice"] = [*parts["advice"], _STABILIZER]
+        return cls(f"{function} terminated due to errors", text, solver, **parts)
 
 
 SolverError.__module__ = "dalembert"  # where users find it

@@ -1,0 +1,61 @@
+"""Joints that lock all rotations, with frames turned by more than a right angle: their equations accept half a turn."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import numpy as np
+
+from dalembert._core import ConfigurationType, OutputVariableType
+from dalembert._solving.diagnosis import listed
+
+
+def _locks_all_rotations(item: dict[str, Any]) -> bool:
+    """Return whether the equations of a joint are three products of axes that vanish."""
+    if not item.get("activeConnector", False):
+        return False
+    if item["objectType"] == "JointPrismaticX":
+        return True
+    if item["objectType"] != "JointGeneric" or item["alternativeConstraints"] or item["offsetUserFunction"]:
+        return False
+    return all(item["constrainedAxes"][3:])
+
+
+def turned_joints(mbs: Any, configuration: ConfigurationType) -> list[str]:
+    """Return a text for each joint whose frames are on the way to half a turn, or there."""
+    data, found = mbs.systemData, []
+    for number in range(data.NumberOfObjects()):
+        if not data.GetObjectLTGAE(number):
+            continue
+        item = mbs.GetObject(number)
+        if not _locks_all_rotations(item):
+            continue
+        axes = [
+            mbs.GetMarkerOutput(marker, OutputVariableType.RotationMatrix, configuration).reshape(3, 3)
+            @ np.asarray(item[f"rotationMarker{i}"])
+            for i, marker in enumerate(item["markerNumbers"])
+        ]
+        relative = axes[0].T @ axes[1]
+        if np.diag(relative).min() < -1e-9:
+            angle = np.degrees(np.arccos(np.clip((np.trace(relative) - 1) / 2, -1, 1)))
+            name = f"object {number} '{item['name']}' ({item['objectType']})"
+            found.append(f"{name}: frames turned by {angle:.4g} degrees")
+    return found
+
+
+def warn_of_half_turns(function: str, mbs: Any, configuration: ConfigurationType, when: str) -> None:
+    """Warn of welds that hold, or find, half a turn in the place of none."""
+    if mbs.systemData.AEsize() == 0:
+        return
+    if found := turned_joints(mbs, configuration):
+        advice = (
+            "Turn rotationMarker0 or rotationMarker1 by as much as the bodies are meant to be turned, correct initial "
+            "rotations, or set alternativeConstraints=True"
+        )
+        lines = [
+            f"{function}: {when}, joints lock rotations whose equations also hold for half a turn:",
+            *listed(found),
+            f"  {advice}",
+        ]
+        warnings.warn("\n".join(lines), stacklevel=4)
