@@ -13,7 +13,12 @@ from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSett
 from dalembert._solving.diagnosis import CheckSolverInfoStatistics, FinishedNotTrusted, SolverError, SolverErrorMessage
 from dalembert._solving.half_turns import warn_of_half_turns
 from dalembert._solving.integrators import kind_of, trapezoidal_rule
-from dalembert._solving.linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
+from dalembert._solving.linearized import (
+    ComputeLinearizedSystem,
+    ComputeODE2Eigenvalues,
+    ComputeSystemDegreeOfFreedom,
+    gaps_at_start,
+)
 from dalembert._solving.quiet import (
     DeactivateWritingOfSolvers,
     RestoreSimulationSettings,
@@ -56,7 +61,7 @@ def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, 
         error.add_note(f"raised during mbs.{function}(...): {where}")
         raise
     if not success and not solver.output.simulationTimeout:
-        raise SolverError.FromSolver(function, solver, showCausingItems)
+        raise SolverError.FromSolver(function, solver, showCausingItems).with_causes(gaps_at_start(mbs))
     doubts = solver.GetDoubts() if success else []
     return FinishedNotTrusted(doubts) if doubts else success
 

@@ -35,7 +35,9 @@ def open_page(container: Any, where: str, verbose: int = 0) -> None:
 
     if viewer_of(container) is not None:
         return
-    server = start(container, wanted_port()).server
+    viewer = start(container, wanted_port())
+    viewer.expect(PATIENCE[where])
+    server = viewer.server
     assert isinstance(server, PageServer)
     bring(server, where)
     if verbose and where == "browser":

@@ -92,13 +92,18 @@ class Viewer:
         self._told: dict[str, Any] = {}  # of the state
         self._flow: Flow | None = None  # if nothing but places may have changed
         self._words: dict[str, dict[str, Any]] = {}  # which pages are told of the settings, by name of what is colored
-        self._seen = time.monotonic() + PATIENCE["browser"] - RETURN  # when a page was there, or is expected
+        self._seen = 0.0  # when a page was there, or is expected
+        self.expect(PATIENCE["browser"])
         self.at_end: Callable[[], object] = lambda: None
         self.server = link(self._receive)
         self._thread = threading.Thread(target=self._work, name="dalembert viewer", daemon=True)
         self._thread.start()
 
     # ---- for scripts
+
+    def expect(self, seconds: float) -> None:
+        """Count on a page that is opened within so many seconds."""
+        self._seen = time.monotonic() + seconds - RETURN
 
     @property
     def watched(self) -> bool:
@@ -155,7 +160,8 @@ class Viewer:
             self._waits = True
             self._tell_state()
             if announce:
-                _core.Print("Computation paused: press SPACE on the page to continue.")
+                first = "" if self.server.pages else "open the page, and "
+                _core.Print(f"Computation paused: {first}press SPACE on the page to continue.")
         try:
             while self.watched:
                 self.run_calls()
@@ -166,6 +172,8 @@ class Viewer:
             self._waits = False
             if forever:
                 self._tell_state()
+        if forever and announce and not self.watched and not self._stopped.is_set():
+            _core.Print("dalembert: no page is open; the computation goes on.")
         return self.watched
 
     def run_calls(self) -> None:

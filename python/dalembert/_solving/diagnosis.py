@@ -86,6 +86,19 @@ class SolverError(ValueError):
             parts["advice"] = [*parts["advice"], _STABILIZER]
         return cls(f"{function} terminated due to errors", text, solver, **parts)
 
+    def with_causes(self, gaps: Sequence[str]) -> SolverError:
+        """Return the error with gaps at the start as its likely cause, if there are any."""
+        if gaps:
+            lines = [
+                "  constraints were open at the start, which is a likely cause:",
+                *listed([f"  {g}" for g in gaps]),
+            ]
+            advice = "call mbs.ComputeConsistentInitialConditions() before, or correct the positions of these joints"
+            self.diagnosis = "\n".join([self.diagnosis, *lines, f"    - {advice}"])
+            self.args = (self.message, self.diagnosis)
+            self.advice = [*self.advice, advice]
+        return self
+
 
 SolverError.__module__ = "dalembert"  # where users find it
 

@@ -61,6 +61,7 @@ def _linearize(
 _ROUND_OFF_OF_EQUATIONS = 1e-12
 # Of gaps: so many times their size, up to this, may be left of equations that follow from others where joints fit.
 _MULTIPLE_OF_GAPS, _HIDES_MOST = 10.0, 1e-3
+_LIKELY_CAUSE = 1e-2  # gap, relative to the size of its mechanism, or in rad, after which solutions may go astray
 _LARGE_GAP = (
     1e-4  # relative to the size of the mechanism, or in rad: it hides what follows from others, here as for solvers
 )
@@ -84,6 +85,14 @@ def _initial_state(mbs: Any) -> Any:
     state.y, state.data = data.GetODE1Coordinates(initial), data.GetDataCoordinates(initial)
     state.lam, state.t = np.zeros_like(state.lam), data.GetTime(initial)
     return state
+
+
+def gaps_at_start(mbs: Any) -> list[str]:
+    """Return texts on constraints that the initial state leaves open by what is large for its mechanism."""
+    if mbs.systemData.AEsize() == 0:
+        return []
+    gaps = testing.open_constraints(mbs, _initial_state(mbs), _LIKELY_CAUSE, _LIKELY_CAUSE, False)
+    return [text for *_, text in gaps]
 
 
 def _joints_apart(mbs: Any, state: Any, tolerance: float) -> tuple[float, str]:
@@ -315,11 +324,10 @@ _LARGEST_TO_BE_CHECKED = 10_000  # entries, of which singular values take a mill
 _CERTAINLY_ZERO, _CERTAINLY_NOT = 1e-10, 1e-4
 
 
-def _may_be(redundant: int, n2: int, constraints: int, rows: Any, columns: Any, values: FloatArray) -> bool:
+def _may_be(redundant: int, n2: int, first: int, constraints: int, rows: Any, columns: Any, values: FloatArray) -> bool:
     """Return whether singular values that may or may not be zero allow for this number; True for large systems."""
     if n2 * constraints > _LARGEST_TO_BE_CHECKED:
         return True
-    first = int(columns.max()) + 1 - constraints
     equations = np.zeros((first + constraints, constraints))
     held = (columns >= first) & ((rows < n2) | (rows >= first))
     equations[rows[held], columns[held] - first] = values[held]
@@ -327,6 +335,12 @@ def _may_be(redundant: int, n2: int, constraints: int, rows: Any, columns: Any, 
     sizes = np.linalg.svd(_scaled(equations / np.where(largest > 0, largest, 1)), compute_uv=False)
     fewest, most = (constraints - _rank(sizes, tolerance) for tolerance in (_CERTAINLY_ZERO, _CERTAINLY_NOT))
     return fewest <= redundant <= most
+
+
+def _equations_of(mbs: Any, item: dict[str, Any]) -> int:
+    """Return the number of equations of an object, also of those in which no coordinate takes part."""
+    number = item["object"]
+    return max(item["equations"], len(mbs.systemData.GetObjectLTGAE(number)) if number >= 0 else 0)
 
 
 def _counts(name: str, mbs: Any, autoAssemble: bool) -> dict[str, Any]:
@@ -349,7 +363,7 @@ def _counts(name: str, mbs: Any, autoAssemble: bool) -> dict[str, Any]:
             stacklevel=3,
         )
     rows, columns, values = testing.tangent_entries(mbs, state)
-    if not _may_be(found["count"], n2, constraints, rows, columns, values):
+    if not _may_be(found["count"], n2, n2 + len(state.y), constraints, rows, columns, values):
         warnings.warn(
             f"{name}: singular values of the constraints do not tell as many redundant ones, {found['count']}: with "
             "these units of length and mass, round-off of forces hides moments, or these hide forces; useSVD=True "
@@ -359,7 +373,7 @@ def _counts(name: str, mbs: Any, autoAssemble: bool) -> dict[str, Any]:
     algebraic = (rows >= n2 + len(state.y)) & (columns >= n2 + len(state.y))
     pure = _rank_of_algebraic(rows[algebraic], columns[algebraic], values[algebraic])
     counts = _summary(mbs, n2, constraints, found["count"], pure)
-    removable = {item["object"]: [item["removable"], item["equations"]] for item in found["items"]}
+    removable = {item["object"]: [item["removable"], _equations_of(mbs, item)] for item in found["items"]}
     return counts | {"removableEquations": removable}
 
 

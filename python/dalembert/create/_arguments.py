@@ -268,7 +268,15 @@ def with_indices(mbs: Any, function: str, argument: str, value: Any) -> Any:
         return [with_indices(mbs, function, f"{argument}[{i}]", v) if isinstance(v, str) else v for i, v in named]
     if int(body := mbs.GetObjectNumber(value)) >= 0:
         return body
+    if value == "ground" and len(grounds := _grounds(mbs)) == 1:
+        return grounds[0]
     return find_item(mbs, value, ("Object", "Marker", "Node"), f"MainSystem.{function}(...): argument '{argument}'")
+
+
+def _grounds(mbs: Any) -> list[ObjectIndex]:
+    """Return all ground objects: the only one needs no name."""
+    numbers = range(mbs.systemData.NumberOfObjects())
+    return [ObjectIndex(i) for i in numbers if mbs.GetObject(i)["objectType"] == "Ground"]
 
 
 def is_body(value: Any) -> bool:

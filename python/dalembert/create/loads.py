@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,9 @@ def _load_marker(mbs: Any, function: str, bodyNumber: Any, localPosition: Vector
         return bodyNumber
     if not is_body(bodyNumber):
         raise argument_error(function, "bodyNumber", "an ObjectIndex or a MarkerIndex", bodyNumber)
+    exists = 0 <= int(bodyNumber) < mbs.systemData.NumberOfObjects()
+    if exists and mbs.GetObject(bodyNumber)["objectType"] == "Ground":
+        warnings.warn(f"MainSystem.{function}(...): bodyNumber is ground: the load has no effect", stacklevel=4)
     marker = items.MarkerBodyRigid if rigid else items.MarkerBodyPosition
     return mbs.AddMarker(marker(bodyNumber=bodyNumber, localPosition=localPosition))
 
