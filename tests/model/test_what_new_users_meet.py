@@ -146,3 +146,15 @@ def test_viewers_wait_for_pages_as_long_as_their_kind_needs(monkeypatch: pytest.
         finally:
             found.stop()
     assert shown == ["address", "browser"]
+
+
+def test_restitution_that_is_ignored_is_named() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    pair = [mbs.CreateMassPoint(referencePosition=[x, 0, 0], physicsMass=1) for x in (0, 1)]
+    law: dict[str, Any] = {"bodyNumbers": pair, "spheresRadii": [0.1, 0.1], "contactStiffness": 1e5}
+    with pytest.warns(UserWarning, match="restitutionCoefficient: received 0.5, which impactModel=0 ignores"):
+        mbs.CreateSphereSphereContact(restitutionCoefficient=0.5, **law)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        mbs.CreateSphereSphereContact(restitutionCoefficient=0.5, impactModel=2, **law)
+        mbs.CreateSphereSphereContact(**law)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import Any
 
@@ -27,6 +28,12 @@ _LAW = (
 
 def _law_of(arguments: dict[str, Any]) -> dict[str, Any]:
     """Return those of a function's arguments that are parameters of the contact."""
+    if arguments["restitutionCoefficient"] != 1 and arguments["impactModel"] == 0:
+        warnings.warn(
+            f"restitutionCoefficient: received {arguments['restitutionCoefficient']}, which impactModel=0 ignores: set "
+            "impactModel=2, which keeps it, or contactDamping",
+            stacklevel=5,
+        )
     return {name: arguments[name] for name in _LAW if name in arguments}
 
 
