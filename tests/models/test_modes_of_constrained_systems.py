@@ -318,3 +318,49 @@ def test_the_current_state_stays() -> None:
             analysis()
         for now, then in zip(state(), before, strict=True):
             np.testing.assert_array_equal(now, then)
+
+
+@pytest.mark.parametrize("joint", ["free", "ball", "hinge"])
+@pytest.mark.parametrize("seed", range(4))
+def test_node_types_agree_under_preload(seed: int, joint: str) -> None:
+    """A body turned at random on preloaded springs, weight and a joint, in equilibrium: both analyses, all node types."""
+    random = np.random.default_rng(seed)
+    anchors, points = random.uniform(-1, 1, (2, 12, 3)) * np.array([[[2.0]], [[0.5]]])
+    stiffness, turn = random.uniform(800, 2000, 12), random.uniform(-0.5, 0.5, 3)
+    A = exu.utilities.RotationVector2RotationMatrix(turn)
+    lengths = np.linalg.norm(anchors - points @ A.T, axis=1) * random.uniform(0.85, 0.95, 12)  # they pull
+    results = []
+    for node in NODES:
+        mbs = new_system()
+        ground = mbs.CreateGround()
+        body = mbs.CreateRigidBody(
+            referenceRotationMatrix=A,
+            inertia=InertiaCuboid(1000, [0.1, 0.2, 0.3]),
+            gravity=[1, 2, -G],
+            nodeType=node,
+        )
+        for anchor, point, length, k in zip(anchors, points, lengths, stiffness, strict=True):
+            mbs.CreateSpringDamper(
+                bodyNumbers=[ground, body],
+                localPosition0=anchor,
+                localPosition1=point,
+                referenceLength=length,
+                stiffness=k,
+            )
+        if joint == "ball":
+            mbs.CreateSphericalJoint(bodyNumbers=[ground, body], position=[0.1, 0.2, 0])
+        if joint == "hinge":
+            mbs.CreateRevoluteJoint(bodyNumbers=[ground, body], position=[0.1, 0.2, 0], axis=[1, 2, 3])
+        mbs.Assemble()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RuntimeWarning)  # some turn far
+            found = mbs.ComputeVibrationModes(updateInitialValues=True)
+        squares = (-(found.eigenvalues**2)).real  # an unstable pair has two real ones
+        eigenvalues = np.sort(mbs.ComputeODE2Eigenvalues(useAbsoluteValues=False)[0])
+        assert len(eigenvalues) == {"free": 6, "ball": 3, "hinge": 1}[joint]
+        scale = np.abs(eigenvalues).max()
+        distances = np.abs(squares[:, None] - eigenvalues[None, :]) / scale
+        assert distances.min(axis=0).max() < 1e-7 and distances.min(axis=1).max() < 1e-7
+        results.append(eigenvalues)
+    for other in results[1:]:
+        np.testing.assert_allclose(other, results[0], atol=1e-8 * scale)
