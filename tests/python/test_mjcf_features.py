@@ -76,6 +76,16 @@ CARRIED = {
         '<body name="c" pos="1 0 0"><freejoint/><geom size=".1"/></body></worldbody></mujoco>',
         BALL,
     ),
+    "shells": (
+        hinged(
+            "".join(
+                f'<geom type="{kind}" size="{size}" pos="0 .1 .2" euler="10 20 30" shellinertia="true"/>'
+                for kind, size in (("box", ".1 .2 .3"), ("cylinder", ".1 .3"), ("capsule", ".1 .3"))
+            )
+        ),
+        None,
+    ),
+    "hollow ball": (hinged('<geom size=".1" mass="3" shellinertia="true"/>'), 2 / 3 * 3 * 0.1**2),
     "mesh of corners": (
         hinged(
             '<geom type="mesh" mesh="cube"/>',
@@ -171,7 +181,9 @@ LEFT_OUT = {
     "gravcomp of bodies 'b'": hinged(body='gravcomp="1"'),
     "stiffness of joints 'j'": hinged(joint='<joint name="j" stiffness="2"/>'),
     "springdamper of joints 'j'": hinged(joint='<joint name="j" springdamper=".1 1"/>'),
-    "shellinertia, shapes being taken for solid, of bodies 'b'": hinged('<geom size=".1" shellinertia="true"/>'),
+    "shellinertia of ellipsoids and meshes, which are taken for solid, of bodies 'b'": hinged(
+        '<geom type="ellipsoid" size=".1 .2 .3" shellinertia="true"/>'
+    ),
     "mass of geoms of type sdf of bodies 'b'": hinged(BOX + '<geom type="sdf" mesh="m"/>'),
     "frictionloss of ball and free joints 'j'": hinged(joint='<joint name="j" type="ball" frictionloss="1"/>'),
     "range of ball joints 'j'": hinged(joint='<joint name="j" type="ball" range="0 30"/>'),

@@ -108,8 +108,6 @@ class _Reader:
         needs_inertia = needs_inertia and int(geom.number("group", "0")) in self.compiler.weighed_groups
         if needs_inertia and kind == "sdf":
             self.note("mass of geoms of type sdf of bodies", body.name)
-        if needs_inertia and geom.text("shellinertia", "false") == "true":
-            self.note("shellinertia, shapes being taken for solid, of bodies", body.name)
         if not self.compiler.shapes and (kind == "mesh") and not needs_inertia:
             return RigidBodyInertia()
         shape, place = _shape(geom, self.compiler)
@@ -121,6 +119,8 @@ class _Reader:
             body.drawn += _drawing.moved(_shapes.drawn(shape, geom.numbers("rgba", 4, color).tolist()), T @ place)
         if not needs_inertia:
             return RigidBodyInertia()
+        if _mjcf_inertia.is_shell(geom) and _shapes.shell_inertia(shape, 1.0) is None:
+            self.note("shellinertia of ellipsoids and meshes, which are taken for solid, of bodies", body.name)
         if shape.kind == "mesh" and (other := self._other_volume(geom, shape)):
             self.note(f"{other} of meshes, which exact volumes replace, of bodies", body.name)
         return _mjcf_inertia.of_geom(geom, shape).Transformed(T @ place)

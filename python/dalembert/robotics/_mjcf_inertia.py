@@ -13,12 +13,20 @@ from dalembert.robotics._xml import Element
 
 
 def of_geom(geom: Element, shape: _shapes.Shape) -> RigidBodyInertia:
-    """Return the inertia of a geom with its mass or density."""
-    inertia = _shapes.inertia(shape, geom.amount("density", "1000"))
+    """Return the inertia of a geom with its mass or density; of its surface if it is a shell."""
+
+    def inertia(density: float) -> RigidBodyInertia:
+        shell = _shapes.shell_inertia(shape, density) if is_shell(geom) else None
+        return shell if shell is not None else _shapes.inertia(shape, density)
+
     if "mass" not in geom.attributes:
-        return inertia
-    whole = _shapes.inertia(shape, 1.0)
-    return _shapes.inertia(shape, geom.amount("mass") / whole.Mass())
+        return inertia(geom.amount("density", "1000"))
+    return inertia(geom.amount("mass") / inertia(1.0).Mass())
+
+
+def is_shell(geom: Element) -> bool:
+    """Return whether the mass of a geom is on its surface."""
+    return geom.text("shellinertia", "false") == "true"
 
 
 def of_element(element: Element, compiler: Compiler) -> RigidBodyInertia:

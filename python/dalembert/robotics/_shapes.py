@@ -95,6 +95,30 @@ def _capsule(density: float, radius: float, length: float) -> RigidBodyInertia:
     return InertiaCylinder(density, length, radius, axis=2) + ends
 
 
+def shell_inertia(shape: Shape, density: float) -> RigidBodyInertia | None:
+    """Return the inertia of the surface of a shape about the origin, of kg/m^2; None for ellipsoids and meshes."""
+    match shape.kind, shape.size:
+        case "box", sides:
+            a = np.array(sides)
+            areas = 2 * a.prod() / a  # of both faces across each axis
+            squares = a**2 * (areas / 4 + (areas.sum() - areas) / 12)  # integrals of x^2, y^2 and z^2
+            return RigidBodyInertia(float(density * areas.sum()), density * np.diag(squares.sum() - squares))
+        case "sphere", (r,):
+            mass = 4 * np.pi * r**2 * density
+            return RigidBodyInertia(mass, 2 / 3 * mass * r**2 * np.eye(3))
+        case ("cylinder" | "capsule") as kind, (r, length):
+            side = 2 * np.pi * r * length * density
+            across, along = side * (r**2 / 2 + length**2 / 12), side * r**2
+            ends = (2 if kind == "cylinder" else 4) * np.pi * r**2 * density
+            if kind == "cylinder":  # two discs
+                across, along = across + ends * (r**2 + length**2) / 4, along + ends * r**2 / 2
+            else:  # two half spheres, whose centres of mass are half of the radius beyond the ends
+                across += ends * (5 / 12 * r**2 + (length + r) ** 2 / 4)
+                along += 2 / 3 * ends * r**2
+            return RigidBodyInertia(side + ends, np.diag([across, across, along]))
+    return None
+
+
 def inertia(shape: Shape, density: float) -> RigidBodyInertia:
     """Return the inertia of a homogeneous shape about the origin."""
     match shape.kind, shape.size:
