@@ -7,8 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._core import ConfigurationType, OutputVariableType
+from dalembert._core import ConfigurationType, OutputVariableType, _item_counts
 from dalembert._solving.diagnosis import listed
+
+_TYPES = ("JointGeneric", "JointPrismaticX")
+_KEPT = "jointsThatMayLockRotations"
 
 
 def _locks_all_rotations(item: dict[str, Any]) -> bool:
@@ -22,12 +25,21 @@ def _locks_all_rotations(item: dict[str, Any]) -> bool:
     return all(item["constrainedAxes"][3:])
 
 
+def _candidates(mbs: Any) -> list[int]:
+    """Return the numbers of joints that may lock all rotations, kept as long as numbers of items stay."""
+    counts = _item_counts(mbs)
+    known = mbs.sys.get(_KEPT)
+    if known is None or known[0] != counts:
+        data = mbs.systemData
+        numbers = [i for i in range(data.NumberOfObjects()) if data.GetObjectLTGAE(i)]
+        known = mbs.sys[_KEPT] = counts, [i for i in numbers if mbs.GetObject(i)["objectType"] in _TYPES]
+    return known[1]
+
+
 def turned_joints(mbs: Any, configuration: ConfigurationType) -> list[str]:
     """Return a text for each joint whose frames are on the way to half a turn, or there."""
-    data, found = mbs.systemData, []
-    for number in range(data.NumberOfObjects()):
-        if not data.GetObjectLTGAE(number):
-            continue
+    found = []
+    for number in _candidates(mbs):
         item = mbs.GetObject(number)
         if not _locks_all_rotations(item):
             continue
