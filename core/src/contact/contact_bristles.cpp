@@ -67,7 +67,7 @@ double GeneralContact::excess_of(const Bristle* bristle, const ContactPairing& p
                                  const RigidFrame<double>& frame1) const {
   const Grip<double> grip = grip_of(bristle, at, frame0, frame1);
   const double stretch = norm(grip.span - dot(at.normal, grip.span) * at.normal);
-  return set_->bristles.stiffness * pairing.stiffness * stretch - pairing.friction * grip.holding * std::max(0.0, pressure);
+  return set_->bristles.law(pairing).stiffness * stretch - pairing.friction * grip.holding * std::max(0.0, pressure);
 }
 
 // At the end of a step: as long as friction allows, and rooted on both sides of the point of contact, so that what has rolled away is forgotten. What slides
@@ -75,7 +75,7 @@ double GeneralContact::excess_of(const Bristle* bristle, const ContactPairing& p
 Bristle GeneralContact::bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double pressure,
                                       const RigidFrame<double>& frame0, const RigidFrame<double>& frame1) const {
   const Grip<double> grip = grip_of(before, at, frame0, frame1);
-  const double stiffness = set_->bristles.stiffness * pairing.stiffness, longest = pairing.friction * grip.holding * pressure / stiffness;
+  const double longest = pairing.friction * grip.holding * pressure / set_->bristles.law(pairing).stiffness;
   const Vec3<double> stretch = grip.span - dot(at.normal, grip.span) * at.normal, after = at_most(stretch, longest);
   const bool gives_way = dot(stretch, stretch) > longest * longest, still_slides = before != nullptr && before->slides && dot(stretch, velocity) > 0;
   return {transposed_times(frame0.rotation, at.arm0 - 0.5 * after), transposed_times(frame1.rotation, at.arm1 + 0.5 * after), gives_way || still_slides};

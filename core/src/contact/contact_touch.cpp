@@ -96,7 +96,7 @@ bool GeneralContact::touches(const HeldContact& c, const Ports& ports, bool& sti
     const Bristle* bristle = bristle_of(c);
     sticks = pairing.friction == 0 || bristle == nullptr || !bristle->slides;
   } else {
-    sticks = pairing.friction == 0 || norm(velocity - away * at.normal) < set_->proportional_zone;
+    sticks = pairing.friction == 0 || in_zone(norm(velocity - away * at.normal), set_->proportional_zone);
   }
   return pressure > 0;
 }
@@ -114,7 +114,7 @@ void GeneralContact::find(const Ports& ports, std::vector<HeldContact>& found) c
   for (HeldContact c : cable_touches_) {
     const CableNow& cable = cables_now_[static_cast<std::size_t>(c.other - set_->first_cable())];
     const CableForces<double> forces = cable_forces(c, frame_of(sphere(c.sphere).marker, ports), cable.q, cable.v, {});
-    c.sticks = forces.slip < set_->proportional_zone;
+    c.sticks = in_zone(forces.slip, set_->proportional_zone);
     if (forces.pressure > 0) found.push_back(c);
   }
   std::ranges::sort(found, {}, [](const HeldContact& c) { return std::tuple(c.sphere, c.other, c.along.begin); });

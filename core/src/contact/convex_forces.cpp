@@ -71,7 +71,7 @@ void GeneralContact::feel_pressure(ConvexTouch& t) const {
   const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
   const double away = dot(at.normal, velocity);
   const ContactPairing pairing = convex_pairing(t);
-  t.sticks = pairing.friction == 0 || norm(velocity - away * at.normal) < set_->proportional_zone;
+  t.sticks = pairing.friction == 0 || in_zone(norm(velocity - away * at.normal), set_->proportional_zone);
   if (set_->bristles.grow()) {
     const Bristle* bristle = bristle_of(t);
     t.sticks = pairing.friction == 0 || bristle == nullptr || !bristle->slides;

@@ -112,8 +112,7 @@ GeneralContact::Grip<S> GeneralContact::grip_of(const Bristle* bristle, const Me
   return {(frame1.rotation * bristle->root1 - at.arm1) - (frame0.rotation * bristle->root0 - at.arm0), bristle->slides ? 1.0 : most};
 }
 
-// On the sphere, as above: the spring pulls at most as friction allows, and so does the damper beside it. That takes power in all cases, as what is
-// cut off of a force that is as long as allowed points along the slip.
+// On the sphere, as above, with the friction force of a bristle.
 template <class S>
 Vec3<S> GeneralContact::gripping_force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, const Grip<S>& grip) const {
   const S away = dot(at.normal, velocity);
@@ -122,8 +121,7 @@ Vec3<S> GeneralContact::gripping_force(const ContactPairing& pairing, const Meet
   if (pairing.friction == 0) return -pressure * at.normal;
   const S most = (pairing.friction * grip.holding) * pressure;
   const Vec3<S> stretch = grip.span - dot(at.normal, grip.span) * at.normal, slip = velocity - away * at.normal;
-  const Vec3<S> spring = at_most((set_->bristles.stiffness * pairing.stiffness) * stretch, most);
-  return at_most(spring + (set_->bristles.damping * pairing.damping) * slip, most) - pressure * at.normal;
+  return set_->bristles.law(pairing).bounded_force(stretch, slip, most) - pressure * at.normal;
 }
 
 template <class S>

@@ -1,8 +1,7 @@
-// Tangential springs that let friction hold, after Cundall and Strack (1979). A bristle is rooted in both bodies. What lies between its roots in
-// the plane of contact stretches it; it gives way where it would pull stronger than friction can.
+// The memory of stick-slip friction (StickSlip in laws/friction.hpp) in general contact. A bristle is rooted in both bodies; the distance of its roots
+// in the plane of contact is its stretch.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <span>
@@ -53,14 +52,5 @@ class BristleList {
   std::vector<Entry> entries_;
   std::vector<std::size_t> first_;  // of each sphere; those of the last one that has any end with the list
 };
-
-// A vector, or its direction with the given length if it is longer.
-template <class S>
-Vec3<S> at_most(const Vec3<S>& v, const S& length) {
-  const S square = dot(v, v);
-  using std::sqrt;
-  if (!(square > length * length)) return v;
-  return (length / sqrt(square)) * v;
-}
 
 }  // namespace dalembert

@@ -3,27 +3,10 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <optional>
 
-#include "dalembert/math/dual.hpp"
-#include "dalembert/math/fixed.hpp"
-#include "dalembert/math/pack.hpp"
+#include "dalembert/laws/friction.hpp"
 
 namespace dalembert {
-
-// The slip is divided by its length, or by the length of the zone while it is in there; whether it is may be given.
-template <class S>
-S one_over_slip(const S& square, double zone, std::optional<bool> sticks = {}) {
-  const bool sticking = sticks ? *sticks : value_of(square) < zone * zone;
-  using std::sqrt;
-  return sticking ? S(1 / zone) : value_of(square) > 0 ? S(1.0 / sqrt(square)) : S(0);
-}
-template <int N>
-DALEMBERT_INLINE inline Pack<N> one_over_slip(const Pack<N>& square, double zone) {
-  const Pack<N> in_zone(1 / zone), beyond = 1.0 / sqrt(one_for_zero(square));
-  return Pack<N>::chosen(less(square, Pack<N>(zone * zone)), in_zone, beyond);
-}
 
 // All that two surfaces make together.
 template <class K>
@@ -38,7 +21,7 @@ struct ContactPairingOf {
   // What the second thing, which slips against the first, drags this along with.
   template <class S, class... Sticks>
   DALEMBERT_INLINE Vec3<S> drag(const S& pressure, const Vec3<S>& slip, double zone, const Sticks&... sticks) const {
-    return (friction * pressure * one_over_slip(dot(slip, slip), zone, sticks...)) * slip;
+    return (friction * pressure * inverse_slip(dot(slip, slip), zone, sticks...)) * slip;
   }
   ContactPairingOf part(double share) const { return {share * stiffness, share * damping, friction}; }
 };

@@ -55,6 +55,7 @@ struct ContactPlane {
 struct ContactBristles {
   double stiffness = 0, damping = 0, holding = 1;
   bool grow() const { return stiffness > 0; }
+  StickSlip law(const ContactPairing& along_normal) const { return {stiffness * along_normal.stiffness, damping * along_normal.damping}; }
 };
 
 class ContactSet final : public SystemTermSource {

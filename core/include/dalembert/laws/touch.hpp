@@ -7,8 +7,8 @@
 #include "dalembert/contracts/switches.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
+#include "dalembert/laws/friction.hpp"
 #include "dalembert/laws/impact.hpp"
-#include "dalembert/math/direction.hpp"
 #include "dalembert/system/term.hpp"
 
 namespace dalembert {
@@ -34,12 +34,12 @@ struct TouchData {
   enum { gap = 0, speed = 1, impact = 2, overlap = 3, count = 4 };  // impact: rate of penetration when the contact closed; overlap: plastic
 };
 
-// Friction grows with the slip while the speed of the last update lies in the proportional zone.
+// The speed of the last update decides whether it sticks.
 template <class Parameters, class S>
 Vec3<S> force_on_first(const Parameters& p, const double* data, const Touch<S>& touch, const S& pressure) {
-  const bool sticking = p.frictionProportionalZone != 0 && data[TouchData::speed] < p.frictionProportionalZone;
-  const Vec3<S> against = sticking ? (1 / p.frictionProportionalZone) * touch.slip : direction(touch.slip);
-  return (p.dynamicFriction * pressure) * against - pressure * touch.normal;
+  const double zone = p.frictionProportionalZone;
+  const Vec3<S> along = coulomb_direction(touch.slip, zone, in_zone(data[TouchData::speed], zone));
+  return (p.dynamicFriction * pressure) * along - pressure * touch.normal;
 }
 
 // Contact that opens or closes is an error; the recommended step ends when that happens.
@@ -64,22 +64,8 @@ void find_touch_switches(const Parameters& p, const Touch<double>& touch, const 
   const bool touches = data[TouchData::gap] < 0;
   switches.holds("contact", touches, touches ? -touch.gap : touch.gap);
   if (!touches) return switches.none(touch_switches - 1);
-  const double excess = norm(touch.slip) - p.frictionProportionalZone;
-  if (p.frictionProportionalZone == 0 || p.dynamicFriction == 0) {
-    switches.none();
-  } else {
-    const bool slides = !(data[TouchData::speed] < p.frictionProportionalZone);
-    switches.holds("friction", slides, slides ? excess : -excess);
-  }
+  find_coulomb_switch(p.dynamicFriction != 0, data[TouchData::speed], norm(touch.slip), p.frictionProportionalZone, switches);
   switches.kink("pull", pull_margin);
-}
-
-// The error of a force of friction that was found as sticking and slides, or the other way round.
-template <class Parameters>
-double friction_error(const Parameters& p, double pressure, double speed_before, double speed) {
-  const double zone = p.frictionProportionalZone;
-  if (zone == 0 || (speed < zone) == (speed_before < zone)) return 0;
-  return std::abs(p.dynamicFriction * pressure / zone * (speed - zone));
 }
 
 // Outputs that all contacts at one point share; `force` acts on body 0.

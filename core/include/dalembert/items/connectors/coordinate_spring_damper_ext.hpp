@@ -6,10 +6,10 @@
 
 #include "dalembert/connectors/coordinate_spring_damper_ext_parameters.hpp"
 #include "dalembert/contracts/pair.hpp"
-#include "dalembert/laws/stribeck.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
+#include "dalembert/laws/friction.hpp"
 
 namespace dalembert {
 
@@ -48,12 +48,11 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
   static int switch_count(const Parameters&) { return 2; }
   static void find_switches(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, Switches& switches) {
     const Difference<double> d(p, m0, m1);
-    const double bound = p.fDynamicFriction + p.fStaticFrictionOffset;
     if (has_bristles(p) && c.data != nullptr) {
-      if (c.data[friction] == 0) switches.holds("friction", false, bound - std::abs(sticking(p, d, c.data[stick])), rounding * bound);
-      else switches.holds("friction", true, c.data[friction] < 0 ? -d.rate : d.rate);
+      const double direction = c.data[friction] == 0 ? 0 : std::copysign(1.0, c.data[friction]);
+      bristle(p).find_switch(direction, sticking(p, d, c.data[stick]), d.rate, curve(p).peak(), switches);
     } else if (p.frictionProportionalZone != 0) {
-      switches.kink("friction", std::abs(d.rate) - p.frictionProportionalZone);
+      curve(p).find_kink(std::abs(d.rate), switches);
     } else {
       switches.none();
     }
@@ -68,8 +67,7 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
     const bool slipped = has_bristles(p) && before[friction] != 0;
     update(p, c, m0, m1, before, data);
     if (!slipped || data[friction] != 0) return;
-    const double force = std::copysign(p.fDynamicFriction + p.fStaticFrictionOffset, before[friction]);
-    data[stick] = d.value - (force - d.rate * p.stickingDamping) / p.stickingStiffness;
+    data[stick] = bristle(p).anchor(d.value, d.rate, std::copysign(curve(p).peak(), before[friction]));
   }
 
   static bool output(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
@@ -84,8 +82,6 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
   }
 
  private:
-  static constexpr double rounding = 1e-9;  // of forces where slip has become stick, relative to the bound
-
   template <class S>
   struct Difference {
     S value, rate;
@@ -96,6 +92,7 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
   static StribeckCurve curve(const Parameters& p) {
     return {p.fDynamicFriction, p.fStaticFrictionOffset, p.fViscousFriction, p.exponentialDecayStatic, p.frictionProportionalZone};
   }
+  static StickSlip bristle(const Parameters& p) { return {p.stickingStiffness, p.stickingDamping}; }
   static bool has_bristles(const Parameters& p) {
     return p.frictionProportionalZone == 0 && (p.fDynamicFriction != 0 || p.fStaticFrictionOffset != 0);
   }
@@ -103,7 +100,7 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
 
   template <class S>
   static S sticking(const Parameters& p, const Difference<S>& d, double position) {
-    return p.stickingStiffness * (d.value - position) + p.stickingDamping * d.rate;
+    return bristle(p).holding_force(d.value - position, d.rate);
   }
 
   template <class S>
@@ -131,7 +128,7 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
 
   static void update_sticking(const Parameters& p, const Difference<double>& d, double* data, PostNewton& verdict) {
     const double held = sticking(p, d, data[stick]);
-    if (std::abs(held) <= p.fDynamicFriction + p.fStaticFrictionOffset) return;
+    if (std::abs(held) <= curve(p).peak()) return;
     data[friction] = curve(p)(d.rate);
     verdict.error += std::abs(held) - std::abs(data[friction]);
   }
@@ -150,7 +147,7 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
       data[stick] = start[stick];
     } else {
       verdict.error += std::abs(start[friction] - slipping);
-      data[stick] = d.value - (start[friction] - d.rate * p.stickingDamping) / p.stickingStiffness;
+      data[stick] = bristle(p).anchor(d.value, d.rate, start[friction]);
     }
     data[friction] = 0;
   }

@@ -6,6 +6,7 @@
 
 #include "dalembert/connectors/rolling_disc_penalty_parameters.hpp"
 #include "dalembert/contracts/pair.hpp"
+#include "dalembert/laws/friction.hpp"
 #include "dalembert/laws/rolling_disc.hpp"
 
 namespace dalembert {
@@ -54,7 +55,7 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
   static PostNewton settle(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
                            const double*, double* data) {
     const Slip<double> assumed{data[lateral], data[forward]};
-    if (!(data[gap] < 0) || sticks(p, norm(assumed))) return {};
+    if (!(data[gap] < 0) || in_zone(norm(assumed), p.dryFrictionProportionalZone)) return {};
     const RollingContact<double> contact(p, m0, m1);
     const Slip<double> slip = slip_of(contact);
     const double speed = norm(slip), pressure = normal_force(p, contact);
@@ -77,10 +78,8 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
       return switches.none(2);
     }
     switches.holds("contact", true, -now);
-    const double excess = norm(slip_of(contact)) - p.dryFrictionProportionalZone;
-    const bool slides = !sticks(p, norm(Slip<double>{c.data[lateral], c.data[forward]}));
-    if (p.dryFrictionProportionalZone == 0 || (p.dryFriction[0] == 0 && p.dryFriction[1] == 0)) switches.none();
-    else switches.holds("friction", slides, slides ? excess : -excess);
+    const bool has_friction = p.dryFriction[0] != 0 || p.dryFriction[1] != 0;
+    find_coulomb_switch(has_friction, norm(Slip<double>{c.data[lateral], c.data[forward]}), norm(slip_of(contact)), p.dryFrictionProportionalZone, switches);
     switches.kink("pull", normal_force(p, contact));
   }
 
@@ -105,9 +104,6 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
   template <class S>
   static Slip<S> slip_of(const RollingContact<S>& contact) {
     return {dot(contact.slip, contact.lateral), dot(contact.slip, contact.forward)};
-  }
-  static bool sticks(const Parameters& p, double assumed_speed) {
-    return p.dryFrictionProportionalZone != 0 && assumed_speed <= p.dryFrictionProportionalZone;
   }
   static Slip<double> slip_beyond_zone(const Parameters& p, const Slip<double>& slip, double speed) {
     constexpr double beyond = 1 + 1e-12;
@@ -134,12 +130,12 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
   static Slip<S> friction_force(const Parameters& p, const Slip<S>& slip, const Slip<double>& assumed, const S& pressure) {
     using std::abs;
     const double assumed_speed = norm(assumed), zone = p.dryFrictionProportionalZone;
-    const bool sticking = sticks(p, assumed_speed);
+    const bool sticking = in_zone(assumed_speed, zone);
     const S speed = value_of(slip[0]) == 0 && value_of(slip[1]) == 0 ? S(0) : norm(slip);
     if (assumed_speed == 0 || (value_of(speed) == 0 && !sticking)) return {};
     Slip<S> direction;
     if (sticking) {
-      direction = (1 / zone) * slip;
+      direction = coulomb_direction(slip, zone, sticking);
       if (!p.useLinearProportionalZone) direction = (2.0 - (1 / zone) * speed) * direction;
     } else {
       for (int i = 0; i < 2; ++i) direction[i] = S(assumed[i] / assumed_speed);

@@ -7,7 +7,7 @@
 
 #include "dalembert/contacts/convex_roll_parameters.hpp"
 #include "dalembert/contracts/many_ports.hpp"
-#include "dalembert/laws/stribeck.hpp"
+#include "dalembert/laws/friction.hpp"
 #include "dalembert/laws/touch.hpp"
 
 namespace dalembert {
@@ -46,7 +46,7 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
     const bool touches = c.data[gap] <= 0;
     switches.holds("contact", touches, touches ? -touch.gap : touch.gap);
     if (!touches) return switches.none(2);
-    switches.kink("friction", norm(touch.slip) - p.frictionProportionalZone);
+    curve(p).find_kink(norm(touch.slip), switches);
     const double elastic = -p.contactStiffness * touch.gap;
     switches.kink("pull", pull_margin(p.limitDamping, elastic, p.contactDamping * touch.penetration_rate));
   }
@@ -138,13 +138,15 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
     return touch;
   }
 
+  static StribeckCurve curve(const Parameters& p) {
+    return {p.dynamicFriction, p.staticFrictionOffset, p.viscousFriction, p.exponentialDecayStatic, p.frictionProportionalZone};
+  }
   template <class S>
   static Vec3<S> force_on_roll(const Parameters& p, const Touch<S>& touch) {
     const S elastic = -(p.contactStiffness * touch.gap);
     const S pressure = with_losses<S>(p.limitDamping, elastic, p.contactDamping * touch.penetration_rate);
-    const StribeckCurve curve{p.dynamicFriction, p.staticFrictionOffset, p.viscousFriction, p.exponentialDecayStatic, p.frictionProportionalZone};
     const Vec3<S> along = direction(touch.slip);
-    return pressure * (touch.normal - curve(dot(along, touch.slip)) * along);
+    return pressure * (touch.normal - curve(p)(dot(along, touch.slip)) * along);
   }
 };
 

@@ -72,12 +72,9 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
         switches.none(2);
         continue;
       }
-      const double zone = p.frictionProportionalZone, excess = std::abs(slip) - zone;
       switches.holds("contact", true, std::min(-own, pressed));
       switches.passes("circle", nearest - own);
-      const bool slides = !(at.speed() < zone);
-      if (zone == 0 || p.dynamicFriction == 0) switches.none();
-      else switches.holds("friction", slides, slides ? excess : -excess);
+      find_coulomb_switch(p.dynamicFriction != 0, at.speed(), std::abs(slip), p.frictionProportionalZone, switches);
     }
   }
 
@@ -221,13 +218,13 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     }
   };
 
-  // Friction grows with the slip while the speed of the last update lies in the proportional zone.
+  // The speed of the last update decides whether it sticks.
   template <class S>
   static Vec<S, 2> force_on_curve(const Parameters& p, const Data& data, const Meeting<S>& touch) {
     const S pressure = touch.pressure(p);
     const double zone = p.frictionProportionalZone;
-    const S sign = zone != 0 && data.speed() < zone ? (1 / zone) * touch.slip : touch.slip > 0.0 ? S(1) : touch.slip < 0.0 ? S(-1) : S(0);
-    return (p.dynamicFriction * pressure * sign) * touch.tangent() - pressure * touch.normal;
+    const S along = coulomb_direction(touch.slip, zone, in_zone(data.speed(), zone));
+    return (p.dynamicFriction * pressure * along) * touch.tangent() - pressure * touch.normal;
   }
 };
 

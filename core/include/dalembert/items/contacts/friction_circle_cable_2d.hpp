@@ -7,6 +7,7 @@
 
 #include "dalembert/contacts/friction_circle_cable_2d_parameters.hpp"
 #include "dalembert/items/contacts/circle_on_cable.hpp"
+#include "dalembert/laws/friction.hpp"
 
 namespace dalembert {
 
@@ -82,7 +83,7 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
       const Touching<double> touch(p, x, i);
       if (before * touch.along >= 0) continue;
       h.data[segments + i] = stick;
-      h.data[2 * segments + i] = touch.way - (before * bound(p, touch) - p.frictionVelocityPenalty * touch.along) / p.frictionStiffness;
+      h.data[2 * segments + i] = law(p).anchor(touch.way, touch.along, before * bound(p, touch));
     }
   }
 
@@ -151,15 +152,13 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
   }
   static double bound(const Parameters& p, const Touching<double>& touch) { return p.frictionCoefficient * std::abs(normal_force(p, touch)); }
   static void find_friction_switches(const Parameters& p, const double* data, int i, const Touching<double>& touch, Switches& switches) {
-    constexpr double rounding = 1e-9;  // of forces, relative to the bound
-    const double state = data[p.numberOfContactSegments + i], limit = bound(p, touch), viscous = p.frictionVelocityPenalty * touch.along;
+    const double state = data[p.numberOfContactSegments + i], limit = bound(p, touch), noise = StickSlip::rounding * limit;
     if (state == undefined) return switches.none(2);
-    const double held = p.frictionStiffness == 0 ? viscous : viscous + p.frictionStiffness * way_from(p, touch, data[2 * p.numberOfContactSegments + i]);
-    if (state == stick) switches.holds("friction", false, limit - std::abs(held), rounding * limit);
-    else if (p.frictionStiffness == 0) switches.holds("friction", true, std::abs(held) - limit, rounding * limit);
-    else switches.holds("friction", true, state * touch.along);
+    const double held = holding_force(p, touch, data[2 * p.numberOfContactSegments + i]);
+    if (state != stick && p.frictionStiffness == 0) switches.holds("friction", true, std::abs(held) - limit, noise);
+    else law(p).find_switch(state, held, touch.along, limit, switches);
     if (state == stick || p.frictionStiffness == 0) switches.none();
-    else switches.holds("grip", false, state * held - limit, rounding * limit);
+    else switches.holds("grip", false, state * held - limit, noise);
   }
 
   // From the last sticking position, less whole turns.
@@ -169,29 +168,31 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     const S way = touch.way - last;
     return way - std::floor(value_of(way) / turn + 0.5) * turn;
   }
+  static StickSlip law(const Parameters& p) { return {p.frictionStiffness, p.frictionVelocityPenalty}; }
+  // Spring and damper, or the damper alone.
+  template <class S>
+  static S holding_force(const Parameters& p, const Touching<S>& touch, double last) {
+    return p.frictionStiffness == 0 ? p.frictionVelocityPenalty * touch.along : law(p).holding_force(way_from(p, touch, last), touch.along);
+  }
   static bool sticks(const Parameters& p, const double* data, int i) { return p.frictionStiffness != 0 && data[p.numberOfContactSegments + i] == stick; }
   template <class S>
   static S tangential_force(const Parameters& p, const double* data, int i, const Touching<S>& touch, const S& normal) {
     using std::abs;
     const double state = data[p.numberOfContactSegments + i];
     if (std::abs(state) == 1) return (state * p.frictionCoefficient) * abs(normal);
-    const S viscous = p.frictionVelocityPenalty * touch.along;
-    return sticks(p, data, i) ? viscous + p.frictionStiffness * way_from(p, touch, data[2 * p.numberOfContactSegments + i]) : viscous;
+    if (!sticks(p, data, i)) return p.frictionVelocityPenalty * touch.along;
+    return law(p).holding_force(way_from(p, touch, data[2 * p.numberOfContactSegments + i]), touch.along);
   }
 
   // Sticking holds until the force of spring and damper passes the bound; in sliding, the sticking position follows at the bound.
   static double update_friction(const Parameters& p, const Touching<double>& touch, bool begins, double last, double& state, double& position) {
-    double displacement = touch.along, force = p.frictionVelocityPenalty * touch.along;
-    if (p.frictionStiffness != 0) {
-      if (begins) last = touch.way;
-      displacement = way_from(p, touch, last);
-      force += p.frictionStiffness * displacement;
-    }
-    const double limit = bound(p, touch), excess = std::abs(force) - limit;
+    if (begins && p.frictionStiffness != 0) last = touch.way;
+    const double displacement = p.frictionStiffness != 0 ? way_from(p, touch, last) : touch.along;
+    const double limit = bound(p, touch), excess = std::abs(holding_force(p, touch, last)) - limit;
     const double sign = displacement > 0 ? 1 : displacement < 0 ? -1 : 0;
     const double next = excess > 0 ? sign : stick;
     if (excess <= 0) position = last;
-    else if (p.frictionStiffness != 0) position = touch.way - (sign < 0 ? -1 : 1) * limit / p.frictionStiffness;
+    else if (p.frictionStiffness != 0) position = law(p).anchor(touch.way, 0, sign < 0 ? -limit : limit);
     else position = last;
     const double error = state == next ? 0 : std::abs(excess);
     state = next;

@@ -31,7 +31,7 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, Switches
     PostNewton verdict = update_touch(p, touch, h.start, h.data);
     h.data[TouchData::overlap] =
         touch.gap < 0 ? std::max(h.start[TouchData::overlap], AdhesiveLaw(p).plastic_overlap(-touch.gap)) : 0.0;
-    if (touch.gap < 0) verdict.error += friction_error(p, pressure(p, h.data, touch), speed, h.data[TouchData::speed]);
+    if (touch.gap < 0) verdict.error += coulomb_error(p.dynamicFriction * pressure(p, h.data, touch), p.frictionProportionalZone, speed, h.data[TouchData::speed]);
     return verdict;
   }
   static int switch_count(const Parameters&) { return touch_switches; }

@@ -29,7 +29,7 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
     const Nearest<double> touch = nearest(p, x);
     const double speed = h.data[TouchData::speed];
     PostNewton verdict = update_touch(p, touch, h.start, h.data);
-    if (touch.gap < 0) verdict.error += friction_error(p, pressure(p, h.data, touch), speed, h.data[TouchData::speed]);
+    if (touch.gap < 0) verdict.error += coulomb_error(p.dynamicFriction * pressure(p, h.data, touch), p.frictionProportionalZone, speed, h.data[TouchData::speed]);
     return verdict;
   }
   static int switch_count(const Parameters&) { return touch_switches; }
