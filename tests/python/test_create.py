@@ -294,8 +294,8 @@ def test_markers_with_their_places(mbs, pair):
 
 @pytest.mark.parametrize("name", create.functions)
 def test_examples_of_docstrings_run(mbs, name, tmp_path, monkeypatch):
-    """Each is a model that assembles and can be solved; help() shows it."""
-    monkeypatch.chdir(tmp_path)  # one writes a file
+    """Each is a model that assembles and can be solved; help() shows it. No example leaves a file in the working folder."""
+    monkeypatch.chdir(tmp_path)
     code = EXAMPLES[name].strip()
     assert all(line.strip() in create.functions[name].__doc__ for line in code.splitlines())
     assert f"mbs.{name}(" in code
@@ -306,6 +306,7 @@ def test_examples_of_docstrings_run(mbs, name, tmp_path, monkeypatch):
     settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 0.01, 10
     settings.solutionSettings.writeSolutionToFile = False
     assert mbs.SolveDynamic(settings)
+    assert not list(tmp_path.iterdir())
 
 
 def test_what_fails_leaves_the_system_as_it_was():

@@ -227,13 +227,17 @@ height = mbs.CreateDistanceSensor(
 """,
     "CreateRobot": """
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
-Path("pendulum.urdf").write_text('''<robot name="pendulum"><link name="base"/>
+urdf = '''<robot name="pendulum"><link name="base"/>
 <link name="rod"><inertial><origin xyz="0.5 0 0"/><mass value="2"/>
 <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.2"/></inertial></link>
 <joint name="hinge" type="revolute"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/>
-<limit lower="-2" upper="2" effort="50" velocity="5"/><dynamics damping="0.1"/></joint></robot>''')
-made = mbs.CreateRobot("pendulum.urdf", referenceConfiguration=[0.3], limitStiffness=1e4)
+<limit lower="-2" upper="2" effort="50" velocity="5"/><dynamics damping="0.1"/></joint></robot>'''
+with TemporaryDirectory() as folder:
+    file = Path(folder, "pendulum.urdf")
+    file.write_text(urdf)
+    made = mbs.CreateRobot(file, referenceConfiguration=[0.3], limitStiffness=1e4)
 arm = made["objectKinematicTree"]
 tip = mbs.AddMarker(
     MarkerKinematicTreeRigid(objectNumber=arm, linkNumber="rod", localPosition=[1, 0, 0])
