@@ -291,7 +291,7 @@ def test_adhesive_loading_and_unloading() -> None:
     )
     mbs.Assemble()
 
-    def pressure(depth: float, overlap: float) -> float:
+    def normal_force(depth: float, overlap: float) -> float:
         coordinates = mbs.systemData.GetODE2Coordinates()
         coordinates[0] = -depth
         mbs.systemData.SetODE2Coordinates(coordinates)
@@ -300,10 +300,10 @@ def test_adhesive_loading_and_unloading() -> None:
 
     deepest = 0.01
     overlap = ratio ** (1 / n) * deepest
-    assert pressure(deepest, overlap) == pytest.approx(k * deepest**n - pull, rel=1e-9)
+    assert normal_force(deepest, overlap) == pytest.approx(k * deepest**n - pull, rel=1e-9)
     stiff = k / (1 - ratio) * (0.009**n - overlap**n) - pull
-    assert pressure(0.009, overlap) == pytest.approx(stiff, rel=1e-9)
-    assert pressure(0.002, overlap) == pytest.approx(-attraction * 0.002**2 - pull, rel=1e-9)
+    assert normal_force(0.009, overlap) == pytest.approx(stiff, rel=1e-9)
+    assert normal_force(0.002, overlap) == pytest.approx(-attraction * 0.002**2 - pull, rel=1e-9)
 
 
 @pytest.mark.parametrize("tilt", [0.0, 0.1, -0.25])

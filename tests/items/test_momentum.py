@@ -51,7 +51,7 @@ def check_balance(variant: Variant, moments: bool) -> None:
     s = in_touch(scene, scene.state())
     s.lam = np.random.default_rng(22).uniform(0.5, 1.5, len(s.lam))
     forces = effect(scene, s)
-    if not forces.any():  # bodies separate so fast that there is no pressure: the other way round there is
+    if not forces.any():  # bodies separate so fast that there is no normal force: the other way round there is
         s.v = -np.asarray(s.v)
         forces = effect(scene, s)
     wrenches = scene.wrenches(forces)

@@ -219,7 +219,7 @@ def test_force_on_the_second_body(variant: Variant) -> None:
         return told["RotationMatrix"].reshape(3, 3) @ told[name] if name.endswith("Local") else told[name]
 
     force = force_told()
-    if not force.any():  # bodies separate so fast that there is no pressure: the other way round there is
+    if not force.any():  # bodies separate so fast that there is no normal force: the other way round there is
         s.v = -np.asarray(s.v)
         force = force_told()
     assert np.linalg.norm(force) > 0.01

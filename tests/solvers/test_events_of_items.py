@@ -405,9 +405,9 @@ def test_a_disc_falls_slides_and_rolls() -> None:
 
     def motion(t: float, x: np.ndarray) -> list[float]:
         gap, slip = x[1] - DISC_RADIUS, x[3] + DISC_RADIUS * x[5]
-        pressure = -(stiffness * gap + damping * x[4]) if gap < 0 else 0.0
-        force = -friction * abs(pressure) * float(np.clip(slip / zone, -1, 1))
-        return [*x[3:], force / DISC_MASS, pressure / DISC_MASS - GRAVITY, DISC_RADIUS * force / DISC_INERTIA]
+        normal_force = -(stiffness * gap + damping * x[4]) if gap < 0 else 0.0
+        force = -friction * abs(normal_force) * float(np.clip(slip / zone, -1, 1))
+        return [*x[3:], force / DISC_MASS, normal_force / DISC_MASS - GRAVITY, DISC_RADIUS * force / DISC_INERTIA]
 
     start = np.array([0, DISC_RADIUS + 0.01, 0, 1.0, 0, 5.0])
     exact = solve_ivp(motion, [0, end], start, method="LSODA", rtol=1e-10, atol=1e-12, max_step=1e-4).y[:, -1]
@@ -516,7 +516,7 @@ def test_a_circle_sticks_and_slides_on_a_cable() -> None:
 
 
 def test_a_disc_bounces_on_a_cable_in_general_contact() -> None:
-    """The cable is straight and does not move; pressure acts along the chord of the disc, by the rule of Simpson."""
+    """The cable is straight and does not move; the normal force acts along the chord of the disc, by the rule of Simpson."""
     radius, half, stiffness, end, height = 0.2, 0.01, 1e5, 0.5, 0.2 + 0.01 + 0.1
     reach = radius + half
 

@@ -143,12 +143,12 @@ def test_forces_of_a_cloud_are_the_sum_over_all_pairs(largest: float) -> None:
     for i, j in itertools.combinations(range(n), 2):
         span = x[j] - x[i]
         distance = np.linalg.norm(span)
-        pressure = -(
+        normal_force = -(
             k[i] * k[j] / (k[i] + k[j]) * (distance - r[i] - r[j]) + (d[i] + d[j]) * span @ (v[j] - v[i]) / distance
         )
-        if distance < r[i] + r[j] and pressure > 0:
+        if distance < r[i] + r[j] and normal_force > 0:
             touching += 1
-            expected[[i, j]] += np.outer([-1, 1], pressure / distance * span)
+            expected[[i, j]] += np.outer([-1, 1], normal_force / distance * span)
     forces = world.contact.GetSystemODE2RhsContactForces().reshape(n, 3)
     assert touching > 100
     np.testing.assert_allclose(forces, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
@@ -326,7 +326,7 @@ def test_material_minus_one_has_no_friction(solver: Any) -> None:
         world.solve(0.02, 200, solver)
         spins.append([world.output(ball, "AngularVelocity") for ball in balls])
     assert np.array_equal(spins[0], spins[1])
-    assert np.abs(spins[0][:2] + spins[0][3:]).max() < 1e-15  # rad/s: levers of pressure are zero to rounding
+    assert np.abs(spins[0][:2] + spins[0][3:]).max() < 1e-15  # rad/s: levers of normal forces are zero to rounding
     assert np.abs(spins[0][2]).max() > 1e-3
 
 
@@ -461,12 +461,12 @@ def test_ball_on_an_incline(mu: float, rolls: bool, solver: Any) -> None:
     ],
 )
 def test_what_leaves_a_plate_is_neither_pulled_nor_driven(gap: float, rise: float, slip: float) -> None:
-    """Foot of a robot that slides and rises, or sinks or sticks: pressure is cut at zero, so friction takes power only.
+    """Foot of a robot that slides and rises, or sinks or sticks: the normal force is cut at zero, so friction takes power only.
 
-    Without the cut, friction of a negative pressure would act along the slip: in the second state with 30 W.
+    Without the cut, friction of a negative normal force would act along the slip: in the second state with 30 W.
     """
     stiffness, damping, friction, zone, radius = 5e4, 500.0, 0.8, 0.01, 0.05
-    pressure = max(0.0, -0.5 * stiffness * gap - 2 * damping * rise)
+    normal_force = max(0.0, -0.5 * stiffness * gap - 2 * damping * rise)
     for spins in (False, True):
         world = World(friction, zone)
         lever = radius + gap
@@ -476,8 +476,8 @@ def test_what_leaves_a_plate_is_neither_pulled_nor_driven(gap: float, rise: floa
         world.mesh(*grid_mesh(1.0, 3), stiffness=stiffness, damping=damping)
         world.mbs.Assemble()
         force = world.contact.GetSystemODE2RhsContactForces()
-        rubbed = -friction * pressure * min(1.0, slip / zone)
-        np.testing.assert_allclose(force[:3], [rubbed, 0, pressure], rtol=1e-12, atol=1e-9)
+        rubbed = -friction * normal_force * min(1.0, slip / zone)
+        np.testing.assert_allclose(force[:3], [rubbed, 0, normal_force], rtol=1e-12, atol=1e-9)
         # rotation vector and local axes are those of the frame in a state without rotation
         np.testing.assert_allclose(force[3:], np.cross([0, 0, -lever], [rubbed, 0, 0]), rtol=1e-12, atol=1e-9)
         before, step = world.output(body, "Velocity"), 1e-6

@@ -39,7 +39,7 @@ void GeneralContact::pass_bristles_on(int number, std::vector<Found>& found) con
   }
 }
 
-// Friction of pairs of spheres, in the order in which their pressure was computed.
+// Friction is added to pairs of spheres in the order in which their normal forces were computed.
 void GeneralContact::add_gripping_pairs(int number, const Ports& ports) const {
   const Chunk& chunk = chunks_[static_cast<std::size_t>(number)];
   std::size_t pair = pairs_.first_pair(number);
@@ -62,20 +62,20 @@ void GeneralContact::add_gripping_pairs(int number, const Ports& ports) const {
     }
 }
 
-// By how much a bristle would pull stronger than it can: negative as long as it holds.
-double GeneralContact::excess_of(const Bristle* bristle, const ContactPairing& pairing, const Meeting<double>& at, double pressure, const RigidFrame<double>& frame0,
+// The spring force of a bristle less its limit: negative as long as it sticks.
+double GeneralContact::excess_of(const Bristle* bristle, const ContactPairing& pairing, const Meeting<double>& at, double normal_force, const RigidFrame<double>& frame0,
                                  const RigidFrame<double>& frame1) const {
   const Grip<double> grip = grip_of(bristle, at, frame0, frame1);
   const double stretch = norm(grip.span - dot(at.normal, grip.span) * at.normal);
-  return set_->bristles.law(pairing).stiffness * stretch - pairing.friction * grip.holding * std::max(0.0, pressure);
+  return set_->bristles.law(pairing).stiffness * stretch - pairing.friction * grip.holding * std::max(0.0, normal_force);
 }
 
-// At the end of a step: as long as friction allows, and rooted on both sides of the point of contact, so that what has rolled away is forgotten. What slides
-// does so until it turns back, whatever the pressure does.
-Bristle GeneralContact::bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double pressure,
+// At the end of a step, a bristle is as long as friction allows, and has a root on each side of the point of contact, so that rolling is forgotten. A bristle
+// that slides does so until it turns back, for any normal force.
+Bristle GeneralContact::bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double normal_force,
                                       const RigidFrame<double>& frame0, const RigidFrame<double>& frame1) const {
   const Grip<double> grip = grip_of(before, at, frame0, frame1);
-  const double longest = pairing.friction * grip.holding * pressure / set_->bristles.law(pairing).stiffness;
+  const double longest = pairing.friction * grip.holding * normal_force / set_->bristles.law(pairing).stiffness;
   const Vec3<double> stretch = grip.span - dot(at.normal, grip.span) * at.normal, after = at_most(stretch, longest);
   const bool gives_way = dot(stretch, stretch) > longest * longest, still_slides = before != nullptr && before->slides && dot(stretch, velocity) > 0;
   return {transposed_times(frame0.rotation, at.arm0 - 0.5 * after), transposed_times(frame1.rotation, at.arm1 + 0.5 * after), gives_way || still_slides};
@@ -95,10 +95,10 @@ void GeneralContact::grow_bristles(const Ports& ports) {
       const Partner first{sphere(c.sphere).marker, turns(c.sphere)}, second = partner_of(c);
       const Meeting<double> at = meet(c, ports);
       const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
-      const double pressure = pairing.pressure(at.gap, dot(at.normal, velocity));
-      if (!(pressure > 0)) return;
+      const double normal_force = pairing.normal_force(at.gap, dot(at.normal, velocity));
+      if (!(normal_force > 0)) return;
       const RigidFrame<double> frame0 = frame_of(first.marker, ports), frame1 = frame_of(second.marker, ports);
-      chunk.grown.push_back({c.sphere, c.other, bristle_after(bristle_of(c), pairing, at, velocity, pressure, frame0, frame1)});
+      chunk.grown.push_back({c.sphere, c.other, bristle_after(bristle_of(c), pairing, at, velocity, normal_force, frame0, frame1)});
     });
   });
   for (const Chunk& chunk : chunks_) grown_bristles_.insert(grown_bristles_.end(), chunk.grown.begin(), chunk.grown.end());

@@ -120,7 +120,7 @@ GeneralContact::CableForces<S> GeneralContact::cable_forces(const HeldContact& c
     result.on_circle.moment += cross(at.arm0, f);
     for (std::size_t i = 0; i < 8; ++i) result.on_cable[i] = result.on_cable[i] - weights[i / 2] * f[static_cast<int>(i % 2)];
     const double away = value_of(dot(at.normal, velocity));
-    result.pressure -= (pairing.stiffness * value_of(at.gap) + pairing.damping * away) / 3;
+    result.normal_force -= (pairing.stiffness * value_of(at.gap) + pairing.damping * away) / 3;
     if (pairing.friction != 0) result.slip = std::max(result.slip, value_of(norm(velocity - away * at.normal)));
   }
   return result;

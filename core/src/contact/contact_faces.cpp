@@ -166,12 +166,12 @@ DALEMBERT_INLINE inline void GeneralContact::push_from_faces(std::span<const Chu
     Vec3<P> velocity = -first_three(gather(velocities));
     if constexpr (rubs) velocity -= cross(first_three(gather(spins)), at.height * normal);
     const P away = dot(normal, velocity);
-    P pressure = pairing.pressure(at.height - at.radius, away);
-    pressure = P(pressure.x > 0.0 ? pressure.x : P::Register{});
-    Vec3<P> force = (-pressure) * normal;
+    P normal_force = pairing.normal_force(at.height - at.radius, away);
+    normal_force = P(normal_force.x > 0.0 ? normal_force.x : P::Register{});
+    Vec3<P> force = (-normal_force) * normal;
     if constexpr (rubs) {
-      const Vec3<P> drag = pairing.drag(pressure, velocity - away * normal, set_->proportional_zone), moment = at.height * cross(normal, drag);
-      force = force + drag;
+      const Vec3<P> friction = pairing.friction_force(normal_force, velocity - away * normal, set_->proportional_zone), moment = at.height * cross(normal, friction);
+      force = force + friction;
       each_row<4>({moment[0], moment[1], moment[2], P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
         row.add_to(&pairs_.moment[static_cast<std::size_t>(pair[static_cast<std::size_t>(lane)].sphere)].x);
       });

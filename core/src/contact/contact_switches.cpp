@@ -50,7 +50,7 @@ void GeneralContact::add_verge(const HeldContact& c, const Ports& ports, Verge& 
   const Bristle* bristle = bristle_of(c);
   if (bristle == nullptr || !bristle->slides) {
     const RigidFrame<double> frame0 = frame_of(first.marker, ports), frame1 = frame_of(second.marker, ports);
-    verge.add_slip(excess_of(bristle, pairing, at, pairing.pressure(at.gap, away), frame0, frame1));
+    verge.add_slip(excess_of(bristle, pairing, at, pairing.normal_force(at.gap, away), frame0, frame1));
   }
 }
 
@@ -85,8 +85,8 @@ void GeneralContact::add_cables(const Ports& ports, std::vector<Verge>& verges) 
     const CableNow& cable = cables_now_[static_cast<std::size_t>(c.other - set_->first_cable())];
     const CableForces<double> forces = cable_forces(c, frame_of(sphere(c.sphere).marker, ports), cable.q, cable.v, {});
     Verge& verge = verges[static_cast<std::size_t>(c.sphere)];
-    verge.add(-forces.pressure);
-    if (forces.pressure > 0 && cable_pairing(c).friction != 0) verge.add_slip(forces.slip - set_->proportional_zone);
+    verge.add(-forces.normal_force);
+    if (forces.normal_force > 0 && cable_pairing(c).friction != 0) verge.add_slip(forces.slip - set_->proportional_zone);
   }
 }
 

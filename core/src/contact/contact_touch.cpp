@@ -91,14 +91,14 @@ bool GeneralContact::touches(const HeldContact& c, const Ports& ports, bool& sti
   const Meeting<double> at = meet(c, ports);
   const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
   const double away = dot(at.normal, velocity);
-  const double pressure = pairing.pressure(at.gap, away);
+  const double normal_force = pairing.normal_force(at.gap, away);
   if (set_->bristles.grow()) {
     const Bristle* bristle = bristle_of(c);
     sticks = pairing.friction == 0 || bristle == nullptr || !bristle->slides;
   } else {
     sticks = pairing.friction == 0 || in_zone(norm(velocity - away * at.normal), set_->proportional_zone);
   }
-  return pressure > 0;
+  return normal_force > 0;
 }
 
 void GeneralContact::find(const Ports& ports, std::vector<HeldContact>& found) const {
@@ -115,7 +115,7 @@ void GeneralContact::find(const Ports& ports, std::vector<HeldContact>& found) c
     const CableNow& cable = cables_now_[static_cast<std::size_t>(c.other - set_->first_cable())];
     const CableForces<double> forces = cable_forces(c, frame_of(sphere(c.sphere).marker, ports), cable.q, cable.v, {});
     c.sticks = in_zone(forces.slip, set_->proportional_zone);
-    if (forces.pressure > 0) found.push_back(c);
+    if (forces.normal_force > 0) found.push_back(c);
   }
   std::ranges::sort(found, {}, [](const HeldContact& c) { return std::tuple(c.sphere, c.other, c.along.begin); });
 }

@@ -60,8 +60,8 @@ void GeneralContact::grow_convex(const Ports& ports) {
     const RigidFrame<double>&frame0 = scene_.frame(t.first), &frame1 = scene_.frame(t.second);
     const Meeting<double> at = meeting_of(t, frame0, frame1);
     const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
-    const double pressure = pairing.pressure(at.gap, dot(at.normal, velocity));
-    if (pressure > 0) grown_convex_.push_back({t.first, t.second, t.key, bristle_after(bristle_of(t), pairing, at, velocity, pressure, frame0, frame1)});
+    const double normal_force = pairing.normal_force(at.gap, dot(at.normal, velocity));
+    if (normal_force > 0) grown_convex_.push_back({t.first, t.second, t.key, bristle_after(bristle_of(t), pairing, at, velocity, normal_force, frame0, frame1)});
   }
 }
 

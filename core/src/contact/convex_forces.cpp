@@ -40,7 +40,7 @@ void GeneralContact::find_convex(const Ports& ports, std::vector<ConvexTouch>& f
   follow_convex(ports);
   each_convex_batch([&](ConvexScene::Batch& batch) {
     find_overlaps(batch);
-    for (ConvexTouch& t : batch.found) feel_pressure(t);
+    for (ConvexTouch& t : batch.found) find_state(t);
     const auto pair_presses = [&](const ConvexTouch& t) {
       return t.second < scene_.first_carrier() &&
              std::ranges::any_of(batch.found, [&](const ConvexTouch& o) { return o.first == t.first && o.second == t.second && o.presses; });
@@ -64,8 +64,8 @@ void GeneralContact::find_overlaps(ConvexScene::Batch& batch) const {
   }
 }
 
-// Whether it pushes, and whether it sticks.
-void GeneralContact::feel_pressure(ConvexTouch& t) const {
+// Computes whether the contact pushes, and whether it sticks.
+void GeneralContact::find_state(ConvexTouch& t) const {
   const RigidFrame<double>&frame0 = scene_.frame(t.first), &frame1 = scene_.frame(t.second);
   const Meeting<double> at = meeting_of(t, frame0, frame1);
   const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
@@ -76,7 +76,7 @@ void GeneralContact::feel_pressure(ConvexTouch& t) const {
     const Bristle* bristle = bristle_of(t);
     t.sticks = pairing.friction == 0 || bristle == nullptr || !bristle->slides;
   }
-  t.presses = pairing.pressure(at.gap, away) > 0;
+  t.presses = pairing.normal_force(at.gap, away) > 0;
 }
 
 // Forces of all are found side by side, and added in their order.
@@ -210,7 +210,7 @@ void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& v
           slides = slides || (bristle != nullptr && bristle->slides);
           if (bristle != nullptr && bristle->slides) continue;
           const ContactPairing pairing = whole.part(touch->share);
-          excess = excess_of(bristle, pairing, at, pairing.pressure(at.gap, away), frame0, frame1);
+          excess = excess_of(bristle, pairing, at, pairing.normal_force(at.gap, away), frame0, frame1);
         }
         freest = std::max(freest, excess);
         if (single) verge.add_slip(excess);

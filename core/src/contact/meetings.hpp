@@ -99,10 +99,10 @@ GeneralContact::Meeting<S> GeneralContact::meet_triangle(int i, int t, const Vec
 template <class S>
 Vec3<S> GeneralContact::force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, std::optional<bool> sticks) const {
   const S away = dot(at.normal, velocity);
-  const S pressure = pairing.pressure(at.gap, away);
-  if (!(pressure > 0.0)) return {};
-  if (pairing.friction == 0) return -pressure * at.normal;
-  return pairing.drag(pressure, velocity - away * at.normal, set_->proportional_zone, sticks) - pressure * at.normal;
+  const S normal_force = pairing.normal_force(at.gap, away);
+  if (!(normal_force > 0.0)) return {};
+  if (pairing.friction == 0) return -normal_force * at.normal;
+  return pairing.friction_force(normal_force, velocity - away * at.normal, set_->proportional_zone, sticks) - normal_force * at.normal;
 }
 
 template <class S>
@@ -116,12 +116,12 @@ GeneralContact::Grip<S> GeneralContact::grip_of(const Bristle* bristle, const Me
 template <class S>
 Vec3<S> GeneralContact::gripping_force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, const Grip<S>& grip) const {
   const S away = dot(at.normal, velocity);
-  const S pressure = pairing.pressure(at.gap, away);
-  if (!(pressure > 0.0)) return {};
-  if (pairing.friction == 0) return -pressure * at.normal;
-  const S most = (pairing.friction * grip.holding) * pressure;
+  const S normal_force = pairing.normal_force(at.gap, away);
+  if (!(normal_force > 0.0)) return {};
+  if (pairing.friction == 0) return -normal_force * at.normal;
+  const S most = (pairing.friction * grip.holding) * normal_force;
   const Vec3<S> stretch = grip.span - dot(at.normal, grip.span) * at.normal, slip = velocity - away * at.normal;
-  return set_->bristles.law(pairing).bounded_force(stretch, slip, most) - pressure * at.normal;
+  return set_->bristles.law(pairing).bounded_force(stretch, slip, most) - normal_force * at.normal;
 }
 
 template <class S>

@@ -130,16 +130,16 @@ DALEMBERT_INLINE inline double SpherePairs::compute_pairs(std::size_t begin, std
       for (std::size_t lane = 0; lane < lanes; ++lane) laws[lane] = pairing_of(set, first[lane], second[lane]);
       law = side_by_side(laws);
     }
-    P pressure = law.pressure(distance - reach, away);
-    pressure = P::chosen(overlaps & less(P(), pressure), pressure, P());
-    if (is_zero(pressure)) return;
-    Vec3<P> on_first = (-pressure) * normal;
+    P normal_force = law.normal_force(distance - reach, away);
+    normal_force = P::chosen(overlaps & less(P(), normal_force), normal_force, P());
+    if (is_zero(normal_force)) return;
+    Vec3<P> on_first = (-normal_force) * normal;
     if constexpr (rubs) {
       const P half = 0.5 * (distance - reach), arm0 = at0[3] + half, arm1 = at1[3] + half;
       const Vec3<P> turn = arm0 * vector_in(fours<L>(spins, first)) + arm1 * vector_in(fours<L>(spins, second));
       const Vec3<P> slip = approach - cross(turn, normal) - away * normal;
-      const Vec3<P> drag = law.drag(pressure, slip, zone), torque = cross(normal, drag);
-      on_first = on_first + drag;
+      const Vec3<P> friction = law.friction_force(normal_force, slip, zone), torque = cross(normal, friction);
+      on_first = on_first + friction;
       const Vec3<P> moment0 = arm0 * torque, moment1 = arm1 * torque;
       const std::array<Pack<4>, lanes> on_second = rows_from<L>({moment1[0], moment1[1], moment1[2], P()});
       each_row<L>({moment0[0], moment0[1], moment0[2], P()}, count, [&](int lane, const Pack<4>& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order

@@ -1,5 +1,5 @@
-// The law of contact, of single numbers, of duals, and of several contacts at once: pressure by stiffness and damping, and friction that grows
-// with the slip in a proportional zone.
+// The law of general contact, for single numbers, duals, and several contacts at once: the normal force follows from stiffness and damping, the friction
+// force is regularised (laws/friction.hpp).
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@ template <class K>
 struct ContactPairingOf {
   K stiffness, damping, friction;
 
-  // What presses two things together; negative where their damping would pull.
+  // It is positive where it pushes, and negative where damping would pull; `away` is the rate of the gap.
   template <class S>
-  DALEMBERT_INLINE S pressure(const S& gap, const S& away) const {
+  DALEMBERT_INLINE S normal_force(const S& gap, const S& away) const {
     return -(stiffness * gap) - damping * away;
   }
-  // What the second thing, which slips against the first, drags this along with.
+  // It acts on the first body, along the slip of the second against the first.
   template <class S, class... Sticks>
-  DALEMBERT_INLINE Vec3<S> drag(const S& pressure, const Vec3<S>& slip, double zone, const Sticks&... sticks) const {
-    return (friction * pressure * inverse_slip(dot(slip, slip), zone, sticks...)) * slip;
+  DALEMBERT_INLINE Vec3<S> friction_force(const S& normal_force, const Vec3<S>& slip, double zone, const Sticks&... sticks) const {
+    return (friction * normal_force * inverse_slip(dot(slip, slip), zone, sticks...)) * slip;
   }
   ContactPairingOf part(double share) const { return {share * stiffness, share * damping, friction}; }
 };

@@ -231,10 +231,10 @@ class GeneralContact final : public SystemTerm {
   Vec3<S> force_of(const HeldContact& contact, const Meeting<S>& at, const Vec3<S>& velocity, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1) const;
   const Bristle* bristle_of(const HeldContact& contact) const;
   void pass_bristles_on(int sphere, std::vector<Found>& found) const;
-  double excess_of(const Bristle* bristle, const ContactPairing& pairing, const Meeting<double>& at, double pressure, const RigidFrame<double>& frame0,
+  double excess_of(const Bristle* bristle, const ContactPairing& pairing, const Meeting<double>& at, double normal_force, const RigidFrame<double>& frame0,
                    const RigidFrame<double>& frame1) const;
   void add_gripping_pairs(int chunk, const Ports& ports) const;
-  Bristle bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double pressure,
+  Bristle bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double normal_force,
                         const RigidFrame<double>& frame0, const RigidFrame<double>& frame1) const;
   void grow_bristles(const Ports& ports);
   ContactPairing pairing_of(const HeldContact& contact) const;
@@ -261,7 +261,7 @@ class GeneralContact final : public SystemTerm {
   struct CableForces {
     Wrench<S> on_circle{};
     std::array<S, 8> on_cable{};
-    double pressure = 0, slip = 0;  // the mean one without being cut at zero; the largest
+    double normal_force = 0, slip = 0;  // the mean per length (N/m), not cut at zero; the largest slip
   };
   bool is_cable(const HeldContact& c) const { return c.other >= set_->first_cable() && c.other < set_->first_triangle(); }
   void take_cables(const double* q, const double* v) const;
@@ -304,7 +304,7 @@ class GeneralContact final : public SystemTerm {
   template <class F>
   void each_convex_batch(const F& f) const;
   void find_overlaps(ConvexScene::Batch& batch) const;
-  void feel_pressure(ConvexTouch& touch) const;
+  void find_state(ConvexTouch& touch) const;
   void add_convex(std::span<const ConvexTouch> touches, Ports& ports, bool direct) const;
   void add_convex_verges(const Ports& ports, std::vector<Verge>& verges) const;
   int global_number(int participant) const;

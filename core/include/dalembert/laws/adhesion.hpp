@@ -27,7 +27,7 @@ struct AdhesiveLaw {
 
   // Without plasticity, loading and unloading are one curve; attraction acts only where unloading would pull.
   template <class S>
-  S pressure(const S& penetration, double overlap) const {
+  S normal_force(const S& penetration, double overlap) const {
     const S loading = stiffness * odd_power(penetration, exponent);
     if (plasticity == 0) return loading - pull_off;
     const S unloading = (1 / (1 - plasticity)) * (loading - stiffness * std::pow(overlap, exponent));

@@ -25,12 +25,12 @@ S odd_power(const S& x, double exponent) {
   return x < 0.0 ? -magnitude : magnitude;
 }
 
-// Losses hold back bodies that separate. Where they are limited, they never pull at them; below zero is then only what the pressure is
-// without losses: attraction, or a penetration that Newton's method tries as negative.
+// Losses hold back bodies that separate. If they are limited, they never pull: the normal force is then negative only if it is negative without losses,
+// because of attraction, or of a negative penetration that Newton's method tries.
 template <class S>
 S with_losses(bool limited, const S& lossless, const S& losses) {
-  const S pressure = lossless + losses;
-  if (!limited || !(pressure < 0.0) || !(losses < 0.0)) return pressure;
+  const S normal_force = lossless + losses;
+  if (!limited || !(normal_force < 0.0) || !(losses < 0.0)) return normal_force;
   return lossless < 0.0 ? lossless : S(0);
 }
 
@@ -53,9 +53,9 @@ struct ImpactLaw {
     restitution_damping = loss / velocity;
   }
 
-  // Pressure is positive.
+  // A force that pushes is positive.
   template <class S>
-  S pressure(const S& penetration, const S& rate) const {
+  S normal_force(const S& penetration, const S& rate) const {
     const S elastic = stiffness * odd_power(penetration, exponent);
     return with_losses<S>(limited, elastic, losses(elastic, rate));
   }

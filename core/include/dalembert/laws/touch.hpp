@@ -36,10 +36,10 @@ struct TouchData {
 
 // The speed of the last update decides whether it sticks.
 template <class Parameters, class S>
-Vec3<S> force_on_first(const Parameters& p, const double* data, const Touch<S>& touch, const S& pressure) {
+Vec3<S> force_on_first(const Parameters& p, const double* data, const Touch<S>& touch, const S& normal_force) {
   const double zone = p.frictionProportionalZone;
   const Vec3<S> along = coulomb_direction(touch.slip, zone, in_zone(data[TouchData::speed], zone));
-  return (p.dynamicFriction * pressure) * along - pressure * touch.normal;
+  return (p.dynamicFriction * normal_force) * along - normal_force * touch.normal;
 }
 
 // Contact that opens or closes is an error; the recommended step ends when that happens.

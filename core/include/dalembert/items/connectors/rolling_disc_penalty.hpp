@@ -38,13 +38,13 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
     const RollingContact<double> contact(p, m0, m1);
     const double now = dot(contact.arm, contact.normal), before = data[gap];
     const Slip<double> slip = slip_of(contact), assumed{data[lateral], data[forward]};
-    const double pressure = now < 0 ? normal_force(p, contact) : 0.0;
-    const Slip<double> friction = friction_force(p, slip, slip, pressure);
+    const double normal_force = now < 0 ? normal_force_of(p, contact) : 0.0;
+    const Slip<double> friction = friction_force(p, slip, slip, normal_force);
     PostNewton verdict;
     if ((now > 0) != (before > 0)) {
       verdict.error = std::abs(now * p.contactStiffness) + norm(friction);
     } else if (now < 0) {
-      verdict.error = norm(friction - friction_force(p, slip, assumed, pressure));
+      verdict.error = norm(friction - friction_force(p, slip, assumed, normal_force));
     }
     data[lateral] = slip[0];
     data[forward] = slip[1];
@@ -58,11 +58,11 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
     if (!(data[gap] < 0) || in_zone(norm(assumed), p.dryFrictionProportionalZone)) return {};
     const RollingContact<double> contact(p, m0, m1);
     const Slip<double> slip = slip_of(contact);
-    const double speed = norm(slip), pressure = normal_force(p, contact);
+    const double speed = norm(slip), normal_force = normal_force_of(p, contact);
     if (speed == 0) return {};
     const Slip<double> next = slip_beyond_zone(p, slip, speed);
     PostNewton verdict;
-    verdict.error = norm(friction_force(p, slip, next, pressure) - friction_force(p, slip, assumed, pressure));
+    verdict.error = norm(friction_force(p, slip, next, normal_force) - friction_force(p, slip, assumed, normal_force));
     data[lateral] = next[0];
     data[forward] = next[1];
     return verdict;
@@ -80,7 +80,7 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
     switches.holds("contact", true, -now);
     const bool has_friction = p.dryFriction[0] != 0 || p.dryFriction[1] != 0;
     find_coulomb_switch(has_friction, norm(Slip<double>{c.data[lateral], c.data[forward]}), norm(slip_of(contact)), p.dryFrictionProportionalZone, switches);
-    switches.kink("pull", normal_force(p, contact));
+    switches.kink("pull", normal_force_of(p, contact));
   }
 
   static bool output(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
@@ -111,7 +111,7 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
   }
 
   template <class S>
-  static S normal_force(const Parameters& p, const RollingContact<S>& contact) {
+  static S normal_force_of(const Parameters& p, const RollingContact<S>& contact) {
     return -(p.contactStiffness * dot(contact.arm, contact.normal) + p.contactDamping * dot(contact.slip, contact.normal));
   }
 
@@ -119,15 +119,15 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
   template <class S>
   static Vec3<S> contact_force(const Parameters& p, const Context& c, const RollingContact<S>& contact) {
     if (!(c.data[gap] < 0)) return {};
-    const S pressure = normal_force(p, contact);
+    const S normal_force = normal_force_of(p, contact);
     const Slip<S> slip = slip_of(contact);
-    const Slip<S> friction = friction_force(p, slip, {c.data[lateral], c.data[forward]}, pressure);
-    return {friction[0], friction[1], pressure};
+    const Slip<S> friction = friction_force(p, slip, {c.data[lateral], c.data[forward]}, normal_force);
+    return {friction[0], friction[1], normal_force};
   }
 
   // Against the slip; beyond the proportional zone, its direction is the assumed one.
   template <class S>
-  static Slip<S> friction_force(const Parameters& p, const Slip<S>& slip, const Slip<double>& assumed, const S& pressure) {
+  static Slip<S> friction_force(const Parameters& p, const Slip<S>& slip, const Slip<double>& assumed, const S& normal_force) {
     using std::abs;
     const double assumed_speed = norm(assumed), zone = p.dryFrictionProportionalZone;
     const bool sticking = in_zone(assumed_speed, zone);
@@ -143,17 +143,17 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
     const double co = std::cos(p.dryFrictionAngle), si = std::sin(p.dryFrictionAngle);
     const Slip<S> turned{co * direction[0] - si * direction[1], si * direction[0] + co * direction[1]};
     Slip<S> f;
-    for (int i = 0; i < 2; ++i) f[i] = -abs(pressure) * (p.dryFriction[i] + p.viscousFriction[i] * speed) * turned[i];
+    for (int i = 0; i < 2; ++i) f[i] = -abs(normal_force) * (p.dryFriction[i] + p.viscousFriction[i] * speed) * turned[i];
     return {co * f[0] + si * f[1], co * f[1] - si * f[0]};
   }
 
   // Against the velocity of the centre along the plane, for a disc that stands upright.
   template <class S>
-  static Vec3<S> rolling_resistance(const Parameters& p, const S& pressure, const RollingContact<S>& contact, const RigidFrame<S>& m0,
+  static Vec3<S> rolling_resistance(const Parameters& p, const S& normal_force, const RollingContact<S>& contact, const RigidFrame<S>& m0,
                                     const RigidFrame<S>& m1) {
     using std::abs;
     const Vec3<S> velocity = m1.velocity - m0.velocity - cross(m0.angular_velocity, contact.arm);
-    return (-p.rollingFrictionViscous * abs(pressure)) * (velocity - dot(velocity, contact.normal) * contact.normal);
+    return (-p.rollingFrictionViscous * abs(normal_force)) * (velocity - dot(velocity, contact.normal) * contact.normal);
   }
 };
 

@@ -15,7 +15,7 @@ namespace dalembert {
 struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate {
   using Parameters = ObjectContactConvexRollParameters;
 
-  // Pressure and friction at the lowest point of the roll, while the gap of the last update is not positive.
+  // Normal force and friction at the lowest point of the roll, while the gap of the last update is not positive.
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
     if (!(c.data[gap] <= 0)) return;
@@ -144,9 +144,9 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
   template <class S>
   static Vec3<S> force_on_roll(const Parameters& p, const Touch<S>& touch) {
     const S elastic = -(p.contactStiffness * touch.gap);
-    const S pressure = with_losses<S>(p.limitDamping, elastic, p.contactDamping * touch.penetration_rate);
+    const S normal_force = with_losses<S>(p.limitDamping, elastic, p.contactDamping * touch.penetration_rate);
     const Vec3<S> along = direction(touch.slip);
-    return pressure * (touch.normal - curve(p)(dot(along, touch.slip)) * along);
+    return normal_force * (touch.normal - curve(p)(dot(along, touch.slip)) * along);
   }
 };
 

@@ -15,7 +15,7 @@ namespace dalembert {
 struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate {
   using Parameters = ObjectContactCurveCirclesParameters;
 
-  // Pressure and friction on the circle that the last update has found at a segment.
+  // Normal force and friction on the circle that the last update has found at a segment.
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
     for (int segment = 0; segment < segments(p); ++segment) {
@@ -46,7 +46,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
         data[Data::distance] = touch.gap;
         data[Data::slip] = touch.slip;
         error = std::abs(p.contactDamping * touch.rate - p.contactStiffness * touch.gap);
-        if (touch.gap < 0 && touch.pressure(p) > 0) data[Data::which] = circle;
+        if (touch.gap < 0 && touch.normal_force(p) > 0) data[Data::which] = circle;
       }
       if ((now.gap() > 0) != (before > 0)) verdict.error = std::max(verdict.error, error);
     }
@@ -65,7 +65,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
         if (circle == touched) own = touch.gap, slip = touch.slip;
         else if (!(touch.gap < nearest)) continue;
         else nearest = touch.gap;
-        if (circle == touched || touched < 0) pressed = touch.pressure(p, false);
+        if (circle == touched || touched < 0) pressed = touch.normal_force(p, false);
       }
       if (touched < 0) {
         switches.holds("contact", false, std::max(nearest, -pressed));
@@ -190,7 +190,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     }
     Vec<S, 2> tangent() const { return {-normal[1], normal[0]}; }
     Vec3<S> direct(const Vec<S, 2>& v) const { return axes * Vec3<S>{v[0], v[1], S(0)}; }
-    S pressure(const Parameters& p, bool limited = true) const { return with_losses<S>(limited, p.contactStiffness * extent, p.contactDamping * extent_rate); }
+    S normal_force(const Parameters& p, bool limited = true) const { return with_losses<S>(limited, p.contactStiffness * extent, p.contactDamping * extent_rate); }
 
    private:
     static S norm_or_zero(const Vec<S, 2>& v) {
@@ -221,10 +221,10 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
   // The speed of the last update decides whether it sticks.
   template <class S>
   static Vec<S, 2> force_on_curve(const Parameters& p, const Data& data, const Meeting<S>& touch) {
-    const S pressure = touch.pressure(p);
+    const S normal_force = touch.normal_force(p);
     const double zone = p.frictionProportionalZone;
     const S along = coulomb_direction(touch.slip, zone, in_zone(data.speed(), zone));
-    return (p.dynamicFriction * pressure * along) * touch.tangent() - pressure * touch.normal;
+    return (p.dynamicFriction * normal_force * along) * touch.tangent() - normal_force * touch.normal;
   }
 };
 

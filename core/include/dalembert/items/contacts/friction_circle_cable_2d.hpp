@@ -56,7 +56,7 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     return verdict;
   }
 
-  // Of each segment: contact; where damping begins to pull; friction that slides, or does not go on in its direction; and pressure that has
+  // A segment has four: contact; where damping begins to pull; friction that slides, or does not go on in its direction; and a normal force that has
   // grown so much that springs hold what slides.
   static int switch_count(const Parameters& p) { return 4 * p.numberOfContactSegments; }
   static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {

@@ -14,12 +14,12 @@ namespace dalembert {
 struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate {
   using Parameters = ObjectContactSphereSphereParameters;
 
-  // Pressure and friction at the middle of the overlap, while the gap of the last update is negative.
+  // Normal force and friction at the middle of the overlap, while the gap of the last update is negative.
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
     if (!(c.data[TouchData::gap] < 0)) return;
     const Touch<S> touch = closest(p, body_frame(x, 0), body_frame(x, 1));
-    const Vec3<S> force = force_on_first(p, c.data, touch, pressure(p, c.data, touch));
+    const Vec3<S> force = force_on_first(p, c.data, touch, normal_force(p, c.data, touch));
     push(x, 0, touch.arm0, force);
     push(x, 1, touch.arm1, -force);
   }
@@ -31,7 +31,7 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, Switches
     PostNewton verdict = update_touch(p, touch, h.start, h.data);
     h.data[TouchData::overlap] =
         touch.gap < 0 ? std::max(h.start[TouchData::overlap], AdhesiveLaw(p).plastic_overlap(-touch.gap)) : 0.0;
-    if (touch.gap < 0) verdict.error += coulomb_error(p.dynamicFriction * pressure(p, h.data, touch), p.frictionProportionalZone, speed, h.data[TouchData::speed]);
+    if (touch.gap < 0) verdict.error += coulomb_error(p.dynamicFriction * normal_force(p, h.data, touch), p.frictionProportionalZone, speed, h.data[TouchData::speed]);
     return verdict;
   }
   static int switch_count(const Parameters&) { return touch_switches; }
@@ -51,7 +51,7 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, Switches
       default: break;
     }
     const bool acts = p.activeConnector && c.data[TouchData::gap] < 0;
-    const Vec3<double> force = acts ? force_on_first(p, c.data, touch, pressure(p, c.data, touch)) : Vec3<double>{};
+    const Vec3<double> force = acts ? force_on_first(p, c.data, touch, normal_force(p, c.data, touch)) : Vec3<double>{};
     return touch_output(touch, m0.position, force, variable, values);
   }
 
@@ -80,14 +80,14 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, Switches
     return touch;
   }
   template <class S>
-  static S pressure(const Parameters& p, const double* data, const Touch<S>& touch) {
-    if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).pressure(-touch.gap, touch.penetration_rate);
-    const S lossless = AdhesiveLaw(p).pressure(-touch.gap, data[TouchData::overlap]);
+  static S normal_force(const Parameters& p, const double* data, const Touch<S>& touch) {
+    if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).normal_force(-touch.gap, touch.penetration_rate);
+    const S lossless = AdhesiveLaw(p).normal_force(-touch.gap, data[TouchData::overlap]);
     return with_losses<S>(p.limitDamping, lossless, p.contactDamping * touch.penetration_rate);
   }
   static double pull_margin(const Parameters& p, const double* data, const Touch<double>& touch) {
     if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate);
-    const double lossless = AdhesiveLaw(p).pressure(-touch.gap, data[TouchData::overlap]);
+    const double lossless = AdhesiveLaw(p).normal_force(-touch.gap, data[TouchData::overlap]);
     return dalembert::pull_margin(p.limitDamping, lossless, p.contactDamping * touch.penetration_rate);
   }
 };

@@ -76,7 +76,7 @@ struct ObjectContactSphereTorus : HasPairHistory, SwitchesByUpdate, AlwaysNeedsD
 
   template <class S>
   static Vec3<S> force_on_sphere(const Parameters& p, const double* data, const Touch<S>& touch) {
-    return force_on_first(p, data, touch, ImpactLaw(p, data[TouchData::impact]).pressure(-touch.gap, touch.penetration_rate));
+    return force_on_first(p, data, touch, ImpactLaw(p, data[TouchData::impact]).normal_force(-touch.gap, touch.penetration_rate));
   }
 };
 

@@ -13,13 +13,13 @@ namespace dalembert {
 struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate {
   using Parameters = ObjectContactSphereTriangleParameters;
 
-  // Pressure and friction in the middle of the overlap, with the slip of the nearest point of the triangle, while the gap of the last update is
+  // Normal force and friction in the middle of the overlap, with the slip of the nearest point of the triangle, while the gap of the last update is
   // negative.
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
     if (!(c.data[TouchData::gap] < 0)) return;
     const Nearest<S> touch(p, body_frame(x, 0), x.template frame<RigidPort>(1));
-    const Vec3<S> force = force_on_first(p, c.data, touch, pressure(p, c.data, touch));
+    const Vec3<S> force = force_on_first(p, c.data, touch, normal_force(p, c.data, touch));
     push(x, 0, touch.arm0, force);
     push(x, 1, touch.arm1, -force);
   }
@@ -29,7 +29,7 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
     const Nearest<double> touch = nearest(p, x);
     const double speed = h.data[TouchData::speed];
     PostNewton verdict = update_touch(p, touch, h.start, h.data);
-    if (touch.gap < 0) verdict.error += coulomb_error(p.dynamicFriction * pressure(p, h.data, touch), p.frictionProportionalZone, speed, h.data[TouchData::speed]);
+    if (touch.gap < 0) verdict.error += coulomb_error(p.dynamicFriction * normal_force(p, h.data, touch), p.frictionProportionalZone, speed, h.data[TouchData::speed]);
     return verdict;
   }
   static int switch_count(const Parameters&) { return touch_switches; }
@@ -48,7 +48,7 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
       default: break;
     }
     const bool acts = p.activeConnector && c.data[TouchData::gap] < 0;
-    const Vec3<double> force = acts ? force_on_first(p, c.data, touch, pressure(p, c.data, touch)) : Vec3<double>{};
+    const Vec3<double> force = acts ? force_on_first(p, c.data, touch, normal_force(p, c.data, touch)) : Vec3<double>{};
     return touch_output(touch, sphere.position, force, variable, values);
   }
 
@@ -113,8 +113,8 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
 
   // During an iteration, a sphere that touches stays in contact wherever it moves.
   template <class S>
-  static S pressure(const Parameters& p, const double* data, const Nearest<S>& touch) {
-    return (touch.share > 0 ? touch.share : 1) * ImpactLaw(p, data[TouchData::impact]).pressure(-touch.gap, touch.penetration_rate);
+  static S normal_force(const Parameters& p, const double* data, const Nearest<S>& touch) {
+    return (touch.share > 0 ? touch.share : 1) * ImpactLaw(p, data[TouchData::impact]).normal_force(-touch.gap, touch.penetration_rate);
   }
 };
 
