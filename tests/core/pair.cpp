@@ -1,4 +1,5 @@
-// Kernels between two markers, and loads, are refused when a member is missing, misspelt or has another signature.
+// Kernels between two markers, and loads, are refused when a member is missing, misspelt or has another signature. The example of
+// contracts/pair.hpp has the forces and derivatives of its comments.
 #include "dalembert/contracts/pair.hpp"
 
 using namespace dalembert;
@@ -141,6 +142,35 @@ static_assert(LoadKernel<CompleteWeight>);
 static_assert(!LoadKernel<WithoutFollower>);
 static_assert(!LoadKernel<WithoutReading>);
 
+// ---- the example --------------------------------------------------------------------------------------------------------
+struct IsotropicSpring : NoPairHistory, NoPairOutputs, NoConnectorForms {
+  struct Parameters { double stiffness = 0, damping = 0; };
+  using Port = PointPort;
+
+  template <class S>
+  static std::array<Force<S>, 2> forces(const Parameters& p, const Context&, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+    const Vec3<S> f = p.stiffness * (m1.position - m0.position) + p.damping * (m1.velocity - m0.velocity);
+    return {Force<S>{f}, Force<S>{-f}};
+  }
+};
+static_assert(PairConnectorKernel<IsotropicSpring>);
+
+// Derivatives by the three positions of marker 1, and by its three velocities.
+int example() {
+  using S = Dual<6>;
+  const Vec3<double> position{0.1, 0, 0}, velocity{0, 3, 0}, expected{10, 6, 0};
+  PointFrame<S> m0, m1;
+  for (int i = 0; i < 3; ++i) m1.position[i] = S::seed(position[i], i), m1.velocity[i] = S::seed(velocity[i], 3 + i);
+  const auto forces = IsotropicSpring::forces<S>({100, 2}, Context(), m0, m1);
+  int failures = 0;
+  for (int i = 0; i < 3; ++i) {
+    failures += forces[0].force[i].value != expected[i] || forces[1].force[i].value != -expected[i];
+    for (int j = 0; j < 3; ++j)  // -df_1
+      failures += -forces[1].force[i].d[j] != (i == j ? 100 : 0) || -forces[1].force[i].d[3 + j] != (i == j ? 2 : 0);
+  }
+  return failures;
+}
+
 }  // namespace
 
-int main() { return 0; }
+int main() { return example(); }

@@ -4,10 +4,46 @@
 //   marker 1 ──frame──▶ │ kernel │ ──force──▶ marker 1
 //                       └────────┘
 //
-// A connector states `forces`, a constraint its `equations` and `gap` (or `gap_rate`, if it is nonholonomic), a load `force`.
-// What a kernel does without, it says by deriving from one of the structs below: a member that is missing, misspelt or has
-// another signature does not compile. Closed forms may be left out, for sweeps of dual numbers find the same numbers; those that a
-// kernel has it names in `closed_forms`, and what is named has to be there.
+// Frames and forces are in global axes; forces act at the point of the marker, and moments about it (frames.hpp):
+//
+//   Port          frame of a marker: read by the kernel                          force on the marker: returned by the kernel
+//   PointPort     position x, velocity v                                         force f
+//   RigidPort     x, v, rotation A (marker axes to global), angular velocity w   force f, moment m
+//   ScalarPort    value and rate of a coordinate                                 force along the coordinate
+//
+// A force is the power conjugate of its frame, P = f.v + m.w. The kernel gives the forces on both markers, and nobody balances them afterwards: action and
+// reaction, f_0 + f_1 = 0 and m_0 + m_1 + (x_1 - x_0) x f_1 = 0, are its task.
+//
+// Example: a spring and damper that act in all directions (tests/core/pair.cpp compiles it, and compares the numbers below).
+//
+//   struct IsotropicSpring : NoPairHistory, NoPairOutputs, NoConnectorForms {
+//     struct Parameters { double stiffness = 0, damping = 0; };  // for items, generated from the spec
+//     using Port = PointPort;
+//
+//     template <class S>
+//     static std::array<Force<S>, 2> forces(const Parameters& p, const Context&, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+//       const Vec3<S> f = p.stiffness * (m1.position - m0.position) + p.damping * (m1.velocity - m0.velocity);
+//       return {Force<S>{f}, Force<S>{-f}};
+//     }
+//   };
+//
+// Let the stiffness be 100 N/m and the damping 2 N s/m; marker 0 rests in the origin, marker 1 is a mass point at (0.1, 0, 0) m with the velocity
+// (0, 3, 0) m/s. An evaluation then has three steps:
+//
+//   1. Each marker writes its frame into the ports (system/ports.hpp), once for all items that use it. For tangents it also writes the derivatives of the
+//      frame, and the Jacobian J of its velocity by the rates of coordinates: J = I for marker 1.
+//   2. Residual, S = double: the batch (batches/connector.hpp) calls `forces`, which returns (10, 6, 0) N and (-10, -6, 0) N, and adds them to the ports.
+//      Markers add -J^T f to the residual r of M a + ... = 0: marker 1 adds (10, 6, 0).
+//   3. Tangent, S = Dual (math/dual.hpp): the frames carry derivatives along the unknowns, the forces come out with df, and the matrix gets -J^T df:
+//      100 I in the rows and columns of marker 1 for derivatives by positions, 2 I for those by velocities.
+//
+// A connector states `forces`. Memory, such as the anchor of friction, is in the data coordinates of its node: `forces` reads them in c.data, and
+// `update` writes them, after Newton's method has converged (contracts/switches.hpp: or `switch_over`, at events). A constraint states its number of `equations` and the `gap` g = 0 (or `gap_rate`, if it is
+// nonholonomic); dual numbers give G = dg/d(frames) and the forces -G^T lambda of its multipliers (contracts/variation.hpp). A load states `force`.
+//
+// No member is optional. A kernel derives from one of the structs below for each part of the contract that it does not have: a member that is missing,
+// misspelt or has another signature does not compile. Closed forms of derivatives may be left out, for sweeps of dual numbers find the same numbers; a
+// kernel names those that it has in `closed_forms`, and must have those that it names.
 #pragma once
 
 #include <array>

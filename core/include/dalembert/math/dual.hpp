@@ -1,4 +1,40 @@
-// Dual<N, T>: a value and its N first derivatives. Forward mode, exact, no heap. T is double, or a dual for second derivatives.
+// Dual numbers: derivatives by forward automatic differentiation. They are exact up to round-off and need no heap.
+//
+// A Dual<N> is a value with its derivatives along N directions s_0, ..., s_(N-1):
+//
+//      x = (x.value; x.d[0], ..., x.d[N-1])             x.d[i] = dx/ds_i
+//
+// Each operation computes the value and, by the rules of differentiation, the derivatives; Dual::chain is the rule for functions of one variable:
+//
+//      x + y = (x + y; dx + dy)        x y = (x y; dx y + x dy)        f(x) = (f(x); f'(x) dx)
+//
+// A formula that is a template over its scalar S therefore differentiates itself: with S = double it gives the value, with S = Dual<N> also N columns
+// of its Jacobian. seed(x, i) is a variable, with dx/ds_i = 1. A Dual made of a double is a constant, with derivatives of zero; operations with a plain
+// double skip them.
+//
+// Example: the force f = t n of a spring between the origin and the point x = (3, 4), with the tension t = k (l - l_0), the length l = |x|, the
+// direction n = x / l, the stiffness k = 10, and the length l_0 = 4 at rest (tests/core/dual.cpp compares these numbers with the closed form):
+//
+//      using S = Dual<2>;                                      //  value     d/dx_0   d/dx_1
+//      const S x0 = S::seed(3, 0), x1 = S::seed(4, 1);         // (3; 1, 0)  and  (4; 0, 1)
+//      const S l = sqrt(x0 * x0 + x1 * x1);                    //  5         0.6      0.8        the direction n: dl/dx = n^T
+//      const S t = 10 * (l - 4);                               // 10         6        8          k n^T
+//      const S f0 = t / l * x0, f1 = t / l * x1;               //  6         4.88     3.84       row 0 of df/dx
+//                                                              //  8         3.84     7.12       row 1
+//
+// The rows are df/dx = k n n^T + (t / l) (I - n n^T): material and geometric stiffness, which nobody has written down.
+//
+// The tangent of the system is made in the same way (batches/port_sweep.hpp). Markers give the numbers of their frames with derivatives along the
+// unknowns, 8 of them at a time (SweepDual), weighted as system/evaluation.hpp says; the kernel of a connector computes its forces f with these; and -J^T df
+// is added to the matrix, as -J^T f is to the residual, with the Jacobian J of the markers.
+//
+// Rules for formulas:
+// - Comparisons look at values alone, so a branch has the derivatives of that branch. At a kink they are those of one side.
+// - sqrt and log have no derivative at zero: ask value_of(x) first, and give the limit there, as math/direction.hpp does.
+// - Functions are found by their arguments: `using std::sqrt;` and then `sqrt(x)` works for double and Dual.
+// - T is double, or again a Dual for derivatives of derivatives: contracts/variation.hpp takes the rate of a gap as Dual<1, S>.
+//
+// Griewank, Walther: Evaluating Derivatives, 2nd edition, SIAM 2008.
 #pragma once
 
 #include <array>
