@@ -4,7 +4,6 @@
 
 #include "console.hpp"
 #include "dalembert/model/errors.hpp"
-#include "dalembert/prototypes/spheres_in_box.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/open_constraints.hpp"
 #include "dalembert/solvers/redundant_constraints.hpp"
@@ -274,19 +273,6 @@ void register_updates(py::module_& module) {
 }
 
 void register_system_terms(py::module_& module) {
-  module.def(
-      "add_spheres_in_box",
-      [](MainSystem& main, const std::vector<int>& markers, const std::vector<double>& radii, const std::array<double, 3>& lower,
-         const std::array<double, 3>& upper, double margin, double stiffness, double restitution, bool all_pairs) {
-        require_idle(main, "testing.add_spheres_in_box(...)");
-        SpheresInBoxParameters p{markers, radii, {lower}, {upper}, margin, all_pairs};
-        p.contactStiffness = stiffness;
-        p.restitutionCoefficient = restitution;
-        main.assembled("add_spheres_in_box").add(std::make_unique<SpheresInBox>(p));
-      },
-      py::arg("mbs"), py::arg("markers"), py::arg("radii"), py::arg("lower"), py::arg("upper"), py::kw_only(), py::arg("margin"),
-      py::arg("stiffness"), py::arg("restitution") = 1.0, py::arg("all_pairs") = false,
-      "Contact of spheres at markers of points with each other and with the walls of a box, until the next Assemble(): a prototype.");
   module.def(
       "search", [](MainSystem& main, const EvaluationState& s) { return checked(main, s, "search").search(s.state, s.conditions); }, py::arg("mbs"), py::arg("state"),
       "Let terms that are no items look for what acts in a state; returns whether the sparse pattern is another one.");

@@ -11,11 +11,8 @@
 // if it lacks one of the entries.
 #pragma once
 
-#include <algorithm>
-#include <compare>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "dalembert/system/term.hpp"
@@ -62,46 +59,6 @@ class SystemTerm : public Term {
 
   void add(const void*, const Placement&, const Ports&) final {}  // it is no list of items
   void refresh(int, const void*) final {}
-};
-
-// Pairs in ascending order, each with data that survive as long as the pair does.
-template <class Data>
-class PairList {
- public:
-  struct Pair {
-    int first = 0, second = 0;
-    auto operator<=>(const Pair&) const = default;
-  };
-
-  std::size_t size() const { return pairs_.size(); }
-  const Pair& operator[](std::size_t i) const { return pairs_[i]; }
-  const Data& data(std::size_t i) const { return now_[i]; }
-  Data& data(std::size_t i) { return now_[i]; }
-  const Data& start(std::size_t i) const { return start_[i]; }
-  bool contains(const Pair& pair) const { return std::ranges::binary_search(pairs_, pair); }
-
-  // Takes the pairs that were found, in any order; true: they are others than before. New ones begin with Data().
-  bool renew(std::vector<Pair>& found) {
-    std::ranges::sort(found);
-    if (found == pairs_) return false;
-    std::vector<Data> now(found.size()), start(found.size());
-    for (std::size_t i = 0, old = 0; i < found.size(); ++i) {
-      while (old < pairs_.size() && pairs_[old] < found[i]) ++old;
-      if (old == pairs_.size() || pairs_[old] != found[i]) continue;
-      now[i] = now_[old];
-      start[i] = start_[old];
-    }
-    pairs_ = found;
-    now_ = std::move(now);
-    start_ = std::move(start);
-    return true;
-  }
-  void keep() { start_ = now_; }
-  void restore() { now_ = start_; }
-
- private:
-  std::vector<Pair> pairs_;
-  std::vector<Data> now_, start_;
 };
 
 }  // namespace dalembert
