@@ -115,8 +115,8 @@ void System::compose(std::span<const double> q0, std::span<const WeightedVector>
     return;
   }
   const auto compose_some = [&](std::size_t begin, std::size_t end) {  // nobody is computed alone: stretches end elsewhere with other threads
-    in_lanes([&]<int L>() DALEMBERT_INLINE {
-      for (std::size_t i = begin; i < end; i += L) composition(Group<L>{i, static_cast<int>(std::min<std::size_t>(L, end - i))}, blocks);
+    in_wide_registers([&]() DALEMBERT_INLINE {
+      for (std::size_t i = begin; i < end; i += 4) composition(Group<4>{i, static_cast<int>(std::min<std::size_t>(4, end - i))}, blocks);
     });
   };
   if (blocks.size() < blocks_to_share) compose_some(0, blocks.size());

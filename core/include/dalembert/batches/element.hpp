@@ -19,6 +19,7 @@ class ElementBatch : public Term {
   static constexpr int n = E::size;
   static constexpr bool is_diagonal = E::traits.diagonal;  // its tangent
   static constexpr int slots_per_entry = is_diagonal ? n : n * n;
+  static constexpr bool is_summed_here = n > 0 && !RotatingBodyElement<E>;  // RotatingBodyBatch sums by itself
 
   void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
   void add(const void* record, const Placement& placement, const Ports&) override {
@@ -53,7 +54,7 @@ class ElementBatch : public Term {
 
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
     if (PureInertia<E> && !evaluation.inertia) return;
-    if constexpr (n > 0)
+    if constexpr (is_summed_here)
       each_element([&](const auto& group) { residuals_in_lanes(group, evaluation, r); },
                    [&](std::size_t i) { add_residual(entries_[i], evaluation, r); });
   }
@@ -180,7 +181,7 @@ class ElementBatch : public Term {
 
   const int* slots_of(std::size_t entry) const { return slots.data() + entry * slots_per_entry; }
   void sweep(const Evaluation& evaluation, const Weights& weights, double* values) const {
-    if constexpr (n > 0)
+    if constexpr (is_summed_here)
       each_element([&](const auto& group) { tangents_in_lanes(group, evaluation, weights, values); },
                    [&](std::size_t i) { add_tangent(entries_[i], evaluation, weights, slots_of(i), values); });
   }
@@ -196,16 +197,18 @@ class ElementBatch : public Term {
   void each_element(const Together& together, const Alone& alone) const {
     for (std::size_t i = 0; i < entries_.size();) {
       if constexpr (LaneKernel<E>)
-        if (numbers_in_register() >= E::least_lanes) {
+        if (has_wide_registers()) {
           std::size_t end = i + 1;
           while (end < entries_.size() && lanes_[end].like_previous) ++end;
-          if (end - i > 1)
-            in_lanes<E::least_lanes>([&]<int L>() {
-              for (std::size_t count; end - i > 1; i += count) {
-                count = std::min<std::size_t>(L, end - i);
-                together(Group<L>{i, static_cast<int>(count)});
-              }
-            });
+          const auto in_groups = [&]<int L>() {
+            for (std::size_t count; end - i > 1; i += count) {
+              count = std::min<std::size_t>(L, end - i);
+              together(Group<L>{i, static_cast<int>(count)});
+            }
+          };
+          if constexpr (E::most_lanes == 8)
+            if (end - i > 4 && numbers_in_register() == 8) run_in_widest_registers([&] { in_groups.template operator()<8>(); });
+          if (end - i > 1) run_in_wide_registers([&] { in_groups.template operator()<4>(); });
           if (i == end) continue;
         }
       alone(i++);

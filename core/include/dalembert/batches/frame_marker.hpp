@@ -134,9 +134,12 @@ class FrameMarkerBatch : public MarkerBatch {
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
         const double* force = ports.force(e.marker);
-        const auto q = Shape::template pull_back<Dual<n>>(parameters(e), seeded<E>(x, weights), e.local, force);
-        for (int i = 0; i < n; ++i)
-          for (int j = 0; j < n; ++j) slot.add(-q[i].d[j]);
+        Mat<double, n, n> changes;
+        for (int first = 0; first < n; first += directions) {
+          const auto q = Shape::template pull_back<Dual<directions>>(parameters(e), seeded_from<E, directions>(first, x, weights), e.local, force);
+          for (int i = 0; i < n; ++i) std::copy_n(q[i].d.begin(), std::min(directions, n - first), &changes(i, first));
+        }
+        for (const double change : changes.x) slot.add(-change);
       }
     }
   }
@@ -259,13 +262,17 @@ class FrameMarkerBatch : public MarkerBatch {
       jacobian[i * n + i] = 1;
     }
   }
+  // How many directions are swept at once: all of a node or two, so that elements of many coordinates do not take minutes to compile.
+  static constexpr int sweeps = (n + 7) / 8, directions = sweeps == 0 ? 0 : (n + sweeps - 1) / sweeps;
   template <class S>
   void sweep(const Entry& e, const Coordinates<S, n>& x, const Weights& weights, PortsOf<S>& ports) const {
     if constexpr (Shape::values > 0) {
-      const auto frame = Shape::frame(E::template motion<Dual<n>>(parameters(e), seeded<E>(x, weights), e.local));
-      const auto* from = reinterpret_cast<const Dual<n>*>(&frame);
-      double* to = ports.derivative(e.marker);
-      for (int i = 0; i < Shape::values; ++i) to = std::copy(from[i].d.begin(), from[i].d.end(), to);
+      for (int first = 0; first < n; first += directions) {
+        const auto frame = Shape::frame(E::template motion<Dual<directions>>(parameters(e), seeded_from<E, directions>(first, x, weights), e.local));
+        const auto* from = reinterpret_cast<const Dual<directions>*>(&frame);
+        double* to = ports.derivative(e.marker) + first;
+        for (int i = 0; i < Shape::values; ++i) std::copy_n(from[i].d.begin(), std::min(directions, n - first), to + i * n);
+      }
     }
     S* jacobian = ports.jacobian(e.marker);
     for (int i = 0; i < Shape::forces; ++i) {

@@ -47,14 +47,9 @@ struct Group {
   }
 };
 
-template <int L, class F>
-DALEMBERT_INLINE inline void each_group_of(std::size_t begin, std::size_t end, const F& f) {
-  for (; begin + 1 < end; begin += L) {
-    const int count = static_cast<int>(std::min<std::size_t>(L, end - begin));
-    if constexpr (L > 4)
-      if (count <= 4) return f(Group<4>{begin, count});
-    f(Group<L>{begin, count});
-  }
+template <class F>
+DALEMBERT_INLINE inline void each_group_of_four(std::size_t begin, std::size_t end, const F& f) {
+  for (; begin + 1 < end; begin += 4) f(Group<4>{begin, static_cast<int>(std::min<std::size_t>(4, end - begin))});
   if (begin < end) f(Group<1>{begin, 1});
 }
 
@@ -62,14 +57,12 @@ DALEMBERT_INLINE inline void each_group_of(std::size_t begin, std::size_t end, c
 // each of them is a group.
 template <bool together = true, class F>
 void each_group(std::size_t begin, std::size_t end, const F& f) {
-  if constexpr (together)
-    if (end - begin > 1 && numbers_in_register() > 2) {
-      if (numbers_in_register() == 8) return run_in_widest_registers([&] { each_group_of<8>(begin, end, f); });
-      return run_in_wide_registers([&] { each_group_of<4>(begin, end, f); });
-    }
-  in_wide_registers([&] {
+  const auto one_by_one = [&] {
     for (std::size_t i = begin; i < end; ++i) f(Group<1>{i, 1});
-  });
+  };
+  if constexpr (!together) in_wide_registers(one_by_one);
+  else if (has_wide_registers()) run_in_wide_registers([&] { each_group_of_four(begin, end, f); });
+  else run_in_any_registers(one_by_one);
 }
 
 // Calls f<first>, where up to four of `Count` numbers begin; the last four may overlap those before.

@@ -177,11 +177,11 @@ template <class E>
 concept RotatingBodyElement = RotatingElement<E> && RotatingBody<typename E::Kernel>;
 
 // Elements of the same law may be computed as lanes (math/pack.hpp): residual and tangent are templates over them.
-// The coordinates of a node, three or more, lie side by side. Where registers hold fewer than `least_lanes` numbers, each is by itself.
+// The coordinates of a node, three or more, lie side by side. Up to `most_lanes`, four or eight, are computed at once.
 template <class E>
 concept LaneKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& k) {
   { E::same_law(p, k, p, k) } -> std::same_as<bool>;
-  { E::least_lanes } -> std::convertible_to<int>;
+  requires E::most_lanes == 4 || E::most_lanes == 8;
   requires E::node_size >= 3;
 };
 
@@ -409,28 +409,35 @@ Coordinates<S, N> gather(const EvaluationOf<S>& e, const int* dofs) {
   return x;
 }
 
-// The same with directions: one derivative per coordinate, along the weights. Increments of a rotation vector on the
-// group turn into rates of its components by the inverse tangent map.
-template <class E, class S, int N>
-Coordinates<Dual<N, S>, N> seeded(const Coordinates<S, N>& x, const Weights& w) {
-  using D = Dual<N, S>;
+// The same with directions, `Count` from coordinate `begin` on: one derivative per coordinate, along the weights. Increments of a
+// rotation vector on the group turn into rates of its components by the inverse tangent map.
+template <class E, int Count, class S, int N>
+Coordinates<Dual<Count, S>, N> seeded_from(int begin, const Coordinates<S, N>& x, const Weights& w) {
+  using D = Dual<Count, S>;
+  const auto has_direction = [begin](int i) { return i >= begin && i < begin + Count; };
+  const auto with_direction = [&](const S& value, int i, double weight) { return has_direction(i) ? D::seed(value, i - begin, weight) : D(value); };
   Coordinates<D, N> s;
   for (int i = 0; i < N; ++i) {
-    s.q[i] = D::seed(x.q[i], i, w.q);
-    s.v[i] = D::seed(x.v[i], i, w.v);
-    s.a[i] = D::seed(x.a[i], i, w.a);
+    s.q[i] = with_direction(x.q[i], i, w.q);
+    s.v[i] = with_direction(x.v[i], i, w.v);
+    s.a[i] = with_direction(x.a[i], i, w.a);
   }
   for (const int r : E::lie_rotations)
     if constexpr (std::is_same_v<S, double>) {
       const Vec3<double> rotation = segment<3>(x.q, r);
       for (int j = 0; j < 3; ++j) {
+        if (!has_direction(r + j)) continue;
         Vec3<double> axis;
         axis[j] = 1;
         const Vec3<double> rate = rotation_vector_rate(rotation, axis);
-        for (int i = 0; i < 3; ++i) s.q[r + i].d[r + j] = w.q * rate[i];
+        for (int i = 0; i < 3; ++i) s.q[r + i].d[r + j - begin] = w.q * rate[i];
       }
     }
   return s;
+}
+template <class E, class S, int N>
+Coordinates<Dual<N, S>, N> seeded(const Coordinates<S, N>& x, const Weights& w) {
+  return seeded_from<E, N>(0, x, w);
 }
 
 }  // namespace dalembert

@@ -2,8 +2,6 @@
 // products and sums are fused: results differ by rounding. Loops over eight numbers at once are for AVX-512 alone.
 #pragma once
 
-#include <algorithm>
-
 #include "dalembert/math/processor.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -42,27 +40,17 @@ inline int numbers_in_register() {
   static const int numbers = instructions() == Instructions::avx512 ? 8 : instructions() == Instructions::avx2 ? 4 : 2;
   return numbers;
 }
+inline bool has_wide_registers() { return numbers_in_register() > 2; }
 
 template <class Loop>
 void in_wide_registers(const Loop& loop) {
-  numbers_in_register() > 2 ? run_in_wide_registers(loop) : run_in_any_registers(loop);
-}
-
-// Runs a loop over as many numbers at once as a register holds, `most` of them: loop.operator()<2, 4 or 8>(). Registers hold
-// `least` of them, or nobody asks.
-template <int least = 2, class Loop>
-void in_lanes(const Loop& loop, int most = 8) {
-  const int numbers = std::min(numbers_in_register(), most);
-  if constexpr (least == 2)
-    if (numbers == 2) return run_in_any_registers([&] { loop.template operator()<2>(); });
-  if (numbers == 8) return run_in_widest_registers([&] { loop.template operator()<8>(); });
-  run_in_wide_registers([&] { loop.template operator()<4>(); });
+  has_wide_registers() ? run_in_wide_registers(loop) : run_in_any_registers(loop);
 }
 
 // Results are the same on all processors.
 template <class Loop>
 void in_registers_of_four(const Loop& loop) {
-  numbers_in_register() > 2 ? run_in_registers_of_four(loop) : run_in_any_registers(loop);
+  has_wide_registers() ? run_in_registers_of_four(loop) : run_in_any_registers(loop);
 }
 
 }  // namespace dalembert
