@@ -7,8 +7,8 @@
 namespace dalembert {
 
 namespace {
-constexpr double far_from_root = 0.5;  // in radii of the ball around the shape
-constexpr std::size_t numbers_per_bristle = 10;
+constexpr double far_from_convex_root = 0.5;  // in radii of the ball around the shape
+constexpr std::size_t numbers_per_convex_bristle = 10;
 }  // namespace
 
 const GeneralContact::ConvexBristle* GeneralContact::convex_bristle(const ConvexTouch& t, std::int64_t key) const {
@@ -32,7 +32,7 @@ void GeneralContact::pass_bristles_on(std::span<ConvexTouch> of_pair) const {
   const RigidFrame<double>&frame0 = scene_.frame(any.first), &frame1 = scene_.frame(any.second);
   const auto is_taken = [&](std::int64_t key) { return std::ranges::any_of(of_pair, [&](const ConvexTouch& t) { return t.key == key || t.bristle == key; }); };
   for (std::size_t turn = 0; turn < of_pair.size(); ++turn) {
-    double nearest = far_from_root * scene_.now(any.first).shape->bound;
+    double nearest = far_from_convex_root * scene_.now(any.first).shape->bound;
     ConvexTouch* heir = nullptr;
     std::int64_t left = -1;
     for (ConvexTouch& t : of_pair) {
@@ -81,15 +81,15 @@ bool GeneralContact::take_convex_history(std::span<const double>& numbers) {
   if (numbers.empty() || !(numbers[0] >= 0) || numbers[0] > static_cast<double>(numbers.size())) return false;
   const auto count = static_cast<std::size_t>(numbers[0]);
   numbers = numbers.subspan(1);
-  if (numbers.size() < numbers_per_bristle * count) return false;
+  if (numbers.size() < numbers_per_convex_bristle * count) return false;
   std::vector<ConvexBristle> taken;
   for (std::size_t i = 0; i < count; ++i) {
-    const double* x = numbers.data() + numbers_per_bristle * i;
+    const double* x = numbers.data() + numbers_per_convex_bristle * i;
     if (!(x[0] >= 0 && x[0] < x[1] && x[1] < scene_.participants() && x[2] >= 0 && x[2] < static_cast<double>(convex_keys::end))) return false;
     taken.push_back({static_cast<int>(x[0]), static_cast<int>(x[1]), static_cast<std::int64_t>(x[2]), {{x[4], x[5], x[6]}, {x[7], x[8], x[9]}, x[3] != 0}});
     if (taken.size() > 1 && !(taken[taken.size() - 2].order() < taken.back().order())) return false;
   }
-  numbers = numbers.subspan(numbers_per_bristle * count);
+  numbers = numbers.subspan(numbers_per_convex_bristle * count);
   convex_bristles_ = std::move(taken);
   return true;
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int largest_exponent = 200;
 // Entries of the diagonal that are so much smaller than the largest one are what rounding has left of zeros.
-constexpr double round_off = 1e-14;
+constexpr double negligible_entry = 1e-14;
 
 // The median of what is not zero; zero if there is nothing.
 double median(std::vector<double> sizes) {
@@ -32,7 +32,7 @@ Scaling balance(const Pattern& pattern, std::span<const double> values) {
   const auto starts = pattern.column_start(), rows = pattern.row_index();
   std::vector<double> diagonal(n), largest_of_row(n, 0.0), largest_of_column(n, 0.0);
   for (int j = 0; j < pattern.size(); ++j) diagonal[j] = std::abs(values[pattern.slot(j, j)]);
-  const double least = n > 0 ? round_off * *std::ranges::max_element(diagonal) : 0;
+  const double least = n > 0 ? negligible_entry * *std::ranges::max_element(diagonal) : 0;
   for (double& d : diagonal)
     if (d <= least) d = 0;
   for (int j = 0; j < pattern.size(); ++j) {

@@ -14,7 +14,7 @@ namespace {
 // Forces of a combination that count as none, and multipliers in it, relative to the largest.
 constexpr double no_force = 1e-8, no_multiplier = 1e-10;
 constexpr double exact = 1e-10;  // such forces, where another solution would not make reactions better
-constexpr int most_solutions = 3;
+constexpr int most_repeats = 3;
 constexpr double largest_multiple = 10;          // of the multiplier of an equation that is left out, by their weights
 // Combinations of all equations: with one solution for each, and one number for each equation of the model.
 constexpr std::size_t most_found_alone = 100, most_terms = 1'000'000;
@@ -58,7 +58,7 @@ bool LeftOutEquations::find(const Pattern& pattern, std::span<const double> matr
   for (Combination& c : combinations_)
     for (Term& term : std::span(c).subspan(1)) term.factor = 0;
   double rest = 1;
-  for (int time = 0; time < most_solutions && rest > exact; ++time) {
+  for (int time = 0; time < most_repeats && rest > exact; ++time) {
     improve(pattern, matrix, factors);
     rest = 0;
     for (const Combination& c : combinations_)

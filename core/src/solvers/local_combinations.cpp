@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t largest_block = 200;  // equations, which are taken as full columns
 constexpr double clear_multiple = 1e4;  // of what is left of a combination that vanishes
 // What is left of equations behind others, where it is so clear that combinations need not be looked at one by one.
-constexpr double evident_rest = 1e-8, evident_pivot = 1e-2;
+constexpr double evident_local_rest = 1e-8, evident_pivot = 1e-2;
 constexpr double evident_step = 1e-3;  // the same where nodes are eliminated one by one
 
 using Block = Eigen::MatrixXd;
@@ -68,7 +68,7 @@ class Loops {
     if (!std::ranges::all_of(all, [](const SparseEntry& e) { return std::isfinite(e.value); }) || !std::ranges::is_sorted(nodes)) return false;
     if (!nodes.empty() && nodes.front() < 0) return false;
     const double independent = std::max(evident_step, std::sqrt(clear_multiple * all_.vanishing));
-    const auto combinations = sparse_kernel(static_cast<int>(active_.size()), nodes, inside, evident_rest, independent);
+    const auto combinations = sparse_kernel(static_cast<int>(active_.size()), nodes, inside, evident_local_rest, independent);
     if (!combinations) return false;
     Block left = Block::Zero(static_cast<Eigen::Index>(coordinates_.size()), combinations->cols());
     for (const SparseEntry& e : all) left.row(e.row) += e.value * combinations->row(e.column);
@@ -116,7 +116,7 @@ class Loops {
     const Eigen::VectorXd pivots = pivoted.triangle.diagonal().cwiseAbs();
     const auto rank = static_cast<Eigen::Index>(std::ranges::count_if(pivots, [](double x) { return x > evident_pivot; }));
     const Eigen::Index others = left.cols() - rank;
-    if (rank < pivots.size() && !(pivots.tail(pivots.size() - rank).maxCoeff() < evident_rest)) return false;
+    if (rank < pivots.size() && !(pivots.tail(pivots.size() - rank).maxCoeff() < evident_local_rest)) return false;
     Block in_order(left.cols(), others);
     in_order.topRows(rank) = -pivoted.triangle.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(pivoted.triangle.topRightCorner(rank, others));
     in_order.bottomRows(others).setIdentity();

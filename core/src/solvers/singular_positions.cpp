@@ -20,7 +20,7 @@ namespace {
 // A singular position takes the weakest constraint to zero; elsewhere it changes by less than this. Where it has begun in one, nothing is usual,
 // and only what is much closer to it counts.
 constexpr double weaker_by = 100, smallest_growth = 100, growth_beside_start = 1e4, singular_growth = 1e14;
-constexpr double largest_turn = 0.1;     // of the velocities in a step, relative to their size
+constexpr double largest_relative_turn = 0.1;  // of the velocities in a step, relative to their size
 constexpr double most_noise = 1e4;       // in units of the tolerances
 constexpr double not_to_be_trusted = 100;
 
@@ -53,7 +53,7 @@ void Solver::compare_constraints_with(const State& state) {
     turn += (now.v[i] - start.v[i]) * (now.v[i] - start.v[i]);
     speed += start.v[i] * start.v[i];
   }
-  const bool turns = !(turn <= largest_turn * largest_turn * speed);
+  const bool turns = !(turn <= largest_relative_turn * largest_relative_turn * speed);
   if ((turns && warned_of_rest_) || !near_singular_position()) return false;
   if (turns) {
     warn_of_rest();
