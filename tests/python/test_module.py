@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +11,7 @@ import numpy as np
 import pytest
 
 import dalembert as exu
+from dalembert import _core
 
 
 @pytest.fixture(autouse=True)
@@ -60,6 +63,14 @@ def test_switches() -> None:
     exu.special.solver.timeout = -1
     assert exu.special.InfoStat(False) == [0] * 7
     assert exu.special.exceptions.dictionaryVersionMismatch is True
+
+
+def test_version_is_said_once() -> None:
+    """CMake, the metadata and the module have that of _version.py, and no other file says it."""
+    assert _core.__version__ == metadata.version("dalembert") == exu.__version__
+    root = Path(__file__).parents[2]
+    for name in ("CMakeLists.txt", "pyproject.toml", "CITATION.cff"):
+        assert not re.search(rf"(?i)\bversion\W+{re.escape(exu.__version__)}\b", (root / name).read_text()), name
 
 
 def test_versions_and_dictionaries(capsys: pytest.CaptureFixture[str]) -> None:
