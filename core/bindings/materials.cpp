@@ -17,7 +17,7 @@ struct GraphicsMaterialList {
 
 py::object material_class() { return core_module().attr("VSettingsMaterial"); }
 
-void reset(GraphicsMaterialList& list) {
+void reset_materials(GraphicsMaterialList& list) {
   const py::object raytracer = core_module().attr("VisualizationSettings")().attr("raytracer");
   const py::object copy = py::module_::import("copy").attr("copy");
   list.materials.clear();
@@ -64,10 +64,10 @@ void register_materials(py::module_& module) {
   const auto get = [](const List& self, const py::object& key) { return self.materials[position_of(self, key)]; };
   list.def(py::init([] {
     List self;
-    reset(self);
+    reset_materials(self);
     return self;
   }));
-  list.def("Reset", &reset, "Go back to the ten default materials.");
+  list.def("Reset", &reset_materials, "Go back to the ten default materials.");
   list.def(
       "Append",
       [](List& self, const py::object& material) {

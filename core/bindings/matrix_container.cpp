@@ -144,7 +144,7 @@ py::array_t<double> triplet_array(const MatrixContainer& m) {
   return array;
 }
 
-py::object python_object(const MatrixContainer& m) {
+py::object object_of_matrix(const MatrixContainer& m) {
   if (m.dense) return dense_array(m);
   py::dict result;
   result["numberOfRows"] = m.rows;
@@ -191,7 +191,7 @@ void register_matrix_container(py::module_& module) {
       py::arg("useDenseMatrix") = false, py::arg("factor") = 1.0, "Earlier form of SetWithSparseMatrix.");
   container.def("AddSparseMatrix", &add_sparse, py::arg("sparseMatrix"), py::arg("factor") = 1.0,
                 "Add a scipy matrix, or triplets, times a factor; it may be smaller.");
-  container.def("GetPythonObject", &python_object,
+  container.def("GetPythonObject", &object_of_matrix,
                 "An array (dense), or a dictionary with numberOfRows, numberOfColumns and triplets (n x 3).");
   container.def("Convert2DenseMatrix", &dense_array, "The matrix as an array.");
   container.def("UseDenseMatrix", [](const M& m) { return m.dense; }, "True: dense; False: triplets.");
@@ -199,11 +199,11 @@ void register_matrix_container(py::module_& module) {
       "SetAllZero", [](M& m) { m = sized("SetAllZero", m.rows, m.columns, m.dense); },
       "Set all entries to zero; the size stays.");
   container.def("__repr__",
-                [](const M& m) { return m.empty() && m.dense ? py::str("[]") : py::str(python_object(m)); });
+                [](const M& m) { return m.empty() && m.dense ? py::str("[]") : py::str(object_of_matrix(m)); });
   container.def("__array__", [](const M& m, const py::args&, const py::kwargs&) { return dense_array(m); });
   container.def("__copy__", [](const M& m) { return M(m); });
   container.def("__deepcopy__", [](const M& m, const py::dict&) { return M(m); });
-  container.def(py::pickle(&python_object, &from_state));
+  container.def(py::pickle(&object_of_matrix, &from_state));
 }
 
 }  // namespace dalembert
