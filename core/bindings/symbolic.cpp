@@ -256,13 +256,16 @@ void register_real(py::module_& module) {
   add_reflected(real, "__rtruediv__", quotient);
   add_operator(real, "__pow__", binary<Op::power>);
   add_reflected(real, "__rpow__", binary<Op::power>);
-  add_operator(real, "__mod__", binary<Op::modulo>);
-  add_reflected(real, "__rmod__", binary<Op::modulo>);
+  add_operator(real, "__mod__", binary<Op::floored_modulo>);
+  add_reflected(real, "__rmod__", binary<Op::floored_modulo>);
+  add_operator(real, "__floordiv__", binary<Op::floored_quotient>);
+  add_reflected(real, "__rfloordiv__", binary<Op::floored_quotient>);
   add_operator(real, "__lt__", binary<Op::less>);
   add_operator(real, "__le__", binary<Op::less_equal>);
   add_operator(real, "__gt__", binary<Op::greater>);
   add_operator(real, "__ge__", binary<Op::greater_equal>);
   real.def("__abs__", [](const Real& a) { return wrap(symbolic::apply(Op::absolute, a.node)); });
+  real.def("__round__", [](const Real& a) { return wrap(symbolic::apply(Op::round, a.node)); });
   real.def("__float__", [](const Real& a) { return symbolic::evaluate(a.node)[0]; });
   real.def("__bool__", &truth);
   real.def("SetValue", [](Real& a, const py::object& value) { set_values(a, scalar(value), "SetValue"); }, py::arg("value"),

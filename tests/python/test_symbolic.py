@@ -42,6 +42,19 @@ def test_functions_of_two(name):
         assert getattr(sym, name)(sym.Real(x), y).Evaluate() == BINARY[name](x, y)
 
 
+@pytest.mark.parametrize("x", [-7.5, -2.5, -0.25, 0.0, 0.25, 2.5, 7.5])
+@pytest.mark.parametrize("y", [-3.0, -0.1, 0.1, 3.0])
+def test_operators_of_python_on_negative_numbers(x, y):
+    """Python's remainder has the sign of the divisor, its quotient is rounded down, and halves are rounded to even numbers."""
+    a, b = sym.Real("a", x), sym.Real("b", y)
+    assert float(a % b) == x % y and float(x % b) == x % y and float(a % y) == x % y
+    assert float(a // b) == x // y and float(x // b) == x // y
+    assert float(round(a)) == round(x) and float(sym.round(a)) == round(x)
+    assert float(sym.mod(a, b)) == math.fmod(x, y)
+    if sym.GetRecording():
+        assert (a % b).Diff(a) == 1 and (a % b).Diff(b) == -(x // y) and (a // b).Diff(a) == 0
+
+
 def test_scalars():
     a, b = sym.Real("a", 2.0), sym.Real("b", -0.7)
     cases = [

@@ -21,7 +21,7 @@ constexpr std::array infix{
     NamedOp{Op::add, "+"},        NamedOp{Op::subtract, "-"},       NamedOp{Op::divide, "/"},         NamedOp{Op::scale, "*"},
     NamedOp{Op::dot, "*"},        NamedOp{Op::matrix_vector, "*"},  NamedOp{Op::vector_matrix, "*"},  NamedOp{Op::matrix_matrix, "*"},
     NamedOp{Op::less, "<"},       NamedOp{Op::less_equal, "<="},    NamedOp{Op::greater, ">"},        NamedOp{Op::greater_equal, ">="},
-    NamedOp{Op::equal, "=="},     NamedOp{Op::not_equal, "!="}};
+    NamedOp{Op::equal, "=="},     NamedOp{Op::not_equal, "!="},     NamedOp{Op::floored_modulo, "%"}, NamedOp{Op::floored_quotient, "//"}};
 
 std::string_view name_in(std::span<const NamedOp> names, Op op) {
   const auto found = std::ranges::find(names, op, &NamedOp::op);

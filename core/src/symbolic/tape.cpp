@@ -17,7 +17,7 @@ double value_of_one(Op op, double x) {
     case Op::absolute: return std::abs(x);
     case Op::sign: return x > 0 ? 1 : x < 0 ? -1 : 0;
     case Op::logical_not: return x == 0 ? 1 : 0;
-    case Op::round: return std::round(x);
+    case Op::round: return std::nearbyint(x);  // halves to even numbers, as in Python
     case Op::ceil: return std::ceil(x);
     case Op::floor: return std::floor(x);
     case Op::exp: return std::exp(x);
@@ -83,6 +83,19 @@ Moving modulo(const Moving& x, const Moving& y) {
   return r;
 }
 
+// The remainder has the sign of the divisor.
+double floored_modulo(double x, double y) {
+  const double r = std::fmod(x, y);
+  return r != 0 && (r < 0) != (y < 0) ? r + y : r;
+}
+double floored_quotient(double x, double y) { return std::round((x - floored_modulo(x, y)) / y); }
+Moving floored_modulo(const Moving& x, const Moving& y) {
+  Moving r(floored_modulo(x.value, y.value));
+  r.d[0] = x.d[0] - floored_quotient(x.value, y.value) * y.d[0];
+  return r;
+}
+Moving floored_quotient(const Moving& x, const Moving& y) { return Moving(floored_quotient(x.value, y.value)); }
+
 template <class S>
 S value_of_two(Op op, const S& x, const S& y) {
   using std::atan2;
@@ -92,6 +105,8 @@ S value_of_two(Op op, const S& x, const S& y) {
     case Op::power: return power(x, y);
     case Op::atan2: return atan2(x, y);
     case Op::modulo: return modulo(x, y);
+    case Op::floored_modulo: return floored_modulo(x, y);
+    case Op::floored_quotient: return floored_quotient(x, y);
     case Op::minimum: return u < v ? x : y;
     case Op::maximum: return u > v ? x : y;
     case Op::less: return S(u < v ? 1.0 : 0.0);

@@ -26,7 +26,9 @@ enum class Op : std::uint8_t {
   absolute, sign, logical_not, round, ceil, floor, exp, sqrt, log, sin, cos, tan, asin, acos, atan,
   sinh, cosh, tanh, asinh, acosh, atanh, is_finite,
   // of two scalars
-  divide, power, atan2, modulo, minimum, maximum, less, less_equal, greater, greater_equal,
+  divide, power, atan2, modulo,  // modulo: of C, with the sign of the dividend
+  floored_modulo, floored_quotient,  // % and // of Python
+  minimum, maximum, less, less_equal, greater, greater_equal,
   // of one or two operands of any shape; equal and not_equal give a scalar
   negate, add, subtract, multiply_components, equal, not_equal,
   select,         // IfThenElse(condition, a, b)
