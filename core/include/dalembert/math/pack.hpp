@@ -164,11 +164,17 @@ DALEMBERT_INLINE inline std::array<Pack<N>, 4> transposed(const std::array<Pack<
 template <int N, class Row>
 DALEMBERT_INLINE inline std::array<Pack<N>, 4> columns_of(const Row& row) {
   std::array<Pack<N>, 4> numbers;
-  for (int i = 0; i < 4; ++i) {
-    if constexpr (N == 4) numbers[i] = row(i);
-    else numbers[i] = Pack<N>(__builtin_shufflevector(row(i).x, row(i + 4).x, 0, 1, 2, 3, 4, 5, 6, 7));
+  if constexpr (N == 2) {
+    const Pack<4> rows[2] = {row(0), row(1)};
+    for (int j = 0; j < 4; ++j) numbers[j] = Pack<N>::of_each([&](int lane) { return rows[lane][j]; });
+    return numbers;
+  } else {
+    for (int i = 0; i < 4; ++i) {
+      if constexpr (N == 4) numbers[i] = row(i);
+      else numbers[i] = Pack<N>(__builtin_shufflevector(row(i).x, row(i + 4).x, 0, 1, 2, 3, 4, 5, 6, 7));
+    }
+    return transposed(numbers);
   }
-  return transposed(numbers);
 }
 // Number j from all places, as vector j.
 template <int N>
@@ -179,10 +185,11 @@ DALEMBERT_INLINE inline std::array<Pack<N>, 4> gather_fours(const std::array<con
 template <int N>
 DALEMBERT_INLINE inline std::array<Pack<4>, N> rows_from(std::array<Pack<N>, 4> numbers) {
   std::array<Pack<4>, N> rows;
-  numbers = transposed(numbers);
+  if constexpr (N > 2) numbers = transposed(numbers);
   for (int lane = 0; lane < N; ++lane) {
     const auto& four = numbers[lane % 4].x;
-    if constexpr (N == 4) rows[lane] = numbers[lane];
+    if constexpr (N == 2) rows[lane] = Pack<4>::of_each([&](int j) { return numbers[j][lane]; });
+    else if constexpr (N == 4) rows[lane] = numbers[lane];
     else rows[lane] = lane < 4 ? __builtin_shufflevector(four, four, 0, 1, 2, 3) : __builtin_shufflevector(four, four, 4, 5, 6, 7);
   }
   return rows;
