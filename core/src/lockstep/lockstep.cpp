@@ -122,7 +122,7 @@ void Lockstep::take_step(const Lanes& lanes) {
     if (!lane.here) return;
     lane.solver->accept_newton();
     lane.solver->conv.discontinuousIterationSuccessful = true;
-    lane.here = !lane.solver->watches_velocities() || !lane.solver->accelerations_alternate();
+    lane.here = !lane.solver->watches_velocities() || !lane.solver->accelerations_alternate() || lane.solver->closes_gaps_of_start();
     lane.solver->step_succeeded();
   });
 }

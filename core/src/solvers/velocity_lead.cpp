@@ -74,8 +74,14 @@ bool SecondOrderSolver::velocities_oscillate() {
     lead_.across.clear();
     return false;
   }
-  const std::vector<double> before = std::exchange(lead_.across, velocities_across(it.currentStepSize));
-  const double size = std::sqrt(sum_of_squares<double>(lead_.across)), tolerated = tolerated_velocity(spectral_radius, left_out()) * lead_.largest_speed;
+  const double tolerated = tolerated_velocity(spectral_radius, left_out()) * lead_.largest_speed;
+  const auto size_of_across = [&](bool as_driven) {
+    lead_.across = velocities_across(it.currentStepSize, as_driven);
+    return std::sqrt(sum_of_squares<double>(lead_.across));
+  };
+  const std::vector<double> before = lead_.across;
+  double size = size_of_across(false);
+  if (size > tolerated) size = closes_gaps_of_start() ? 0 : size_of_across(true);
   if (!(size > tolerated)) {
     lead_.across.clear();
     lead_.steps_to_wait = static_cast<int>(std::min(most_steps_to_wait, std::log(tolerated / std::max(size, 1e-300)) / std::log(fastest_growth)));
@@ -104,7 +110,7 @@ bool SecondOrderSolver::accelerations_alternate() {
   }
   lead_.largest_speed = std::max({lead_.largest_speed, negligible_way * system().extent() / h, std::sqrt(velocity), scale_of_rest * h * std::sqrt(acceleration)});
   const double tolerated = tolerated_velocity(spectral_radius, left_out()) * lead_.largest_speed;
-  return ++lead_.equal_steps > 2 && 0.25 * h * std::sqrt(difference) > tolerated && !closes_gaps_of_start();
+  return ++lead_.equal_steps > 2 && 0.25 * h * std::sqrt(difference) > tolerated;
 }
 
 // Gaps and rates of the initial values close in the first step, which leaves decaying velocities across the constraints.
@@ -145,9 +151,18 @@ double SecondOrderSolver::lead_velocities(double step_size, double next, bool sm
   return energy;
 }
 
-// The part of the velocities across constraints that exceeds the lead, by the factors at hand.
-std::vector<double> SecondOrderSolver::velocities_across(double step_size) {
-  const std::span<const double> across = move_across(rates_with_lead(left_out() * step_size, lead_.change));
+// The part of the velocities across constraints that exceeds the lead, by the factors at hand; `as_driven`: with rates that are prescribed in time, which cost more.
+std::vector<double> SecondOrderSolver::velocities_across(double step_size, bool as_driven) {
+  std::vector<double> rates;
+  if (as_driven) {
+    rates = rates_with_lead(left_out() * step_size, lead_.change);
+  } else {
+    State moved = current();
+    for (std::size_t i = 0; i < moved.v.size(); ++i) moved.v[i] += left_out() * step_size * lead_.change[i];
+    rates.resize(moved.lambda.size());
+    system().gaps(moved, at_level(conditions_, true), rates);
+  }
+  const std::span<const double> across = move_across(rates);
   return {across.begin(), across.end()};
 }
 

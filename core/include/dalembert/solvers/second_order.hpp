@@ -92,7 +92,7 @@ class SecondOrderSolver : public NewtonSolver {
   void lead_and_judge();
   void count_doubt(StepCount& steps, double& since) const;
   double lead_velocities(double step_size, double next, bool smooth);
-  std::vector<double> velocities_across(double step_size);
+  std::vector<double> velocities_across(double step_size, bool as_driven);
   std::vector<double> rates_with_lead(double factor, std::span<const double> change);
   std::vector<double> rates_at(const State& state);
   std::span<const double> move_across(std::span<const double> rates);
