@@ -200,7 +200,7 @@ def test_along_a_curved_cable(classical: bool, index2: bool, rotation: bool) -> 
     coarse, fine = np.array(errors)
     assert coarse[0] < 1e-3 and coarse[1] < 1e-3 * energy
     assert fine[0] < 0.3 * coarse[0] + 1e-9
-    # Equal steps of index 3 correct velocities across the cable, where its curvature jumps, in one of the two runs only.
+    # With index 3, velocities across the cable are corrected, and the error of the energy does not fall with the square of the step.
     assert fine[1] < (0.3 * coarse[1] + 1e-9 if index2 else 1e-6)
 
 

@@ -1,4 +1,4 @@
-"""What an MJCF file says of all its elements: units, ways to give rotations, defaults of classes, assets."""
+"""Settings of an MJCF file that hold for all elements: units, notations of rotations, defaults of classes, assets."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def root_numbers(root: Element, settings: dict[str, str], name: str, size: int, 
 
 
 class Compiler:
-    """What a file says of all its elements: units, defaults of classes, assets."""
+    """Settings of a file that hold for all elements: units, defaults of classes, assets."""
 
     def __init__(self, root: Element, folder: Path, shapes: bool) -> None:
         settings: dict[str, str] = {}

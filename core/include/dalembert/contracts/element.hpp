@@ -409,7 +409,7 @@ Coordinates<S, N> gather(const EvaluationOf<S>& e, const int* dofs) {
   return x;
 }
 
-// The same with directions, `Count` from coordinate `begin` on: one derivative per coordinate, along the weights. Increments of a
+// Gathers coordinates with `Count` directions, from coordinate `begin` on: one derivative per coordinate, along the weights. Increments of a
 // rotation vector on the group turn into rates of its components by the inverse tangent map.
 template <class E, int Count, class S, int N>
 Coordinates<Dual<Count, S>, N> seeded_from(int begin, const Coordinates<S, N>& x, const Weights& w) {
