@@ -70,7 +70,7 @@ bool SecondOrderSolver::velocities_oscillate() {
     --lead_.steps_to_wait;
     return false;
   }
-  if (!suspicious) {
+  if (!suspicious || !has_factors()) {
     lead_.across.clear();
     return false;
   }
@@ -201,9 +201,11 @@ std::span<const double> SecondOrderSolver::move_across(std::span<const double> r
   const auto first = static_cast<std::size_t>(sizes_.first_ae());
   const double factor = conditions_.rate_level ? rate_factor() : 1;  // of rows
   std::ranges::fill(increment_, 0.0);
-  for (std::size_t k = 0; k < rates.size(); ++k)
-    if (system().constrains_motion(static_cast<int>(k))) increment_[first + k] = factor * rates[k];
-  linear_->solve(increment_);
+  if (has_factors()) {
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      if (system().constrains_motion(static_cast<int>(k))) increment_[first + k] = factor * rates[k];
+    linear_->solve(increment_);
+  }
   return std::span<const double>(increment_).first(current().v.size());
 }
 

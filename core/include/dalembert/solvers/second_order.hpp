@@ -95,6 +95,8 @@ class SecondOrderSolver : public NewtonSolver {
   std::vector<double> velocities_across(double step_size, bool as_driven);
   std::vector<double> rates_with_lead(double factor, std::span<const double> change);
   std::vector<double> rates_at(const State& state);
+  // False: the linear solver has been replaced since the last factorization, because constraints were examined anew.
+  bool has_factors() const { return linear_->statistics().factorizations > 0; }
   std::span<const double> move_across(std::span<const double> rates);
   double step_energy(std::span<const double> v) const;
   // Constraint equations whose gaps are prescribed in time, and those that constrain velocities.
