@@ -55,8 +55,8 @@ void StaticSolver::begin_path_step() {
     path.tangent = std::move(path.next);
     path.start_modes = std::move(path.end_modes);
     path.has_next = false;
-    it.currentStepSize = path.next_length / path.length_scale;
-    if (path.tangent.rate != 0) it.currentStepSize = std::min(it.currentStepSize, it.maxStepSize / std::abs(path.tangent.rate) / path.length_scale);
+    const double length = path.next_length / path.length_scale, rate = path.tangent.rate;
+    steps_.use(rate == 0 ? length : std::min(length, it.maxStepSize / std::abs(rate) / path.length_scale));
   }
   path.step = it.currentStepIndex;
   path.end_known = false;
@@ -257,7 +257,7 @@ bool StaticSolver::go_to_singular_point(const Crossing& crossing) {
   const double negligible = small_eigenvalue * std::max(std::abs(at_low), std::abs(at_high)), whole = high;
   for (int trial = 0; trial < most_trials && high - low > small_length * whole; ++trial) {
     const double length = (low * at_high - high * at_low) / (at_high - at_low);
-    it.currentStepSize = length / path.length_scale;
+    steps_.use(length / path.length_scale);
     if (!solve_step_again() || !factorize_at_end()) return false;
     find_modes();
     const NearestModes::Mode* mode = NearestModes::most_like(path.modes.modes(), crossing.mode);

@@ -19,9 +19,8 @@ namespace {
 // What the loop over steps has to know, in the order of the numbers in the file. Those of the solver follow, then what has been counted, and where
 // angles have locked.
 enum RunNumber : std::size_t {
-  start_time, step_index, last_step_size, equal_start, equal_step_size, equal_time, equal_before, solution_written, sensors_written,
-  image_recorded, steps_since_reduction, steps_above_tolerance, singular_position_step, passing_steps, largest_misfit, smallest_step_size,
-  largest_step_size, count
+  start_time, step_index, last_step_size, solution_written, sensors_written, image_recorded, singular_position_step, passing_steps, largest_misfit,
+  smallest_step_size, largest_step_size, first_of_sizes, count = first_of_sizes + StepController::restart_size
 };
 constexpr std::size_t numbers_per_lock = 4;
 
@@ -70,15 +69,12 @@ void Solver::take_continuation() {
 
 void Solver::continue_steps() {
   const std::vector<double>& run = continuation_->run;
-  it.currentStepSize = continuation_->step_size;
+  steps_.resume(continuation_->step_size, std::span(run).subspan(first_of_sizes, StepController::restart_size));
   it.currentStepIndex = output.lastVerboseStepIndex = static_cast<StepCount>(run[step_index]);
   it.lastStepSize = run[last_step_size];
-  equal_steps_ = {run[equal_start], run[equal_step_size], run[equal_time], static_cast<StepCount>(run[equal_before])};
   output.lastSolutionWritten = run[solution_written];
   output.lastSensorsWritten = run[sensors_written];
   output.lastImageRecorded = run[image_recorded];
-  steps_since_reduction_ = static_cast<StepCount>(run[RunNumber::steps_since_reduction]);
-  steps_above_tolerance_ = static_cast<int>(run[RunNumber::steps_above_tolerance]);
   singular_position_step_ = static_cast<StepCount>(run[RunNumber::singular_position_step]);
   passing_steps_ = static_cast<int>(run[RunNumber::passing_steps]);
   largest_misfit_ = run[RunNumber::largest_misfit];
@@ -108,11 +104,10 @@ void Solver::take_counts(std::span<const double> run) {
 }
 
 RestartData Solver::restart_data() {
-  const std::array<double, RunNumber::count> run{it.startTime, as_number(it.currentStepIndex), it.lastStepSize, equal_steps_.start,
-                                                 equal_steps_.step_size, equal_steps_.time, as_number(equal_steps_.before),
-                                                 output.lastSolutionWritten, output.lastSensorsWritten, output.lastImageRecorded,
-                                                 as_number(steps_since_reduction_), as_number(steps_above_tolerance_), as_number(singular_position_step_),
-                                                 as_number(passing_steps_), largest_misfit_, it.smallestStepSize, it.largestStepSize};
+  std::array<double, RunNumber::count> run{it.startTime, as_number(it.currentStepIndex), it.lastStepSize, output.lastSolutionWritten,
+                                           output.lastSensorsWritten, output.lastImageRecorded, as_number(singular_position_step_),
+                                           as_number(passing_steps_), largest_misfit_, it.smallestStepSize, it.largestStepSize};
+  std::ranges::copy(steps_.restart_numbers(), run.begin() + first_of_sizes);
   const std::span<const double> values = restart_values();
   RestartData data{.solver = name(), .state = current(), .algorithmic_accelerations = {values.begin(), values.end()},
                    .step_size = it.currentStepSize, .run = {run.begin(), run.end()}, .events = {}, .history = system_->history(), .files = {solution_file_.length()}};

@@ -69,7 +69,7 @@ void DiagonallyImplicitSolver::initialize_data() {
   base_y_.assign(n1, 0.0);
   x_.assign(static_cast<std::size_t>(sizes_.total()), 0.0);
   conditions_ = {.rate_level = false, .inertia = true};
-  rejected_ = warned_of_masses_ = false;
+  warned_of_masses_ = false;
   misfit_at_end_ = misfit_at_start_ = 0;
 }
 
@@ -160,7 +160,7 @@ bool DiagonallyImplicitSolver::find_accelerations_without_masses() {
   constexpr double very_short = 1e-3;
   State& now = current();
   const double h = it.currentStepSize;
-  it.currentStepSize = very_short * (h > 0 ? h : it.automaticStepSize ? it.initialStepSize : it.maxStepSize);
+  steps_.use(very_short * (h > 0 ? h : it.automaticStepSize ? it.initialStepSize : it.maxStepSize));
   std::ranges::fill(now.a, 0.0);
   std::ranges::fill(now.lambda, 0.0);
   const bool regular = factorize();
@@ -170,7 +170,7 @@ bool DiagonallyImplicitSolver::find_accelerations_without_masses() {
     subtract(system(), now.a, 1, x_.data());
     subtract(system(), now.lambda, 1, x_.data() + sizes_.first_ae());
   }
-  it.currentStepSize = h;
+  steps_.use(h);
   factorized_for_ = 0;
   return regular;
 }
@@ -475,7 +475,7 @@ bool DiagonallyImplicitSolver::back_onto_constraints() {
 // False, always. Beside a singular position, steps of other sizes may end where gaps can be closed.
 [[gnu::noinline]] bool DiagonallyImplicitSolver::leave_open_gaps() {
   diagnose_open_gaps();
-  const bool may_be_reduced = (it.adaptiveStep || it.automaticStepSize) && it.currentStepSize > it.minStepSize;
+  const bool may_be_reduced = (it.adaptiveStep || it.automaticStepSize) && !steps_.at_minimum();
   if (may_be_reduced && diagnosis_.reason == FailureReason::singular_position) diagnosis_.reason = FailureReason::open_constraints;
   return false;
 }

@@ -87,38 +87,33 @@ bool DiagonallyImplicitSolver::control_step_size() {
   const bool passes = !(error <= 1) && passes_singular_position(error);
   if (passes && stays_in_singular_position()) return false;
   if (!(error <= 1) && !passes) {
-    if (it.currentStepSize <= it.minStepSize) {
+    if (steps_.at_minimum()) {
       if (!hold_at_minimum()) return false;
     } else {
-      const double smaller = sizes_.ae > 0 && !(wanted > aside) && steps_aside() ? aside : wanted;
-      choose_smaller_step(smaller);
-      return !(rejected_ = true);
+      const double smaller = sizes_.ae > 0 && !(wanted > StepController::aside) && steps_aside() ? StepController::aside : wanted;
+      steps_.reject_by_error(smaller);
+      return false;
     }
   } else {
-    steps_above_tolerance_ = 0;
+    steps_.within_tolerance();
   }
   after_jump_ = false;
-  choose_next_step(passes ? 1 : wanted);
+  steps_.accept(passes ? 1 : wanted);
   return true;
 }
 
 bool DiagonallyImplicitSolver::reduce_step_size() {
   it.currentTime = current().time;
-  if (std::exchange(rejected_, false)) return true;  // the error control has chosen a step size
+  if (steps_.take_rejection_by_error()) return true;
   const bool may_be_singular = sizes_.ae > 0 && (diagnosis_.reason == FailureReason::newton || diagnosis_.reason == FailureReason::open_constraints);
-  if (!(it.currentStepSize > it.minStepSize)) {
+  if (steps_.at_minimum()) {
     if (may_be_singular && near_singular_position()) diagnose_singular_position();
     return false;
   }
   const bool beside = may_be_singular && steps_aside();
   if (may_be_singular && !beside && near_singular_position()) ++it.stepsAboveTolerance;  // small steps there may lead to another branch
-  it.currentStepSize = reduced_step_size(beside ? aside : settings().timeIntegration.adaptiveStepDecrease);
+  steps_.reject(it.currentStepSize, beside ? StepController::aside : steps_.decrease());
   return true;
-}
-
-void DiagonallyImplicitSolver::increase_step_size() {
-  if (it.automaticStepSize) return;
-  it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
 }
 
 bool DiagonallyImplicitSolver::discontinuous_iteration() {

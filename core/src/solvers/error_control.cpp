@@ -61,25 +61,24 @@ bool ExplicitSolver::control_step_size() {
   const double optimal = h * std::pow(1 / error, 1.0 / method_.order);
   if (optimal < h && passes_singular_position(error)) return !(conv.stopNewton = stays_in_singular_position());
   if (optimal < h && h <= it.minStepSize) {
-    const bool grows = (steps_above_tolerance_ + 1) % few_steps == 0 && at_stability_limit(h);
+    const bool grows = (steps_.above_tolerance() + 1) % few_steps == 0 && at_stability_limit(h);
     if (grows) diagnose_error_control();
     if (!grows && hold_at_minimum()) {
-      it.currentStepSize = it.minStepSize;  // the last step of all may be smaller
+      steps_.use(it.minStepSize);  // the last step of all may be smaller
       return true;
     }
     conv.newtonConverged = false;
     conv.stopNewton = true;
     return false;
   }
-  const double largest = std::min(it.maxStepSize, h * s.stepSizeMaxIncrease);
-  it.currentStepSize = std::min(largest, std::max(it.minStepSize, s.stepSizeSafety * optimal));
-  steps_above_tolerance_ = 0;
+  steps_.propose(s.stepSizeSafety * optimal);
+  steps_.within_tolerance();
   if (!(optimal < h)) {
     look_for_stiffness(h);
     return true;
   }
-  if (sizes_.ae > 0 && it.currentStepSize < aside * h && steps_aside()) it.currentStepSize = aside * h;
-  ++it.rejectedAutomaticStepSizeSteps;
+  if (sizes_.ae > 0 && it.currentStepSize < StepController::aside * h && steps_aside()) steps_.use(StepController::aside * h);
+  steps_.repeat_by_error();
   return false;
 }
 

@@ -216,14 +216,14 @@ void Solver::end_as_scheduled() {
   if (end > it.endTime || it.currentTime < end - std::max(round_off_of(end), last_stretch * it.currentStepSize)) return;
   if (std::abs(it.currentTime - end) > round_off_of(end)) {
     watch_->unscheduled_step_size = std::max(watch_->unscheduled_step_size, it.currentStepSize);
-    it.currentStepSize = conditions_.step_size = end - start;
+    steps_.use(conditions_.step_size = end - start);
   }
   it.currentTime = current().time = end;
 }
 
 // What it changes are forces: accelerations jump.
 void Solver::act_as_scheduled() {
-  it.currentStepSize = std::max(it.currentStepSize, std::exchange(watch_->unscheduled_step_size, 0.0));
+  steps_.use(std::max(it.currentStepSize, std::exchange(watch_->unscheduled_step_size, 0.0)));
   if (hooks().schedule->act(current()) || step_was_cut()) renew_accelerations();
 }
 
@@ -251,7 +251,7 @@ bool Solver::solve_again(double step_size) {
   current().data = start_of_step().data;
   if (system_->searches()) system_->restore_history();
   it.currentTime = current().time = start_of_step().time;
-  it.currentStepSize = step_size;
+  steps_.use(step_size);
   ++it.eventSolutions;
   return try_step();
 }
@@ -346,7 +346,7 @@ bool Solver::end_with_event() {
     }
     if (watch.events.empty()) {  // the polynomial was wrong
       if (!solve_again(whole)) return false;
-      it.currentStepSize = next;
+      steps_.use(next);
       watch.go_on(event_values());
       return true;
     }
@@ -365,7 +365,7 @@ bool Solver::end_with_event() {
     if (!solve_again(b)) return false;
     watch.events = seen.changed(event_values());
   }
-  it.currentStepSize = watch.regular_step_size;
+  steps_.use(watch.regular_step_size);
   return true;
 }
 

@@ -208,15 +208,8 @@ bool ExplicitSolver::reduce_step_size() {
   if (conv.stopNewton) return false;
   if (conv.discontinuousIterationSuccessful) return true;  // the error control has chosen a step size
   if (!(it.lastStepSize > it.minStepSize)) return false;
-  it.currentStepSize = it.recommendedStepSize != -1 ? std::min(0.75 * it.lastStepSize, it.recommendedStepSize)
-                                                    : std::min(it.currentStepSize, settings().timeIntegration.adaptiveStepDecrease * it.lastStepSize);
-  it.currentStepSize = std::max(it.minStepSize, it.currentStepSize);
+  steps_.reject(it.lastStepSize, steps_.decrease());
   return true;
-}
-
-void ExplicitSolver::increase_step_size() {
-  if (it.automaticStepSize) return;
-  it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
 }
 
 void ExplicitSolver::save_start_of_step() {

@@ -38,9 +38,8 @@ bool ExplicitSolver::back_onto_constraints() {
 [[gnu::noinline]] bool ExplicitSolver::lose_constraints() {
   constexpr double much_smaller = 0.25;
   conv.newtonConverged = false;
-  if (it.automaticStepSize && it.currentStepSize > it.minStepSize) {
-    ++it.rejectedAutomaticStepSizeSteps;
-    it.currentStepSize = std::max(it.minStepSize, (steps_aside() ? aside : much_smaller) * it.currentStepSize);
+  if (it.automaticStepSize && !steps_.at_minimum()) {
+    steps_.shrink_by_error(steps_aside() ? StepController::aside : much_smaller);
     return false;
   }
   conv.stopNewton = true;

@@ -88,9 +88,8 @@ Vibration ExplicitSolver::fastest_with_constraints(const State& still) {
 // False, always: with error control, a much smaller step may do; otherwise the solver gives up.
 [[gnu::noinline]] bool ExplicitSolver::lose_step() {
   conv.newtonConverged = conv.linearSolverFailed = conv.massMatrixNotInvertible = false;
-  if (it.automaticStepSize && it.currentStepSize > it.minStepSize) {
-    ++it.rejectedAutomaticStepSizeSteps;
-    it.currentStepSize = std::max(it.minStepSize, 0.1 * it.currentStepSize);
+  if (it.automaticStepSize && !steps_.at_minimum()) {
+    steps_.shrink_by_error(0.1);
     return false;
   }
   conv.stopNewton = true;

@@ -84,19 +84,19 @@ bool SecondOrderSolver::control_step_size() {
     if (noise_of_estimates() > 1) return give_up_at_round_off();
     if (singular_position_step_ > renewed_after_) {  // noise of accelerations lasts, without numerical damping for ever
       renewed_after_ = it.currentStepIndex;
-      ++it.rejectedAutomaticStepSizeSteps;
-      return !(rejected_ = renews_ = true);
+      steps_.repeat_by_error();
+      return !(renews_ = true);
     }
-    if (h <= it.minStepSize) {
+    if (steps_.at_minimum()) {
       if (!hold_at_minimum()) return false;
     } else {
-      choose_smaller_step(wanted);
-      return !(rejected_ = true);
+      steps_.reject_by_error(wanted);
+      return false;
     }
   } else {
-    steps_above_tolerance_ = 0;
+    steps_.within_tolerance();
   }
-  choose_next_step(passes ? 1 : wanted);
+  steps_.accept(passes ? 1 : wanted);
   if (sizes_.ae == 0) return true;
   if (conditions_.rate_level) end_swings();
   else lead_velocities(h, it.currentStepSize, error <= 1);

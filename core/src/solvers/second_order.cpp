@@ -103,7 +103,7 @@ void SecondOrderSolver::initialize_data() {
   row_kinds_ = {};
   lead_ = {};
   lead_.constraints_renewed = system().renewed_constraints();
-  rejected_ = renews_ = false;
+  renews_ = false;
   renewed_after_ = -2;
 }
 
@@ -265,16 +265,15 @@ bool SecondOrderSolver::reduce_step_size() {
     algorithmic_at_start_ = algorithmic_;
     belong_to_ = belong_to_at_start_ = {};
   }
-  if (std::exchange(rejected_, false)) return true;  // the error control has chosen a step size
-  if (!(it.currentStepSize > it.minStepSize)) return false;
-  it.currentStepSize = reduced_step_size(settings().timeIntegration.adaptiveStepDecrease);
+  if (steps_.take_rejection_by_error()) return true;
+  if (!Solver::reduce_step_size()) return false;
   belong_to_ = belong_to_at_start_ = {};  // steps fail where motions are not smooth
   return true;
 }
 
 void SecondOrderSolver::increase_step_size() {
   if (it.automaticStepSize || it.currentStepSize == it.maxStepSize) return;
-  it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
+  steps_.recover();
   belong_to_ = {};
 }
 

@@ -145,7 +145,7 @@ void Solver::initialize_data() {
   conv = SolverConvergenceData();
   it = SolverIterationData();
   singular_position_step_ = aside_step_ = -2;
-  passing_steps_ = steps_above_tolerance_ = 0;
+  passing_steps_ = 0;
   warned_minimum_ = warned_of_undecided_start_ = warned_of_actions_ = warned_of_rest_ = false;
   told_contradiction_.clear();
   closing_at_start_.clear();
@@ -222,7 +222,7 @@ void Solver::initial_conditions() {
 }
 
 [[gnu::noinline]] void Solver::start_steps() {
-  it.currentStepSize = it.automaticStepSize ? it.initialStepSize : it.maxStepSize;
+  steps_.start(step_factors());
   it.currentStepIndex = 0;
   output.lastVerboseStepIndex = 0;
   output.finishedSuccessfully = false;
@@ -231,8 +231,6 @@ void Solver::initial_conditions() {
   last_look_ = SolverTimer::now();
   steps_taken_ = look_mask_ = 0;
   silent_ = steps_end_silently();
-  steps_since_reduction_ = 0;
-  equal_steps_ = EqualSteps();
   end_reached_ = false;
   step_completed_ = true;
   begin_to_watch_events();
@@ -350,7 +348,7 @@ void Solver::begin_step() {
     advise_on_weak_constraints();
     return;
   }
-  steps_since_reduction_ = 0;
+  steps_.count_rejection();
   const bool rejected_by_error_control = it.automaticStepSize && conv.newtonConverged && !conv.stopNewton;
   if (verbose(1) && (output.stepInformation & step_information::step_reductions) && !rejected_by_error_control) {
     say(1, "  step size reduced to " + number(it.currentStepSize) + position_text() + "\n");
@@ -359,16 +357,14 @@ void Solver::begin_step() {
 
 void Solver::step_succeeded() {
   step_completed_ = true;
-  if (it.automaticStepSize) [[unlikely]] count_step_size();
+  if (it.automaticStepSize) [[unlikely]] steps_.count_accepted(conditions_.step_size);
   if (watch_) [[unlikely]] switch_over();
   if (!angles_.empty()) watch_angles();
   if (!silent_) finish_step(true);
   if (watch_ && event_reached()) [[unlikely]] act_on_events();
-  ++steps_since_reduction_;
-  if (steps_since_reduction_ >= recovery_steps() && it.newtonSteps + it.discontinuousIteration <= recovery_iterations()) {
+  if (steps_.is_recovered()) {
     const double before = it.currentStepSize;
     increase_step_size();
-    steps_since_reduction_ = 0;
     if (it.currentStepSize > before && it.currentTime != it.endTime && verbose(1)) announce_increase();
   }
   if (!silent_ && settings_->solutionSettings.writeRestartFile) write_restart();
@@ -376,21 +372,7 @@ void Solver::step_succeeded() {
   end_reached_ = ends_here();
 }
 
-// Equal steps are counted, not summed: times do not drift. The last step ends at the end, and has the size of the others if that is
-// where they lead.
-void Solver::update_current_time() {
-  double& h = it.currentStepSize;
-  if (h != equal_steps_.step_size || it.currentTime != equal_steps_.time) [[unlikely]] {
-    equal_steps_ = {.start = it.currentTime, .step_size = h, .before = it.currentStepIndex - 1};
-  }
-  double time = static_cast<double>(it.currentStepIndex - equal_steps_.before) * h + equal_steps_.start;
-  const double round_off = 8 * std::numeric_limits<double>::epsilon() * std::max(std::abs(it.startTime), std::abs(it.endTime));
-  if (const double beyond = time - it.endTime; beyond > -round_off) [[unlikely]] {
-    if (beyond > round_off) h = it.endTime - it.currentTime;
-    time = it.endTime;
-  }
-  it.currentTime = equal_steps_.time = time;
-}
+void Solver::update_current_time() { it.currentTime = steps_.end_of_step(); }
 
 [[gnu::noinline]] void Solver::announce_increase() {
   if (!(output.stepInformation & step_information::step_increases) && !verbose(2)) return;
@@ -423,9 +405,39 @@ void Solver::initialize_step() {
   stop_ = output.simulationStoppedByUserFunction = true;
 }
 
-double Solver::reduced_step_size(double factor) const {
-  const double h = it.currentStepSize;
-  return std::max(it.minStepSize, it.recommendedStepSize != -1 ? std::min(0.75 * h, it.recommendedStepSize) : factor * h);
+bool Solver::reduce_step_size() {
+  it.currentTime = current().time;
+  if (steps_.at_minimum()) return false;
+  steps_.reject();
+  return true;
+}
+
+void Solver::increase_step_size() {
+  if (!it.automaticStepSize) steps_.recover();
+}
+
+StepFactors Solver::step_factors() const {
+  const auto& s = settings_->timeIntegration;
+  return {.decrease = s.adaptiveStepDecrease, .increase = s.adaptiveStepIncrease, .largest_increase = s.stepSizeMaxIncrease,
+          .recovery_steps = s.adaptiveStepRecoverySteps, .recovery_iterations = s.adaptiveStepRecoveryIterations};
+}
+
+[[gnu::noinline]] bool Solver::hold_at_minimum() {
+  if (!warned_minimum_) {
+    warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
+         "; the error becomes larger than the tolerances");
+    warned_minimum_ = true;
+    if (it.currentStepIndex <= 1) closing_at_start_ = constraints_that_close_at_start();
+  }
+  const bool holds = steps_.hold_above_tolerance();
+  if (!holds) diagnose_error_control();
+  return holds;
+}
+
+void Solver::diagnose_error_control() {
+  diagnose(FailureReason::error_control).advice = {
+      "look for what jumps: contact, friction, user functions that are not continuous",
+      "allow larger errors (timeIntegration.relativeTolerance, absoluteTolerance), or smaller steps (timeIntegration.minimumStepSize)"};
 }
 
 void Solver::reset_to_start_of_step() {
@@ -471,7 +483,7 @@ void Solver::accept_newton() {
     } else if (it.discontinuousIteration < discontinuous.maxIterations) {
       if (system_->searches()) search();
       reset_to_start_of_step();
-      it.currentStepSize = conditions_.step_size;  // error control may have chosen that of the next step
+      steps_.use(conditions_.step_size);  // error control may have chosen that of the next step
       const double recommended = it.recommendedStepSize;
       if (recommended != -1 && recommended < (1 + 1e-8) * it.currentStepSize) return false;
     } else if (discontinuous.ignoreMaxIterations) {

@@ -41,7 +41,7 @@ void StaticSolver::update_current_time() {
     time += it.currentStepSize;
   } else {
     time = time <= tolerance ? duration / s.loadStepGeometricRange : time * geometric_factor_;
-    it.currentStepSize = 0;
+    steps_.use(0);
   }
   if (time + tolerance >= duration) time = duration;
   it.currentTime = time + it.startTime;
@@ -53,16 +53,14 @@ void StaticSolver::set_quasi_time(double time) {
   conditions_.load_factor = settings().staticSolver.useLoadFactor ? load_factor() : 1.0;
 }
 
-bool StaticSolver::reduce_step_size() {
-  it.currentTime = current().time;
-  if (!(it.currentStepSize > it.minStepSize)) return false;
-  it.currentStepSize = reduced_step_size(settings().staticSolver.adaptiveStepDecrease);
-  return true;
+void StaticSolver::increase_step_size() {
+  if (!path_) steps_.recover();  // a path has chosen the length of the next step already
 }
 
-void StaticSolver::increase_step_size() {
-  if (path_) return;  // the next step has got its length already
-  it.currentStepSize = std::min(it.maxStepSize, settings().staticSolver.adaptiveStepIncrease * it.currentStepSize);
+StepFactors StaticSolver::step_factors() const {
+  const auto& s = settings().staticSolver;
+  return {.decrease = s.adaptiveStepDecrease, .increase = s.adaptiveStepIncrease, .recovery_steps = s.adaptiveStepRecoverySteps,
+          .recovery_iterations = s.adaptiveStepRecoveryIterations};
 }
 
 // Fades out until the full load is reached.

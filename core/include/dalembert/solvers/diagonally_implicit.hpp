@@ -28,7 +28,6 @@ class DiagonallyImplicitSolver : public Solver {
   bool newton() override;  // one step of the method
   bool discontinuous_iteration() override;
   bool reduce_step_size() override;
-  void increase_step_size() override;
   void free_memory() override;
 
  protected:
@@ -96,7 +95,7 @@ class DiagonallyImplicitSolver : public Solver {
     Vector q, lambda, told;
   } smallest_;
   bool masses_ready_ = false, warned_of_masses_ = false;
-  bool lie_ = false, interferes_ = false, fresh_ = false, rejected_ = false;
+  bool lie_ = false, interferes_ = false, fresh_ = false;
   bool after_jump_ = false;       // at the start, and after events
   double factorized_for_ = 0;   // gamma h of the factors; zero: there are none
   double rate_ = 1;             // by which an iteration lowers the error

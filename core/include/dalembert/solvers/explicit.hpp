@@ -33,7 +33,6 @@ class ExplicitSolver : public Solver {
   bool newton() override;  // one step of the method
   bool discontinuous_iteration() override;
   bool reduce_step_size() override;
-  void increase_step_size() override;
   void free_memory() override;
 
  protected:

@@ -145,7 +145,6 @@ class SecondOrderSolver : public NewtonSolver {
   StepSizes belong_to_, belong_to_at_start_;
   std::vector<double> off_constraints_;  // part of the velocities at the start of a step ...
   StepCount off_constraints_known_ = -1;  // ... which is this one
-  bool rejected_ = false;
   bool renews_ = false;             // accelerations are found anew before the step is repeated
   StepCount renewed_after_ = -2;    // step
   RowKinds row_kinds_;              // empty: not known

@@ -18,6 +18,7 @@
 #include "dalembert/solvers/data.hpp"
 #include "dalembert/solvers/error.hpp"
 #include "dalembert/solvers/hooks.hpp"
+#include "dalembert/solvers/step_controller.hpp"
 #include "dalembert/system/system.hpp"
 
 namespace dalembert {
@@ -86,8 +87,8 @@ class Solver {
   virtual void finalize_newton() {}
   virtual double post_newton();
   virtual void finish_step(bool write);
-  virtual bool reduce_step_size() = 0;
-  virtual void increase_step_size() = 0;
+  virtual bool reduce_step_size();
+  virtual void increase_step_size();
   // After a solution that has finished: what speaks against it.
   virtual void look_back();
 
@@ -172,7 +173,6 @@ class Solver {
   virtual bool keeps_positions() const { return false; }
   // Whether a step that is lost beside such a position is to be tried with another size that is not much smaller: a few times.
   bool steps_aside();
-  static constexpr double aside = 0.7;  // this part of it
   StepCount singular_position_step_ = -2;  // the last one that passed it
   // Of a step beside the one before, for which implicit methods correct what that has left in accelerations and velocities, with its round-off.
   static constexpr double largest_growth = 2;
@@ -184,8 +184,6 @@ class Solver {
   virtual void examine_constraints_anew() {}
   // After a restart file has been written: nothing that follows may depend on what is not in it.
   virtual void forget();
-  // At most the recommended step size, or the current one times `factor` if there is no recommendation.
-  double reduced_step_size(double factor) const;
   // Times that are closer to each other are the same.
   double same_time() const { return std::min(1e-10, 1e-3 * it.currentStepSize); }
   // Where the solver goes on with multipliers that are not the smallest ones: those of the current state that everybody else is told. Null: the state
@@ -209,8 +207,7 @@ class Solver {
   };
   // Whether the user has replaced a part of a step, which may change what the solver does.
   virtual bool has_replaced_parts() const { return false; }
-  virtual int recovery_steps() const { return settings_->timeIntegration.adaptiveStepRecoverySteps; }
-  virtual int recovery_iterations() const { return settings_->timeIntegration.adaptiveStepRecoveryIterations; }
+  virtual StepFactors step_factors() const;
   void warn(std::string_view text);
   std::string describe_switch(const Switch& at) const;
   // As the console shows it.
@@ -241,15 +238,9 @@ class Solver {
   virtual void advise_on_growth();  // adds what to do about it
   // Adds what the user's system Jacobian function gives, for derivatives by q, v and ODE1 coordinates with these weights.
   void add_user_jacobian(const Pattern& pattern, std::span<double> values, const std::array<double, 3>& weights);
-  // ---- control of the step size (step_sizes.cpp) --------------------------------------------------------------------
-  // For a step that is repeated, or after one that is kept, where the error asks for a step `wanted` times as large.
-  void choose_smaller_step(double wanted);
-  void choose_next_step(double wanted);
-  void count_step_size();
   // Whether a step is kept although its error is above the tolerances; with a warning, and a diagnosis where there are too many.
   bool hold_at_minimum();
   virtual void diagnose_error_control();
-  int steps_above_tolerance_ = 0;  // in a row
   std::string told_contradiction_;  // of redundant constraints, as it has been told
   bool warned_of_undecided_start_ = false, warned_of_actions_ = false, warned_of_rest_ = false;
   double largest_misfit_ = 0;
@@ -263,6 +254,7 @@ class Solver {
   std::vector<std::string> doubts_;
   bool stop_ = false;
   double initial_residual_ = 0;
+  StepController steps_{it};
 
  private:
   friend class Lockstep;
@@ -388,17 +380,10 @@ class Solver {
   std::uint32_t steps_taken_ = 0, look_mask_ = 0;
   double last_look_ = 0;
   double last_restart_ = 0;
-  StepCount steps_since_reduction_ = 0;
   StepCount aside_step_ = -2;
   State compared_with_;     // constraints as they usually are, until a number has been made of it
   double usual_growth_ = 0;
   int times_aside_ = 0, passing_steps_ = 0;  // the latter with few others in between
-  // Steps of one size in a row; `time`: the end of the last of them.
-  struct EqualSteps {
-    double start = 0, step_size = 0, time = 0;
-    StepCount before = 0;
-  };
-  EqualSteps equal_steps_;
   bool end_reached_ = false;
   std::uint64_t renewed_constraints_ = 0;  // when they have been looked at last
   std::vector<char> equations_off_;        // empty: it is not known which

@@ -29,7 +29,6 @@ class StaticSolver : public NewtonSolver {
   void pre_initialize() override;
   void initial_conditions() override;
   void update_current_time() override;
-  bool reduce_step_size() override;
   void increase_step_size() override;
   double compute_residual() override;
   void compute_update(bool initial) override;
@@ -41,8 +40,7 @@ class StaticSolver : public NewtonSolver {
   double geometric_factor() const { return geometric_factor_; }  // of consecutive loads, with loadStepGeometric
 
  protected:
-  int recovery_steps() const override { return settings().staticSolver.adaptiveStepRecoverySteps; }
-  int recovery_iterations() const override { return settings().staticSolver.adaptiveStepRecoveryIterations; }
+  StepFactors step_factors() const override;
 
   bool writes_each_step() const override;
 
