@@ -1,8 +1,9 @@
-// The direction in which a circle and a line, or two circles, overlap least: where it is, all of what they are changes nothing of the overlap to first order.
+// The direction of least overlap of a circle and a line, or of two circles: a stationary point of the overlap.
 //
-// Along u, a circle of radius r around an axis n reaches r |u - (u.n) n| beyond its centre. With w from the second thing to the centre of the first, they overlap
-// by F(u) = w.u + r |u - (u.n) n| + ..., whose gradient and curvature on the sphere of directions are known in closed form: Newton's method finds the direction
-// from one nearby, and its derivatives follow from one more step with what moves.
+// A circle of radius r around an axis n extends along u by r |u - (u.n) n| from its center. Let w point from the second
+// feature to the center of the first. The overlap is F(u) = w.u + r |u - (u.n) n| + ..., whose gradient and Hessian on the
+// sphere of directions have closed forms. Newton's method computes the direction from a nearby one; derivatives follow from
+// one more step with dual numbers.
 #pragma once
 
 #include <algorithm>
