@@ -1,6 +1,6 @@
 // ObjectFFRF, specs/super_elements/ffrf.toml: a body frame F, in whose axes all nodes of a mesh move.
 //
-// With w and w_t, the spin of F and its rate, and a, the acceleration of its origin, all in the axes of F, mesh node i, at y_i = x_i + q_i,
+// Let w and w_t be the spin of F and its rate, and a the acceleration of its origin, all in the axes of F. Mesh node i, at y_i = x_i + q_i,
 // accelerates by
 //
 //      a + w_t x y + w x (w x y) + 2 w x q_t + q_tt .

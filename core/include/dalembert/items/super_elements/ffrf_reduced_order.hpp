@@ -1,6 +1,6 @@
 // ObjectFFRFreducedOrder, specs/super_elements/ffrf_reduced_order.toml: a body frame F, in whose axes the mesh deforms by modes.
 //
-// With w and w_t, the spin of F and its rate, and a, the acceleration of its origin, all in the axes of F, a point of the mesh that
+// Let w and w_t be the spin of F and its rate, and a the acceleration of its origin, all in the axes of F. A point of the mesh that
 // is at y = x + Psi zeta accelerates by
 //
 //      a + w_t x y + w x (w x y) + 2 w x (Psi zeta_t) + Psi zeta_tt .
