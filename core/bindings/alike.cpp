@@ -45,7 +45,7 @@ bool same_array(const py::array& a, const py::array& b) {
   return comparable && (a.flags() & b.flags() & packed) != 0 && std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.nbytes())) == 0;
 }
 
-// Lists, tuples, dictionaries and arrays of numbers by what is in them; other things by ==.
+// Compares lists, tuples, dictionaries and arrays of numbers by their contents, other objects by ==.
 bool same_graphics(py::handle a, py::handle b) {
   if (a.is(b)) return true;
   if (Py_TYPE(a.ptr()) != Py_TYPE(b.ptr())) return false;

@@ -1,4 +1,4 @@
-// Items that look alike: of one type, with equal parameters of visualization.
+// Groups of items with the same appearance: one type and equal visualization parameters.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace dalembert {
 
-// For each item of a kind the number of the first one that looks like it; its own, if there is none among those that were seen lately.
+// Returns, for each item of a kind, the number of the first item with the same appearance among those compared
+// recently, or its own number.
 std::vector<std::int32_t> alike(const Model& model, ItemKind kind);
 
 }  // namespace dalembert

@@ -1,4 +1,4 @@
-// What a call of an item class assigns: NodePoint(...), VNodePoint(...).
+// Assignment of the call arguments of an item class: NodePoint(...), VNodePoint(...).
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct CallTarget {
 
 // Positional values, followed by those that the tuple `keywords` names (may be null).
 void assign_arguments(const CallTarget& target, PyObject* const* values, std::size_t positional, PyObject* keywords);
-// The same from what __init__ receives.
+// Assigns the arguments that __init__ receives.
 void assign_init_arguments(const CallTarget& target, PyObject* args, PyObject* kwargs);
 
 }  // namespace dalembert

@@ -14,20 +14,21 @@ namespace dalembert {
 
 class ColoredParts {
  public:
-  // Which numbers have which colors.
+  // Mapping of numbers to colors.
   struct Rule {
     OutputVariableType variable = OutputVariableType::_None;
     int component = 0;
     bool automatic = false, grows = false;  // whether the range is that of the numbers, and also that of all before
     NumberRange limits, shown;              // unless it is automatic, and before
-    std::vector<std::uint8_t> table;        // as contour_shades has it
+    std::vector<std::uint8_t> table;  // same layout as contour_shades
   };
 
   ColoredParts(std::shared_ptr<MainSystem> main, std::shared_ptr<ModalMeshes> meshes, Rule rule)
       : main_(std::move(main)), meshes_(std::move(meshes)), rule_(std::move(rule)) {}
   // Both return the number of the part.
   std::size_t add_mesh(int object);
-  std::size_t add_ball(int node, int group, std::span<const double> local);  // of one moving part, at which the points stand unturned
+  // of one moving part, at its unrotated points
+  std::size_t add_ball(int node, int group, std::span<const double> local);
   void color(std::size_t part) { parts_[part].numbers.resize(parts_[part].points); }
 
   // Finds the numbers and their range; false if they, or the points, are not to be had in this way.
@@ -39,10 +40,10 @@ class ColoredParts {
 
  private:
   struct Part {
-    int object, node, group;  // one of the first two is -1
+    int object, node, group;  // either object or node is -1
     std::size_t points;
     std::vector<double> local;
-    std::array<double, 12> rows;   // of the object, or of the moving part
+    std::array<double, 12> rows;  // pose of the object or of the moving part
     LargeVector<double> numbers;   // empty: it has no colors
   };
   bool find_mesh(Part& part);

@@ -64,7 +64,7 @@ class CompiledCallback final : public ItemCallback {
   const void* address_;
 };
 
-// Functions and methods of Python are none, and the usual case, as no function is.
+// Python functions and methods, and "no function", are the usual case and are excluded first.
 bool may_be_compiled(PyObject* value) {
   return value != Py_None && !PyFunction_Check(value) && !PyMethod_Check(value) && !PyLong_Check(value) &&
          !PyFloat_Check(value) && !PyUnicode_Check(value);
@@ -86,7 +86,7 @@ const void* compiled_function(PyObject* value, const std::string& expected) {
   return reinterpret_cast<const void*>(address);
 }
 
-// Of the functions of the main system that can be C functions.
+// Signatures of those functions of the main system that may be C functions.
 std::string system_signature(const std::string& name) {
   if (name == "PreStep" || name == "PostStep") return "int64(double)";
   if (name == "PostNewton") return "void(double, double*)";

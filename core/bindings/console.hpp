@@ -1,4 +1,4 @@
-// Where exu.Print and the solvers write: the console, a file, both or nothing; and the switches of exu.special.
+// Output of exu.Print and of the solvers: to the console, a file, both or nothing; and the switches of exu.special.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -9,12 +9,12 @@ namespace dalembert {
 
 // Write text as it is. Takes the GIL.
 void write_console(const std::string& text);
-// "Warning: ..." as a line, unless exu.config.suppressWarnings is set. Takes the GIL.
+// Writes a line "Warning: ...", unless exu.config.suppressWarnings is set. Takes the GIL.
 void write_warning(const std::string& text);
-// Of what is kept so that scripts run, although nothing depends on it: a warning, once for each name.
+// Warns, once for each name, about a setting or method that is accepted for compatibility but has no effect.
 void tell_without_effect(const std::string& name, const std::string& reason);
-// Of a dictionary that `where` is about to take over: another version is refused, or warned of, as
-// exu.special.exceptions.dictionaryVersionMismatch says.
+// Checks the version of a dictionary that `where` reads: another version raises an error or a warning, according to
+// exu.special.exceptions.dictionaryVersionMismatch.
 void check_version(const pybind11::dict& data, const std::string& where);
 
 // exu.special.solver

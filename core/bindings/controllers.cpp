@@ -19,7 +19,7 @@
 namespace dalembert {
 namespace {
 
-// What Python holds; without a period, the law acts at all times.
+// The Python object of a controller. A period of zero means that the law acts continuously.
 struct Controller {
   std::shared_ptr<const ControlLaw> law;
   double period = 0, dead_time = 0;
@@ -60,7 +60,7 @@ class ControllerCallback : public ItemCallback {
   Controller controller_;
 };
 
-// One per object: what it holds belongs to a solution.
+// Each object has its own callback, because its state belongs to a solution.
 class SampledCallback final : public ControllerCallback {
  public:
   SampledCallback(py::object function, const Row& row, const Controller& controller)
@@ -177,7 +177,7 @@ class SampledControllers final : public Schedule {
 
   std::weak_ptr<MainSystem> main_;
   std::vector<SampledObject> objects_;
-  std::uint64_t structure_ = 0, values_ = 0;  // of the model, when they were found
+  std::uint64_t structure_ = 0, values_ = 0;  // versions of the model at the last search
 };
 
 std::vector<double> forces(const Controller& controller, double time, const std::vector<double>& q, const std::vector<double>& v) {

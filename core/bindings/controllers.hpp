@@ -15,10 +15,10 @@ namespace py = pybind11;
 
 class MainSystem;
 
-// nullptr if `value` is no controller. Throws Refusal if what `row` describes cannot be one.
+// Returns nullptr if `value` is not a controller. Throws Refusal if the parameter of `row` cannot be a controller.
 std::shared_ptr<const Callback> controller_callback(PyObject* value, const Row& row);
 bool is_sampled(const Callback& callback);
-// Of all sampled controllers in a system; nullptr if there are none.
+// Returns the schedule of all sampled controllers in a system, or nullptr if there are none.
 std::shared_ptr<Schedule> schedule_of(const std::shared_ptr<MainSystem>& main);
 
 void register_controllers(py::module_& module);

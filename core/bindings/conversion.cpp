@@ -29,7 +29,7 @@ void require_length(Py_ssize_t given, Py_ssize_t wanted, const std::string& what
   if (given != wanted) throw Refusal{ErrorKind::value, what, length_advice(given, wanted)};
 }
 
-// ---- from Python, one overload per member type ---------------------------------------------------------------------
+// ---- conversion from Python, one overload per member type ---------------------------------------------------------
 
 template <class Number>
 void check_sign(Number value, Check check, const char* noun) {
@@ -131,7 +131,7 @@ void read(PyObject* value, const Row& row, std::vector<double>& out) {
   out = row.takes_number && is_number(value) ? std::vector{read_real(value)} : read_vector(value, row.size);
 }
 
-// A matrix of numbers; negative sizes: any. `what` is the expectation.
+// A matrix of numbers; negative sizes mean any size. `expected` texts describe the expectation.
 template <class Number>
 DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const std::string& what) {
   DynamicMatrix<Number> result;
@@ -379,7 +379,8 @@ void read(PyObject* value, const Row&, BeamSection& out) {
   out = py::handle(value).cast<const BeamSection&>();
 }
 
-// Opaque rows hold lists of graphics data, user functions, or the outline of a beam's section, whose class is told here.
+// Opaque rows contain lists of graphics data, user functions, or the outline of a beam section, whose class is
+// selected here.
 const char* section_class(const Row& row) { return row.name == "sectionGeometry" ? "BeamSectionGeometry" : nullptr; }
 bool is_function(const Row& row) { return row.name.find("UserFunction") != std::string_view::npos; }
 
@@ -480,7 +481,7 @@ py::object write(const Opaque& value, Form, PyObject*) {
   return object == nullptr ? py::object(py::none()) : py::reinterpret_borrow<py::object>(object);
 }
 
-// What stands for an opaque parameter that was never set: what its users would have written.
+// Returns the value that an unset opaque parameter shows, in the form that users would write.
 py::object empty_opaque(const Row& row) {
   if (is_function(row)) return py::int_(0);
   const char* section = section_class(row);

@@ -1,4 +1,4 @@
-// Between Python objects and the members of records: one pair of converters per Storage.
+// Conversion between Python objects and the members of records: one pair of converters per Storage.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -13,7 +13,7 @@ namespace dalembert {
 
 namespace py = pybind11;
 
-// Why a value does not fit; whoever knows item and parameter makes a ModelError of it.
+// The reason why a value is rejected; the caller adds item and parameter and throws a ModelError.
 struct Refusal {
   ErrorKind kind;
   std::string expected;
@@ -41,7 +41,7 @@ class Enumeration {
 
 // A member of an enumeration, e.g. ("OutputVariableType", 2).
 py::object enum_member(const char* name, std::uint32_t value);
-// What to write in the place of a value that is no member of an enumeration: the member that a text means.
+// Suggests the enumeration member that a text probably means.
 std::string member_advice(const std::string& enumeration, PyObject* value);
 // The module `_core` itself.
 py::handle core_module();

@@ -46,7 +46,7 @@ std::unique_ptr<Solver> make_solver(const std::string& kind) {
   return std::make_unique<SecondOrderSolver>();
 }
 
-// ---- what cannot run without the interpreter -------------------------------------------------------------------------
+// ---- items that need the interpreter --------------------------------------------------------------------------------
 
 void refuse_function(const std::string& problem) {
   refuse(ErrorKind::state,
@@ -92,7 +92,7 @@ bool numeric(Storage storage) {
   }
 }
 
-// Calls `write(value)` for each row of `values`; a refusal tells which variation it was.
+// Calls `write(value)` for each row of `values`; a rejection names the variation.
 template <class Write>
 void each_variation(const py::sequence& values, Write&& write) {
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -189,7 +189,7 @@ Array missing(std::vector<py::ssize_t> shape) {
   return array;
 }
 
-// One row of `array` per variation; variations without values stay what is not a number.
+// Returns one row per variation; variations without values are NaN.
 template <class Values>
 Array table(const std::vector<VariationResult>& results, py::ssize_t columns, Values&& values_of) {
   Array array = missing({static_cast<py::ssize_t>(results.size()), columns});
@@ -201,7 +201,7 @@ Array table(const std::vector<VariationResult>& results, py::ssize_t columns, Va
   return array;
 }
 
-// Time and the values of all sensors, row by row; shorter histories end with what is not a number.
+// Times and values of all sensors, row by row; shorter histories are padded with NaN.
 std::pair<Array, py::array_t<int>> history_arrays(const std::vector<VariationResult>& results, const std::vector<int>& sensors, py::ssize_t columns) {
   const auto rows_of = [&](const VariationResult& r) {
     return sensors.empty() || r.histories.empty() ? 0 : r.histories[static_cast<std::size_t>(sensors.front())].rows();

@@ -32,7 +32,7 @@ py::object named_base(const py::module_& enum_module, const char* base) {
   return py::module_::import("types").attr("new_class")(base, py::make_tuple(enum_module.attr(base)), py::dict(), body);
 }
 
-// The class tells what its values mean, and so does each value.
+// Adds docstrings to the class and to each value.
 void document(const py::object& made, const EnumTable& table, const EnumText& text) {
   std::string doc = std::string(text.summary) + "\n\nValues:\n";
   for (std::size_t i = 0; i < table.entries.size(); ++i) {

@@ -17,7 +17,7 @@ namespace {
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Member = std::vector<double> State::*;
 
-// A state and what else decides the value of the equations. A copy: the system's own configurations stay as they are.
+// A copy of the state and of all other arguments of the equations. The configurations of the system do not change.
 struct EvaluationState {
   State state;
   Conditions conditions;

@@ -1,4 +1,4 @@
-// Sensors on nodes of meshes that move in a floating frame: such nodes tell their outputs in components of the frame.
+// Sensors on mesh nodes in a floating frame: such nodes return their outputs in components of the frame.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What the garbage collector has to know of a MainSystem: functions and dictionaries that may refer to it in turn.
+// References of a MainSystem for the garbage collector: functions and dictionaries may refer to the system.
 #include "garbage.hpp"
 
 #include "dalembert/model/member.hpp"
@@ -24,7 +24,7 @@ MainSystem* system_of(PyObject* self) {
   return py::detail::is_holder_constructed(self) ? py::cast<MainSystem*>(py::handle(self)) : nullptr;
 }
 
-// Others that share the system, a container for one, are unknown to the collector: then it is left alone.
+// If other owners share the system, such as a container, the collector cannot see them; then nothing is traversed.
 int traverse(PyObject* self, visitproc visit, void* arg) {
   Py_VISIT(Py_TYPE(self));
   MainSystem* main = system_of(self);

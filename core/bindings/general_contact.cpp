@@ -1,4 +1,4 @@
-// GeneralContact: what mbs.AddGeneralContact() returns, and its methods.
+// The Python class GeneralContact, which mbs.AddGeneralContact() returns, and its methods.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -26,7 +26,7 @@ py::object points_out(const Triangle& t) {
 }
 py::array_t<int> integers_out(const std::vector<int>& numbers) { return py::array_t<int>(static_cast<py::ssize_t>(numbers.size()), numbers.data()); }
 
-// ---- what is added ---------------------------------------------------------------------------------------------------
+// ---- adding spheres, shapes, triangles and cables -------------------------------------------------------------------
 
 int add_sphere(const ContactHandle& self, const py::object& marker, double radius, double stiffness, double damping, int material) {
   constexpr const char* method = "AddSphereWithMarker";
@@ -375,7 +375,7 @@ int contact_number(const MainSystem& main, int number, const char* method) {
   refuse(ErrorKind::index, {"mbs." + std::string(method) + "(...)", "generalContactNumber", "", std::to_string(number), "the number of a GeneralContact; there are " + std::to_string(count), ""});
 }
 
-// What systems do with them; when their class is there, so that help names it.
+// Methods of systems for general contact. They are registered after the class, so that help() shows its name.
 void register_methods_of_systems(const py::module_& module) {
   auto main_system = py::reinterpret_borrow<py::class_<MainSystem, std::shared_ptr<MainSystem>>>(module.attr("MainSystem"));
   main_system.def(

@@ -1,4 +1,4 @@
-// What numbers contact accepts; errors name the method, or the place in a dictionary, that brought them.
+// Checks of the numbers of general contact; errors name the method or the entry of a dictionary.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace dalembert {
 
 struct ValueSource {
   const char* method = nullptr;
-  std::string place;  // in a dictionary; no method then
+  std::string place;  // position in a dictionary; method is then empty
 
   ValueSource(const char* of_contact) : method(of_contact) {}
   static ValueSource at(std::string place) {
@@ -57,8 +57,8 @@ py::array_t<double> friction_out(const ContactSet& set);
 ContactBristles bristles_from(const ValueSource& by, const std::array<double, 3>& ratios);
 std::vector<double> bristles_out(const ContactSet& set);
 
-// Settings of the interface that change nothing here; kept to be read again. Other values than the default are told with the reason, unless
-// they ask for what is done anyway.
+// Settings of the interface without effect here. They are stored, and can be read. A value other than the default
+// gives a warning with the reason, unless it requests the default behaviour.
 struct KeptSetting {
   const char* name;
   double value;

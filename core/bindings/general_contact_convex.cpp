@@ -42,7 +42,7 @@ int add_round(const ContactHandle& self, const char* method, ConvexKind kind, co
   return add_convex(self, method, number, std::move(definition), surface_of(method, stiffness, damping, material));
 }
 
-// Triangles of a hull by scipy (Qhull), with normals outwards; of the points, those that are corners.
+// Computes the triangles of a convex hull by scipy (Qhull), with outward normals, and the points that are corners.
 ConvexDefinition hull_of(const char* method, const Array& points, const py::object& given) {
   const auto refuse_points = [&](const std::string& what) { refuse_value(method, "pointList", what, "at least 4 points that are not in one plane"); };
   if (points.shape(0) < 4) refuse_points(std::to_string(points.shape(0)) + " points");
@@ -132,7 +132,7 @@ int add_height_field(const ContactHandle& self, const py::object& marker, const 
   return add_triangles_of_body(self, method, number, surface, added);
 }
 
-// By a term of its own: nothing that a solver keeps is touched.
+// Uses a separate term, so that the solver's own term does not change.
 py::dict places(const ContactHandle& self) {
   const Ports* ports = nullptr;
   const GeneralContact& own = self.term("GetConvexContacts", ports);

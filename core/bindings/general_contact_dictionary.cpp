@@ -44,7 +44,7 @@ constexpr const char* plane_points[] = {"pointX", "pointY", "pointZ"};
 
 // ---- writing ---------------------------------------------------------------------------------------------------------
 
-// A column of things, by what f gives of each.
+// Makes a column from the results of f for each entry.
 template <class Thing, class F>
 auto column(const std::vector<Thing>& things, const F& f) {
   using Number = decltype(f(things[0]));
@@ -138,7 +138,7 @@ py::dict dictionary_of(const ContactSet& set) {
 
 // ---- reading ---------------------------------------------------------------------------------------------------------
 
-// Columns of one length, by name; none are there if the group is not.
+// Named columns of equal length; a missing group has none.
 class Columns {
  public:
   Columns(const std::string& where, const py::dict& data, const char* group, std::vector<const char*> names) : where_(where), group_(group) {
@@ -173,7 +173,7 @@ class Columns {
     refuse_value(at(i), name, text_of(x), "a whole number");
   }
   ValueSource at(std::size_t i) const { return ValueSource::at(where_ + ": " + group_ + "[" + std::to_string(i) + "]"); }
-  // Of the three columns from `first` on; names of the place are made only where they are needed.
+  // Reads the three columns from `first` on; the error label is only built on demand.
   ContactSurface surface(std::size_t first, std::size_t i) const {
     const double stiffness = real(first, i), damping = real(first + 1, i);
     const int material = whole(first + 2, i, "frictionMaterialIndex");

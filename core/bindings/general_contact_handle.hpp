@@ -1,4 +1,4 @@
-// What mbs.AddGeneralContact() returns, and how its methods read their arguments.
+// The object that mbs.AddGeneralContact() returns, and the argument parsing of its methods.
 #pragma once
 
 #include <cmath>

@@ -15,7 +15,7 @@ struct IndexList {
   PyObject* name;
 };
 
-// What the item refuses is taken back.
+// Undoes the change if the item rejects it.
 template <class Act>
 bool change(PyObject* self, Act&& act) {
   const auto before = py::reinterpret_steal<py::object>(PyList_GetSlice(self, 0, PY_SSIZE_T_MAX));

@@ -83,7 +83,7 @@ PyObject* index_float(PyObject* self) { return PyFloat_FromDouble(number_of(self
 Py_hash_t index_hash(PyObject* self) { return number_of(self) == -1 ? -2 : number_of(self); }
 int index_bool(PyObject* self) { return number_of(self) != 0; }
 
-// Two indices compare only if they count the same kind; with integers they compare as integers.
+// Two indices are comparable only if they have the same kind; comparison with integers compares the numbers.
 PyObject* index_compare(PyObject* self, PyObject* other, int operation) {
   const int kind = kind_of_object(self), other_kind = kind_of_object(other);
   if (other_kind >= 0 && other_kind != kind) {
@@ -186,7 +186,7 @@ PyTypeObject* make_type(ItemKind kind) {
   return type;
 }
 
-// _created(cls, mbs, index): what Create functions return, an object of a class that knows the system too, if it is an ObjectIndex.
+// _created(cls, mbs, index): the return value of Create functions, which for an ObjectIndex also stores the system.
 PyObject* created(PyObject*, PyObject* const* arguments, Py_ssize_t count) {
   static PyObject* owner = PyUnicode_InternFromString("_mbs");
   PyTypeObject* object_index = types[static_cast<std::size_t>(ItemKind::object)];

@@ -1,4 +1,4 @@
-// NodeIndex, ObjectIndex, ...: item numbers that know what they count.
+// NodeIndex, ObjectIndex, ...: item numbers with the kind of the item.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -7,12 +7,12 @@
 
 namespace dalembert {
 
-// While one lives, its thread works without Python; InterpreterLock takes the lock for the time of a user function. Taking
-// and giving costs more than a small user function, so the lock may stay with this thread between two of them: as long as
-// look() is called every few milliseconds. Other threads get their turns there and, as in any Python program, inside
-// functions. A lock that is given and taken back at once passes threads by that have yet to wake up; so it is kept for
-// longer than Python lets a thread wait before it demands the lock, and giving then waits until the other has it.
-// To be made with the lock held.
+// Scope in which a thread runs without Python. InterpreterLock takes the lock (GIL) during a user function. Taking
+// and releasing the lock costs more than a small user function. The lock may therefore stay with this thread between
+// two of them, as long as look() is called every few milliseconds. Other threads run there and, as in any Python
+// program, inside functions. A lock that is released and taken again at once is not noticed by waiting threads. It is
+// therefore kept for longer than Python's switch interval, and releasing it waits until another thread has taken it.
+// The constructor needs the lock.
 class WithoutInterpreter {
  public:
   WithoutInterpreter();
@@ -35,11 +35,11 @@ class WithoutInterpreter {
     state_ = nullptr;
   }
 
-  WithoutInterpreter* outer_;  // of a solver whose user function runs this one
+  WithoutInterpreter* outer_;  // scope of a solver whose user function runs this one
   PyThreadState* state_ = nullptr;  // null: the lock is held
   bool keeps_ = false;
   Clock::time_point last_look_ = Clock::now();
-  Clock::time_point last_turn_ = last_look_;  // of the other threads
+  Clock::time_point last_turn_ = last_look_;  // last time that other threads could run
 };
 
 // While one lives, Python may be used.
@@ -53,8 +53,8 @@ class InterpreterLock {
 
  private:
   WithoutInterpreter* scope_;    // null: not inside of one
-  bool give_ = false;            // to the scope
-  PyGILState_STATE state_{};     // without a scope
+  bool give_ = false;  // whether the lock goes back to the scope
+  PyGILState_STATE state_{};  // used if there is no scope
 };
 
 }  // namespace dalembert

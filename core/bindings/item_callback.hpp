@@ -24,7 +24,7 @@ class ItemCallback : public Callback {
   ItemCallback& operator=(const ItemCallback&) = delete;
 
   const py::object& function() const { return function_; }
-  void drop() const { function_ = py::none(); }  // for the garbage collector
+  void drop() const { function_ = py::none(); }  // called by the garbage collector
   // A copy that knows whose function it is.
   std::shared_ptr<const Callback> bound_to(const ItemType& type, MainSystem& main) const;
 
@@ -32,7 +32,7 @@ class ItemCallback : public Callback {
   const Row& row() const { return row_; }
   const Signature& signature() const;
   std::shared_ptr<MainSystem> main() const { return main_.lock(); }
-  // To be kept while the function runs.
+  // The result must live while the function runs.
   RunningFunction running(int item) const;
   // "user function 'springForceUserFunction' of object 3 'spring' (ObjectConnectorSpringDamper)"
   std::string describe(int item) const;

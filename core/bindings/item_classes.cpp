@@ -19,7 +19,7 @@ namespace dalembert {
 namespace {
 
 std::vector<std::unique_ptr<ItemClass>> classes;
-std::unordered_map<const PyTypeObject*, const ItemClass*> by_python_type;  // items and V classes alike
+std::unordered_map<const PyTypeObject*, const ItemClass*> by_python_type;  // contains items and V classes
 std::unordered_map<const ItemType*, const ItemClass*> by_item_type;
 std::array<std::unordered_map<const PyObject*, const ItemClass*>, item_kinds> by_type_name;  // interned
 PyTypeObject* item_base = nullptr;
@@ -37,7 +37,7 @@ const ItemClass& class_of_python_type(PyTypeObject* type) {
     const PyTypeObject* type = nullptr;
     const ItemClass* item_class = nullptr;
   };
-  static std::array<Known, 64> last_asked{};  // of types with the same hash; those of ours are never freed
+  static std::array<Known, 64> last_asked{};  // cache by the hash of the type; our types are never freed
   Known& known = last_asked[reinterpret_cast<std::uintptr_t>(type) / 512 % last_asked.size()];
   if (known.type == type) return *known.item_class;
   if (const auto own = by_python_type.find(type); own != by_python_type.end()) {
@@ -110,7 +110,7 @@ void object_dealloc(PyObject* self) {
 
 // ---- attributes -----------------------------------------------------------------------------------------------------
 
-// Before a change: a record that a system shares is copied.
+// Called before a change: copies a record that is shared with a system.
 void detach(ItemObject* item) {
   if (!item->shared) return;
   item->record = item->item_class->type->record.copy(item->record.get());

@@ -22,9 +22,9 @@ struct ItemClass {
     const Row* row = nullptr;    // nullptr: the argument `visualization`
     PyObject* name = nullptr;    // interned
   };
-  std::vector<Argument> arguments;                // of NodePoint(...), by position
+  std::vector<Argument> arguments;  // arguments of NodePoint(...), by position
   std::vector<Argument> visualization_arguments;  // of VNodePoint(...)
-  std::vector<Argument> entries;                  // of dictionaries, with aliases; visualization parameters begin with 'V'
+  std::vector<Argument> entries;  // entries of dictionaries, with aliases; visualization parameters begin with 'V'
   std::shared_ptr<const void> defaults;           // a record as the spec gives it
 };
 
@@ -46,7 +46,8 @@ struct VisualizationObject {
 
 const std::vector<std::unique_ptr<ItemClass>>& item_classes();
 const ItemClass& class_of(const ItemType& type);
-const ItemClass* find_class(ItemKind kind, PyObject* name);  // by type name; nullptr: not there, or not interned
+// lookup by type name; nullptr if it does not exist or is not interned
+const ItemClass* find_class(ItemKind kind, PyObject* name);
 const ItemClass::Argument* find_interned(const std::vector<ItemClass::Argument>& arguments, PyObject* name);  // nullptr: as before
 ItemObject* as_item(PyObject* value);                    // nullptr: not an item
 VisualizationObject* as_visualization(PyObject* value);  // nullptr: not a V object
@@ -54,7 +55,7 @@ VisualizationObject* as_visualization(PyObject* value);  // nullptr: not a V obj
 // The item for a model; a planned or changed record is not looked at here.
 Item take_item(ItemObject* object);
 
-// Set one member, with item and parameter named if the value is refused. `where` describes the item.
+// Sets one member; errors name item and parameter. `where` describes the item.
 void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const Label& where);
 // Set visualization parameters from a V object, a dictionary or another mapping.
 void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const Label& where);

@@ -13,7 +13,7 @@
 namespace dalembert {
 namespace {
 
-// GetObject leaves the graphics out unless asked; what stands for them means 'unchanged' when it comes back.
+// Placeholder for graphics that GetObject omits unless requested; as an input it means 'unchanged'.
 constexpr const char* not_requested = "<not requested>";
 
 bool is_graphics(const Row& row) {
@@ -81,7 +81,7 @@ void warn_of_ignored(const Complaint& text) {
   warn(text.text() + " The entry is ignored.");
 }
 
-// What a dictionary shows for a row.
+// Converts a row to its dictionary entry.
 py::object entry_of(const Row& row, const void* record, const std::string& name, bool graphics) {
   if (row.role == Role::name) return py::str(name);
   if (!graphics && is_graphics(row)) {
@@ -154,7 +154,8 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
     const std::string word = PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
     const Row* row = find_visualization_row(type, word);
     if (row == nullptr) {
-      if (other != nullptr && is_at_default(*other, word)) continue;  // of another item: what both have in common counts
+      // dictionary of another item: only common parameters are used
+      if (other != nullptr && is_at_default(*other, word)) continue;
       std::vector<std::string_view> names;
       for (const auto& argument : item_class.visualization_arguments) names.push_back(argument.row->name);
       complain("there is no visualization parameter " + in_quotes(word), suggestion(word, names));

@@ -56,7 +56,7 @@ std::string_view storage_text(Storage storage) {
   return "";
 }
 
-// A literal that Python reads as the default; None stands for what has no literal.
+// A Python literal of the default value; None if there is no literal.
 std::string literal(const Row& row, const void* record) {
   switch (row.storage) {
     case Storage::matrix_container:
@@ -91,7 +91,7 @@ std::string visualization_literal(const ItemClass& item_class) {
   return text + "}";
 }
 
-// What the spec says of an item type.
+// Finds the texts of the spec of an item type.
 const ItemText& text_of(const ItemType& type) {
   const auto types = item_types();
   return item_texts()[static_cast<std::size_t>(std::find(types.begin(), types.end(), &type) - types.begin())];

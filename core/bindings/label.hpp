@@ -1,4 +1,4 @@
-// How errors name what they are about; put into words when an error needs them.
+// Names of items and methods for error texts; the text is only built when an error occurs.
 #pragma once
 
 #include <concepts>
@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// As long as what it was made of.
+// Must not outlive the objects that it refers to.
 class Label {
  public:
   template <std::invocable Words>

@@ -44,7 +44,8 @@ std::string dictionary_key(std::string name) {
   return name + "Function";
 }
 
-// The function of a value that was given: itself, one in a dictionary with its type, or none for 0.
+// Converts a given value to its function: the function itself, the function in a dictionary with its type, or None
+// for 0.
 py::object function_of(const std::string& name, const py::object& value) {
   if (value.is_none() || (PyLong_Check(value.ptr()) && PyObject_IsTrue(value.ptr()) == 0)) return py::none();
   py::object function = value;
@@ -122,7 +123,7 @@ void MainSystem::edit(ItemKind kind, int number, const Row& row, const std::func
   model_.edit(kind, number, row, write);
 }
 
-// In the middle of an evaluation the tables stay as they are; what comes next takes it over.
+// During an evaluation the tables do not change; the next evaluation uses the new dependencies.
 void MainSystem::add_load_dependencies(int load, std::span<const int> coordinates) {
   model_.add_load_dependencies(load, coordinates);
   if (RunningFunction::in_evaluation_here(*this)) {
@@ -184,7 +185,7 @@ System& MainSystem::assembled(const Label& method) {
   require_own_thread(*this, [&] { return "mbs." + method.text() + "(...)"; });
   require_consistent(method);
   if (refreshed_values_ != model.value_changes()) {
-    if (RunningFunction::in_evaluation_here(*this)) {  // of batches that are in use
+    if (RunningFunction::in_evaluation_here(*this)) {  // batches are in use
       system.refresh_later(model);
     } else {
       system.refresh(model);

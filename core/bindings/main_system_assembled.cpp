@@ -47,7 +47,7 @@ std::array<double, 3> position_argument(const py::object& value, const char* met
   return position;
 }
 
-// A number; of kinematic trees also the name of a link.
+// Accepts a number; kinematic trees also accept the name of a link.
 int mesh_node_argument(const MainSystem& main, int object, const py::object& value, const char* method) {
   if (PyUnicode_Check(value.ptr()))
     return number_of_link(main.model.item(ItemKind::object, object), Named::links, to_string(value.ptr()), called(method), "meshNodeNumber");
@@ -61,12 +61,12 @@ int mesh_node_argument(const MainSystem& main, int object, const py::object& val
 py::object array(const std::vector<double>& values) {
   return new_array({static_cast<py::ssize_t>(values.size())}, values.data());
 }
-// One value comes out as a number.
+// A single value is returned as a number.
 py::object number_or_array(const std::vector<double>& values) {
   return values.size() == 1 ? py::object(py::float_(values[0])) : array(values);
 }
 
-// What can be asked for an output: the assembled system, or, in the reference configuration, already the item alone.
+// Source of an output: the assembled system or, in the reference configuration, the item alone.
 struct Source {
   Source(MainSystem& main, const char* method, ItemKind kind, int item, ConfigurationType configuration) {
     if (configuration == ConfigurationType::Reference && !main.consistent()) {
@@ -86,7 +86,8 @@ struct Source {
 void register_assembly(Class& main_system) {
   const auto all = [](const char* method) { return [method](MainSystem& main) { main.assemble(method); }; };
   main_system.def("Assemble", all("Assemble"), "Check the model and build the system of equations from it.");
-  // The interface has the parts of Assemble as methods of their own; what follows from the items is done by one of them here.
+  // The interface has separate methods for the parts of Assemble. One of them performs all work that follows from the
+  // items.
   const auto number = [](const char* method) {
     return [method](MainSystem& main) {
       require_idle(main, [&] { return called(method); });

@@ -1,6 +1,6 @@
-// Attributes of a MainSystem: those that it has not are explained, and mbs.AddNode and the like are there at once. Python looks up
-// methods of classes that explain attributes without its caches, and makes a new object of each; models add very many items. From
-// Python 3.12 on, it has caches for classes with a __getattr__, and all of this is left to one.
+// Attribute lookup of MainSystem: it explains missing names, and finds mbs.AddNode and similar methods fast. Up to
+// Python 3.11, classes that explain attributes get no method caches, and each lookup makes a new bound method; models
+// add very many items. From Python 3.12 on, classes with a __getattr__ have caches, and this file does nothing.
 #include "main_system_attributes.hpp"
 
 #include <structmember.h>
@@ -34,7 +34,7 @@ void register_main_system_attributes(py::module_& module, const py::object& main
 
 namespace {
 
-// In the place of the bound method, which it asks for everything but the call.
+// Replaces the bound method, to which it delegates everything but the call.
 struct Adder {
   PyObject_HEAD
   vectorcallfunc call;
@@ -45,7 +45,7 @@ struct Adder {
 
 struct Method {
   PyObject* name;
-  PyObject* descriptor;  // of the class
+  PyObject* descriptor;  // descriptor of the class
   AddItem add;
 };
 
@@ -54,7 +54,7 @@ PyTypeObject* adder_type = nullptr;
 PyTypeObject* system_type = nullptr;
 bool has_adders = false;  // nobody has replaced the methods in the class
 PyObject* explainer = nullptr;  // function(object, name), which raises
-Adder* spare = nullptr;  // one that is not used now, without a system
+Adder* spare = nullptr;  // one unused object without a system
 
 Adder* as_adder(PyObject* object) { return reinterpret_cast<Adder*>(object); }
 
@@ -82,7 +82,7 @@ PyObject* make_adder(PyObject* main, std::size_t kind) {
   return reinterpret_cast<PyObject*>(adder);
 }
 
-// What nobody uses any more is kept for the next one, alive.
+// An unused object is kept alive for the next lookup.
 void adder_dealloc(PyObject* self) {
   PyObject* main = std::exchange(as_adder(self)->main, nullptr);
   if (spare == nullptr) [[likely]] {
@@ -154,7 +154,7 @@ void look_for_adders() {
   PyErr_Clear();
 }
 
-// Whoever replaces a method does it by way of the class of the class.
+// Methods are replaced through the metaclass.
 int set_class_attribute(PyObject* type, PyObject* name, PyObject* value) {
   const int result = py::detail::get_internals().default_metaclass->tp_setattro(type, name, value);
   if (result == 0 && type == reinterpret_cast<PyObject*>(system_type)) look_for_adders();

@@ -11,9 +11,9 @@ namespace dalembert {
 
 namespace py = pybind11;
 
-using AddItem = PyObject* (*)(PyObject* main_system, PyObject* item);  // as Python calls it
+using AddItem = PyObject* (*)(PyObject* main_system, PyObject* item);  // Python calling convention
 
-// Before the class is ready: classes that Python code derives of it take over how attributes are found.
+// Must be called before the class is ready: derived Python classes inherit the attribute lookup.
 void explain_attributes_of(PyHeapTypeObject* type);
 // The class of the class, which notices when somebody replaces a method of it.
 py::object class_of_main_system();

@@ -80,7 +80,7 @@ Item other_item(ItemKind kind, PyObject* value) {
   if (PyDict_Check(value)) return item_from_dictionary(kind, py::reinterpret_borrow<py::dict>(value), where);
   if (PyType_Check(value))
     refuse_item(kind, value, "Put parentheses behind the class to make an item of it.");
-  // Whatever turns into a dictionary is welcome.
+  // Everything that dict() accepts is allowed.
   PyObject* dictionary = PyObject_CallOneArg(reinterpret_cast<PyObject*>(&PyDict_Type), value);
   if (dictionary == nullptr) {
     PyErr_Clear();
@@ -101,14 +101,14 @@ Item item_argument(ItemKind kind, PyObject* value) {
   return take_item(object);
 }
 
-// Of an object that is known to be a system.
+// The object must be a system.
 MainSystem* system_of(PyObject* self) {
   auto* main = reinterpret_cast<py::detail::instance*>(self)->get_value_and_holder().value_ptr<MainSystem>();
   if (main == nullptr) refuse(ErrorKind::state, {"mbs", "", "MainSystem.__init__ was not called", "", "", ""});
   return main;
 }
 
-// As a plain method descriptor: pybind11 would take longer to find the arguments than all the rest takes.
+// A plain method descriptor: argument parsing of pybind11 would take longer than the rest of the call.
 template <ItemKind K>
 PyObject* add_item(PyObject* self, PyObject* value) {
   return guarded([&] {
@@ -165,8 +165,8 @@ py::object get_parameter(const MainSystem& main, ItemKind kind, int number, cons
 
 // ---- changing --------------------------------------------------------------------------------------------------------
 
-// Changes of values reach an assembled system at once: user functions change parameters between two steps. In the middle of an
-// evaluation, they reach the next.
+// An assembled system uses changed values at once: user functions change parameters between two steps. Changes during
+// an evaluation are used in the next one.
 void take_over(MainSystem& main) {
   if (main.consistent()) main.assembled("SetParameter");
 }
@@ -300,7 +300,7 @@ void register_writing(Class& main_system, ItemKind kind) {
       py::arg(number.c_str()), py::arg((noun + "Dict").c_str()), "Set the parameters that the dictionary names; the others stay.");
 }
 
-// _item_counts(mbs): what a function of several steps needs to know to take back those that it has made.
+// _item_counts(mbs): numbers of items, from which a function with several steps can undo its additions.
 PyObject* item_counts(PyObject* system_class, PyObject* self) {
   return guarded([&]() -> PyObject* {
     if (!PyObject_TypeCheck(self, reinterpret_cast<PyTypeObject*>(system_class)))

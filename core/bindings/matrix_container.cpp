@@ -20,7 +20,7 @@ std::size_t position(const MatrixContainer& m, int row, int column) {
   refuse(kind, {.item = std::string("MatrixContainer.") + method, .received = received, .expected = expected});
 }
 
-// From lists, arrays, scipy matrices and containers, in the form that belongs to the source.
+// Reads lists, arrays, scipy matrices and containers, and keeps the form of the source.
 MatrixContainer read_any(const char* method, const py::object& value) {
   static const Row row{.name = "matrix", .storage = Storage::matrix_container, .offset = 0, .role = Role::parameter};
   MatrixContainer matrix;
@@ -79,7 +79,8 @@ bool is_sparse(const py::object& value) {
   return py::hasattr(value, "tocoo") || py::isinstance<MatrixContainer>(value);
 }
 
-// Lines of [row, column, value]; negative sizes: as large as the triplets need. With `grows`, sizes are the least ones.
+// Lines of [row, column, value]. Negative sizes mean: as large as the triplets need. With `grows`, sizes are lower
+// bounds.
 MatrixContainer read_triplets(const char* method, const py::object& value, int rows, int columns, bool grows = false) {
   const MatrixContainer table = read_any(method, value);
   if (!table.empty() && table.columns != 3)
@@ -89,7 +90,7 @@ MatrixContainer read_triplets(const char* method, const py::object& value, int r
   for (int k = 0; k < table.rows; ++k) {
     const double i = table.values[position(table, k, 0)], j = table.values[position(table, k, 1)];
     const auto fits = [grows](double index, int size) {
-      constexpr double most = std::numeric_limits<int>::max();  // of rows and columns
+      constexpr double most = std::numeric_limits<int>::max();  // largest number of rows and columns
       return index >= 0 && index < most && index == std::floor(index) && (grows || size < 0 || index < size);
     };
     if (!fits(i, rows) || !fits(j, columns))

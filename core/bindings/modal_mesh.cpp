@@ -3,7 +3,7 @@
 namespace dalembert {
 namespace {
 
-constexpr std::size_t outputs = 6;  // of a node, in the basis of the output variable
+constexpr std::size_t outputs = 6;  // components per node, in the basis of the output variable
 
 }  // namespace
 

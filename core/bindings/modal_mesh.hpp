@@ -15,12 +15,12 @@ namespace dalembert {
 
 class ModalMesh {
  public:
-  // Whether this is such an object; what is known of it is kept, as long as its parameters are the same.
+  // Returns whether this is such an object. Its data is cached as long as its parameters do not change.
   bool find(const MainSystem& main, int object);
   std::size_t nodes() const { return nodes_; }
-  // In the visualized state; `rows`: rotation and position of the object.
+  // Points of the visualization state; `rows` are rotation and position of the object.
   void points(const MainSystem& main, std::span<const double, 12> rows, float* to);
-  // The variable of its mode basis, and displacements; one component, or the length (-1).
+  // The variable of the mode basis, and displacements; one component, or the norm (-1).
   bool has(OutputVariableType variable) const;
   void numbers(const MainSystem& main, OutputVariableType variable, int component, double* to);
 
@@ -40,7 +40,7 @@ class ModalMesh {
   int component_ = 0;
 };
 
-// Those of one system; what is known of a mesh is kept for all that draw it.
+// The meshes of one system; their data is cached for all users.
 class ModalMeshes {
  public:
   // Null for other objects.

@@ -1,4 +1,4 @@
-// The compiled module: one register function per file of bindings.
+// The compiled module; each file of bindings has one register function.
 #include "module.hpp"
 
 #include "compiled_callback.hpp"
@@ -19,7 +19,7 @@ PYBIND11_MODULE(_core, module) {
 
   set_core_module(module);
   register_errors(module);
-  register_enums(module);         // first: others have enumerations as defaults
+  register_enums(module);  // comes first: enumerations are defaults of other functions
   register_module_functions(module);
   register_plain_vectors(module);
   register_containers(module);
@@ -38,6 +38,6 @@ PYBIND11_MODULE(_core, module) {
   register_symbolic(module);
   register_compiled_functions(module);
   register_controllers(module);
-  guard_objects(module);        // of all classes
-  explain_wrong_calls(module);  // of all functions
+  guard_objects(module);  // applies to all classes
+  explain_wrong_calls(module);  // applies to all functions
 }

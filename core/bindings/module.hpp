@@ -1,4 +1,4 @@
-// What each file of bindings adds to the module.
+// Register functions of the files of bindings.
 #pragma once
 
 #include <pybind11/pybind11.h>

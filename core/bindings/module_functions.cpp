@@ -46,7 +46,7 @@ Special& special() {
   return instance;
 }
 
-// The file that repeats the console ends with the first error, which is told once.
+// The file that mirrors the console is closed at its first error, which is reported once.
 void write_to_file(const std::string& text, bool flush) {
   Config& c = config();
   try {
@@ -63,7 +63,8 @@ void end_writing_to_file() {
   config().file.close();
 }
 
-// A reader that has seen enough, as head has, ends no run: what else goes there is read by nobody, also what is left in buffers at the end.
+// A closed pipe, such as that of head, does not end the solution: further output, and output left in buffers, is
+// discarded.
 void leave_to_nobody(const py::object& out) {
   if (!out.is(py::module_::import("sys").attr("__stdout__"))) return;
   const py::module_ os = py::module_::import("os");
@@ -95,7 +96,7 @@ void write(const std::string& text, bool flush) {
   }
 }
 
-// As Python's print; `file` is accepted and ignored: SetWriteToFile is for that.
+// Works like Python's print; `file` is accepted and ignored, because SetWriteToFile has this purpose.
 void print(const py::args& values, const py::kwargs& options) {
   for (const auto& [key, value] : options) {
     const auto name = key.cast<std::string>();
@@ -145,7 +146,8 @@ void help() {
         py::kwargs());
 }
 
-// For arguments of functions in Python: what the check of a parameter, "rotation", "color" or "unit_vector", says of so many numbers.
+// Check of arguments of Python functions: applies a parameter check, "rotation", "color" or "unit_vector", to an
+// array of numbers.
 std::string problem_of(const std::string& check, const py::array_t<double, py::array::c_style | py::array::forcecast>& value) {
   const bool rotation = check == "rotation", color = check == "color";
   if (value.size() != (rotation ? 9 : color ? 4 : 3)) throw std::logic_error("_problem_of: wrong number of values");
@@ -266,7 +268,7 @@ void register_special(py::module_& module) {
   module.attr("experimental") = py::cast(Experimental{});
 }
 
-// Functions of earlier interfaces; what replaces them is in their docstrings.
+// Functions of earlier interfaces; their docstrings name the replacements.
 void register_earlier_functions(py::module_& module) {
   module.def("GetVersionString", &version, py::arg("addDetails") = false, "Earlier name of config.Version.");
   module.def(

@@ -1,4 +1,4 @@
-// Parts of scenes that move with items, and messages for pages that tell where they are.
+// Parts of scenes that move with items, and messages with their poses for viewers.
 #include "dalembert/pictures/moving_parts.hpp"
 
 #include <pybind11/stl.h>
@@ -43,7 +43,7 @@ class MessageBytes {
   }
   void add(std::string_view text) { next_ = std::ranges::copy(text, next_).out; }
   template <class T>
-  T* add_numbers(std::size_t count) {  // which begin and end at a multiple of 4 bytes
+  T* add_numbers(std::size_t count) {  // begin and end are multiples of 4 bytes
     auto* const first = reinterpret_cast<T*>(next_);
     next_ += count * sizeof(T);
     return first;
@@ -62,10 +62,10 @@ struct SentArray {
   Kind kind = Kind::stays;
   int group = -1;
   Form form{};
-  std::size_t part = 0;      // of those whose shape or colors change, if it is one of their arrays
+  std::size_t part = 0;  // parts whose shape or colors change, if it is one of their arrays
   std::size_t count = 0;     // numbers
-  Numbers<double> numbers{};  // one for each part
-  Numbers<float> first{};     // as pages have them with the whole scene
+  Numbers<double> numbers{};  // one per part
+  Numbers<float> first{};  // the values that viewers have with the whole scene
   std::optional<bool> turned = false;  // all parts: they are sent in fewer words
 
   std::size_t words() const { return turned == true ? count / MovingParts::numbers(form) * MovingParts::words_of_turn : count; }
@@ -75,7 +75,7 @@ struct SentArray {
   }
 };
 
-// In which form arrays of moving parts are asked for.
+// Forms of the arrays of moving parts.
 constexpr std::array<std::pair<std::string_view, Form>, 4> forms_of_moving{
     {{"rows", Form::rows}, {"turns", Form::rows}, {"place", Form::place}, {"place and number", Form::place_and_number}}};
 
@@ -85,14 +85,15 @@ void append_number(std::string& text, double number) {
   text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
 }
 
-// With a point, as Python writes it, if there is no exponent either.
+// Writes the number like Python, with a decimal point if there is no exponent.
 void append_decimal(std::string& text, double number) {
   const std::size_t before = text.size();
   append_number(text, number);
   if (text.find_first_of(".e", before) == std::string::npos) text += ".0";
 }
 
-// Output variable and component; whether the range is automatic, and whether it grows; what it is if it is not automatic, and what it was; colors.
+// Output variable and component; flags: automatic range, growing range; the fixed range and the previous range;
+// colors.
 using RuleTuple = std::tuple<py::object, int, bool, bool, std::array<double, 2>, std::array<double, 2>, Numbers<std::uint8_t>>;
 
 ColoredParts::Rule rule_of(const RuleTuple& tuple) {
@@ -140,10 +141,10 @@ class PartsOfSystem {
       entries_.push_back(std::move(entry));
     }
   }
-  // Of the numbers that the last message shows as colors.
+  // Range of the numbers that the last message shows as colors.
   std::pair<double, double> range() const { return {colored_->range().low, colored_->range().high}; }
 
-  // None if something is not where parts could follow it.
+  // Returns None if some item cannot be followed by its parts.
   py::object message(std::string_view words, py::set& moved) {
     System& system = main_->system;
     const double time = main_->consistent() ? system.state(ConfigurationType::Visualization).time : NAN;
@@ -242,8 +243,9 @@ class PartsOfSystem {
     colored_->write_shades(entry.part, shades_.data());
     return !std::ranges::equal(shades_, all(entry.first), [](std::uint8_t now, float before) { return static_cast<float>(now) == before; });
   }
-  // Whether an array has moved; none if it cannot be told. What has moved once is always sent: pages may have missed that it went, and that it
-  // came back. If it moves for the first time, now_ has its values.
+  // Returns whether an array has moved; nullopt if this is unknown. Arrays that have moved once are always sent,
+  // because viewers may have missed the motion and the return. If an array moves for the first time, now_ has its
+  // values.
   std::optional<bool> asked(std::size_t i, py::set& moved) {
     const SentArray& entry = entries_[i];
     if (entry.count == 0) return false;
@@ -266,7 +268,7 @@ class PartsOfSystem {
   const std::shared_ptr<MainSystem> main_;
   MovingParts parts_;
   std::vector<SentArray> entries_;
-  std::optional<ColoredParts> colored_;  // with the entries
+  std::optional<ColoredParts> colored_;  // updated together with the entries
   LargeVector<float> now_;
   LargeVector<std::uint8_t> shades_;
 };
@@ -275,7 +277,7 @@ class PartsOfSystem {
 
 void register_moving_parts(py::module_& module) {
   py::class_<PartsOfSystem> parts(module, "_MovingParts", "Parts of a scene that move with items of a system.");
-  parts.attr("kinds") = py::cast(MovingParts::frame_kinds);  // of frames, as __init__ has their numbers
+  parts.attr("kinds") = py::cast(MovingParts::frame_kinds);  // kinds of frames, in the numbering of __init__
   parts.attr("stretch") = MovingParts::stretch;
   module.def(
       "_frame_along",

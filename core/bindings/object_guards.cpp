@@ -1,5 +1,5 @@
-// What classes of pybind11 leave open, by which Python code could end the process: objects that only __new__ has made, and
-// copying by early protocols of pickle.
+// Guards against two gaps of pybind11 classes by which Python code could crash the process: objects created by
+// __new__ only, and copying by early pickle protocols.
 #include <string>
 #include <string_view>
 
@@ -16,7 +16,8 @@ void* refuse_unmade(std::size_t) {
                             .advice = "Make objects by calling their class, not its __new__."});
 }
 
-// As by protocol 2. The one of `object` calls the class behind all others, which has no C++ objects and throws through C code.
+// Uses protocol 2. The method of `object` would call the common base class, which has no C++ objects and throws
+// through C code.
 py::tuple reduced(const py::object& self) {
   const py::object type = py::type::of(self);
   if (!py::hasattr(type, "__setstate__")) throw py::type_error("cannot pickle '" + std::string(py::str(type.attr("__name__"))) + "' object");

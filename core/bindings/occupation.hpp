@@ -1,5 +1,5 @@
-// Who is at work on a system, and in which of the user's functions: it decides what may be done to the system meanwhile.
-// Guarded by the lock of the interpreter, which all that is here needs.
+// Bookkeeping of the solver that uses a system and of the running user functions. It determines which calls are
+// allowed. Guarded by the lock of the interpreter, which all functions here require.
 #pragma once
 
 #include <memory>
@@ -13,11 +13,12 @@ namespace dalembert {
 class MainSystem;
 class SolverWrapper;
 
-// A user function while it runs. Those of items run in the middle of an evaluation, those of the system and of solvers between two.
+// A user function while it runs. User functions of items run during an evaluation, those of the system and of solvers
+// between two evaluations.
 class RunningFunction {
  public:
   enum class Place { in_evaluation, between_evaluations };
-  // What is running, in words that an error needs: "user function 'springForceUserFunction' of object 3 ...".
+  // Builds the description for an error: "user function 'springForceUserFunction' of object 3 ...".
   using Words = std::string (*)(const void* function, int item);
 
   // `main` belongs to the function.
@@ -34,7 +35,7 @@ class RunningFunction {
   RunningFunction& operator=(const RunningFunction&) = delete;
 
   static bool any() { return last_ != nullptr; }
-  // The innermost of a system in this thread, or in others; null if there is none.
+  // The innermost running function of a system in this thread, or in other threads; null if there is none.
   static const RunningFunction* here(const MainSystem& main);
   static const RunningFunction* elsewhere(const MainSystem& main);
   static bool in_evaluation_here(const MainSystem& main);
@@ -44,7 +45,7 @@ class RunningFunction {
   template <class Wanted>
   static const RunningFunction* innermost(const MainSystem& main, Wanted&& wanted);
 
-  // Threads take turns: what begins last need not end first.
+  // Threads alternate: the function that starts last need not end first.
   static inline RunningFunction* last_ = nullptr;
 
   const std::weak_ptr<MainSystem>& main_;

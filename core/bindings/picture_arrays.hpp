@@ -21,7 +21,7 @@ std::span<const T> all(const Numbers<T>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-// So many numbers for each of `count` things; who: a class.
+// Checks the array size: numbers per entry times `count`; `who` is the class name.
 template <class T>
 std::span<const T> each(const char* who, const Numbers<T>& array, std::size_t count, std::size_t numbers, const char* name) {
   const auto values = all(array);

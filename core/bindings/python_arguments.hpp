@@ -30,7 +30,7 @@ class PythonArguments {
   void fill(const Signature& signature, double time, int item, std::span<const Argument> arguments);
   // Whether they differ from those before, or were not kept.
   bool changed() const { return changed_; }
-  // What the function returns for the system and the arguments; nullptr: it has raised an exception.
+  // Calls the function with the system and the arguments; nullptr if it has raised an exception.
   PyObject* call(PyObject* function, PyObject* system);
   // Forgets the objects without giving them back: there is no interpreter any more.
   void abandon() { objects_ = {}; }

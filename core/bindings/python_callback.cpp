@@ -124,7 +124,7 @@ class PythonCallback final : public ItemCallback {
     return object;
   }
 
-  // Whatever else numbers may come as.
+  // Converts all other numeric types.
   void store(PyObject* result, std::span<double> results) const {
     switch (shape_.result) {
       case Kind::scalar:
@@ -185,7 +185,7 @@ class PythonCallback final : public ItemCallback {
 UserFunction read_user_function(PyObject* value, const Row& row) {
   if (value == Py_None) return {};
   if (PyLong_Check(value) && PyObject_IsTrue(value) == 0) return {};
-  // GetObjectParameter of the interface's origin gives a dictionary; what it gives must be accepted again.
+  // GetObjectParameter of Exudyn returns a dictionary; such a dictionary must be accepted as an input.
   if (PyDict_Check(value)) {
     if (PyObject* function = PyDict_GetItemString(value, "function"); function != nullptr) value = function;
   }

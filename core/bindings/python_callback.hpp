@@ -14,11 +14,12 @@ namespace py = pybind11;
 
 class MainSystem;
 
-// None and 0 mean none; everything else must be callable. Throws Refusal.
+// None and 0 mean no function; all other values must be callable. Throws Refusal.
 UserFunction read_user_function(PyObject* value, const Row& row);
 PyObject* function_of(const UserFunction& function);  // borrowed
-bool needs_interpreter(const UserFunction& function);  // false: none, or one that is evaluated by compiled code
-// For the garbage collector: the Python function that this one owns, or nullptr; and to let go of it.
+// false if there is no function, or if compiled code evaluates it
+bool needs_interpreter(const UserFunction& function);
+// Access for the garbage collector: the Python function that this one owns, or nullptr; and its release.
 PyObject* owned_function(const UserFunction& function);
 void drop_function(const UserFunction& function);
 

@@ -1,4 +1,4 @@
-// From errors of the core to Python exceptions, and the words by which values are shown in error texts.
+// Conversion of core errors to Python exceptions, and formatting of values in error texts.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -14,7 +14,7 @@ namespace py = pybind11;
 // Set the Python error that belongs to the C++ exception being handled; call inside catch (...).
 void set_python_error() noexcept;
 
-// Run `f`, which returns a new reference; on a C++ exception set the Python error and return nullptr.
+// Runs `f`, which returns a new reference; a C++ exception sets the Python error and returns nullptr.
 template <class F>
 PyObject* guarded(F&& f) noexcept {
   try {
@@ -38,7 +38,7 @@ int guarded_status(F&& f) noexcept {
 
 // "[1, 2] (list of length 2)", shortened when long.
 std::string show(PyObject* value);
-std::string to_string(PyObject* text);  // of a str
+std::string to_string(PyObject* text);  // argument: a str
 
 void register_errors(py::module_& module);
 

@@ -1,4 +1,4 @@
-// What has changed of the items of a model. Their records are replaced, never changed in place.
+// Detects changed items of a model. Their records are replaced, never changed in place.
 #pragma once
 
 #include <array>

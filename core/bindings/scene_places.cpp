@@ -1,4 +1,4 @@
-// Where items are, for pictures: arrays of all items of a kind in one call, with memory of their own.
+// Positions of items for pictures: arrays of all items of a kind in one call, with their own memory.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -30,7 +30,8 @@ class ScenePlaces {
 
   py::array rows(int kind, const py::object& configuration) {
     system("rows").poses(checked_kind(kind), read(configuration), poses_);
-    const auto rows = new LargeVector<double>(std::move(poses_.rows));  // which the array keeps: copying it would take as long as finding half of it
+    // owned by the array: copying would take as long as computing half of it
+    const auto rows = new LargeVector<double>(std::move(poses_.rows));
     const py::capsule owner(rows, [](void* memory) { delete static_cast<LargeVector<double>*>(memory); });
     return py::array_t<double>({static_cast<py::ssize_t>(rows->size() / 12), py::ssize_t{3}, py::ssize_t{4}}, rows->data(), owner);
   }
@@ -40,7 +41,7 @@ class ScenePlaces {
     if (count == 0) return py::none();
     return new_array({count, static_cast<py::ssize_t>(values_.size()) / count}, values_.data());
   }
-  // One number for each mesh node, see contour_numbers. None: as mesh().
+  // One number per mesh node, see contour_numbers. Returns None in the same cases as mesh().
   py::object mesh_numbers(int object, const py::object& variable, int component, const py::object& configuration) {
     if (ModalMesh* const modal = modal_mesh(object, configuration); modal != nullptr && modal->has(asked(variable))) {
       py::array_t<double> result(static_cast<py::ssize_t>(modal->nodes()));
@@ -68,7 +69,7 @@ class ScenePlaces {
     if (frames.columns == 0) return py::none();
     return py::array_t<double>({static_cast<py::ssize_t>(frames.rows()), static_cast<py::ssize_t>(frames.columns)}, frames.values.data());
   }
-  // For each item of a kind the first that looks like it.
+  // Returns, for each item of a kind, the first item with the same appearance.
   py::array look_alikes(int kind) {
     const std::vector<std::int32_t> first = alike(main_->model, checked_kind(kind));
     return py::array_t<std::int32_t>(static_cast<py::ssize_t>(first.size()), first.data());
@@ -98,7 +99,7 @@ class ScenePlaces {
     return system(method).mesh_outputs(object, asked(variable), read(configuration), poses_.totals, values_);
   }
   static OutputVariableType asked(const py::object& variable) { return static_cast<OutputVariableType>(Enumeration::number(variable.ptr())); }
-  // None for other objects, and other states than the visualized one.
+  // Returns None for other objects, and for states other than the visualization state.
   ModalMesh* modal_mesh(int object, const py::object& configuration) {
     ModalMesh* const modal = modal_meshes_->find(*main_, object);
     return modal != nullptr && read(configuration) == ConfigurationType::Visualization ? modal : nullptr;

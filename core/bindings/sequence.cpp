@@ -29,7 +29,7 @@ bool is_scalar_array(PyObject* value) {
   return is_array(value) && py::reinterpret_borrow<py::array>(value).ndim() == 0;
 }
 
-// What stands for a number without being one of Python's.
+// Number-like objects that are not Python numbers.
 bool is_other_number(PyObject* value) { return is_numpy_scalar(value) || is_scalar_array(value) || is_symbolic_real(value); }
 
 double slow_real(PyObject* value) {
@@ -88,7 +88,7 @@ PyObject* plain_vectors(PyObject*, PyObject* size) {
   return PyCFunction_New(&definition, size);
 }
 
-// Of the types that most numbers have.
+// Check for the most frequent types of numbers.
 template <bool (*holds)(double)>
 PyObject* is_plain_number(PyObject*, PyObject* value) {
   if (PyFloat_CheckExact(value)) {

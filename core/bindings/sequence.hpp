@@ -1,4 +1,4 @@
-// Read-only view of what Python users pass as arrays: lists, tuples, numpy arrays and list-like objects of the module.
+// Read-only view of array-like arguments: lists, tuples, numpy arrays and list-like objects of the module.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -33,7 +33,7 @@ void register_plain_vectors(py::module_& module);
 // The objects in a list, a tuple, an array of objects or another sequence.
 class Items {
  public:
-  // `what` names the expectation, e.g. "3 numbers".
+  // The text describes the expectation, e.g. "3 numbers".
   Items(PyObject* value, const std::string& what);
   Py_ssize_t size() const { return PySequence_Fast_GET_SIZE(fast_.ptr()); }
   PyObject* operator[](Py_ssize_t i) const { return PySequence_Fast_GET_ITEM(fast_.ptr(), i); }

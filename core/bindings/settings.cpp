@@ -1,5 +1,5 @@
-// The Python classes of settings, made at import from the tree of generated groups. Plain CPython types: an attribute
-// is a descriptor that knows its row, and what is not a row is refused with the nearest known name.
+// The Python classes of settings, created at import from the tree of generated groups. They are plain CPython types:
+// an attribute is a descriptor with its row, and unknown names are rejected with the nearest known name.
 #include "settings.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct SettingsClass {
   const SettingsTree* tree = nullptr;
   const SettingsGroup* group = nullptr;
   PyTypeObject* type = nullptr;
-  std::string path, name;  // where the structure is found first; name of the class
+  std::string path, name;  // path of the first occurrence of the structure; name of the class
   std::size_t offset = 0;  // there
   std::vector<PyGetSetDef> fields;
   std::deque<std::string> texts;  // behind the pointers in `fields`
@@ -97,8 +97,8 @@ void set_child(const SettingsView& view, const SettingsChild& child, PyObject* v
   assign_settings(*child.group, target.data, view_of(value).data);
 }
 
-// interactive.keyPressUserFunction: a function has no place in the memory of settings, so it is kept beside them. It is not among their
-// parameters, so that their dictionaries can be stored.
+// interactive.keyPressUserFunction: the memory of settings cannot store a function, so it is kept separately. It is
+// not one of their parameters, so that their dictionaries can be stored.
 py::object& function_beside(const SettingsView& view) {
   using Functions = std::map<std::weak_ptr<void>, py::object, std::owner_less<std::weak_ptr<void>>>;
   static auto& functions = *new Functions;  // the interpreter may end before it

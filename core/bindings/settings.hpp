@@ -28,7 +28,7 @@ struct SettingsAlias {
 std::span<const SettingsAlias> simulation_aliases();
 std::span<const SettingsAlias> visualization_aliases();
 
-// What users get from one class: SimulationSettings() or VisualizationSettings().
+// The tree of one class: SimulationSettings() or VisualizationSettings().
 struct SettingsTree {
   const SettingsGroup* group = nullptr;
   RecordOperations operations{};
@@ -49,7 +49,7 @@ struct SettingsView {
   SettingsView child(const SettingsChild& child) const;
 };
 
-// What a name below a structure stands for; all empty: nothing. Other names are followed.
+// The meaning of a name below a structure; all members are empty if it is unknown. Aliases are resolved.
 struct SettingsField {
   SettingsView view;  // that has the field
   const Row* row = nullptr;
@@ -63,19 +63,19 @@ const SettingsGroup& names_group();
 SettingsField find_field(const SettingsView& view, std::string_view name);
 [[noreturn]] void refuse_unknown(const SettingsView& view, std::string_view name);
 
-// Values, settings_values.cpp. Writing refuses what does not fit, and changes nothing then.
+// Values, see settings_values.cpp. Writing an invalid value throws and changes nothing.
 py::object read_setting(const SettingsView& view, const Row& row);
 void write_setting(const SettingsView& view, const Row& row, PyObject* value);
 void assign_settings(const SettingsGroup& group, void* target, const void* source);
 bool equal_settings(const SettingsGroup& group, const void* a, const void* b);
 py::dict settings_dictionary(const SettingsView& view);
 py::dict settings_dictionary_with_types(const SettingsView& view);
-// Why settings have no effect, whatever they are, by their paths.
+// Finds settings that never have an effect, with the reason, by their paths.
 void find_settings_without_effect(const SettingsGroup& group, std::string_view SettingRule::* reason, const std::string& path, py::dict& found);
 void set_settings_dictionary(const SettingsView& view, const py::dict& values);
 std::string settings_text(const SettingsView& view);
 std::string settings_differences(const SettingsView& view, const SettingsView& defaults);
-// Words: of a structure; what a parameter means; its type, range and unit.
+// Texts: summary of a structure; description of a parameter; its type, range and unit.
 std::string settings_summary(const SettingsGroup& group);
 std::string setting_text(const SettingsGroup& group, const Row& row);
 std::string setting_doc(const SettingsGroup& group, const Row& row);

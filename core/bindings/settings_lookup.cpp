@@ -1,4 +1,4 @@
-// Names of settings: finding them, following earlier names, and naming the nearest when there is none.
+// Lookup of settings by name, resolution of earlier names, and suggestion of the nearest name.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -80,7 +80,7 @@ SettingsField find_field(const SettingsView& view, std::string_view name) {
 
 namespace {
 
-// What is looked for among settings that have a number of steps instead.
+// Names of step sizes, which users look for although the setting is a number of steps.
 bool is_step_size(std::string_view name) {
   constexpr std::array<std::string_view, 6> words{"stepSize", "stepsize", "step_size", "timeStep", "timestep", "dt"};
   return std::ranges::find(words, name) != words.end();

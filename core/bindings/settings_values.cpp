@@ -1,4 +1,4 @@
-// Values of settings: to Python, from Python, as dictionaries and as text.
+// Conversion of settings: to and from Python, as dictionaries and as text.
 #include <pybind11/numpy.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ void write_enumeration(const Row& row, PyObject* value, std::uint32_t& out) {
   out = py::handle(value).cast<std::uint32_t>();
 }
 
-// Item numbers are integers in the settings; those that an Add function returned may stand for them.
+// Settings store item numbers as integers; index types of Add functions are accepted as well.
 py::object plain_number(py::handle value, ItemKind expected) {
   ItemKind kind{};
   int number = 0;
@@ -137,7 +137,8 @@ void note_choice(const SettingsView& view, const Row& row) {
     static_cast<SimulationSettings*>(view.data)->linearSolverChoice.automatic = false;
 }
 
-// Write a dictionary into a copy, so that an error leaves the settings as they were. What says who has chosen comes after the choice.
+// Writes a dictionary into a copy, so that an error leaves the settings unchanged. Flags that record an explicit
+// choice are written after the choice.
 void merge(const SettingsView& view, const py::dict& values) {
   std::vector<std::pair<py::handle, py::handle>> entries(values.begin(), values.end());
   std::stable_partition(entries.begin(), entries.end(), [](const auto& entry) { return !py::isinstance<py::dict>(entry.second); });
@@ -171,7 +172,7 @@ py::list size_of(const py::object& value) {
   return size;
 }
 
-// With `defaults`, only what differs from them.
+// With `defaults`, only differing values are written.
 void append_text(const SettingsView& view, const SettingsView* defaults, int depth, std::string& text) {
   const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
   for (const SettingsChild& child : view.group->children) {

@@ -46,7 +46,7 @@ void Shadow::copy_items(const MainSystem& original) {
   is_complete_ = true;  // its initial state
 }
 
-// Grows, or jumps, with what general contacts hold.
+// A version that changes when the data of general contacts change.
 std::uint64_t Shadow::contacts_of(const MainSystem& original) {
   std::uint64_t result = 0;
   for (const auto& source : original.model.term_sources()) {

@@ -1,4 +1,4 @@
-// A copy of a system in which viewers evaluate what they draw, whatever solvers do to the system itself meanwhile.
+// A copy of a system in which viewers evaluate outputs, independently of solvers that use the system.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ class Shadow {
  public:
   explicit Shadow(const std::shared_ptr<MainSystem>& original);
 
-  // What has changed since the last call; a solver at work is asked for its state, which comes with a later call.
+  // Changes since the last call. The state of a running solver is requested, and arrives with a later call.
   struct News {
     bool state = false, items = false, structure = false;
   };
@@ -21,7 +21,7 @@ class Shadow {
   // Whether the state is known, not only where items are.
   bool complete() const { return is_complete_; }
   const std::shared_ptr<MainSystem>& system() const { return system_; }
-  // As long as there is an original.
+  // Calls f if the original still exists.
   template <class F>
   void tell(F&& f) {
     if (const auto original = original_.lock()) f(*original);
@@ -35,7 +35,7 @@ class Shadow {
 
   const std::weak_ptr<MainSystem> original_;
   const std::shared_ptr<MainSystem> system_ = std::make_shared<MainSystem>();
-  RecordWatch watch_;  // of the original
+  RecordWatch watch_;  // watches the original
   std::uint64_t structure_ = ~std::uint64_t{0}, version_ = 0, contacts_ = 0;
   bool assembled_ = false, is_complete_ = true;
 };

@@ -12,10 +12,10 @@ namespace py = pybind11;
 
 void register_solver_data(py::module_& module);
 
-// With the names of the attributes of SolverError.
+// The keys are the attributes of SolverError.
 py::dict diagnosis_dictionary(const Diagnosis& diagnosis);
 
-// What is known of constraints that follow from others.
+// Data on redundant constraints.
 py::dict redundancy_dictionary(const RedundantConstraints& redundant, const System& system);
 
 }  // namespace dalembert

@@ -22,8 +22,8 @@ namespace dalembert {
 
 namespace {
 
-// Calls one of the main system's functions with the system, the time and what else it takes. Afterwards the system takes
-// over the parameters that the function has changed.
+// Calls one of the main system's functions with the system, the time and further arguments. Afterwards the system
+// uses the parameters that the function has changed.
 class SystemFunction {
  public:
   SystemFunction(const std::shared_ptr<MainSystem>& main, std::string name)
@@ -79,7 +79,7 @@ class SystemFunction {
   py::object function_;
 };
 
-// A C function instead: called as it is, and kept alive. Empty if the user's function is none.
+// A compiled C function, which is called directly and kept alive. Empty if the user's function is not compiled.
 template <class Result, class... Parameters>
 std::function<Result(Parameters...)> c_function(const MainSystem& main, const char* name) {
   py::object owner = main.user_function(name);
@@ -199,7 +199,8 @@ void add_schedule(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
   if (hooks.schedule && !hooks.pre_step) hooks.pre_step = [](double) { return true; };
 }
 
-// What trees of recognised bodies say of their angles (mbs.sys["lockingTurns"]): names of joints, nodes, and their first coordinates there.
+// Reads the gimbal-lock data of recognised trees (mbs.sys["lockingTurns"]): names of joints, nodes, and their first
+// coordinates.
 void add_locking_turns(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
   if (!main->sys.contains("lockingTurns") || !main->consistent()) return;
   for (const py::handle entry : main->sys["lockingTurns"]) {
@@ -210,8 +211,8 @@ void add_locking_turns(SolverHooks& hooks, const std::shared_ptr<MainSystem>& ma
   }
 }
 
-// Where a line can be written over, progress is one line; elsewhere, in files for instance, a line after 10 s and then every
-// 30 s. A solver marks it by a leading '\r'.
+// Progress output. On a terminal one line is overwritten; otherwise, for example in files, a line is written after 10
+// s and then every 30 s. A solver marks progress by a leading '\r'.
 class Progress {
  public:
   void print(std::string_view text) {
@@ -260,7 +261,7 @@ void record(const std::shared_ptr<MainSystem>& main) {
   py::module_::import("dalembert._pictures.recording").attr("record")(py::cast(main));
 }
 
-// What viewers have left for the solver's thread: functions of the user for keys, for instance.
+// Performs requests of viewers on the solver's thread, for example user functions of keys.
 void do_what_viewers_ask(const std::shared_ptr<MainSystem>& main) {
   main->tap.ask(false);
   const std::weak_ptr<MainSystem> weak = main;
@@ -269,8 +270,8 @@ void do_what_viewers_ask(const std::shared_ptr<MainSystem>& main) {
   py::module_::import("dalembert._live.calls").attr("run")(py::cast(main));
 }
 
-// Looks at Ctrl-C, now and then: to get the lock of the interpreter can take milliseconds while another thread works in Python, a viewer's
-// for instance. Looks take a hundredth of the time, as long as Ctrl-C acts within half a second.
+// Polls for Ctrl-C. Getting the interpreter lock can take milliseconds while another thread runs Python, for example
+// a viewer. Polling takes at most a hundredth of the time, and at least two polls per second.
 class Interruption {
  public:
   explicit Interruption(const std::shared_ptr<MainSystem>& main) : main_(*main), weak_(main) {}
@@ -289,7 +290,7 @@ class Interruption {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // As long as a viewer pauses the solver; otherwise one look.
+  // Waits while a viewer pauses the solver; otherwise polls once.
   void wait() {
     for (;;) {
       {
@@ -327,7 +328,7 @@ void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& mai
   };
 }
 
-// "Node number = 3": what the header of a sensor's file calls the sensor's item.
+// "Node number = 3": description of the sensor's item in the header of its file.
 std::string measured_item(const Item& sensor) {
   std::string text(sensor.type->type_name);
   for (const Row& row : sensor.type->rows) {

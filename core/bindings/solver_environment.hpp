@@ -1,4 +1,4 @@
-// What Python adds to a solver: user functions of the main system, console, interruption, sensors.
+// The connection of a solver with Python: user functions of the main system, console, interruption, sensors.
 #pragma once
 
 #include <memory>

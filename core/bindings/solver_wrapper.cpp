@@ -127,7 +127,7 @@ bool SolverWrapper::solve_for(const MainPointer& new_main, const py::object& obj
     ~Release() {
       self.solver().forget_environment();
       self.environment_.reset();
-      main.show_current();  // what a solver that has failed leaves, too
+      main.show_current();  // also shown after a failure
     }
   } release_functions{*this, *new_main};
   const bool success = run(new_main, object, "SolveSystem", [this] { return solver().solve_system(); });
@@ -138,7 +138,7 @@ bool SolverWrapper::solve_for(const MainPointer& new_main, const py::object& obj
   return success;
 }
 
-// What begins with the initialization. Its parts may be called by user functions as soon as it begins.
+// Runs a call that starts with the initialization. User functions may call parts of the solver as soon as it starts.
 template <class F>
 bool SolverWrapper::run(const MainPointer& new_main, const py::object& object, const char* method, F&& f) {
   initialized_ = false;

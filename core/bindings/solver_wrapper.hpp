@@ -1,4 +1,5 @@
-// A solver as Python sees it: with the system and the settings of the current call, and with access to its matrices.
+// The Python class of a solver: with the system and the settings of the current call, and with access to its
+// matrices.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -41,12 +42,12 @@ class SolverWrapper {
     attach(main, settings, method, false);
     return f();
   }
-  // The same for methods without settings: those of the last call are used.
+  // Variant for methods without settings: uses those of the last call.
   template <class F>
   auto during(const MainPointer& main, const char* method, F&& f) {
     return during(main, settings_object ? settings_object : py::object(py::none()), method, Work::Extent::part, f);
   }
-  // For what it holds of the system of the last call: refused if the system has been assembled again, or is gone.
+  // Throws if the data refers to a system that has been assembled again, or deleted.
   void require_initialized(const char* method) const;
   void require_own_thread(const char* method) const;
 
@@ -75,13 +76,13 @@ class SolverWrapper {
   std::span<double> residual();
   const Pattern& pattern();
 
-  MainPointer main() const;  // of the last call; refused if it is gone
+  MainPointer main() const;  // system of the last call; throws if it has been deleted
   std::shared_ptr<SimulationSettings> settings;
   py::object settings_object;
   const Work* work = nullptr;  // the innermost call that is running
 
  private:
-  // Before every call that works on a system. Hooks are made anew when `renew`, otherwise only for another system.
+  // Called before every method that uses a system. Hooks are made anew if `renew` is set or the system differs.
   void attach(const MainPointer& main, const py::object& settings, const char* method, bool renew);
   void require_initialized(const char* method, const MainPointer& main) const;
   template <class F>
@@ -93,9 +94,9 @@ class SolverWrapper {
   void add_part(const Weights& weights, const Conditions& conditions, double factor, Wanted&& wanted);
   State quiet_state();
 
-  std::optional<SolverEnvironment> environment_;  // none after SolveSystem: functions are not kept longer than needed
+  std::optional<SolverEnvironment> environment_;  // empty after SolveSystem: functions are not kept longer than needed
   bool initialized_ = false;
-  std::uint64_t version_ = 0;  // of the system, when the solver was initialized
+  std::uint64_t version_ = 0;  // version of the system at the initialization
   std::vector<double> mass_, own_residual_, part_;
   py::object newton_settings_;  // settings of which one branch holds the copy
 };

@@ -34,7 +34,7 @@ struct Real : Symbol {};
 struct Vector : Symbol {};
 struct Matrix : Symbol {};
 
-// Without recording only the value is kept.
+// Keeps only the value if nothing is recorded.
 Node settled(Node node) {
   return recording ? node : symbolic::variable(node->shape, symbolic::evaluate(node), "");
 }
@@ -122,7 +122,7 @@ Node matrix_of(py::handle value, const std::string& name = "") {
   return joined({rows, static_cast<int>(columns)}, std::move(entries), name);
 }
 
-// What a recorded function returned.
+// Converts the return value of a recorded function.
 Node result_of(py::handle value) {
   if (Node node = operand_or_none(value)) return node;
   if (!is_sequence(value))

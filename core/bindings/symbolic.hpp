@@ -18,7 +18,7 @@ void register_symbolic(py::module_& module);
 bool is_symbolic_real(PyObject* value);
 // nullptr if `value` is no symbolic.UserFunction. Throws Refusal if it does not fit the user function that `row` describes.
 std::shared_ptr<const Callback> symbolic_callback(PyObject* value, const Row& row);
-// The symbolic.UserFunction behind a callback; nullptr if there is none. Borrowed.
+// The symbolic.UserFunction behind a callback (borrowed reference), or nullptr.
 PyObject* symbolic_function(const Callback& callback);
 
 }  // namespace dalembert

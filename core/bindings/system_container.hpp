@@ -12,11 +12,11 @@ namespace dalembert {
 
 class SystemContainer;
 
-// What SC.renderer remembers.
+// State of SC.renderer.
 class Renderer {
  public:
   std::weak_ptr<SystemContainer> container;
-  py::dict state;  // as SetState left it
+  py::dict state;  // set by SetState
   py::object materials;  // made when asked for
 };
 
@@ -26,7 +26,7 @@ class SystemContainer : public std::enable_shared_from_this<SystemContainer> {
   std::shared_ptr<py::object> visualization_settings;  // its systems have them, too
   std::shared_ptr<Renderer> renderer = std::make_shared<Renderer>();  // its methods are attached in Python
 
-  void require_idle(const char* call) const;  // of all systems
+  void require_idle(const char* call) const;  // checks all systems
   void reset();
   std::shared_ptr<MainSystem> add_system();
   int append(const std::shared_ptr<MainSystem>& system);

@@ -45,7 +45,7 @@ const Coordinates& coordinates_of(Member member) {
   return *std::ranges::find(coordinates, member, &Coordinates::member);
 }
 
-// What GetSystemState lists, in this order.
+// Members of GetSystemState, in this order.
 constexpr Member state_members[] = {&State::q, &State::v, &State::y, &State::lambda, &State::data};
 
 std::string full_name(const Label& method) { return "mbs.systemData." + method.text(); }
@@ -59,7 +59,7 @@ bool rests(Configuration configuration) {
   return configuration == Configuration::Visualization || configuration == Configuration::Reference;
 }
 
-// For reading what solvers leave alone.
+// Access for reading data that solvers do not change.
 const System& at_rest(const SystemData& self, const Label& method) {
   return self.main->at_rest([&] { return "systemData." + method.text(); });
 }
@@ -82,7 +82,7 @@ int size_of(const System& system, const Coordinates& which, Configuration config
   return has(which, configuration) ? system.sizes().*which.size : 0;
 }
 
-// A copy, or a view: of the system until the next Assemble(), and of what was there before it from then on.
+// A copy, or a view of the system. After the next Assemble(), the view keeps the previous data.
 py::array_t<double> array_of(const std::vector<double>& values, bool copy, const System& system) {
   const auto n = static_cast<py::ssize_t>(values.size());
   if (copy) return new_array({n}, values.data());
@@ -310,7 +310,7 @@ void register_sizes(Data& data, const py::object& current) {
           return size_of(system, coordinates_of(member), read_configuration(where, name));
         },
         py::arg("configurationType") = current, "Number of these coordinates.");
-  // As in the interface: data coordinates do not count.
+  // Data coordinates do not count, as in Exudyn.
   data.def(
       "SystemSize",
       [](const SystemData& self, const py::object& where) {

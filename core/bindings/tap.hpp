@@ -1,4 +1,4 @@
-// What viewers see of a system while a solver works on it: a copy of its state, made between two steps when one is wanted.
+// The state that viewers see while a solver runs: a copy, made on request between two steps.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,8 @@ namespace dalembert {
 
 class Tap {
  public:
-  // What viewers want of a state: where items are follows from its time, coordinates and data alone, a third of it in systems of bodies.
+  // The part of a state that viewers need. Positions follow from time, coordinates and data, which are a third of the
+  // state in systems of bodies.
   enum class Part : std::uint8_t { none, places, all };
 
   // ---- the solver's thread, which waits neither for a viewer nor for Python ---------------------------------------------
@@ -41,8 +42,8 @@ class Tap {
 
   // ---- a viewer's thread ------------------------------------------------------------------------------------------------
   void want(Part part) { wanted_.store(part, std::memory_order_relaxed); }
-  // What has been taken; none if nothing has been offered since the last time. What was offered long ago, while pages were busy with the
-  // picture before, is left once for what comes next: it would be shown later by the time that a picture needs on its way.
+  // Returns the available part; none if there is no new state. A state that is older than the last picture took is
+  // skipped once, because a newer one is about to come.
   Part take(State& target) {
     const std::lock_guard lock(mutex_);
     if (filled_ == 0) return Part::none;
@@ -63,14 +64,14 @@ class Tap {
     return part_;
   }
   void pause(bool flag) { paused_.store(flag, std::memory_order_relaxed); }
-  // Between two steps, the solver's thread is to do what viewers have left for it.
+  // Requests that the solver's thread performs viewer requests between two steps.
   void ask(bool flag) { asks_.store(flag, std::memory_order_relaxed); }
 
  private:
   static constexpr double old = 0.05;    // s: more than pictures are apart
   static constexpr double rarity = 110;  // copies take less than a hundredth of the solver's time, the first one included
 
-  // Of the first copy, whose memory is new.
+  // Expected time of the first copy, which allocates new memory.
   static double expected_time(const State& s) {
     std::size_t numbers = 0;
     for (const auto* part : {&s.q, &s.v, &s.a, &s.y, &s.y_t, &s.lambda, &s.data}) numbers += part->size();
@@ -81,10 +82,10 @@ class Tap {
   std::atomic<bool> paused_ = false, asks_ = false;
   std::mutex mutex_;
   State copy_;
-  Part part_ = Part::none;  // which of it is known
+  Part part_ = Part::none;  // the available part
   double filled_ = 0;  // when; 0: there is nothing to be taken
   bool has_left_ = false;
-  double next_ = 0;  // of the solver's thread
+  double next_ = 0;  // used by the solver's thread
 };
 
 }  // namespace dalembert

@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// Of a tree in an assembled system, so that its parameters have been checked.
+// Functions of a tree in an assembled system, whose parameters have been checked.
 TreeFunctions functions_of(MainSystem& main, const py::object& number) {
   const int object = item_number_argument(main, ItemKind::object, number.ptr(), "TreeDynamics");
   main.assembled("TreeDynamics");

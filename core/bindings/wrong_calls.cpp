@@ -1,5 +1,5 @@
-// Calls whose arguments do not fit: pybind11 answers with the signatures in its own words. Here they pass through a function that lets
-// dalembert/_tools/wrong_calls.py say what is wrong.
+// Calls with wrong arguments: pybind11 would list signatures in its own words. All functions are wrapped, so that
+// dalembert/_tools/wrong_calls.py words the error.
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -15,7 +15,7 @@ using Call = PyObject* (*)(PyObject* record, PyObject* const* arguments, Py_ssiz
 Call call = nullptr;  // the same for all functions
 
 void explain(PyObject* record, PyObject* const* arguments, Py_ssize_t positional, PyObject* names) {
-  py::error_already_set error;  // which it takes away
+  py::error_already_set error;  // moves the error
   const py::str text(error.value());
   constexpr const char* mark = "(): incompatible ";
   if (!error.matches(PyExc_TypeError) || !text.contains(py::str(mark))) return error.restore();

@@ -9,8 +9,8 @@ namespace item_texts_of {
 
 constexpr std::array<std::string_view, 5> NodeGenericAE_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "reference values; as many as ``numberOfAECoordinates``, any other length is refused; units as in the equations that use the node",
-    "start values of the solver, relative to the reference values; as many as ``numberOfAECoordinates``",
+    "reference values; their number is ``numberOfAECoordinates``; units are those of the equations that use the node",
+    "start values of the solver, relative to the reference values; their number is ``numberOfAECoordinates``",
     "number of algebraic variables; at least 1",
     "True: the item is drawn",
 };
@@ -20,7 +20,7 @@ constexpr std::array<OutputText, 1> NodeGenericAE_outputs{{
 
 constexpr std::array<std::string_view, 4> NodeGenericData_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "values at the start of a computation; as many as ``numberOfDataCoordinates``, or none for zeros; any other length is refused; their meaning and units are those of the object that uses the node",
+    "values at the start of a computation; their number is ``numberOfDataCoordinates``, or zero (all values are zero); other lengths are rejected; their meaning and units are those of the object that uses the node",
     "number of data variables; objects that need a data node say how many they expect",
     "True: the item is drawn",
 };
@@ -30,8 +30,8 @@ constexpr std::array<OutputText, 1> NodeGenericData_outputs{{
 
 constexpr std::array<std::string_view, 5> NodeGenericODE1_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "constant values to which the coordinates are added; as many as ``numberOfODE1Coordinates``, or none for zeros; any other length is refused; units as in the equations that use the node",
-    "values at the start, relative to the reference values; as many as ``numberOfODE1Coordinates``",
+    "constant values to which the coordinates are added; their number is ``numberOfODE1Coordinates``, or zero (all values are zero); other lengths are rejected; units are those of the equations that use the node",
+    "values at the start, relative to the reference values; their number is ``numberOfODE1Coordinates``",
     "number of coordinates, each with a first order differential equation; at least 1",
     "True: the item is drawn",
 };
@@ -43,9 +43,9 @@ constexpr std::array<OutputText, 3> NodeGenericODE1_outputs{{
 
 constexpr std::array<std::string_view, 6> NodeGenericODE2_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "constant values to which the coordinates are added; as many as ``numberOfODE2Coordinates``, or none for zeros; any other length is refused; units as in the equations that use the node",
-    "values at the start, relative to the reference values; as many as ``numberOfODE2Coordinates``",
-    "time derivatives of the coordinates at the start; as many as ``numberOfODE2Coordinates``",
+    "constant values to which the coordinates are added; their number is ``numberOfODE2Coordinates``, or zero (all values are zero); other lengths are rejected; units are those of the equations that use the node",
+    "values at the start, relative to the reference values; their number is ``numberOfODE2Coordinates``",
+    "time derivatives of the coordinates at the start; their number is ``numberOfODE2Coordinates``",
     "number of coordinates, each with a second order differential equation; at least 1",
     "True: the item is drawn",
 };
@@ -524,9 +524,9 @@ constexpr std::array<std::string_view, 28> ObjectFFRFreducedOrder_rows{
     "modal damping matrix, one row and column per mode; empty for zero",
     "function that gives generalized forces on the right hand side",
     "function that gives an additional mass matrix for all coordinates; its dependence on them is left out of the tangent",
-    "True: the object computes inertia with its coupling of rigid body motion and deformation, stiffness and damping; False: nothing acts but what the user functions give",
+    "True: the object computes inertia with its coupling of rigid body motion and deformation, stiffness and damping; False: only the user functions act",
     "one column per mode, three rows per mesh node: displacements of the mesh in the body frame for a unit modal coordinate",
-    "values of an output variable per unit modal coordinate, one row per mesh node; for each mode six columns, one per component; empty: none",
+    "values of an output variable per unit modal coordinate, one row per mesh node; each mode has six columns, its components; empty: not used",
     "output variable that ``outputVariableModeBasis`` holds: ``StressLocal``, ``StrainLocal``, or ``_None``",
     "reference positions of the mesh nodes in the body frame, three per node",
     "leave it at False; ``Assemble()`` sets it, when it has found the parameters that follow from others",
@@ -561,7 +561,7 @@ constexpr std::array<std::string_view, 18> ObjectGenericODE2_rows{
     "constant generalized forces on the right hand side; length n, or empty for zero",
     "function that gives further generalized forces on the right hand side",
     "function that gives the mass matrix; it replaces ``massMatrix``",
-    "function that gives the derivatives of the user forces; without it they are found by numerical differentiation",
+    "function that returns the derivatives of the user forces; the default is numerical differentiation",
     "index of the first coordinate of each node in the vector of the object",
     "coordinates, a work space of the object",
     "velocities, a work space of the object",
@@ -587,26 +587,26 @@ constexpr std::array<std::string_view, 26> ObjectKinematicTree_rows{
     "global position of the base frame",
     "type of each joint, one per link; required",
     "number of the parent link of each link, -1 for the base; a parent has a smaller number than its links; required",
-    "for each link the rotation matrix from its joint frame, at coordinate zero, to the frame of the parent; required",
-    "for each link the origin of its joint frame in the frame of the parent, for the base in the base frame; required",
-    "for each link the inertia tensor about its center of mass, in the frame of the link; required",
-    "for each link the center of mass in the frame of the link; required",
+    "the rotation matrix from its joint frame, at coordinate zero, to the frame of the parent; required",
+    "the origin of its joint frame in the frame of the parent, for the base in the base frame; required",
+    "the inertia tensor about its center of mass, in the frame of the link; required",
+    "the center of mass in the frame of the link; required",
     "mass of each link; required",
-    "for each link a force in global components at the origin of its joint frame; empty for zero",
-    "for each link a torque in global components; empty for zero",
-    "for each joint a torque (Nm) or force (N) about or along its axis, positive on the link and negative on its parent; empty for zero",
+    "a force in global components at the origin of its joint frame; empty for zero",
+    "a torque in global components; empty for zero",
+    "a torque (Nm) or force (N) about or along its axis, positive on the link and negative on its parent; empty for zero",
     "desired joint coordinates of the position control (rad or m); empty for zero",
     "desired joint velocities of the velocity control (rad/s or m/s); empty for zero",
     "proportional gain of each joint (Nm/rad or N/m); empty for zero",
     "derivative gain of each joint (Nm s/rad or Ns/m); empty for zero",
     "function that gives further joint forces, which act as those of ``jointForceVector``",
-    "for each link a name, which may stand wherever the number of a link is asked for, or an empty string; empty for no names",
-    "for each joint a name, which may stand for the number of the joint and for that of the link which it carries, or an empty string; empty for no names",
+    "a name, which may stand wherever the number of a link is asked for, or an empty string; empty for no names",
+    "a name, which may stand for the number of the joint and for that of the link which it carries, or an empty string; empty for no names",
     "False: the item is not drawn",
     "draw the links, as given by ``graphicsDataList`` or, if that is empty, as cylinders between the joints",
     "draw the joints in a standard form; only if ``graphicsDataList`` is empty",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
-    "for each link a list of shapes in the frame of the link; empty, or as long as there are links",
+    "a list of shapes in the frame of the link; empty, or as long as there are links",
 };
 constexpr std::array<OutputText, 4> ObjectKinematicTree_outputs{{
     {"Coordinates", 0, "various", "joint coordinates, including the reference values (unlike the output of the same name of the node)"},
@@ -619,7 +619,7 @@ constexpr std::array<std::string_view, 18> ObjectALEANCFCable2D_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "length of the element in its undeformed state; must be positive",
     "total mass per undeformed length, of the resting and the moving part",
-    "share of the mass per length that moves along the axis: 1 for an axially moving beam, 0 for none, between for a pipe with fluid",
+    "share of the mass per length that moves along the axis: 1: axially moving beam, 0: no motion; a pipe with fluid lies between",
     "bending stiffness: bending moment per curvature",
     "axial stiffness: axial force per axial strain",
     "viscous damping of bending: bending moment per rate of curvature",
@@ -629,7 +629,7 @@ constexpr std::array<std::string_view, 18> ObjectALEANCFCable2D_rows{
     "true: all inertia terms of the axial motion act; false: accelerations of cable and axial coordinate are not coupled, and the latter has a constant mass",
     "true: the axial coordinate feels the change of strain and curvature energy that its motion brings about; false: this term is left out",
     "node at axial position 0, node at axial position L (both with position and slope in the plane), and a generic node of second order whose coordinate is the axial displacement of the material",
-    "integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending",
+    "integration of the elastic forces along the axis: 0: 5 Gauss points for stretching and 3 for bending; 1: 4 and 2; 2: 3 Lobatto points for stretching and 2 Gauss points for bending",
     "share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition",
     "False: the item is not drawn",
     "height of the rectangle that is drawn; 0 draws the axis only",
@@ -682,7 +682,7 @@ constexpr std::array<std::string_view, 14> ObjectANCFCable_rows{
     "axial strain at which the axial force is zero",
     "share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition",
     "node at axial position 0 and node at axial position L, both with position and one slope",
-    "integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness",
+    "integration of the elastic forces along the axis: 0: 5 Gauss points for stretching and 3 for bending; 1: 4 and 2; 2: 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness",
     "False: the item is not drawn",
     "radius of the cylinder that is drawn; 0 draws the axis only",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
@@ -711,7 +711,7 @@ constexpr std::array<std::string_view, 17> ObjectANCFCable2D_rows{
     "curvature at which the bending moment is zero; positive for a left turn along the axis",
     "share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition",
     "node at axial position 0 and node at axial position L, both with position and slope in the plane",
-    "integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness",
+    "integration of the elastic forces along the axis: 0: 5 Gauss points for stretching and 3 for bending; 1: 4 and 2; 2: 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness",
     "function that gives the axial force in place of the linear law",
     "function that gives the bending moment in place of the linear law",
     "False: the item is not drawn",
@@ -736,16 +736,16 @@ constexpr std::array<OutputText, 13> ObjectANCFCable2D_outputs{{
 
 constexpr std::array<std::string_view, 13> ObjectANCFThinPlate_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "thickness of the plate: one value, or one value per node that is interpolated",
+    "thickness of the plate: a value, or interpolated values of the nodes",
     "mass per volume",
     "damping forces are this factor times mass matrix times velocity",
-    "stiffness against the strains in the plane, integrated over the thickness; one matrix, or one per node",
-    "stiffness against curvatures and twist, integrated over the thickness; one matrix, or one per node",
+    "stiffness against the strains in the plane, integrated over the thickness; a matrix, or one per node",
+    "stiffness against curvatures and twist, integrated over the thickness; a matrix, or one per node",
     "share of the strains of the reference configuration that are free of stress: 0 for a plate that is flat without stress, 1 for a reference configuration without stress",
     "for each node the length of the side in x that belongs to a unit slope, the distance of the nodes for a flat rectangle; not positive: that distance",
     "for each node the length of the side in y that belongs to a unit slope; not positive: the distance of the nodes",
     "four nodes with position and two slopes, at the local corners (-1, -1), (1, -1), (1, 1), (-1, 1)",
-    "integration of the elastic forces: 0 with 4 by 4 Gauss points, 1 with 3 by 3",
+    "integration of the elastic forces: 0: 4 by 4 Gauss points, 1: 3 by 3",
     "False: the item is not drawn",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
@@ -755,11 +755,11 @@ constexpr std::array<OutputText, 11> ObjectANCFThinPlate_outputs{{
     {"Velocity", 3, "m/s", "global velocity of the local point"},
     {"Director1", 3, "1", "slope vector in the first direction of the mid-surface"},
     {"Director2", 3, "1", "slope vector in the second direction of the mid-surface"},
-    {"StrainLocal", 3, "1", "strains of the mid-surface: two normal strains and the shear strain; without what is free of stress"},
-    {"CurvatureLocal", 3, "1/m", "curvatures about the x and y axis, and twice the twist of the mid-surface; without what is free of stress"},
+    {"StrainLocal", 3, "1", "strains of the mid-surface: two normal strains and the shear strain; strains without stress are subtracted"},
+    {"CurvatureLocal", 3, "1/m", "curvatures about the x and y axis, and twice the twist of the mid-surface; strains without stress are subtracted"},
     {"ForceLocal", 3, "N/m", "membrane forces per length, two normal forces and the shear force"},
     {"TorqueLocal", 3, "N", "moments per length, two bending moments and the twisting moment, of the curvatures along x and y"},
-    {"StressLocal", 6, "N/m^2", "stress components xx, yy, zz, yz, xz, xy at the local point; those out of the plane are zero"},
+    {"StressLocal", 6, "N/m^2", "stress components xx, yy, zz, yz, xz, xy at the local point; out-of-plane components are zero"},
     {"Acceleration", 3, "m/s^2", "global acceleration of the local point"},
 }};
 
@@ -858,7 +858,7 @@ constexpr std::array<std::string_view, 26> ObjectConnectorCoordinateSpringDamper
     "factor of the coordinate of marker m0, such as a gear ratio",
     "factor of the coordinate of marker m1",
     "friction force in sliding, N for lengths: friction coefficient times a constant normal force",
-    "what the friction force in sticking may exceed the dynamic one, N for lengths; sticking ends at the sum of both",
+    "difference of the largest static and the dynamic friction force, N for lengths; sticking ends at the sum of both",
     "stiffness of the bristles in sticking, N/m for lengths; must be positive for friction with ``frictionProportionalZone`` = 0",
     "damping coefficient of the bristles in sticking, Ns/m for lengths",
     "speed by which the static offset falls to 1/e = 36.8 % of its value, m/s for lengths",
@@ -963,7 +963,7 @@ constexpr std::array<OutputText, 3> ObjectConnectorLinearSpringDamper_outputs{{
 
 constexpr std::array<std::string_view, 16> ObjectConnectorReevingSystemSprings_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "rigid body markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; with ``hasCoordinateMarkers``, two coordinate markers follow",
+    "rigid body markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; if ``hasCoordinateMarkers`` is set, two coordinate markers follow",
     "True: the last two markers are coordinate markers that add rope at the start and at the end",
     "factors of the two coordinate markers: 1 for lengths, a radius (m) for the angle of a winch",
     "axial stiffness of the rope, modulus times cross section; divided by the length it is the stiffness of the rope",
@@ -972,7 +972,7 @@ constexpr std::array<std::string_view, 16> ObjectConnectorReevingSystemSprings_r
     "damping of the relative motion of neighbouring sheaves across the rope; experimental",
     "positive: largest compressive force, approached smoothly; negative: the rope carries compression like a spring",
     "length of the rope without force",
-    "axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; none may be parallel to the line to the next center",
+    "axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; it must not be parallel to the line to the next center",
     "radius of every sheave; first and last must be zero, 0 between means a deflection point",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
     "False: the item is not drawn",
@@ -1004,11 +1004,11 @@ constexpr std::array<std::string_view, 15> ObjectConnectorRigidBodySpringDamper_
 };
 constexpr std::array<OutputText, 6> ObjectConnectorRigidBodySpringDamper_outputs{{
     {"DisplacementLocal", 3, "m", "position of marker m1 relative to marker m0 in frame J0; the translational part of the logarithm with ``intrinsicFormulation``"},
-    {"VelocityLocal", 3, "m/s", "global velocity of marker m1 minus that of marker m0, in frame J0; in the mid-frame with ``intrinsicFormulation``"},
+    {"VelocityLocal", 3, "m/s", "global velocity of marker m1 minus that of marker m0, in frame J0; if ``intrinsicFormulation`` is set, in the mid-frame"},
     {"Rotation", 3, "rad", "Tait-Bryan angles (about x, y, z in turn) of J1 relative to J0; the rotation vector with ``intrinsicFormulation``"},
-    {"AngularVelocityLocal", 3, "rad/s", "angular velocity of marker m1 relative to marker m0, in frame J0; in the mid-frame with ``intrinsicFormulation``"},
-    {"ForceLocal", 3, "N", "force on marker m0, in frame J0; in the mid-frame with ``intrinsicFormulation``"},
-    {"TorqueLocal", 3, "Nm", "torque on marker m0, in frame J0; in the mid-frame with ``intrinsicFormulation``, without the moment of the force"},
+    {"AngularVelocityLocal", 3, "rad/s", "angular velocity of marker m1 relative to marker m0, in frame J0; if ``intrinsicFormulation`` is set, in the mid-frame"},
+    {"ForceLocal", 3, "N", "force on marker m0, in frame J0; if ``intrinsicFormulation`` is set, in the mid-frame"},
+    {"TorqueLocal", 3, "Nm", "torque on marker m0, in frame J0; with ``intrinsicFormulation`` in the mid-frame, without the moment of the force"},
 }};
 
 constexpr std::array<std::string_view, 18> ObjectConnectorRollingDiscPenalty_rows{
@@ -1165,7 +1165,7 @@ constexpr std::array<std::string_view, 20> ObjectContactConvexRoll_rows{
     "stiffness normal to the plane",
     "damping coefficient normal to the plane",
     "coefficient of friction in sliding",
-    "what the coefficient of static friction exceeds the dynamic one",
+    "difference of the coefficients of static and dynamic friction",
     "growth of the friction coefficient with the slip speed",
     "slip speed by which the static offset falls to 1/e",
     "slip speed up to which friction is proportional to it",
@@ -1173,10 +1173,10 @@ constexpr std::array<std::string_view, 20> ObjectContactConvexRoll_rows{
     "coefficients of the polynomial radius over the position x on the axis, highest power first; the profile must be convex",
     "coefficients of the first derivative of the profile",
     "coefficients of the second derivative of the profile",
-    "radius of spheres at both ends that exclude contact by a cheap test; without effect here, where the lowest point of the profile is always looked for",
+    "radius of spheres at both ends that exclude contact by a cheap test; no effect here, because the lowest point of the profile is always computed",
     "current point of possible contact; contact if its third component is negative",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
-    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
+    "True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open",
     "False: the item is not drawn",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
@@ -1240,7 +1240,7 @@ constexpr std::array<std::string_view, 17> ObjectContactFrictionCircleCable2D_ro
     "radius of the circle",
     "True: normal and tangent are those of the segment, for segments that are long against the circle; False: those of the circle at the points of the segment, for short segments",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
-    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
+    "True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open",
     "False: the item is not drawn",
     "True: the circle is drawn",
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
@@ -1271,7 +1271,7 @@ constexpr std::array<std::string_view, 21> ObjectContactSphereSphere_rows{
     "lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more",
     "0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
-    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
+    "True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open",
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
@@ -1302,7 +1302,7 @@ constexpr std::array<std::string_view, 19> ObjectContactSphereTorus_rows{
     "lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more",
     "0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
-    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
+    "True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open",
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
@@ -1333,7 +1333,7 @@ constexpr std::array<std::string_view, 18> ObjectContactSphereTriangle_rows{
     "lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more",
     "0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
-    "True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it",
+    "True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open",
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
@@ -1348,9 +1348,9 @@ constexpr std::array<OutputText, 6> ObjectContactSphereTriangle_outputs{{
 
 constexpr std::array<std::string_view, 12> ObjectJointALEMoving2D_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node",
+    "marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; the data node has the current element",
     "coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next",
-    "for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers``",
+    "for each of these elements, the sum of the reference lengths of all elements before it; the first is 0; one for each of ``slidingMarkerNumbers``",
     "reference arc length that is added to the sliding coordinate",
     "NodeGenericData with one data coordinate (index of the current element), and the NodeGenericODE2 with the sliding coordinate of the cable, the third node of its elements",
     "True: the constraint is softened by ``penaltyStiffness``, still with multipliers as unknowns",
@@ -1482,9 +1482,9 @@ constexpr std::array<OutputText, 4> ObjectJointRollingDisc_outputs{{
 
 constexpr std::array<std::string_view, 12> ObjectJointSliding_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node",
+    "marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; the data node has the current element",
     "shape markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next",
-    "for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers``",
+    "for each of these elements, the sum of the reference lengths of all elements before it; the first is 0; one for each of ``slidingMarkerNumbers``",
     "NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step",
     "three flags, 1 constrained and 0 free: rotation of marker m0, then a rigid body marker, about its x, y and z axis; cables do not tell how they are twisted, so that the first flag has to be 0",
     "three flags, 1 constrained and 0 free: translation of marker m0 relative to the cable along the global axes",
@@ -1503,9 +1503,9 @@ constexpr std::array<OutputText, 4> ObjectJointSliding_outputs{{
 
 constexpr std::array<std::string_view, 12> ObjectJointSliding2D_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node",
+    "marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; the data node has the current element",
     "coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next",
-    "for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers``",
+    "for each of these elements, the sum of the reference lengths of all elements before it; the first is 0; one for each of ``slidingMarkerNumbers``",
     "NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step",
     "True: the force along the cable is prescribed, and both components of position are constrained; False: only the normal direction is constrained, by one multiplier",
     "True: marker m0, then a rigid body marker, keeps its orientation relative to the slope of the cable; False: it rotates freely",
@@ -1543,7 +1543,7 @@ constexpr std::array<std::string_view, 8> MarkerBodiesRelativeRotationCoordinate
     "the two bodies whose relative motion is the coordinate",
     "NodeGenericData with one data coordinate that holds the last angle and makes the coordinate continuous beyond half a turn; not set: the angle jumps",
     "point in the frame of the first body, which is the position of the marker; the angle does not depend on it",
-    "point in the frame of the second body; without effect, as the angle does not depend on it",
+    "point in the frame of the second body; no effect, because the angle does not depend on it",
     "axis of rotation in the frame of the first body, a unit vector",
     "angle that is subtracted from the measured one",
     "False: the item is not drawn",
@@ -1602,7 +1602,7 @@ constexpr std::array<std::string_view, 4> MarkerBodyRigid_rows{
 constexpr std::array<std::string_view, 5> MarkerKinematicTreeRigid_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "kinematic tree to which the marker is attached",
-    "number of the link within the tree, from 0, or its name, or that of its joint; -1 means not set and is refused",
+    "number of the link within the tree, from 0, or its name, or that of its joint; -1 means not set and is rejected",
     "position of the marker in the frame of the link",
     "False: the item is not drawn",
 };
@@ -1610,7 +1610,7 @@ constexpr std::array<std::string_view, 5> MarkerKinematicTreeRigid_rows{
 constexpr std::array<std::string_view, 4> MarkerNodeCoordinate_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "node to which the marker is attached",
-    "number of the coordinate within the node, from 0, or the name of a joint of the kinematic tree on the node; -1 means not set and is refused; any number reads zero at a ground node",
+    "number of the coordinate within the node, from 0, or the name of a joint of the kinematic tree on the node; -1 means not set and is rejected; any number reads zero at a ground node",
     "False: the item is not drawn",
 };
 
@@ -1623,7 +1623,7 @@ constexpr std::array<std::string_view, 3> MarkerNodeCoordinates_rows{
 constexpr std::array<std::string_view, 4> MarkerNodeODE1Coordinate_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "NodeGenericODE1 to which the marker is attached",
-    "number of the coordinate within the node, from 0; -1 means not set and is refused",
+    "number of the coordinate within the node, from 0; -1 means not set and is rejected",
     "True: the item is drawn",
 };
 
@@ -1642,7 +1642,7 @@ constexpr std::array<std::string_view, 3> MarkerNodeRigid_rows{
 constexpr std::array<std::string_view, 4> MarkerNodeRotationCoordinate_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "node with an orientation in space to which the marker is attached; planar nodes are refused, use MarkerNodeCoordinate for them",
-    "axis of rotation: 0 for x, 1 for y, 2 for z; -1 means not set and is refused",
+    "axis of rotation: 0 for x, 1 for y, 2 for z; -1 means not set and is rejected",
     "False: the item is not drawn",
 };
 
@@ -1676,7 +1676,7 @@ constexpr std::array<std::string_view, 9> MarkerSuperElementRigid_rows{
 constexpr std::array<std::string_view, 5> LoadCoordinate_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "coordinate marker to which the load is applied",
-    "generalized force: N on a coordinate that is a length, Nm on an angle; without effect if there is a user function, which gets it as an argument",
+    "generalized force: N on a coordinate that is a length, Nm on an angle; ignored if there is a user function, which receives it as an argument",
     "Python function that computes the load as a function of time",
     "False: the item is not drawn",
 };
@@ -1684,7 +1684,7 @@ constexpr std::array<std::string_view, 5> LoadCoordinate_rows{
 constexpr std::array<std::string_view, 6> LoadForceVector_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker with a position to which the force is applied; with ``bodyFixed`` it must have an orientation as well",
-    "force vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument",
+    "force vector in global coordinates, or in the marker frame with ``bodyFixed``; ignored if there is a user function, which receives it as an argument",
     "True: the vector is given in the frame of the marker and turns with the body, a follower force; False: in global coordinates",
     "Python function that computes the force vector as a function of time",
     "False: the item is not drawn",
@@ -1693,7 +1693,7 @@ constexpr std::array<std::string_view, 6> LoadForceVector_rows{
 constexpr std::array<std::string_view, 5> LoadMassProportional_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker of type BodyMass on the body to which the load is applied",
-    "force per mass in global coordinates, such as the gravitational acceleration ``[0, 0, -9.81]``; without effect if there is a user function, which gets it as an argument",
+    "force per mass in global coordinates, such as the gravitational acceleration ``[0, 0, -9.81]``; ignored if there is a user function, which receives it as an argument",
     "Python function that computes the vector as a function of time",
     "False: the item is not drawn",
 };
@@ -1701,7 +1701,7 @@ constexpr std::array<std::string_view, 5> LoadMassProportional_rows{
 constexpr std::array<std::string_view, 6> LoadTorqueVector_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker with an orientation to which the torque is applied",
-    "torque vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument",
+    "torque vector in global coordinates, or in the marker frame with ``bodyFixed``; ignored if there is a user function, which receives it as an argument",
     "True: the vector is given in the frame of the marker and turns with the body; False: in global coordinates",
     "Python function that computes the torque vector as a function of time",
     "False: the item is not drawn",
@@ -1710,8 +1710,8 @@ constexpr std::array<std::string_view, 6> LoadTorqueVector_rows{
 constexpr std::array<std::string_view, 8> SensorBody_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "body that is measured",
-    "point in the body frame, relative to the reference point; for beams and cables the x component is the position along the axis",
-    "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
+    "point in the body frame, relative to the reference point; the x component of beams and cables is the position along the axis",
+    "write the measured values to a file while a solver runs; no effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
     "output variable that is measured; one that the measured item does not provide is refused in Assemble",
     "keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution",
@@ -1721,9 +1721,9 @@ constexpr std::array<std::string_view, 8> SensorBody_rows{
 constexpr std::array<std::string_view, 9> SensorKinematicTree_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "kinematic tree that is measured",
-    "link, numbered within the tree from 0, or its name, or that of its joint; -1 means not set and is refused",
+    "link, numbered within the tree from 0, or its name, or that of its joint; -1 means not set and is rejected",
     "point in the frame of the link",
-    "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
+    "write the measured values to a file while a solver runs; no effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
     "output variable that is measured; one that the measured item does not provide is refused in Assemble",
     "keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution",
@@ -1733,7 +1733,7 @@ constexpr std::array<std::string_view, 9> SensorKinematicTree_rows{
 constexpr std::array<std::string_view, 6> SensorLoad_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "load that is measured",
-    "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
+    "write the measured values to a file while a solver runs; no effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
     "keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution",
     "False: the item is not drawn",
@@ -1742,7 +1742,7 @@ constexpr std::array<std::string_view, 6> SensorLoad_rows{
 constexpr std::array<std::string_view, 7> SensorMarker_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker that is measured",
-    "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
+    "write the measured values to a file while a solver runs; no effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
     "output variable that is measured; one that the measured item does not provide is refused in Assemble",
     "keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution",
@@ -1752,7 +1752,7 @@ constexpr std::array<std::string_view, 7> SensorMarker_rows{
 constexpr std::array<std::string_view, 7> SensorNode_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "node that is measured",
-    "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
+    "write the measured values to a file while a solver runs; no effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
     "output variable that is measured; one that the measured item does not provide is refused in Assemble",
     "keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution",
@@ -1762,7 +1762,7 @@ constexpr std::array<std::string_view, 7> SensorNode_rows{
 constexpr std::array<std::string_view, 7> SensorObject_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "object that is measured; a body is refused for variables that need a local position, use SensorBody for it",
-    "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
+    "write the measured values to a file while a solver runs; no effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
     "output variable that is measured; one that the measured item does not provide is refused in Assemble",
     "keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution",
@@ -1772,8 +1772,8 @@ constexpr std::array<std::string_view, 7> SensorObject_rows{
 constexpr std::array<std::string_view, 8> SensorSuperElement_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "super element that is measured",
-    "mesh node, numbered within the super element from 0, or the name of a link of a kinematic tree; -1 means not set and is refused",
-    "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
+    "mesh node, numbered within the super element from 0, or the name of a link of a kinematic tree; -1 means not set and is rejected",
+    "write the measured values to a file while a solver runs; no effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
     "output variable that is measured; one that the measured item does not provide is refused in Assemble",
     "keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution",
@@ -1784,7 +1784,7 @@ constexpr std::array<std::string_view, 8> SensorUserFunction_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "sensors that the user function may evaluate; may be empty",
     "values that are passed to the user function, of free meaning, such as weights or conversions of units",
-    "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
+    "write the measured values to a file while a solver runs; no effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
     "Python function that returns the values of the sensor",
     "keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution",
@@ -1879,7 +1879,7 @@ constexpr std::array<ItemText, 97> all{{
     {"A spring and damper with six components, against relative translation and rotation of two rigid body markers", ObjectConnectorRigidBodySpringDamper_rows, ObjectConnectorRigidBodySpringDamper_outputs,
      "\nUser functions:\n    springForceTorqueUserFunction(mbs, t, itemNumber, displacement, rotation, velocity, angularVelocity, stiffness, damping, rotJ0, rotJ1, offset)\n        computes force and torque in frame J0 (in the mid-frame with ``intrinsicFormulation``) and replaces stiffness, damping and offset; called at every evaluation of the residual and for its derivatives\n    postNewtonStepUserFunction(mbs, t, itemNumber, dataCoordinates, displacement, rotation, velocity, angularVelocity, stiffness, damping, rotJ0, rotJ1, offset)\n        switches states of contact, friction or plasticity: called after the Newton iteration, returns the new data coordinates and the error that the switch caused; the step is repeated as long as that error exceeds the tolerance of the discontinuous iteration\n\nCreated by: mbs.CreateRigidBodySpringDamper(...)\n\nExample:\n    # linear translations, and a large rotation about a single axis: displacement = force / stiffness\n    ground = mbs.AddObject(ObjectGround())\n    node = mbs.AddNode(NodeRigidBodyRxyz())\n    body = mbs.AddObject(RigidBody(physicsMass=1, physicsInertia=[1, 1, 1, 0, 0, 0], nodeNumber=node))\n    mGround = mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground))\n    mBody = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    spring = mbs.AddObject(RigidBodySpringDamper(markerNumbers=[mGround, mBody],\n                                                 stiffness=np.diag([100, 200, 300, 5, 5, 5])))\n    mbs.AddLoad(Force(markerNumber=mBody, loadVector=[1, -4, 9]))\n    mbs.AddLoad(Torque(markerNumber=mBody, loadVector=[0, 0, 2]))\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = np.hstack([mbs.GetObjectOutput(spring, exu.OutputVariableType.DisplacementLocal),\n                        mbs.GetObjectOutput(spring, exu.OutputVariableType.Rotation)])\n\nPage: reference/items/connectors/rigid_body_spring_damper.html\n"},
     {"A disc that rolls or slides with friction on a plane, with elastic contact instead of constraints", ObjectConnectorRollingDiscPenalty_rows, ObjectConnectorRollingDiscPenalty_outputs,
-     "\nCreated by: mbs.CreateRollingDiscPenalty(...)\n\nExample:\n    # a homogeneous disc of radius 0.5 m that slides at 5 m/s: friction 0.2 m g slows it down with 2 m/s^2 and spins it up with\n    # 8 rad/s^2; after half a second it still slides\n    weight = 20\n    node = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[0, 0, 0.5 - weight / 1e5, 0, 0, 0], initialVelocities=[0, 5, 0, 0, 0, 0]))\n    body = mbs.AddObject(RigidBody(physicsMass=2, physicsInertia=[0.25, 0.125, 0.125, 0, 0, 0], nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    data = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[0, -5, -weight / 1e5]))\n    disc = mbs.AddObject(RollingDiscPenalty(markerNumbers=[m0, m1], nodeNumber=data, discRadius=0.5, contactStiffness=1e5,\n                                            dryFriction=[0.2, 0.2], dryFrictionProportionalZone=0.01))\n    mbs.AddLoad(Force(markerNumber=m1, loadVector=[0, 0, -weight]))\n    mbs.Assemble()\n    simulationSettings = exu.SimulationSettings()\n    simulationSettings.timeIntegration.endTime = 0.5\n    mbs.SolveDynamic(simulationSettings)\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Position)[1],\n              mbs.GetNodeOutput(node, exu.OutputVariableType.AngularVelocity)[0],\n              mbs.GetObjectOutput(disc, exu.OutputVariableType.ForceLocal)[1]]\n\nPage: reference/items/connectors/rolling_disc_penalty.html\n"},
+     "\nCreated by: mbs.CreateRollingDiscPenalty(...)\n\nExample:\n    # a homogeneous disc of radius 0.5 m that slides at 5 m/s: friction 0.2 m g slows it down with 2 m/s^2 and spins it up with\n    # 8 rad/s^2; it still slides after half a second\n    weight = 20\n    node = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[0, 0, 0.5 - weight / 1e5, 0, 0, 0], initialVelocities=[0, 5, 0, 0, 0, 0]))\n    body = mbs.AddObject(RigidBody(physicsMass=2, physicsInertia=[0.25, 0.125, 0.125, 0, 0, 0], nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    data = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[0, -5, -weight / 1e5]))\n    disc = mbs.AddObject(RollingDiscPenalty(markerNumbers=[m0, m1], nodeNumber=data, discRadius=0.5, contactStiffness=1e5,\n                                            dryFriction=[0.2, 0.2], dryFrictionProportionalZone=0.01))\n    mbs.AddLoad(Force(markerNumber=m1, loadVector=[0, 0, -weight]))\n    mbs.Assemble()\n    simulationSettings = exu.SimulationSettings()\n    simulationSettings.timeIntegration.endTime = 0.5\n    mbs.SolveDynamic(simulationSettings)\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Position)[1],\n              mbs.GetNodeOutput(node, exu.OutputVariableType.AngularVelocity)[0],\n              mbs.GetObjectOutput(disc, exu.OutputVariableType.ForceLocal)[1]]\n\nPage: reference/items/connectors/rolling_disc_penalty.html\n"},
     {"A spring and a damper that act along the line between two points", ObjectConnectorSpringDamper_rows, ObjectConnectorSpringDamper_outputs,
      "\nUser functions:\n    springForceUserFunction(mbs, t, itemNumber, deltaL, deltaL_t, stiffness, damping, force)\n        computes the scalar force between the markers and replaces stiffness, damping and constant force; called at every evaluation of the residual, several times per step, and for its derivatives\n\nCreated by: mbs.CreateSpringDamper(...)\n\nExample:\n    # a weight in the middle of two springs: geometrically nonlinear, in balance at (0, -4) with both springs of length 5\n    ground = mbs.AddObject(ObjectGround())\n    node = mbs.AddNode(NodePoint(referenceCoordinates=[0, -3, 0]))\n    body = mbs.AddObject(MassPoint(physicsMass=1, nodeNumber=node))\n    mBody = mbs.AddMarker(MarkerNodePosition(nodeNumber=node))\n    for x in (-3, 3):\n        mGround = mbs.AddMarker(MarkerBodyPosition(bodyNumber=ground, localPosition=[x, 0, 0]))\n        mbs.AddObject(SpringDamper(markerNumbers=[mGround, mBody], referenceLength=4, stiffness=100))\n    mbs.AddLoad(Force(markerNumber=mBody, loadVector=[0, -160, 0]))  # 2 * 100 * (5 - 4) * 4/5\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Position)\n\nPage: reference/items/connectors/spring_damper.html\n"},
     {"A torsional spring and damper about the z axis of a joint frame", ObjectConnectorTorsionalSpringDamper_rows, ObjectConnectorTorsionalSpringDamper_outputs,
@@ -1957,19 +1957,19 @@ constexpr std::array<ItemText, 97> all{{
     {"A marker on the rotation of a node about one global axis", MarkerNodeRotationCoordinate_rows, {},
      "\nExample:\n    # a torque of 4 Nm about z on inertia 2: angle 4 / (2 * 2) after 1 s\n    node = mbs.AddNode(NodeRigidBodyRxyz())\n    mbs.AddObject(RigidBody(physicsMass=1, physicsInertia=[1, 1, 2, 0, 0, 0], nodeNumber=node))\n    marker = mbs.AddMarker(MarkerNodeRotationCoordinate(nodeNumber=node, rotationCoordinate=2))\n    mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=4))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Rotation)[2]\n\nPage: reference/items/markers/node_rotation_coordinate.html\n"},
     {"A marker on all second order coordinates of an object, as a vector", MarkerObjectODE2Coordinates_rows, {},
-     "\nExample:\n    # two points on springs 2 and 4 along x; what they are displaced adds up to 3: forces on both springs are equal\n    points = [mbs.AddNode(NodePoint(referenceCoordinates=[x, 0, 0])) for x in (0, 1)]\n    body = mbs.AddObject(ObjectGenericODE2(nodeNumbers=points, stiffnessMatrix=np.diag([2, 1, 1, 4, 1, 1])))\n    ground = mbs.AddMarker(MarkerNodeCoordinates(nodeNumber=mbs.AddNode(NodePointGround())))\n    marker = mbs.AddMarker(MarkerObjectODE2Coordinates(objectNumber=body))\n    mbs.AddObject(CoordinateVectorConstraint(markerNumbers=[ground, marker], scalingMarker1=np.array([[1, 0, 0, 1, 0, 0]]),\n                                             offset=[4]))  # x of the references included\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = [mbs.GetNodeOutput(point, exu.OutputVariableType.Displacement)[0] for point in points]\n\nPage: reference/items/markers/object_ode2_coordinates.html\n"},
+     "\nExample:\n    # two points on springs 2 and 4 along x; the sum of their displacements is 3: forces on both springs are equal\n    points = [mbs.AddNode(NodePoint(referenceCoordinates=[x, 0, 0])) for x in (0, 1)]\n    body = mbs.AddObject(ObjectGenericODE2(nodeNumbers=points, stiffnessMatrix=np.diag([2, 1, 1, 4, 1, 1])))\n    ground = mbs.AddMarker(MarkerNodeCoordinates(nodeNumber=mbs.AddNode(NodePointGround())))\n    marker = mbs.AddMarker(MarkerObjectODE2Coordinates(objectNumber=body))\n    mbs.AddObject(CoordinateVectorConstraint(markerNumbers=[ground, marker], scalingMarker1=np.array([[1, 0, 0, 1, 0, 0]]),\n                                             offset=[4]))  # x of the references included\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = [mbs.GetNodeOutput(point, exu.OutputVariableType.Displacement)[0] for point in points]\n\nPage: reference/items/markers/object_ode2_coordinates.html\n"},
     {"A marker at the weighted mean position of mesh nodes of a super element", MarkerSuperElementPosition_rows, {},
      "\nExample:\n    # a force of 8 N at a marker with weights 1/4 and 3/4 on two free masses of 1 kg: accelerations 2 and 6\n    nodes = [mbs.AddNode(NodePoint()), mbs.AddNode(NodePoint(referenceCoordinates=[1, 0, 0]))]\n    body = mbs.AddObject(ObjectGenericODE2(nodeNumbers=nodes, massMatrix=np.eye(6)))\n    marker = mbs.AddMarker(MarkerSuperElementPosition(bodyNumber=body, meshNodeNumbers=[0, 1], weightingFactors=[0.25, 0.75]))\n    mbs.AddLoad(Force(markerNumber=marker, loadVector=[8, 0, 0]))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = [mbs.GetNodeOutput(nodes[0], exu.OutputVariableType.Displacement)[0],\n              mbs.GetNodeOutput(nodes[1], exu.OutputVariableType.Displacement)[0],\n              mbs.GetMarkerOutput(marker, exu.OutputVariableType.Position)[0]]\n\nPage: reference/items/markers/super_element_position.html\n"},
     {"A marker with the weighted mean position and rotation of mesh nodes of a super element", MarkerSuperElementRigid_rows, {},
      "\nExample:\n    # a square of four points on springs of 5 N/m each: a force of 5 N moves it by 5 / 20, a torque of 2 Nm turns its mean by\n    # 2 / (4 * 5 * 1)\n    corners = [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]\n    nodes = [mbs.AddNode(NodePoint(referenceCoordinates=c)) for c in corners]\n    body = mbs.AddObject(ObjectGenericODE2(nodeNumbers=nodes, massMatrix=np.eye(12), stiffnessMatrix=5 * np.eye(12),\n                                           visualization=VObjectGenericODE2(triangleMesh=[[0, 1, 2], [0, 2, 3]])))\n    marker = mbs.AddMarker(MarkerSuperElementRigid(bodyNumber=body, meshNodeNumbers=[0, 1, 2, 3], weightingFactors=[0.25] * 4,\n                                                   rotationsExponentialMap=0))\n    mbs.AddLoad(Force(markerNumber=marker, loadVector=[5, 0, 0]))\n    mbs.AddLoad(Torque(markerNumber=marker, loadVector=[0, 0, 2]))\n    mbs.Assemble()\n    mbs.SolveStatic()\n    position = mbs.GetMarkerOutput(marker, exu.OutputVariableType.Position)\n    result = [position[0], position[1], mbs.GetMarkerOutput(marker, exu.OutputVariableType.RotationMatrix)[3]]\n\nPage: reference/items/markers/super_element_rigid.html\n"},
     {"A generalized force on a single coordinate", LoadCoordinate_rows, {},
-     "\nUser functions:\n    loadUserFunction(mbs, t, load)\n        computes the generalized force at time t; called at every evaluation of the residual; in a static solution neither the parameter that is passed nor the returned value is multiplied with the factor of the load step, which grows as time does\n\nExample:\n    # load 6 t on a mass of 1 kg: x = t^3; second order method, step 0.001\n    def UFload(mbs, t, load):\n        return load * t\n\n    node = mbs.AddNode(Node1D())\n    mbs.AddObject(Mass1D(physicsMass=1, nodeNumber=node))\n    marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))\n    mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=6, loadUserFunction=UFload))\n    mbs.Assemble()\n    settings = exu.SimulationSettings()\n    settings.timeIntegration.numberOfSteps = 1000\n    mbs.SolveDynamic(settings)\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)\n\nPage: reference/items/loads/coordinate.html\n"},
+     "\nUser functions:\n    loadUserFunction(mbs, t, load)\n        computes the generalized force at time t; called at every evaluation of the residual; static solutions multiply neither the argument nor the returned value with the load factor; they increase t with the load factor instead\n\nExample:\n    # load 6 t on a mass of 1 kg: x = t^3; second order method, step 0.001\n    def UFload(mbs, t, load):\n        return load * t\n\n    node = mbs.AddNode(Node1D())\n    mbs.AddObject(Mass1D(physicsMass=1, nodeNumber=node))\n    marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))\n    mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=6, loadUserFunction=UFload))\n    mbs.Assemble()\n    settings = exu.SimulationSettings()\n    settings.timeIntegration.numberOfSteps = 1000\n    mbs.SolveDynamic(settings)\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)\n\nPage: reference/items/loads/coordinate.html\n"},
     {"A force vector at a point of a body or at a node", LoadForceVector_rows, {},
-     "\nUser functions:\n    loadVectorUserFunction(mbs, t, loadVector)\n        computes the force vector at time t; called at every evaluation of the residual; in a static solution neither the parameter that is passed nor the returned value is multiplied with the factor of the load step, which grows as time does\n\nCreated by: mbs.CreateForce(...)\n\nExample:\n    # constant force on 2 kg: displacement = force / (2 m)\n    node = mbs.AddNode(NodePoint())\n    mbs.AddObject(MassPoint(physicsMass=2, nodeNumber=node))\n    marker = mbs.AddMarker(MarkerNodePosition(nodeNumber=node))\n    mbs.AddLoad(LoadForceVector(markerNumber=marker, loadVector=[4, -8, 12]))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Displacement)\n\nPage: reference/items/loads/force_vector.html\n"},
+     "\nUser functions:\n    loadVectorUserFunction(mbs, t, loadVector)\n        computes the force vector at time t; called at every evaluation of the residual; static solutions multiply neither the argument nor the returned value with the load factor; they increase t with the load factor instead\n\nCreated by: mbs.CreateForce(...)\n\nExample:\n    # constant force on 2 kg: displacement = force / (2 m)\n    node = mbs.AddNode(NodePoint())\n    mbs.AddObject(MassPoint(physicsMass=2, nodeNumber=node))\n    marker = mbs.AddMarker(MarkerNodePosition(nodeNumber=node))\n    mbs.AddLoad(LoadForceVector(markerNumber=marker, loadVector=[4, -8, 12]))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Displacement)\n\nPage: reference/items/loads/force_vector.html\n"},
     {"A distributed load proportional to mass, such as gravity", LoadMassProportional_rows, {},
-     "\nUser functions:\n    loadVectorUserFunction(mbs, t, loadVector)\n        computes the force per mass at time t; called at every evaluation of the residual; in a static solution neither the parameter that is passed nor the returned value is multiplied with the factor of the load step, which grows as time does\n\nExample:\n    # free fall from rest, the same for every mass: g / 2 after 1 s\n    nodes = []\n    for mass in (1, 10):\n        node = mbs.AddNode(NodePoint())\n        body = mbs.AddObject(MassPoint(physicsMass=mass, nodeNumber=node))\n        marker = mbs.AddMarker(MarkerBodyMass(bodyNumber=body))\n        mbs.AddLoad(LoadMassProportional(markerNumber=marker, loadVector=[0, 0, -9.81]))\n        nodes.append(node)\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Position)[2] for node in nodes]\n\nPage: reference/items/loads/mass_proportional.html\n"},
+     "\nUser functions:\n    loadVectorUserFunction(mbs, t, loadVector)\n        computes the force per mass at time t; called at every evaluation of the residual; static solutions multiply neither the argument nor the returned value with the load factor; they increase t with the load factor instead\n\nExample:\n    # free fall from rest, the same for every mass: g / 2 after 1 s\n    nodes = []\n    for mass in (1, 10):\n        node = mbs.AddNode(NodePoint())\n        body = mbs.AddObject(MassPoint(physicsMass=mass, nodeNumber=node))\n        marker = mbs.AddMarker(MarkerBodyMass(bodyNumber=body))\n        mbs.AddLoad(LoadMassProportional(markerNumber=marker, loadVector=[0, 0, -9.81]))\n        nodes.append(node)\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Position)[2] for node in nodes]\n\nPage: reference/items/loads/mass_proportional.html\n"},
     {"A torque vector on a body or node with orientation", LoadTorqueVector_rows, {},
-     "\nUser functions:\n    loadVectorUserFunction(mbs, t, loadVector)\n        computes the torque vector at time t; called at every evaluation of the residual; in a static solution neither the parameter that is passed nor the returned value is multiplied with the factor of the load step, which grows as time does\n\nCreated by: mbs.CreateTorque(...)\n\nExample:\n    # 3 Nm about z on a planar body of inertia 2: angle 3 / (2 * 2); 3 Nm about x on a body with J_xx = 1: angular velocity 3\n    node = mbs.AddNode(NodeRigidBody2D())\n    mbs.AddObject(RigidBody2D(physicsMass=1, physicsInertia=2, nodeNumber=node))\n    node1 = mbs.AddNode(NodeRigidBodyRxyz())\n    mbs.AddObject(RigidBody(physicsMass=1, physicsInertia=[1, 2, 3, 0, 0, 0], nodeNumber=node1))\n    mbs.AddLoad(LoadTorqueVector(markerNumber=mbs.AddMarker(MarkerNodeRigid(nodeNumber=node)), loadVector=[0, 0, 3]))\n    mbs.AddLoad(LoadTorqueVector(markerNumber=mbs.AddMarker(MarkerNodeRigid(nodeNumber=node1)), loadVector=[3, 0, 0], bodyFixed=True))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)[2],\n              mbs.GetNodeOutput(node1, exu.OutputVariableType.AngularVelocity)[0]]\n\nPage: reference/items/loads/torque_vector.html\n"},
+     "\nUser functions:\n    loadVectorUserFunction(mbs, t, loadVector)\n        computes the torque vector at time t; called at every evaluation of the residual; static solutions multiply neither the argument nor the returned value with the load factor; they increase t with the load factor instead\n\nCreated by: mbs.CreateTorque(...)\n\nExample:\n    # 3 Nm about z on a planar body of inertia 2: angle 3 / (2 * 2); 3 Nm about x on a body with J_xx = 1: angular velocity 3\n    node = mbs.AddNode(NodeRigidBody2D())\n    mbs.AddObject(RigidBody2D(physicsMass=1, physicsInertia=2, nodeNumber=node))\n    node1 = mbs.AddNode(NodeRigidBodyRxyz())\n    mbs.AddObject(RigidBody(physicsMass=1, physicsInertia=[1, 2, 3, 0, 0, 0], nodeNumber=node1))\n    mbs.AddLoad(LoadTorqueVector(markerNumber=mbs.AddMarker(MarkerNodeRigid(nodeNumber=node)), loadVector=[0, 0, 3]))\n    mbs.AddLoad(LoadTorqueVector(markerNumber=mbs.AddMarker(MarkerNodeRigid(nodeNumber=node1)), loadVector=[3, 0, 0], bodyFixed=True))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)[2],\n              mbs.GetNodeOutput(node1, exu.OutputVariableType.AngularVelocity)[0]]\n\nPage: reference/items/loads/torque_vector.html\n"},
     {"Measures an output variable of a body at a local position", SensorBody_rows, {},
      "\nExample:\n    # velocity of the point (0, 0.5) of a body that translates with (0, 1) and turns with 3 rad/s\n    node = mbs.AddNode(NodeRigidBody2D(initialVelocities=[0, 1, 3]))\n    body = mbs.AddObject(RigidBody2D(physicsMass=1, physicsInertia=1, nodeNumber=node))\n    sensor = mbs.AddSensor(SensorBody(bodyNumber=body, localPosition=[0, 0.5, 0], outputVariableType=exu.OutputVariableType.Velocity))\n    mbs.Assemble()\n    result = mbs.GetSensorValues(sensor)\n\nPage: reference/items/sensors/body.html\n"},
     {"Measures an output variable of a link of a kinematic tree at a local position", SensorKinematicTree_rows, {},

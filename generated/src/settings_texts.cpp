@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, 8> NewtonNumericalDifferentiationSettings
     "true: the whole system is differentiated at once, with all dependencies, at a cost that grows with the square of its size; false: item by item",
     "true: derivatives of algebraic equations by numerical differentiation, for tests; false: exact ones",
     "true: derivatives of second order equations by numerical differentiation; false: exact ones",
-    "true: derivatives of connector forces by numerical differentiation, for tests; as with ``forODE2``, since forces of connectors and bodies are differentiated together; false: as ``forODE2`` says",
+    "true: derivatives of connector forces by numerical differentiation, for tests; the same as ``forODE2``, because forces of connectors and bodies are differentiated together; false: see ``forODE2``",
     "true: exact derivatives of connectors include the change of the directions of their forces; false: they leave it out",
     "smallest size of a coordinate that is used for its increment, in the units of the coordinate",
     "increment of a coordinate relative to its size",
@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 8> NewtonNumericalDifferentiationSettings
 
 constexpr std::array<std::string_view, 13> NewtonSettings_rows{
     "the iteration ends if the error is below this value, in the units of the residual",
-    "true: if the residual grows in the first iteration, the larger value is the one that has to be reduced by the relative tolerance; for steps that start with a residual near zero",
+    "true: if the residual grows in the first iteration, the larger value is the one that has to be reduced by the relative tolerance; useful for steps that start with a residual near zero",
     "the solver stops with an error if the squared norm of coordinates or velocities reaches this value: explicit solvers after every step (coordinates only with values below the default), Newton's method while it has not converged",
     "number of iterations of all kinds after which a step has failed",
     "number of iterations with an old Jacobian after which it is computed anew",
@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 13> NewtonSettings_rows{
     "largest ratio of the errors of two iterations that an old Jacobian may show; above it the Jacobian is computed anew",
     "true: modified Newton computes the Jacobian once per step; false: only when convergence asks for it",
     "quantity that measures the error: 0 the residual, 1 the increment of the coordinates of differential equations",
-    "the iteration ends if the error has fallen below this fraction of the initial one; in fine steps, the correction that belongs to the last residual follows, so that smaller steps come nearer to the solution",
+    "the iteration ends if the error has fallen below this fraction of the initial one; fine steps also apply the correction of the last residual, so that smaller steps are more accurate",
     "true: the Jacobian and its factorization are kept as long as convergence allows; false: computed in every iteration",
     "true: nonlinear equations; false: one linear step",
     "true: the norm of the error is divided by the root of the number of coordinates, so that tolerances do not depend on the size of the model; false: plain norm",
@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, 4> DiscontinuousSettings_rows{
 };
 
 constexpr std::array<std::string_view, 1> ContinuationSettings_rows{
-    "restart file of a solution with the same model, solver and settings; its start time, end time and number of steps are those of the whole solution. Solution and sensor files go on where they were when the restart file was written; what is behind that is overwritten. Empty: start from the initial values",
+    "restart file of a solution with the same model, solver and settings; its start time, end time and number of steps are those of the whole solution. Solution and sensor files continue at their position in the restart file; later rows are overwritten. Empty: start from the initial values",
 };
 
 constexpr std::array<std::string_view, 1> DenseOutputSettings_rows{
@@ -50,7 +50,7 @@ constexpr std::array<std::string_view, 1> DenseOutputSettings_rows{
 };
 
 constexpr std::array<std::string_view, 1> EventsSettings_rows{
-    "true: contact, friction and stops of items, GeneralContact, and sliding joints that pass from element to element are followed by dynamic solvers: a step within which one of them switches is solved again such that it ends there, and accelerations are found anew. What switches again and again, each time within two steps, ends the simulation with an error that names the item. False: they switch in the discontinuous iteration, at the end of a step, as all other items always do",
+    "true: dynamic solvers locate events of contact, friction and stops of items, GeneralContact, and sliding joints that pass from element to element: a step with an event is solved again such that it ends there, and accelerations are recomputed. An item that switches repeatedly, each time within two steps, raises an error with its name. False: items switch in the discontinuous iteration, at the end of a step",
 };
 
 constexpr std::array<std::string_view, 4> InitialConditionsSettings_rows{
@@ -61,7 +61,7 @@ constexpr std::array<std::string_view, 4> InitialConditionsSettings_rows{
 };
 
 constexpr std::array<std::string_view, 1> LinearSolverChoiceSettings_rows{
-    "true: as long as ``linearSolverType`` has not been set, dense matrices are taken up to 32 unknowns and sparse ones above; setting ``linearSolverType`` makes this false",
+    "true: dense matrices are used up to 32 unknowns and sparse ones above; setting ``linearSolverType`` makes this false",
 };
 
 constexpr std::array<std::string_view, 4> LinearSolverSettings_rows{
@@ -76,7 +76,7 @@ constexpr std::array<std::string_view, 8> ParallelSettings_rows{
     "number of loads from which on these are evaluated in parallel",
     "number of bodies from which on mass matrices are evaluated in parallel",
     "number of items from which on residuals are evaluated in parallel",
-    "number of threads that share the evaluation of residuals, tangents and explicit right-hand sides; as many as there are cores at most; results are the same, bit for bit",
+    "number of threads that share the evaluation of residuals, tangents and explicit right-hand sides; limited by the number of cores; results are bit-identical",
     "number of items from which on work is split into several parts per thread",
     "number of parts of work per thread",
     "true: threads that are ready take over work of others; false: fixed share per thread",
@@ -91,13 +91,13 @@ constexpr std::array<std::string_view, 3> RedundantConstraintsSettings_rows{
 constexpr std::array<std::string_view, 27> SolutionSettings_rows{
     "true: solution and solver information are appended to existing files; false: existing files are replaced; binary files are always replaced",
     "true: the solution file is binary, with 8 byte numbers if ``outputPrecision`` is at least 8 and with 4 byte numbers otherwise; false: text",
-    "solution file with all coordinates, with its path; directories are created; without an ending .txt or, for a binary file, .sol is added",
+    "solution file with all coordinates, with its path; directories are created; the default ending is .txt or, for a binary file, .sol",
     "write the accelerations of second order coordinates to the solution file",
     "write algebraic variables, such as Lagrange multipliers, to the solution file",
     "write data variables to the solution file",
     "write the time derivatives of first order coordinates to the solution file",
     "write the velocities of second order coordinates to the solution file",
-    "number of coordinates from which on the solution file is flushed at every output, whatever ``flushFilesImmediately`` says",
+    "number of coordinates from which on the solution file is flushed at every output, independently of ``flushFilesImmediately``",
     "true: files are complete after every output, which costs time in models with short steps; false: output is buffered",
     "number of significant digits in solution and sensor files",
     "simulated time between two images of the main view that are saved while the solver runs; negative: no images",
@@ -142,11 +142,11 @@ constexpr std::array<std::string_view, 18> StaticSolverSettings_rows{
     "quasi-time at which the load steps start",
     "smallest step of the quasi-time; the solver stops with an error below it",
     "number of load steps; 1: the full load is applied at once",
-    "factor of a mass proportional term that is added to the Jacobian of the second order equations, and that fades out as one minus the square of the load factor: it needs several load steps. It finds equilibria of what weight holds on hinges; 0: none",
-    "sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only",
+    "factor of a mass proportional term that is added to the Jacobian of the second order equations, and that fades out as one minus the square of the load factor: it needs several load steps. It finds equilibria of pendulums, which have no initial stiffness; 0: not used",
+    "sum of numbers that select the contents of a line about a step: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only",
     "true: loads are multiplied with the load factor, which goes from 0 to 1; false: loads act in full, for loads that follow the quasi-time by themselves",
-    "amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console",
-    "amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file",
+    "amount of output on the console: no output (0), occasional lines (1), a line per step (2), also the solution (3), mass matrix and Jacobian (4), inverse of the Jacobian (5)",
+    "amount of output in the solver information file: no output (0), occasional lines (1), a line per step (2), also the solution (3), mass matrix and Jacobian (4), inverse of the Jacobian (5)",
 };
 
 constexpr std::array<std::string_view, 1> StepSizeControlSettings_rows{
@@ -162,7 +162,7 @@ constexpr std::array<std::string_view, 5> TimeIntegrationExplicitIntegrationSett
 };
 
 constexpr std::array<std::string_view, 10> TimeIntegrationGeneralizedAlphaSettings_rows{
-    "true: initial accelerations are computed from the equations of motion, without the second derivatives of what user functions prescribe in time; false: they are taken from the system or set to zero",
+    "true: initial accelerations are computed from the equations of motion, without the second time derivatives of prescribed motions of user functions; false: they are taken from the system or set to zero",
     "true: the tangent operator of the Lie group nodes is part of the Jacobian, for better convergence",
     "true: kinematic relations of Lie group nodes after Brüls and Cardona; false: more accurate ones",
     "parameter beta of the Newmark method; 1/4 with gamma 1/2 is the trapezoidal rule",
@@ -182,7 +182,7 @@ constexpr std::array<std::string_view, 23> TimeIntegrationSettings_rows{
     "a step counts for recovery if it took at most this number of Newton and discontinuous iterations",
     "number of steps after a reduction before the step size is increased",
     "true: integrators with an error estimate choose the step size; (endTime - startTime)/numberOfSteps is its upper bound; false: constant step size",
-    "derivatives of loads in the Jacobian of implicit integrators: 0 none, 1 with respect to the coordinates, 2 with respect to the velocities as well",
+    "derivatives of loads in the Jacobian of implicit integrators: no derivatives (0), with respect to the coordinates (1), also with respect to the velocities (2)",
     "time at which the integration ends",
     "first step size when the step size is automatic; 0: the largest step size",
     "lower bound of the step size; an implicit solver that would need a smaller one stops with an error; automatic step sizes continue at the bound with a warning, and stop with an error if 100 steps in a row exceed the tolerances",
@@ -193,11 +193,11 @@ constexpr std::array<std::string_view, 23> TimeIntegrationSettings_rows{
     "true: mass matrices that do not depend on the state are computed once, and again when parameters of objects have changed; false: they are computed in every evaluation",
     "true: the solver waits until real time has caught up with the simulated time; it does not wait when it is too slow",
     "time at which the integration starts",
-    "sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only",
+    "sum of numbers that select the contents of a line about a step: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only",
     "largest factor by which the automatic step size grows from one step to the next",
     "factor of the step size that the error estimate allows; smaller values avoid rejected steps",
-    "amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console",
-    "amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file",
+    "amount of output on the console: no output (0), occasional lines (1), a line per step (2), also the solution (3), mass matrix and Jacobian (4), inverse of the Jacobian (5)",
+    "amount of output in the solver information file: no output (0), occasional lines (1), a line per step (2), also the solution (3), mass matrix and Jacobian (4), inverse of the Jacobian (5)",
 };
 
 constexpr std::array<std::string_view, 7> SimulationSettings_rows{
@@ -218,18 +218,18 @@ constexpr std::array<std::string_view, 11> VSettingsViewCamera_rows{
     "nearest and farthest visible distance (m), and a number that is 1 to use them and 0 to compute them from the size of the scene",
     "amount of perspective, the tangent of half the field of view; 0: parallel projection",
     "number of the marker that the view follows; -1: none",
-    "number of the system in the container that the tracked marker belongs to; 0 for the first",
+    "number of the system in the container that the tracked marker belongs to; the first is 0",
     "1 in all three components to follow the rotation of the marker, zeros to keep the direction of view",
     "for x, y and z: 1 to follow the marker in this direction, 0 not to",
     "true: images are made by the ray tracer",
 };
 
 constexpr std::array<std::string_view, 9> VSettingsViewScene_rows{
-    "coordinate system in the corner: 0 none, 1 lines with text, 2 arrows, 3 arrows with text",
+    "coordinate system in the corner: 0 hidden, 1 lines with text, 2 arrows, 3 arrows with text",
     "draw the global frame at the origin",
-    "draw all faces transparent, so that what they hide can be seen",
+    "draw all faces transparent",
     "draw the edges of faces",
-    "draw faces; without them and with edges, a wire frame is left",
+    "draw faces; faces off and edges on give a wire frame",
     "draw lines, other than edges",
     "draw the edges of finite elements",
     "draw the faces of finite elements",
@@ -249,13 +249,13 @@ constexpr std::array<std::string_view, 9> VSettingsViewWindow_rows{
 };
 
 constexpr std::array<std::string_view, 10> VSettingsLight_rows{
-    "constant term of the attenuation, whose inverse weakens the light; of lights with a position, by the ray tracer only",
+    "constant term of the attenuation, whose inverse weakens the light; used for lights with a position, by the ray tracer only",
     "strength of the light that is scattered by faces",
     "switch the light on",
     "radius of the light for soft shadows; a light at infinity is as large as it would be at its position",
-    "term of the attenuation that grows with the distance; of lights with a position",
+    "term of the attenuation that grows with the distance; used for lights with a position",
     "position of the light if the fourth number is 1; direction towards a light at infinity if it is 0",
-    "term of the attenuation that grows with the square of the distance; of lights with a position",
+    "term of the attenuation that grows with the square of the distance; used for lights with a position",
     "whether this light casts shadows, which are those of the ray tracer: any number above 0, however large; shadows cost rendering time",
     "strength of highlights",
     "true: position and direction are fixed to the camera; false: to the model; without the ray tracer, lights turn with the viewer, as do those whose position is the default",
@@ -294,7 +294,7 @@ constexpr std::array<std::string_view, 10> VSettingsBodiesBeams_rows{
     "draw lines from the beam axis to the diagram",
     "value that is added to the contour variable before it is scaled",
     "write values at the lines of the diagram; they are interpolated ones",
-    "true: contour variables are interpolated along the axis with a lower order, which hides oscillations; false: as the element does",
+    "true: contour variables are interpolated along the axis with a lower order, which hides oscillations; false: like the element",
 };
 
 constexpr std::array<std::string_view, 4> VSettingsBodiesKinematicTree_rows{
@@ -318,7 +318,7 @@ constexpr std::array<std::string_view, 5> VSettingsBodies_rows{
 };
 
 constexpr std::array<std::string_view, 10> VSettingsConnectors_rows{
-    "size of contact points; without effect, see ``contact.contactPointsDefaultSize``",
+    "size of contact points; no effect, see ``contact.contactPointsDefaultSize``",
     "red, green, blue and opacity of connectors without a color of their own, each from 0 to 1",
     "size of connectors without a size of their own; negative: chosen from the size of the scene",
     "length of joint axes",
@@ -353,10 +353,10 @@ constexpr std::array<std::string_view, 9> VSettingsLoads_rows{
 constexpr std::array<std::string_view, 18> VSettingsSensorsTraces_rows{
     "width of trace lines in pixels",
     "numbers of the position sensors whose traces are drawn; they have to store their values; empty: all position sensors",
-    "numbers of sensors of rotation matrices whose axes are drawn along the traces; one for each position sensor in the list",
-    "numbers of sensors of vectors that are drawn along the traces; one for each position sensor in the list",
+    "numbers of sensors of rotation matrices whose axes are drawn along the traces; each position sensor in the list has one",
+    "numbers of sensors of vectors that are drawn along the traces; each position sensor in the list has one",
     "only every position of this number is part of the trace",
-    "number of the system in the container that the sensors belong to; 0 for the first",
+    "number of the system in the container that the sensors belong to; the first is 0",
     "draw the values at the time that is shown",
     "draw the trace after the time that is shown, as far as it is known",
     "draw the trace before the time that is shown",
@@ -479,7 +479,7 @@ constexpr std::array<std::string_view, 10> VSettingsRaytracer_rows{
     "number of transparent faces that a ray passes, 32 at most",
     "number of samples per pixel in each direction, from 1 to 4; the cost grows with its square",
     "number of threads, at most one for each core; the image does not depend on it",
-    "amount of output on rendering: 0 none, 1 times and counters, 2 or more details",
+    "amount of output on rendering: 0 no output, 1 times and counters, 2 or more details",
 };
 
 constexpr std::array<std::string_view, 33> VSettingsGeneral_rows{
@@ -489,9 +489,9 @@ constexpr std::array<std::string_view, 33> VSettingsGeneral_rows{
     "red, green, blue and opacity of the background at the bottom if it has a gradient, each from 0 to 1",
     "space around the bounding box after zooming to all, as a factor of its size",
     "smallest size of the bounding box when zooming to all",
-    "number of segments of circles; at least 2 are drawn",
+    "number of segments of circles; the minimum is 2",
     "size of the coordinate system in the corner, relative to the font size",
-    "number of segments around cylinders; at least 2 are drawn",
+    "number of segments around cylinders; the minimum is 2",
     "real time between two updates of the drawing while a solver runs",
     "true: windows are not larger than the screen; false: larger windows are allowed",
     "factor of fonts in windows and dialogs on Linux",
@@ -505,7 +505,7 @@ constexpr std::array<std::string_view, 33> VSettingsGeneral_rows{
     "show the text of ``solutionSettings.solutionInformation``",
     "show name and state of the solver",
     "show the simulated time",
-    "number of segments of spheres; at least 2 are drawn",
+    "number of segments of spheres; the minimum is 2",
     "true: texts of items are drawn in front of everything; false: faces can hide them",
     "red, green, blue and opacity of texts of the window, each from 0 to 1",
     "draw a background behind texts of items",
@@ -538,7 +538,7 @@ constexpr std::array<std::string_view, 14> VSettingsInteractiveAdvanced_rows{
 constexpr std::array<std::string_view, 4> VSettingsInteractiveOpenVR_rows{
     "absolute path of the file with the actions of the devices",
     "use OpenVR, if the package is built with it",
-    "amount of output: -1 none, 0 errors, 1 warnings, 2 information, 3 for debugging",
+    "amount of output: -1 no output, 0 errors, 1 warnings, 2 information, 3 for debugging",
     "show the views of both eyes in a window",
 };
 
@@ -547,7 +547,7 @@ constexpr std::array<std::string_view, 8> VSettingsInteractive_rows{
     "angular velocity of the rotating view",
     "number of the item that is highlighted; -1: none",
     "kind of the item that is highlighted",
-    "number of the system in the container whose item is highlighted; 0 for the first",
+    "number of the system in the container whose item is highlighted; the first is 0",
     "true: keys, except for escape and F2, are left to the key press user function",
     "write mouse coordinates to the console as well, if they are shown",
     "move and rotate the view with a six-axis joystick, if there is one",
@@ -580,27 +580,27 @@ constexpr std::array<SettingsText, 49> settings{{
     {"NewtonSettings", "Newton's method for the nonlinear equations of a step", NewtonSettings_rows},
     {"DiscontinuousSettings", "iterations for contact, friction and other discontinuous states, after Newton's method has converged", DiscontinuousSettings_rows},
     {"ContinuationSettings", "going on with a solution that was stopped", ContinuationSettings_rows},
-    {"DenseOutputSettings", "what is written between the ends of steps", DenseOutputSettings_rows},
+    {"DenseOutputSettings", "output between the ends of steps", DenseOutputSettings_rows},
     {"EventsSettings", "contact that opens or closes, friction that begins to slide or to stick, and stops", EventsSettings_rows},
     {"InitialConditionsSettings", "how the initial values are held against the constraints when a solver starts", InitialConditionsSettings_rows},
     {"LinearSolverChoiceSettings", "who chooses the linear solver", LinearSolverChoiceSettings_rows},
     {"LinearSolverSettings", "settings of the linear solver", LinearSolverSettings_rows},
     {"ParallelSettings", "computation with several threads", ParallelSettings_rows},
     {"RedundantConstraintsSettings", "constraint equations that follow from others, such as those of the second hinge of a door", RedundantConstraintsSettings_rows},
-    {"SolutionSettings", "what is written to files, and how often", SolutionSettings_rows},
+    {"SolutionSettings", "output to files: contents and intervals", SolutionSettings_rows},
     {"StaticSolverArcLengthSettings", "following a path of equilibria by its length instead of the load, over limit points and onto branches", StaticSolverArcLengthSettings_rows},
     {"StaticSolverSettings", "static solver: equilibrium under loads that are increased in steps", StaticSolverSettings_rows},
-    {"StepSizeControlSettings", "which solvers choose their step sizes by an estimated error", StepSizeControlSettings_rows},
+    {"StepSizeControlSettings", "step-size control by an error estimate", StepSizeControlSettings_rows},
     {"TimeIntegrationExplicitIntegrationSettings", "explicit integrators", TimeIntegrationExplicitIntegrationSettings_rows},
     {"TimeIntegrationGeneralizedAlphaSettings", "generalized-alpha, Newmark and implicit trapezoidal integrators", TimeIntegrationGeneralizedAlphaSettings_rows},
     {"TimeIntegrationSettings", "time integration", TimeIntegrationSettings_rows},
     {"SimulationSettings", "settings of the solvers: time integration, static solver, linear algebra, output and threads", SimulationSettings_rows},
     {"VSettingsViewCamera", "camera of a view", VSettingsViewCamera_rows},
-    {"VSettingsViewScene", "what a view shows", VSettingsViewScene_rows},
+    {"VSettingsViewScene", "contents of a view", VSettingsViewScene_rows},
     {"VSettingsViewWindow", "window of a view", VSettingsViewWindow_rows},
-    {"VSettingsView", "one view of the model", {}},
+    {"VSettingsView", "a view of the model", {}},
     {"VSettingsLight", "one light", VSettingsLight_rows},
-    {"VSettingsMaterial", "one material of the ray tracer", VSettingsMaterial_rows},
+    {"VSettingsMaterial", "a material of the ray tracer", VSettingsMaterial_rows},
     {"VSettingsNodes", "drawing of nodes", VSettingsNodes_rows},
     {"VSettingsBodiesBeams", "drawing of beams and cables", VSettingsBodiesBeams_rows},
     {"VSettingsBodiesKinematicTree", "drawing of kinematic trees", VSettingsBodiesKinematicTree_rows},
@@ -624,7 +624,7 @@ constexpr std::array<SettingsText, 49> settings{{
     {"VSettingsInteractive", "interaction with the render window", VSettingsInteractive_rows},
     {"VSettingsDialogs", "dialogs", VSettingsDialogs_rows},
     {"VSettingsExportImages", "export of images", VSettingsExportImages_rows},
-    {"VisualizationSettings", "settings of the renderer: what is drawn, and how", {}},
+    {"VisualizationSettings", "settings of the renderer", {}},
 }};
 
 constexpr std::array<std::string_view, 9> AccessFunctionType_values{
@@ -674,8 +674,8 @@ constexpr std::array<std::string_view, 13> DynamicSolverType_values{
     "explicit Runge-Kutta method of Bogacki and Shampine, order 3 with error estimate of order 2 and automatic step size",
     "explicit Runge-Kutta method of Dormand and Prince, order 5 with error estimate of order 4 and automatic step size",
     "named for scripts of Exudyn; no solver has it and ``solverType`` refuses it: ``DOPRI5`` and ``DOP853`` are of orders 5 and 8",
-    "explicit, second order (first where forces depend on velocities), one evaluation per step; for particles and contact",
-    "explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; for tight tolerances",
+    "explicit, second order (first where forces depend on velocities), one evaluation per step; suitable for particles and contact",
+    "explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; suitable for tight tolerances",
     "diagonally implicit Runge-Kutta method of Kennedy and Carpenter, order 4 with error estimate of order 3 and automatic step size; L-stable, for stiff systems and higher accuracy than generalized alpha",
 };
 
@@ -683,7 +683,7 @@ constexpr std::array<std::string_view, 6> ItemType_values{
     "no item",
     "node: coordinates",
     "object: body, connector, constraint, joint, contact or finite element",
-    "marker: where something acts on a node or object",
+    "marker: a point or frame of a node or object at which loads and connectors act",
     "load: force, torque or generalized force",
     "sensor: a measured output",
 };
@@ -721,8 +721,8 @@ constexpr std::array<std::string_view, 18> KeyCode_values{
 
 constexpr std::array<std::string_view, 5> LinearSolverType_values{
     "no solver; refused",
-    "dense factorization with partial pivoting; for small systems",
-    "sparse LU factorization; for models with many coordinates",
+    "dense factorization with partial pivoting; suitable for small systems",
+    "sparse LU factorization; suitable for models with many coordinates",
     "sparse factorization for symmetric positive definite systems; not for models with constraints or unsymmetric forces",
     "dense factorization with full pivoting, which tolerates redundant constraints; slower than the other dense one",
 };
@@ -774,9 +774,9 @@ constexpr std::array<std::string_view, 32> OutputVariableType_values{
     "no output variable; sensors refuse it",
     "distance between two points, or gap of a contact",
     "position in global coordinates",
-    "displacement from the reference configuration in global coordinates; of connectors the relative displacement",
+    "displacement from the reference configuration in global coordinates; connectors have the relative displacement",
     "displacement in local coordinates, of body or joint",
-    "velocity in global coordinates; of connectors the relative velocity",
+    "velocity in global coordinates; connectors have the relative velocity",
     "velocity in local coordinates, of body or joint",
     "acceleration in global coordinates",
     "acceleration in body coordinates",
@@ -794,11 +794,11 @@ constexpr std::array<std::string_view, 32> OutputVariableType_values{
     "first direction: slope or axis vector in x",
     "second direction: slope or axis vector in y",
     "third direction: slope or axis vector in z",
-    "force in global coordinates; of super elements the generalized forces",
-    "force in local coordinates; of beams the section forces",
+    "force in global coordinates; super elements have the generalized forces",
+    "force in local coordinates; beams have the section forces",
     "torque in global coordinates",
-    "torque in local coordinates; of beams the section moments",
-    "of a constraint or joint: how many of its equations have reactions that are not unique, because equations follow from others; solvers give the smallest ones. NaN as long as no solver has looked",
+    "torque in local coordinates; beams have the section moments",
+    "number of equations of a constraint or joint whose reactions are not unique, because constraints are redundant; solvers return the minimum-norm ones. NaN before the first solution",
     "strain components in the local frame",
     "stress components in the local frame",
     "curvature and twist in the local frame",
@@ -816,8 +816,8 @@ constexpr std::array<EnumText, 13> enumerations{{
     {"keys without a character, as passed to a key press user function; keys with a character are passed as that character's code", KeyCode_values},
     {"direct solvers for linear systems of equations", LinearSolverType_values},
     {"kinds of coordinates that a node has; values can be joined", NodeGroup_values},
-    {"what a node provides; values can be joined", NodeType_values},
-    {"what an object is; values can be joined", ObjectType_values},
+    {"capabilities of a node; values can be combined", NodeType_values},
+    {"categories of an object; values can be combined", ObjectType_values},
     {"quantities that items offer to outputs and sensors; the page of an item lists those that it has, with size and frame", OutputVariableType_values},
 }};
 

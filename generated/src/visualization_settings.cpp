@@ -364,8 +364,8 @@ constexpr std::array<Row, 18> VSettingsOpenGLAdvanced_rows{{
     {.name = "vertexNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, vertexNormalsColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
 }};
 constexpr std::array<SettingRule, 13> VSettingsOpenGLAdvanced_rules{{
-    {.name = "clippingPlaneColor", .no_effect = "what a clipping plane cuts stays open"},
-    {.name = "depthSorting", .no_effect = "what is seen through is always sorted"},
+    {.name = "clippingPlaneColor", .no_effect = "cut faces are not closed"},
+    {.name = "depthSorting", .no_effect = "transparent faces are always sorted"},
     {.name = "enableLighting", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "initialMaxSceneSize", .no_effect = "the size is found from what is drawn"},
     {.name = "initialZoom", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
@@ -513,7 +513,7 @@ constexpr std::array<SettingRule, 26> VSettingsGeneral_rules{{
     {.name = "textAlwaysInFront", .no_effect = "texts are always in front"},
     {.name = "textHasBackground", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "textOffsetFactor", .no_effect = "texts stand beside their points, by pixels"},
-    {.name = "threadSafeGraphicsUpdate", .no_effect = "what is drawn is always a copy"},
+    {.name = "threadSafeGraphicsUpdate", .no_effect = "pictures always use a copy of the state"},
     {.name = "useBitmapText", .no_effect = "texts are drawn with a font of outlines"},
     {.name = "useGradientBackground", .no_effect_on_pages = "pages have lights, lines and words of their own"},
     {.name = "useMultiThreadedRendering", .no_effect = "pages are in windows of the browser, with its mouse"},

@@ -1,7 +1,7 @@
 """Finite element meshes: import, matrices, modes and stresses, and flexible bodies made of them.
 
 FEMinterface holds a mesh with its matrices; it reads files of ABAQUS and ANSYS, meshes of NGsolve and all formats of
-meshio, or makes matrices of its own. From modes, ObjectFFRFreducedOrderInterface makes a flexible body.
+meshio, or computes the matrices. ObjectFFRFreducedOrderInterface makes a flexible body from the modes.
 """
 
 from __future__ import annotations
@@ -155,7 +155,7 @@ def CyclicCompareReversed(list1: Sequence[int], list2: Sequence[int]) -> bool:
 
 
 class HCBstaticModeSelection(Enum):
-    """Which static modes the method of Hurty, Craig and Bampton takes at boundaries."""
+    """Static modes of boundaries in the method of Hurty, Craig and Bampton."""
 
     allBoundaryNodes = 1
     RBE2 = 2
@@ -203,7 +203,7 @@ class FEMinterface(NodeSelection, WithNGsolve):
         """Lowest eigenvalues and modes, with unit modal masses, into eigenValues and modeBasis.
 
         The mesh is free unless it has elastic supports; excludeRigidBodyModes=6 leaves out the modes of rigid motions.
-        Without the sparse solver, eigenValues are those of all modes, also of those that are not kept.
+        The dense solver stores all eigenvalues in eigenValues, also those of modes that are not kept.
         """
         where = "FEMinterface.ComputeEigenmodes"
         mass, stiffness, points = self._mode_matrices("ComputeEigenmodes")
@@ -245,8 +245,8 @@ class FEMinterface(NodeSelection, WithNGsolve):
         RBE2: interfaces are rigid; RBE3: weighted means of displacements and their moments are held; both give three
         translations and three rotations of each interface, those of the first left out by excludeRigidBodyMotion.
         allBoundaryNodes: one mode for each coordinate of all nodes, rigid motions among them; noStaticModes:
-        eigenmodes alone. Weights are those of GetNodeWeightsFromSurfaceAreas, for instance. Without interfaces,
-        nEigenModes free modes are computed, and the numberOfRigidBodyModes (6) first of them are left out.
+        eigenmodes only. GetNodeWeightsFromSurfaceAreas computes suitable weights. If there are no interfaces,
+        nEigenModes free modes are computed, and the first numberOfRigidBodyModes (6) of them are omitted.
         """
         where = "FEMinterface.ComputeHurtyCraigBamptonModes"
         mass, stiffness, points = self._mode_matrices("ComputeHurtyCraigBamptonModes")
@@ -276,8 +276,9 @@ class FEMinterface(NodeSelection, WithNGsolve):
     def AddModes(self, modes: npt.ArrayLike, tolerance: float = 1e-8) -> int:
         """Add shapes of the user's choice (one column each) to the modes; return how many columns were added.
 
-        Of each, what the modes before can do is taken away; those of which nothing remains are left out, and others
-        get unit modal masses. Eigenvalues remain those of the modes before.
+        Each shape is orthogonalized with respect to the previous modes; dependent shapes are omitted, and remaining
+        ones
+        are scaled to unit modal mass. Eigenvalues of the previous modes do not change.
         """
         mass = self.GetMassMatrix()
         given = np.asarray(modes, dtype=float).reshape(mass.shape[0], -1)
@@ -312,7 +313,7 @@ class FEMinterface(NodeSelection, WithNGsolve):
     def ComputePostProcessingModes(
         self, material: Any = 0, outputVariableType: Any = "OutputVariableType.StressLocal", numberOfThreads: int = 1
     ) -> None:
-        """Stresses (Pa) or strains at all nodes for each mode, which flexible bodies add up.
+        """Stresses (Pa) or strains at all nodes for each mode, which flexible bodies superpose.
 
         `material` is a KirchhoffMaterial, or a dictionary with one for each element set; strains need none. Values are
         means over the elements at a node. One thread is always used.
@@ -382,9 +383,10 @@ class FEMinterface(NodeSelection, WithNGsolve):
     ) -> list[Any]:
         """Eigenfrequencies (Hz) for rotor speeds up to terminalFrequency (Hz): [speeds, list of them for each speed].
 
-        With the speed W: M a + W G v + K q = 0, G from GetGyroscopicMatrix; with useCorotationalFrame 2 W G,
-        the Coriolis forces in coordinates that rotate. There, centrifugalTerms adds what depends on W^2, - W^2 M for
-        displacements across the axis, which lowers frequencies. Stresses by rotation are not taken into account.
+        The equations for the speed W are M a + W G v + K q = 0, G from GetGyroscopicMatrix; useCorotationalFrame uses
+        2 W G,
+        the Coriolis forces in rotating coordinates. centrifugalTerms then adds the terms with W^2, - W^2 M for
+        displacements normal to the axis, which lowers frequencies. Stresses by rotation are not taken into account.
         """
         mass, stiffness, points = self._mode_matrices("ComputeCampbellDiagram")
         if not useSparseSolver and mass.shape[0] > 5000:

@@ -1,6 +1,6 @@
 """Dialogs that show and change settings and dictionaries as a tree, with tkinter.
 
-What is typed is checked by the settings themselves: a value that they refuse stays as it was, and the reason is shown.
+The settings check the input: a rejected value does not change, and the reason is shown.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ __all__ = ["Edit", "EditDictionary", "EditDictionaryWithTypeInfo", "IsArrayInt",
 
 # Scripts change these before a dialog is opened.
 treeEditDefaultWidth, treeEditDefaultHeight = 1024, 800  # pixels of dialogs of settings
-treeEditMaxInitialHeight = 1440  # on screens that have room for more
-treeEditOpenItems = ["bodies", "connectors", "nodes", "general"]  # what is open at first
+treeEditMaxInitialHeight = 1440  # on larger screens
+treeEditOpenItems = ["bodies", "connectors", "nodes", "general"]  # initially open groups
 dialogDefaultWidth, dialogDefaultHeight = 800, 600  # pixels of dialogs of dictionaries
 treeviewDefaultFontSize = 9  # points
 textHeightFactor = 1.45  # distance of lines by size of the font

@@ -4,6 +4,6 @@ import sys
 
 from dalembert.cli import main
 
-# A file that is loaded on its own, by whatever name, belongs to no package and must not run.
+# A file that is loaded separately, under any name, belongs to no package and must not run.
 if __name__ == "__main__" and __package__:
     sys.exit(main())

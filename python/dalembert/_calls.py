@@ -1,6 +1,7 @@
-"""Calls of public functions: numbers, counts and switches are what the signature says they are, or are refused by name.
+"""Calls of public functions: numbers, counts and switches must have the types of the signature; otherwise they are
+rejected by name.
 
-What is an array, a name or a choice has checks of its own in the functions.
+Arrays, names and choices are checked in the functions.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ def _is_switch(value: Any) -> bool:
 
 
 LARGE = 2**63  # integers of 64 bits are less
-Check = tuple[str, Callable[[Any], bool], bool]  # what is expected, whether a value is that, whether None is allowed
+Check = tuple[str, Callable[[Any], bool], bool]  # expected value, test, whether None is allowed
 
 KINDS: dict[str, tuple[str, Callable[[Any], bool]]] = {
     "float": ("a finite number", _is_number),
@@ -50,7 +51,8 @@ KINDS: dict[str, tuple[str, Callable[[Any], bool]]] = {
 
 
 def checked(function: Callable[P, R]) -> Callable[P, R]:
-    """Let a function refuse what its annotations float, int, bool, and these or None, do not allow; ValueError."""
+    """Decorate a function: arguments annotated as float, int, bool, or these or None, are checked; raises
+    ValueError."""
 
     @functools.wraps(function)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
@@ -62,7 +64,7 @@ def checked(function: Callable[P, R]) -> Callable[P, R]:
 
 
 def check_given(function: Callable[..., Any], given: Iterable[tuple[str, Any]]) -> None:
-    """Refuse arguments of a function as checked() does: for those whose types mypy finds in a circle of modules."""
+    """Check arguments of a function like checked(), for functions in an import circle, which mypy cannot type."""
     checks = _checks_of(function)[1]
     for name, value in given:
         if name in checks:

@@ -17,7 +17,7 @@ IntArray = npt.NDArray[np.int64]
 
 
 def shape_error(name: str, expected: str, received: Any) -> ValueError:
-    """Return the ValueError that names an argument, what was expected and what was received."""
+    """Return a ValueError with the argument, the expected and the received value."""
     if isinstance(received, np.number):
         received = received.item()
     try:
@@ -61,7 +61,7 @@ def as_positive(name: str, value: Any) -> float:
 
 
 def check_integer(name: str, value: Any, low: int, high: int | None = None) -> None:
-    """Refuse what is no integer, by TypeError, or out of range."""
+    """Raise TypeError if the value is not an integer, ValueError if it is out of range."""
     expected = f"an integer, {low} or more" if high is None else f"an integer from {low} to {high}"
     try:
         number = operator.index(value)
@@ -72,13 +72,13 @@ def check_integer(name: str, value: Any, low: int, high: int | None = None) -> N
 
 
 def check_type(name: str, value: Any, kind: type) -> None:
-    """Refuse what is not of this type, by TypeError."""
+    """Raise TypeError if the value does not have this type."""
     if not isinstance(value, kind):
         raise TypeError(str(shape_error(name, f"a {kind.__name__}", value)))
 
 
 def check_system(name: str, value: Any) -> None:
-    """Refuse what is no system, nor like one."""
+    """Raise TypeError if the value is not a system."""
     if not hasattr(value, "GetSensor"):
         raise shape_error(name, "a system, of SC.AddSystem()", value)
 
@@ -124,7 +124,7 @@ def as_transformation(name: str, value: Any) -> FloatArray:
 
 
 def rotation_problem(array: FloatArray) -> str:
-    """Return what makes a 3x3 array no rotation matrix; empty if it is one."""
+    """Return the reason why a 3x3 array is not a rotation matrix; empty if it is one."""
     return _problem_of("rotation", array) if np.isfinite(array).all() else "An entry is not finite."
 
 
@@ -147,7 +147,7 @@ def check_colors(name: str, colors: FloatArray) -> None:
 
 
 def color_problem(array: FloatArray) -> str:
-    """Return what makes four numbers no color; empty if they are one."""
+    """Return the reason why four numbers are not a color; empty if they are one."""
     return _problem_of("color", array) if np.isfinite(array).all() else "A component is not finite."
 
 
@@ -172,7 +172,7 @@ def as_rows(name: str, value: Any, columns: int) -> FloatArray:
 
 
 def as_one_each(name: str, value: Any, columns: int, points: int) -> FloatArray | None:
-    """Convert so many numbers for each of the points to rows, or nothing at all to None; ValueError otherwise."""
+    """Convert `columns` numbers per point to rows, or an empty value to None; raises ValueError otherwise."""
     rows = as_rows(name, value, columns)
     if len(rows) == 0:
         return None
@@ -193,7 +193,7 @@ def as_point_numbers(name: str, value: Any, columns: int, points: int) -> IntArr
 
 
 def unit_vector(name: str, value: Any, size: int = 3) -> FloatArray:
-    """Return the vector divided by its length; ValueError if it has none."""
+    """Return the vector divided by its length; raises ValueError for a zero vector."""
     vector = as_vector(name, value, size)
     length = np.linalg.norm(vector)
     if length == 0.0:

@@ -1,4 +1,4 @@
-"""What is planned says so when it is used: modules when they are imported, classes and functions when they are called.
+"""Errors for planned modules when they are imported, and for planned classes and functions when they are called.
 
 The list is generated from the specs, see _planned_table.py.
 """
@@ -47,7 +47,7 @@ methods = {
 
 
 def module_text(name: str) -> str:
-    """Return what is to say of a planned module of the package, robotics.models for instance; "" if it is none."""
+    """Return the message of a planned module of the package, for example robotics.models; "" if it is not planned."""
     return _text(f"the module {_PACKAGE}.{name}", MODULES[name]) if name in MODULES else ""
 
 

@@ -1,6 +1,6 @@
-// What items see of each other: the motion of a point, of a rigid frame or of a coordinate. Vectors are in global axes.
+// Frames between items: the motion of a point, of a rigid frame or of a coordinate. Vectors are in global axes.
 //
-// Where several frames meet, names say which, as the symbols of the pages do: A_0b turns components in the axes of frame b into global
+// If several frames occur, names show the frame, like the symbols of the pages: A_0b turns components in the axes of frame b into global
 // ones, f_b is the vector f by its components in b. Letters that stand side by side cancel:
 //
 //      f_0 = A_0b f_b            f_b = transposed_times(A_0b, f_0)            A_0c = A_0b A_bc
@@ -30,8 +30,8 @@ inline void write_pose(const Vec3<double>& position, const Mat3<double>& rotatio
   std::ranges::copy(numbers.x, rows);
 }
 
-// What markers pass on to connectors, loads and constraints. Laid out as scalars side by side: ports copy them in and out, and
-// several are gathered at once (batches/groups.hpp).
+// Frames of markers for connectors, loads and constraints. Their numbers are contiguous: ports copy them in and out,
+// and several are gathered at once (batches/groups.hpp).
 template <class S>
 struct PointFrame {
   Vec3<S> position, velocity;
@@ -69,7 +69,7 @@ struct ScalarForce {
   S force{};
 };
 
-// A frame and its conjugate belong together: what a connector asks of its markers.
+// A port is a frame with its conjugate: the type that a connector requests of its markers.
 struct PointPort {
   template <class S>
   using Frame = PointFrame<S>;

@@ -32,7 +32,7 @@ Mat3<double> inverse(const Mat3<double>& m) {
   return matrix_of<3, 3>([&](int i, int j) { return rows[i][j] / determinant; });
 }
 
-// rows(:, coordinate) += map of what each coordinate does to its node.
+// Adds to rows(:, coordinate) the map of the effect of each coordinate on its node.
 template <class Map>
 std::vector<double> rows_of(const MeshNodes& mesh, const Map& map) {
   const auto n = static_cast<std::size_t>(mesh.coordinates);
@@ -55,7 +55,7 @@ FramePlace mean_position(const MeshNodes& mesh, const std::vector<double>& weigh
 
 MeshNodes mesh_of_nodes(std::span<const int> numbers, const Placement& on, std::span<const ItemType* const> types) {
   MeshNodes mesh;
-  std::vector<int> columns(types.size(), -1);  // by node, where its coordinates begin
+  std::vector<int> columns(types.size(), -1);  // first coordinate of each node
   for (const int number : numbers) {
     const auto i = static_cast<std::size_t>(number);
     const auto size = static_cast<std::size_t>(on.node_sizes[i]);

@@ -17,7 +17,7 @@ void BoxTree::build(std::span<const int> entries, std::span<const Box> boxes) {
   split(0, static_cast<int>(entries_.size()), boxes);
 }
 
-// In halves along the longest side of the box around the centres.
+// Splits into halves along the longest side of the box around the centers.
 void BoxTree::split(int first, int count, std::span<const Box> boxes) {
   const auto sum = [&](int entry) {
     const Box& box = boxes[static_cast<std::size_t>(entry)];
@@ -50,7 +50,7 @@ void BoxTree::split(int first, int count, std::span<const Box> boxes) {
   split(first + count / 2, count - count / 2, boxes);
 }
 
-// A hair wider than the box: a line along its side meets what lies there.
+// Slightly larger than the box: lines along its side still hit.
 bool BoxTree::passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double distance, double from, double to) {
   for (int i = 0; i < 3; ++i) {
     const double hair = 1e-9 * (box.upper[i] - box.lower[i]) + 1e-14 * (std::abs(box.upper[i]) + std::abs(box.lower[i])) + distance;

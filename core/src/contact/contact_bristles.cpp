@@ -1,4 +1,5 @@
-// Bristles of general contact: what they do to pairs of spheres, how they pass from triangle to triangle, and how they grow from step to step.
+// Bristles of general contact: forces between pairs of spheres, transfer between triangles, and update from step to
+// step.
 #include <algorithm>
 #include <cmath>
 
@@ -70,8 +71,9 @@ double GeneralContact::excess_of(const Bristle* bristle, const ContactPairing& p
   return set_->bristles.law(pairing).stiffness * stretch - pairing.friction * grip.holding * std::max(0.0, normal_force);
 }
 
-// At the end of a step, a bristle is as long as friction allows, and has a root on each side of the point of contact, so that rolling is forgotten. A bristle
-// that slides does so until it turns back, for any normal force.
+// At the end of a step, the length of a bristle is limited by friction, and it is attached on both sides of the
+// contact point, so that rolling has no effect. A sliding bristle continues to slide until the slip velocity
+// reverses, for any normal force.
 Bristle GeneralContact::bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double normal_force,
                                       const RigidFrame<double>& frame0, const RigidFrame<double>& frame1) const {
   const Grip<double> grip = grip_of(before, at, frame0, frame1);
@@ -112,7 +114,7 @@ void GeneralContact::keep() {
   grown_ = false;
 }
 
-// What touches takes root where it is.
+// Existing contacts get bristles of zero length.
 void GeneralContact::begin_history(const Ports& ports) {
   bristles_.clear();
   convex_bristles_.clear();

@@ -21,7 +21,7 @@ void GeneralContact::enter(const System& system, const Model& model) {
   }
 }
 
-// With the box around them: a cubic lies between its control points.
+// Includes the bounding box: a cubic lies within its control points.
 void GeneralContact::take_cables(const double* q, const double* v) const {
   cables_now_.resize(cables_.size());
   for (std::size_t c = 0; c < cables_.size(); ++c) {
@@ -38,7 +38,7 @@ void GeneralContact::take_cables(const double* q, const double* v) const {
   }
 }
 
-// For questions between evaluations.
+// Called for queries between evaluations.
 void GeneralContact::take_cables_of_system(ConfigurationType configuration) const {
   if (cables_.empty()) return;
   const State& now = system_->state(configuration);
@@ -64,8 +64,8 @@ ContactPairing GeneralContact::cable_pairing(const HeldContact& c) const {
 
 namespace {
 
-// Where an end of a stretch that has been found in another state is now, by Newton's method, and how it moves with the coordinates. The ends of
-// the element stay, and so does an end that the circle has left.
+// Current end of an interval that was found in another state, by Newton's method, with its derivative with respect to
+// the coordinates. Ends of the element do not move, nor does an end that the circle has left.
 template <class S>
 S end_now(const CableShape& cable, double x, bool is_begin, const std::array<S, 8>& q, const Vec<S, 2>& centre, double reach) {
   constexpr int most_iterations = 12;
@@ -73,7 +73,7 @@ S end_now(const CableShape& cable, double x, bool is_begin, const std::array<S, 
   if (x == (is_begin ? 0 : cable.length)) return S(x);
   std::array<double, 8> places{};
   for (std::size_t i = 0; i < 8; ++i) places[i] = value_of(q[i]);
-  double growth = 0;  // of the square of the distance, along the cable
+  double growth = 0;  // derivative of the squared distance along the cable
   for (int i = 0; i < most_iterations; ++i) {
     const Vec<double, 2> place = cable.at(cable.weights(x), places), slope = cable.at(cable.slope_weights(x), places);
     const double dx = place[0] - value_of(centre[0]), dy = place[1] - value_of(centre[1]);

@@ -1,4 +1,4 @@
-// Spheres on faces of triangles that rest, four at once; what is left are those at edges and corners, and at what moves.
+// Spheres on faces of fixed triangles, four at once; the rest are those at edges and corners, and on moving carriers.
 #include <algorithm>
 #include <cstddef>
 
@@ -12,7 +12,7 @@ namespace {
 
 using P = Pack<4>;
 constexpr std::size_t lanes = 4;
-// Where the numbers of a facet begin, which are read four at a time.
+// Offsets of the numbers of a facet, which are read four at a time.
 constexpr std::size_t normal_of_facet = offsetof(Facet, normal) / sizeof(double), inward_of_facet = offsetof(Facet, inward) / sizeof(double),
                       at_edge_of_facet = offsetof(Facet, at_edge) / sizeof(double);
 static_assert(offsetof(Facet, corner) == 0 && normal_of_facet == 3 && inward_of_facet == 6 && at_edge_of_facet == 15 && sizeof(Facet) == 18 * sizeof(double));
@@ -28,11 +28,11 @@ DALEMBERT_INLINE inline Vec3<P> first_three(const std::array<P, 4>& numbers) { r
 // Four spheres over four triangles, and how high they are.
 struct GeneralContact::Heights {
   std::array<const double*, lanes> facet;
-  Mat3<P> rotation;  // of what carries them
+  Mat3<P> rotation;  // rotation of the carrier
   Vec3<P> centre;    // there
   Vec3<P> normal;
   P height, radius;
-  std::array<P, 4> behind_normal;  // the last two components of it, and what comes then
+  std::array<P, 4> behind_normal;  // its last two components, and the numbers that follow
 
   DALEMBERT_INLINE Heights(const GeneralContact& contact, const std::array<Chunk::Near, lanes>& pair) {
     std::array<const double*, lanes> at, frame;
@@ -119,7 +119,7 @@ bool GeneralContact::meets_faces_alone(std::span<const Chunk::Near> all) const {
   return true;
 }
 
-// Spheres over faces of what rests, and all others.
+// Separates spheres over faces of fixed carriers from all other ones.
 void GeneralContact::sift_triangles(Chunk& chunk) const {
   const std::size_t begin = first_triangle_[static_cast<std::size_t>(chunk.begin)], end = first_triangle_[static_cast<std::size_t>(chunk.end)];
   if (chunk.near.size() < end - begin + lanes) {
@@ -145,7 +145,7 @@ void GeneralContact::sift_triangles(Chunk& chunk) const {
   chunk.faces = on_faces;
 }
 
-// As add_on_triangles has it.
+// Same as in add_on_triangles.
 template <bool rubs>
 DALEMBERT_INLINE inline void GeneralContact::push_from_faces(std::span<const Chunk::Near> all) const {
   for (std::size_t k = 0; k < all.size(); k += lanes) {

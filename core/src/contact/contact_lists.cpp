@@ -1,4 +1,4 @@
-// Which things are near each other: lists that are renewed when something has moved farther than the skin.
+// Neighbour lists, which are rebuilt when a displacement exceeds the skin.
 #include "dalembert/contact/general_contact.hpp"
 
 #include <algorithm>
@@ -11,10 +11,11 @@
 namespace dalembert {
 
 namespace {
-// Small ones are enough work for a thread; of large ones, fewer pairs lie astride of two, and their spheres still lie in a cache.
+// A chunk must be large enough for a thread. Large chunks have fewer pairs across chunks, but must fit into a cache.
 constexpr int smallest_chunk = 1000, largest_chunk = 4000, some_threads = 16;
-constexpr double farthest = 1 + 1e-9;  // from a plane, in reaches: what is farther away is not within reach of anything there
-constexpr double unknown = std::numeric_limits<double>::infinity();  // of ways from or to places that are not finite
+constexpr double farthest = 1 + 1e-9;  // relative to the reach of a plane: larger distances exclude contact
+// displacement to or from positions that are not finite
+constexpr double unknown = std::numeric_limits<double>::infinity();
 
 PointFrame<double> frame_at(const Evaluation& e, int dof) {
   return {load<double, 3>(e.reference + dof) + load<double, 3>(e.u + dof), load<double, 3>(e.v + dof)};
@@ -22,7 +23,7 @@ PointFrame<double> frame_at(const Evaluation& e, int dof) {
 
 }  // namespace
 
-// Motions of spheres and of what carries triangles, and how far spheres have moved.
+// Motions of spheres and of carriers of triangles, and displacements of spheres.
 void GeneralContact::take_places(const Ports& ports, const Evaluation* nodes) const {
   const int n = spheres();
   if (chunks_.empty()) {
@@ -101,8 +102,8 @@ double GeneralContact::moved_by_spheres() const {
   return moved;
 }
 
-// How much nearer two things may have come since the lists were made. Ways of spheres add up to more than that: they are measured only
-// where their sum tells nothing.
+// Upper bound of the approach of two entities since the lists were made. Sums of sphere displacements overestimate
+// it: exact displacements are computed only if the sum is too large.
 double GeneralContact::moved() const {
   double carriers = 0;  // no point of a box moves farther than one of its corners
   for (std::size_t c = 0; c < trees_.size(); ++c) {
@@ -127,7 +128,7 @@ void GeneralContact::follow(const Ports& ports, const Evaluation* nodes) const {
   take_places(ports, nodes);
   const bool known = at_list_.size() == pairs_.at.size();
   const double distance = known ? moved() : 0;
-  if (distance > 0) ++since_list_;  // of other states: to ask twice changes nothing
+  if (distance > 0) ++since_list_;  // only for other states: a repeated query changes nothing
   if (known && distance <= skin_) return;
   renew_lists();
 }

@@ -1,4 +1,4 @@
-// What lines and boxes meet.
+// Queries of lines and boxes.
 #include "dalembert/contact/general_contact.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace dalembert {
 
 namespace {
 constexpr int few_spheres = 16;
-constexpr int lines_worth_a_tree = 50;  // to look at so many times all spheres takes as long as to build it
+constexpr int lines_worth_a_tree = 50;  // testing all spheres for so many lines takes as long as building a tree
 }  // namespace
 
 GeneralContact::Items GeneralContact::items_in(const Box& box, const Ports& ports) const {
@@ -39,7 +39,7 @@ GeneralContact::Items GeneralContact::items_in(const Box& box, const Ports& port
   return items;
 }
 
-// Null: one line after the other is faster.
+// Null if testing the lines one by one is faster.
 const BoxTree* GeneralContact::spheres_for_lines(const Ports& ports, std::uint64_t number) const {
   if (number == 0 || spheres() < few_spheres) return nullptr;
   if (lines_.ports != number) lines_ = {number, 0, {}};
@@ -57,7 +57,7 @@ const BoxTree* GeneralContact::spheres_for_lines(const Ports& ports, std::uint64
   return &lines_.spheres;
 }
 
-// Of those at one distance, the first one.
+// The first one of several at the same distance.
 void GeneralContact::hit_spheres(const Line& line, const Ports& ports, std::uint64_t number, LineHit& hit) const {
   const auto look_at = [&](int i) {
     const PointFrame<double>& frame = read_frame<PointPort>(ports, sphere(i).marker);
@@ -81,7 +81,7 @@ LineHit GeneralContact::first_hit(const Line& line, const Ports& ports, std::uin
   hit.distance = line.farthest;
   renew_shapes();
   if (line.spheres) hit_spheres(line, ports, number, hit);
-  if (line.cables && line.direction[2] == 0) {  // in the plane: what is not meets them nowhere
+  if (line.cables && line.direction[2] == 0) {  // planar lines only: other lines do not hit planar cables
     take_cables_of_system();
     for (std::size_t c = 0; c < cables_.size(); ++c) {
       const auto r = cables_[c].polynomials(cables_now_[c].q);
@@ -108,11 +108,11 @@ LineHit GeneralContact::first_hit(const Line& line, const Ports& ports, std::uin
       const Triangle& corners = local_[static_cast<std::size_t>(t)];
       const Vec3<double> area = area_vector(corners);
       const double slope = dot(area, direction), square = dot(area, area);
-      if (slope * slope <= 1e-28 * square) return;  // along the plane
+      if (slope * slope <= 1e-28 * square) return;  // parallel to the plane
       const double distance = dot(area, corners[0] - start) / slope;
       if (!(distance >= line.nearest && distance < hit.distance)) return;
       const Vec3<double> point = start + distance * direction;
-      for (std::size_t k = 0; k < 3; ++k)  // what lies on an edge belongs to both triangles there
+      for (std::size_t k = 0; k < 3; ++k)  // points on an edge belong to both triangles
         if (dot(area, cross(corners[(k + 1) % 3] - corners[k], point - corners[k])) < -1e-10 * square) return;
       const Vec3<double> velocity = frame.velocity + cross(frame.angular_velocity, frame.rotation * point);
       hit = {distance, dot(line.direction, velocity), -1, -1, t};

@@ -1,4 +1,4 @@
-// Where something begins or ends to touch, and where friction begins to slide or to stick.
+// Events of general contact: contact begins or ends, friction slides or sticks.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,7 +37,7 @@ double GeneralContact::Verge::friction(const Verge& before) const {
   return (sticking == before.sticking ? 1 : -1) * std::min(slip, far_away);
 }
 
-// What pushes is closer than the sum of the radii, and not pulled back by its damping.
+// Active contact: the distance is below the sum of the radii, and damping does not exceed the elastic force.
 void GeneralContact::add_verge(const HeldContact& c, const Ports& ports, Verge& verge) const {
   const ContactPairing pairing = pairing_of(c);
   const Partner first{sphere(c.sphere).marker, turns(c.sphere)}, second = partner_of(c);
@@ -54,7 +54,7 @@ void GeneralContact::add_verge(const HeldContact& c, const Ports& ports, Verge& 
   }
 }
 
-// Those that it does not touch yet.
+// Triangles that it does not yet contact.
 void GeneralContact::add_open_triangles(int number, Verge& verge) const {
   const auto i = static_cast<std::size_t>(number);
   const SphereAt& s = pairs_.at[i];
@@ -129,7 +129,7 @@ std::string GeneralContact::name_of_part(int part) const {
 }
 
 void GeneralContact::switch_over(const Evaluation& e, const Ports& ports, const double*, double*, double*) {
-  keep();  // what holds and what slides from now on
+  keep();  // sticking and sliding states from now on
   if (set_->active) find_verges(e, ports, verges_before_);
 }
 

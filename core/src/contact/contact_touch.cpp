@@ -1,4 +1,4 @@
-// What overlaps and pushes, of what is near; what implicit solvers hold of it.
+// Detection of active contacts among neighbours, and the fixed contacts of implicit solvers.
 #include "dalembert/contact/general_contact.hpp"
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 namespace dalembert {
 
 
-// Faces that a sphere dips into, and edges and corners of which no triangle around has a point that is nearer. Triangles touch from
-// their positive side alone. What meets in one point counts once: at an inner edge of a smooth surface, for one of its triangles.
+// Faces that a sphere penetrates, and edges and corners if no adjacent triangle has a nearer point. Triangles have
+// contact on their positive side only. Coinciding points count once: at an inner edge of a smooth surface, for one of
+// its triangles.
 void GeneralContact::find_triangles(int number, std::span<const int> near, Chunk& chunk) const {
   std::vector<Found>& found = chunk.found;
   found.clear();
@@ -191,7 +192,7 @@ const GeneralContact::Block& GeneralContact::block_of(const HeldContact& c) cons
   return *std::ranges::lower_bound(blocks_, std::tuple(c.sphere, with, number), {}, &Block::key);
 }
 
-// The number of contacts that have begun or ended; the next search holds what touches then.
+// Number of contacts that have begun or ended; the next search fixes the active contacts.
 PostNewton GeneralContact::post_newton(const Evaluation& e, const Ports& ports, const double*, double*, double*) {
   if (set_->bristles.grow()) grow_bristles(ports);
   if (e.direct) return {};

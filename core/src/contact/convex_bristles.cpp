@@ -7,7 +7,7 @@
 namespace dalembert {
 
 namespace {
-constexpr double far_from_convex_root = 0.5;  // in radii of the ball around the shape
+constexpr double far_from_convex_root = 0.5;  // relative to the bounding sphere of the shape
 constexpr std::size_t numbers_per_convex_bristle = 10;
 }  // namespace
 

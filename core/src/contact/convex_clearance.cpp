@@ -1,5 +1,5 @@
-// How far convex shapes are from each other, by directions that separate them: what a direction tells is never more than the distance, and all of it in the one
-// between the two features that are nearest.
+// Distance of convex shapes by separating directions: the value of a direction is a lower bound of the distance, and
+// exact for the direction between the two nearest features.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace dalembert {
 namespace {
 
-// Edges, and the axis of what is round.
+// Edges, and the axes of round shapes.
 void list_lines(const ConvexNow& shape, std::vector<ConvexPairs::Line>& lines) {
   lines.clear();
   const auto add = [&](const Vec3<double>& begin, const Vec3<double>& end) { lines.push_back({begin, (1 / norm(end - begin)) * (end - begin)}); };
@@ -21,7 +21,7 @@ void list_lines(const ConvexNow& shape, std::vector<ConvexPairs::Line>& lines) {
 
 double ConvexPairs::clearance(const ConvexNow& a, const ConvexNow& b) {
   double most = 0;
-  // From a to b, or back.
+  // Evaluates a direction from a to b, or back.
   const auto look = [&](const Vec3<double>& direction) {
     const double length = norm(direction);
     if (!(length > 0)) return;

@@ -52,7 +52,7 @@ void GeneralContact::find_convex(const Ports& ports, std::vector<ConvexTouch>& f
   for (const ConvexScene::Batch& batch : scene_.batches()) found.insert(found.end(), batch.kept.begin(), batch.kept.end());
 }
 
-// With the bristles that they go on with.
+// Assigns the existing bristles.
 void GeneralContact::find_overlaps(ConvexScene::Batch& batch) const {
   scene_.find(batch);
   std::vector<ConvexTouch>& found = batch.found;
@@ -138,7 +138,7 @@ std::vector<GeneralContact::ConvexPair> GeneralContact::convex_pairs() const {
   return pairs;
 }
 
-// Of all pairs that are near each other.
+// Lists the blocks of all neighbouring pairs.
 std::size_t GeneralContact::list_convex_blocks(const Ports& ports, std::size_t slot) {
   convex_blocks_.clear();
   if (scene_.empty()) return slot;
@@ -168,8 +168,8 @@ void GeneralContact::add_convex_tangent(const Ports& ports, double* values) cons
   }
 }
 
-// On a plane and on triangles, each place begins and ends to push for itself. Two shapes touch as a whole: places of faces that lie on each other come and go
-// as one of them turns, while their forces do not jump.
+// Contact points on a plane and on triangles begin and end separately. Contact of two shapes has one event for the
+// pair: points of parallel faces appear and disappear during rotation, but their forces do not jump.
 void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& verges) const {
   if (!has_convex()) return;
   follow_convex(ports);

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = ConvexTouch::Kind;
 constexpr double blunt = 1e-4;   // sine of the angle between triangles up to which an edge does not stick out
-constexpr double slack = 0.02;   // by which directions may leave the arc of an edge
+constexpr double slack = 0.02;  // tolerance of directions beyond the arc of an edge
 
 using Place = std::array<double, 3>;
 Place place_of(const Vec3<double>& p) { return {p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}; }  // no negative zero
@@ -34,7 +34,7 @@ void ConvexMesh::build(const std::vector<int>& members, const std::vector<Triang
       if (b < a) std::swap(a, b);
       sides[{a, b}].push_back({t, k});
     }
-  std::map<Place, std::vector<Vec3<double>>> ends;   // of edges that stick out, the ways that they lead
+  std::map<Place, std::vector<Vec3<double>>> ends;  // directions of protruding edges at a position
   std::vector<std::pair<int, int>> owners;            // triangle and number
   for (const auto& [ab, around] : sides) {
     const Vec3<double> a{ab.first[0], ab.first[1], ab.first[2]}, b{ab.second[0], ab.second[1], ab.second[2]};

@@ -145,7 +145,7 @@ double ConvexPairs::clearance(const ConvexNow& shape, const Vec3<double>& normal
   return least;
 }
 
-// By the sides of a face, one after the other. A shape that has two feet alone is a line.
+// Clips by the sides of a face, one after the other. A shape with only two points is a line.
 void ConvexPairs::clip(const ConvexNow& base, int face) {
   const ConvexFace& f = base.shape->faces[static_cast<std::size_t>(face)];
   const Vec3<double>& normal = base.normals[static_cast<std::size_t>(face)];
@@ -173,7 +173,7 @@ void ConvexPairs::clip(const ConvexNow& base, int face) {
   }
   if (!cut) return;
   if (feet_.size() == 1) {
-    feet_[0].share = 0.5;  // of what is left of a line
+    feet_[0].share = 0.5;  // endpoints of the remaining line
     return;
   }
   polygon_.clear();
@@ -193,7 +193,7 @@ void ConvexPairs::lowest_on_face(const ConvexNow& base, int face, const ConvexNo
   found.push_back(t);
 }
 
-// The other thing stands on a face of the base: with all of its feet there, as soon as one of them does.
+// The other shape rests on a face of the base: with all of its points over the face, if at least one is in contact.
 void ConvexPairs::faces(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) {
   const auto f = static_cast<std::size_t>(face);
   const Vec3<double>& normal = base.normals[f];
@@ -212,7 +212,8 @@ void ConvexPairs::faces(const ConvexNow& base, int face, const ConvexNow& other,
 }
 
 bool is_as_deep(const std::vector<ConvexTouch>& found, std::size_t begin, const ConvexNow& first, const ConvexNow& second, double depth) {
-  const double enough = 0.99 * depth - 1e-9 * std::max(first.shape->bound, second.shape->bound);  // what has just begun is left to the face
+  // new contacts belong to the face
+  const double enough = 0.99 * depth - 1e-9 * std::max(first.shape->bound, second.shape->bound);
   return enough <= 0 || std::any_of(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(),
                                     [&](const ConvexTouch& t) { return -meeting_of(t, first.frame, second.frame).gap >= enough; });
 }
@@ -282,7 +283,7 @@ void ConvexPairs::between(const ConvexNow& a, const ConvexNow& b, std::vector<Co
   polytopes(a, b, found);
 }
 
-// A face that is nearly across takes it: of two faces that lie on each other, edges cross anywhere.
+// A face that is nearly perpendicular has priority: edges of two parallel faces cross at arbitrary positions.
 void ConvexPairs::polytopes(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found) {
   Overlap of_faces;
   const Overlap at = overlap(a, b, of_faces);

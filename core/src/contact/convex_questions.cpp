@@ -1,4 +1,4 @@
-// Where lines meet convex shapes and planes.
+// Intersections of lines with convex shapes and planes.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +13,7 @@ constexpr double nowhere = std::numeric_limits<double>::infinity();
 // A stretch of a line; empty if it ends before it begins.
 struct Stretch {
   double begin = -nowhere, end = nowhere;
-  // Where height + s * slope <= 0.
+  // Restricts to height + s * slope <= 0.
   void below(double height, double slope) {
     if (slope > 0) end = std::min(end, -height / slope);
     else if (slope < 0) begin = std::max(begin, -height / slope);
@@ -23,7 +23,8 @@ struct Stretch {
     begin = nowhere;
     end = -nowhere;
   }
-  // Where the distance from an axis, or from a point, is at most r: `to` and `along` have no part along the axis.
+  // Restricts to a distance of at most r from an axis, or from a point: `to` and `along` have no component along the
+  // axis.
   void around(const Vec3<double>& to, const Vec3<double>& along, double r) {
     const double a = dot(along, along), b = dot(to, along), c = dot(to, to) - r * r, root = b * b - a * c;
     if (a == 0) {

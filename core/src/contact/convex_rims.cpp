@@ -18,7 +18,7 @@ int cap_face(const ConvexNow& cylinder, int end) {
   return static_cast<int>(face - cylinder.normals.begin());
 }
 
-// The one of least depth of those that are looked at, until one of them tells that the two are apart.
+// The direction of least depth among those tested, until one of them separates the shapes.
 class LeastOverlap {
  public:
   using Overlap = ConvexPairs::RoundOverlap;

@@ -1,4 +1,5 @@
-// Balls, capsules and mantles of cylinders: whatever is round touches along the line to the nearest point of the other.
+// Balls, capsules and lateral surfaces of cylinders: curved surfaces have contact along the line to the nearest point
+// of the other shape.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +10,7 @@ namespace dalembert {
 namespace {
 
 using Kind = ConvexTouch::Kind;
-constexpr double within = 1e-6;    // by which a direction may leave the arc of an edge
+constexpr double within = 1e-6;  // tolerance of a direction beyond the arc of an edge
 
 // A point that is nearest on an edge, as a part of its length.
 double part_of_edge(const Vec3<double>& point, const Vec3<double>& begin, const Vec3<double>& end) {
@@ -138,7 +139,8 @@ void ConvexPairs::ball(const ConvexNow& ball, const ConvexNow& other, bool swapp
   found.push_back(touch);
 }
 
-// Where they cross, in one place; side by side, at the ends that are beside the other. Each place has half of the stiffness.
+// Crossing capsules have one contact point; parallel ones have two, at the ends of the common part. Each point has
+// half of the stiffness.
 void ConvexPairs::capsules(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found) const {
   const LinePair lines = nearest_of_lines(a.corners[0], a.axis, b.corners[0], b.axis);
   if (lines.sine > parallel && lines.s > 0 && lines.s < a.length && lines.t > 0 && lines.t < b.length) {
@@ -154,7 +156,7 @@ void ConvexPairs::capsules(const ConvexNow& a, const ConvexNow& b, std::vector<C
   }
 }
 
-// Its ends are balls with half of the stiffness each; between them is its mantle.
+// Its ends are balls with half of the stiffness each; its lateral surface is between them.
 void ConvexPairs::capsule_on_faces(const ConvexNow& capsule, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) const {
   for (int end = 0; end < 2; ++end) ball(capsule, other, swapped, 0.5, 1 + end, found, end);
   if (other.shape->kind == ConvexKind::cylinder) {
@@ -171,7 +173,8 @@ void ConvexPairs::capsule_on_faces(const ConvexNow& capsule, const ConvexNow& ot
   mantle_on_corners(capsule, other, swapped, found);
 }
 
-// Where a mantle crosses edges, and where it lies along one: at both ends of what they have in common.
+// A lateral surface crosses an edge at one point; if it is parallel to an edge, the points are the ends of the common
+// part.
 void ConvexPairs::mantle_on_edges(const ConvexNow& round, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) const {
   const double r = round.shape->radius;
   const std::vector<ConvexEdge>& edges = other.shape->edges;
@@ -224,7 +227,7 @@ void ConvexPairs::mantle_on_corners(const ConvexNow& round, const ConvexNow& oth
   }
 }
 
-// Where they cross; side by side, at both ends of what they have in common.
+// Crossing surfaces have one contact point, parallel ones have two, at the ends of the common part.
 void ConvexPairs::mantles(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found) const {
   const double reach = a.shape->radius + b.shape->radius;
   const LinePair lines = nearest_of_lines(a.corners[0], a.axis, b.corners[0], b.axis);

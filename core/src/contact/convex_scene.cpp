@@ -6,7 +6,7 @@
 namespace dalembert {
 namespace {
 
-constexpr double skin_part = 0.1;  // of the mean radius
+constexpr double skin_part = 0.1;  // relative to the mean radius
 constexpr std::size_t pairs_in_batch = 16, most_batches = 1000, shapes_to_share = 64;
 
 ConvexShape ball_shape(double radius) {
@@ -16,7 +16,7 @@ ConvexShape ball_shape(double radius) {
 
 Vec3<double> out(const RigidFrame<double>& frame, const Vec3<double>& point) { return frame.position + frame.rotation * point; }
 
-// Where a frame is, seen from another.
+// Pose of a frame relative to another one.
 RigidFrame<double> seen_from(const RigidFrame<double>& base, const RigidFrame<double>& frame) {
   return {transposed_times(base.rotation, frame.position - base.position), {}, transpose(base.rotation) * frame.rotation, {}};
 }
@@ -59,7 +59,8 @@ void ConvexScene::build(const ContactSet& set, const std::vector<Triangle>& tria
   for (std::size_t c = 0; c < meshes_.size(); ++c) meshes_[c].build(members[c], triangles, facets);
 }
 
-// How much nearer two things may have come: no point of a ball moves farther than its centre, none of a mesh farther than a corner of its box.
+// Upper bound of the approach of two entities: no point of a ball moves farther than its center, none of a mesh
+// farther than a corner of its box.
 double ConvexScene::moved() const {
   double things = 0, carriers = 0;
   for (std::size_t i = 0; i < shapes_.size(); ++i) things = std::max(things, norm(out(frames_[i], shapes_[i].centre) - out(at_list_[i], shapes_[i].centre)));

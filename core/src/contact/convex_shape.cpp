@@ -9,7 +9,7 @@ namespace dalembert {
 namespace {
 
 constexpr int prism_sides = 32;
-constexpr double flat = 1e-9;  // sines and parts of the size that are none
+constexpr double flat = 1e-9;  // smaller sines and relative lengths count as zero
 
 double size_of(const std::vector<Vec3<double>>& points) {
   double size = 0;
@@ -85,7 +85,7 @@ void drop_unused(ConvexShape& shape) {
   shape.corners = kept;
 }
 
-// Within the cylinder: what stands on its ends stands on the cylinder.
+// Inscribed in the cylinder: bodies on its ends rest on the cylinder.
 ConvexDefinition prism_of(const ConvexDefinition& cylinder) {
   const Vec3<double> axis = cylinder.points[1] - cylinder.points[0], unit = (1 / norm(axis)) * axis;
   const Vec3<double> x = any_across(unit), y = cross(unit, x);

@@ -1,4 +1,4 @@
-// Forces of what touches, and their tangent.
+// Contact forces and their tangent.
 #include "dalembert/contact/general_contact.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace dalembert {
 namespace {
 
 bool has_twins(std::vector<int> numbers) {
-  if (!std::ranges::is_sorted(numbers)) std::ranges::sort(numbers);  // as they mostly are
+  if (!std::ranges::is_sorted(numbers)) std::ranges::sort(numbers);  // usually sorted
   return std::ranges::adjacent_find(numbers) != numbers.end();
 }
 
@@ -109,7 +109,7 @@ std::vector<GeneralContact::Push> GeneralContact::pushes(const Ports& ports, Con
   return result;
 }
 
-// What a sphere feels of triangles now; what they feel waits in the chunk.
+// Adds forces of triangles on a sphere; forces on the carriers are stored in the chunk.
 void GeneralContact::add_on_triangles(int number, const Ports& ports, bool rubs, Chunk& chunk) const {
   touching_triangles(number, chunk.of_sphere, chunk);
   const auto i = static_cast<std::size_t>(number);
@@ -122,7 +122,8 @@ void GeneralContact::add_on_triangles(int number, const Ports& ports, bool rubs,
     at.normal = frame.rotation * found.normal;
     at.gap = found.distance - pairs_.at[i].radius;
     at.arm0 = found.distance * at.normal;
-    const bool moves = ports.ports[static_cast<std::size_t>(carrier.marker)].n > 0;  // what rests has no velocity, and feels nothing
+    // a fixed carrier has no velocity, and needs no forces
+    const bool moves = ports.ports[static_cast<std::size_t>(carrier.marker)].n > 0;
     Vec3<double> velocity = -pairs_.velocity[i].vector();
     if (moves || grips) at.arm1 = frame.rotation * found.point;
     if (moves) velocity += frame.velocity + cross(frame.angular_velocity, at.arm1);

@@ -1,4 +1,4 @@
-// What several files of general contact share: frames of markers that may not turn, where two things meet, and loops over what touches.
+// Common functions of general contact: frames of markers without rotation, contact geometry, and loops over contacts.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,8 @@
 
 namespace dalembert {
 
-inline constexpr double same_point = 1e-9;  // in radii: where a sphere touches triangles, points so near to each other are one
+// in radii: contact points of a sphere with triangles within this distance are equal
+inline constexpr double same_point = 1e-9;
 
 inline bool has_rotation(const Ports& ports, int marker) { return ports.ports[static_cast<std::size_t>(marker)].forces == RigidPort::forces; }
 
@@ -23,7 +24,7 @@ DALEMBERT_INLINE inline Vec3<S> into(const RigidFrame<double>& frame, const Vec3
 }
 inline Vec3<double> out_of(const RigidFrame<double>& frame, const Vec3<double>& point) { return frame.position + frame.rotation * point; }
 
-// Of the second thing against the first one, where they meet.
+// Velocity of the second body relative to the first one at the contact point.
 template <class S>
 Vec3<S> relative_velocity(const RigidFrame<S>& frame0, const RigidFrame<S>& frame1, const ContactMeeting<S>& at) {
   return frame1.velocity + cross(frame1.angular_velocity, at.arm1) - frame0.velocity - cross(frame0.angular_velocity, at.arm0);
@@ -94,8 +95,8 @@ GeneralContact::Meeting<S> GeneralContact::meet_triangle(int i, int t, const Vec
   return at;
 }
 
-// On the sphere; `velocity` is that of the other against it. Friction grows with the slip in the proportional zone; whether it is there
-// may be given.
+// Force on the sphere; `velocity` is that of the other body relative to it. Friction is proportional to the slip in
+// the proportional zone; the branch may be given.
 template <class S>
 Vec3<S> GeneralContact::force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, std::optional<bool> sticks) const {
   const S away = dot(at.normal, velocity);
@@ -112,7 +113,7 @@ GeneralContact::Grip<S> GeneralContact::grip_of(const Bristle* bristle, const Me
   return {(frame1.rotation * bristle->root1 - at.arm1) - (frame0.rotation * bristle->root0 - at.arm0), bristle->slides ? 1.0 : most};
 }
 
-// On the sphere, as above, with the friction force of a bristle.
+// Force on the sphere, as above, with the friction force of a bristle.
 template <class S>
 Vec3<S> GeneralContact::gripping_force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, const Grip<S>& grip) const {
   const S away = dot(at.normal, velocity);

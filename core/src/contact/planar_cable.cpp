@@ -12,7 +12,7 @@ double value_at(std::span<const double> polynomial, double x) {
   return value;
 }
 
-// Between two places of different sign, by Newton's method that does not leave them.
+// Zero between two points of different sign, by Newton's method with bisection.
 double zero_between(std::span<const double> p, std::span<const double> slope, double a, double b) {
   const bool rises = value_at(p, b) > 0;
   double x = 0.5 * (a + b);

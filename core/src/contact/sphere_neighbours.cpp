@@ -29,8 +29,9 @@ void share_stretches(Workers* workers, std::size_t stretches, std::size_t count,
   });
 }
 
-// Spheres in cells of one size, sorted by cells: a row of cells lies side by side in memory, and whoever goes through all cells in order goes through
-// the rows around them in order as well. Cells are counted in no more memory than there are spheres, so that space has no bounds.
+// Spheres in cells of one size, sorted by cells: a row of cells is contiguous in memory, and a loop over all cells in
+// order also reads the adjacent rows in order. Memory is proportional to the number of spheres, not to the volume, so
+// that space has no bounds.
 class SortedCells {
  public:
   LargeVector<std::uint64_t> cells;
@@ -74,7 +75,7 @@ class SortedCells {
   }
 
  private:
-  // So far away that whole numbers end, cells become larger: the outermost one has all that is beyond, and what is no number.
+  // Coordinates beyond the range of integers are in the outermost cells, as is NaN.
   std::int64_t index(double x) const {
     const double cell = std::floor(x * per_length_);
     return static_cast<std::int64_t>(cell > -farthest_cell ? std::min(cell, farthest_cell) : -farthest_cell);
@@ -108,7 +109,7 @@ class SortedCells {
   int bits_of_z_ = 0, bits_of_y_ = 0, bits_ = 0;
 };
 
-// Pairs of some that follow each other with what lies in the rows around them.
+// Pairs of some consecutive spheres with those in the adjacent rows.
 class Search {
  public:
   // Both are in the same cells.
@@ -118,7 +119,7 @@ class Search {
   DALEMBERT_INLINE void operator()(std::size_t begin, std::size_t end, LargeVector<Pair>& found) const {
     if (begin == end) return;
     std::array<Row, 9> rows;
-    std::size_t count = 0;  // of the same spheres, those behind find those before
+    std::size_t count = 0;  // number of preceding candidates among the same spheres
     for (int row = same_ ? own_row : 0; row < 9; ++row) rows[count++] = row_at(among_.way(row / 3 - 1, row % 3 - 1), seekers_.cells[begin]);
     std::size_t pairs = found.size();
     for (std::size_t k = begin; k < end; ++k) {
@@ -135,7 +136,7 @@ class Search {
 
  private:
   static constexpr int own_row = 4;
-  // Where three cells in a row lie.
+  // Range of three cells in a row.
   struct Row {
     std::uint64_t way;
     std::size_t begin, end;
@@ -174,7 +175,7 @@ class Search {
   bool same_;
 };
 
-// The corners of a box around all; what is no number is as far away as can be.
+// The corners of a bounding box; NaN counts as infinitely far away.
 std::pair<SphereAt, SphereAt> corners(std::span<const SphereAt> spheres) {
   constexpr double far = std::numeric_limits<double>::infinity();
   SphereAt lower{far, far, far, 0}, upper{-far, -far, -far, 0};
@@ -230,9 +231,9 @@ void SphereNeighbours::build(std::span<const SphereAt> spheres, double margin, W
   sort_pairs(spheres.size(), workers);
 }
 
-// By the first sphere, and then by the second one.
+// Sorts by the first sphere, and then by the second one.
 void SphereNeighbours::sort_pairs(std::size_t spheres, Workers* workers) {
-  first_.assign(spheres + 2, 0);  // one more than there will be: each number moves on to where the next one begins
+  first_.assign(spheres + 2, 0);  // one more than needed: each number is shifted to the start of the next one
   for (const LargeVector<Pair>& found : found_)
     for (const Pair& pair : found) ++first_[static_cast<std::size_t>(pair.first) + 2];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_pairings = 1024;  // that are kept
 
-constexpr std::uint32_t numbers = 4;  // of each sphere: pairs say where they begin
+constexpr std::uint32_t numbers = 4;  // numbers per sphere: pairs store offsets
 
 template <int L>
 DALEMBERT_INLINE inline std::array<Pack<L>, 4> fours(const double* all, const std::uint32_t* which) {
@@ -86,7 +86,7 @@ void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> 
   list_collected();
 }
 
-// By the chunks that collect.
+// Sorts by the collecting chunks.
 void SpherePairs::list_collected() {
   const std::size_t chunks = begins_.size() - 1;
   const auto chunk_of = [&](int sphere) { return static_cast<std::size_t>(std::ranges::upper_bound(begins_, sphere) - begins_.begin()) - 1; };
@@ -103,7 +103,7 @@ ContactPairing SpherePairs::pairing_of(const ContactSet& set, std::uint32_t firs
   return pairings_.empty() ? set.pairing(surfaces_[a], surfaces_[b]) : pairings_[a * surfaces_.size() + b];
 }
 
-// As GeneralContact::force has it. Pairs that do not press add nothing, to the last bit: sums never are -0.
+// Same as in GeneralContact::force. Inactive pairs add exactly zero: sums never are -0.
 template <int L, bool rubs, bool alike>
 DALEMBERT_INLINE inline double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const ContactSet& set) {
   using P = Pack<L>;
@@ -186,7 +186,8 @@ double SpherePairs::compute(int chunk, const ContactSet& set, Friction friction)
     least = alike ? compute_pairs<L, with_friction, true>(begin, end, set) : compute_pairs<L, with_friction, false>(begin, end, set);
   };
   if (!rubs) in_registers_of_four([&find] { find.template operator()<4, false>(); });
-  else if (numbers_in_register() == 8) run_in_widest_registers([&find] { find.template operator()<8, true>(); });  // without friction four take less time
+  // four are faster without friction
+  else if (numbers_in_register() == 8) run_in_widest_registers([&find] { find.template operator()<8, true>(); });
   else in_registers_of_four([&find] { find.template operator()<4, true>(); });
   return least;
 }

@@ -9,7 +9,7 @@
 namespace dalembert {
 namespace {
 
-// Of the thread that evaluates: laws are shared.
+// Work space of the evaluating thread: laws are shared.
 struct Room {
   std::vector<double> q, v, a;
   AlignedVector<LinkPlace<double>> places;

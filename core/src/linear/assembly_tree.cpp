@@ -13,8 +13,9 @@ namespace dalembert {
 
 namespace {
 
-// Nanoseconds, roughly, of a front with p pivots and u updates: its own, per entry, per entry handed on, per operation.
-// Entries handed on count for more than their time: where there are multipliers, larger fronts have better pivots to choose from.
+// Approximate time in nanoseconds of a front with p pivots and u updates: constant, per entry, per entry of the
+// update matrix, per operation. Entries of the update matrix have an increased weight: if there are multipliers,
+// larger fronts offer better pivots.
 double cost(double p, double u) {
   const double m = p + u;
   return 60 + 0.25 * m * m + 0.7 * u * u + (m * m * m - u * u * u) * (2.0 / 3) / 20;
@@ -34,7 +35,7 @@ class TreeBuilder {
     int first_child = -1, last_child = -1, next_sibling = -1;
     int first_part, next_part = -1;         // supernodes whose pivots make up a front
     int pivot_count = 0, update_count = 0;  // of unknowns
-    double left = 0, peak = 0;  // memory, of what the parent takes over, and the most that the elimination of the subtree needs
+    double left = 0, peak = 0;  // memory: left for the parent, and the maximum during the elimination of the subtree
   };
 
   void group_equal_columns(const Pattern& pattern);
@@ -64,7 +65,7 @@ class TreeBuilder {
   }
 
   const EliminationOrder& unknowns_;
-  std::vector<int> first_unknown_, first_neighbour_, neighbours_;  // of each group, and the end
+  std::vector<int> first_unknown_, first_neighbour_, neighbours_;  // ranges of each group, and the end
   int size_;                                                       // number of groups
   std::vector<int> order_, position_, parent_;
   std::vector<Supernode> supernodes_;
@@ -216,7 +217,7 @@ void TreeBuilder::find_updates() {
   }
 }
 
-// From the leaves on, each front takes in the children that are cheaper as a part of it.
+// From the leaves on, each front absorbs children if this is cheaper.
 void TreeBuilder::unite() {
   for (int s = 0; s < static_cast<int>(supernodes_.size()); ++s) {
     Supernode& node = supernodes_[s];
@@ -253,8 +254,8 @@ void TreeBuilder::take_in(int s, int child) {
   append_children(node, std::exchange(taken.first_child, -1), std::exchange(taken.last_child, -1));
 }
 
-// Children in the order that needs the least memory for what waits for the parent. Liu: On the storage requirement in the
-// out-of-core multifrontal method for sparse factorization, ACM TOMS 12 (1986).
+// Children in the order that needs the least memory for waiting update matrices. Liu: On the storage requirement in
+// the out-of-core multifrontal method for sparse factorization, ACM TOMS 12 (1986).
 void TreeBuilder::sort_children() {
   std::vector<int> children;
   for (Supernode& node : supernodes_) {

@@ -1,5 +1,4 @@
-// How a sparse symmetric pattern is eliminated front by front: which unknowns each front eliminates, which others it couples,
-// and which front takes over the rest.
+// Multifrontal elimination of a sparse symmetric pattern: pivots and update rows of each front, and its parent.
 #pragma once
 
 #include <vector>
@@ -18,7 +17,7 @@ struct FrontStructure {
 // Fronts in an order of elimination. Small ones are united where the time of a front is more than that of the additional zeros.
 std::vector<FrontStructure> assembly_tree(const Pattern& pattern, const EliminationOrder& order);
 
-// Which entries of the matrix enter which front: those that no earlier front takes.
+// Assigns the entries of the matrix to fronts: to the first front that eliminates one of their unknowns.
 class FrontEntries {
  public:
   FrontEntries(const Pattern& pattern, const std::vector<FrontStructure>& tree);

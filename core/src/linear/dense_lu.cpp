@@ -18,7 +18,7 @@ DenseLu::DenseLu(int size, const LinearSolverOptions& options)
   statistics_.entries = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
 }
 
-// Its parts are inlined: calls take as long as what they compute of a small matrix.
+// Its parts are inlined: for a small matrix, calls take as long as the computation.
 [[gnu::flatten]] int DenseLu::factorize(std::span<const double> values) {
   ++statistics_.factorizations;
   if (searched_ && repeat(values)) return success;
@@ -26,7 +26,7 @@ DenseLu::DenseLu(int size, const LinearSolverOptions& options)
   searched_ = failed == success;
   list_.reset();
   listed_ = false;
-  if (searched_ && size_ > tiny) factorize_whole(values);  // with the same rounding as later ones
+  if (searched_ && size_ > tiny) factorize_whole(values);  // same rounding as in later factorizations
   return failed;
 }
 
@@ -62,7 +62,7 @@ double DenseLu::factorize_repeated(std::span<const double> values) {
   return kernels_.factorize(factors_.data(), size_, length_, inverse_pivot_.data());
 }
 
-// As the search does it, in the order of rows that it has found.
+// Same operations as in the search, with the rows in the found order.
 double DenseLu::factorize_tiny(const double* values) {
   const int n = size_;
   double growth = 0;

@@ -1,6 +1,6 @@
-// LU factors of a dense matrix with partial pivoting. The row exchanges of one factorization are tried in the next one, and
-// searched again only if they are not what partial pivoting does there: results do not depend on what was factorized before.
-// In small matrices with many zeros, only the other entries are looked at.
+// LU factors of a dense matrix with partial pivoting. The row exchanges of one factorization are reused in the next
+// one, and searched again only if partial pivoting would differ: results do not depend on earlier matrices. Small
+// matrices with many zeros process nonzero entries only.
 #pragma once
 
 #include <limits>
@@ -23,7 +23,8 @@ class DenseLu final : public LinearSolver {
   std::span<const int> listed_rows() const override { return row_of_step_; }
   double largest_inverse() const override { return largest_inverse_; }
 
-  // Up to this size, the kernels would take longer to start than to compute: nothing is fused, whatever the processor can.
+  // Up to this size, starting the kernels would take longer than the computation: operations are not fused, on any
+  // processor.
   static constexpr int tiny = 3;
   // No entry of L is larger if each pivot is the largest entry of its column.
   static constexpr double largest_growth = 1 + 4 * std::numeric_limits<double>::epsilon();
@@ -40,13 +41,13 @@ class DenseLu final : public LinearSolver {
   void solve_tiny(double* x);
 
   int size_, length_;
-  double largest_inverse_;  // of a pivot
+  double largest_inverse_;  // largest reciprocal of a pivot
   bool searched_ = false;
   const FrontKernels& kernels_;
   std::vector<double> factors_, inverse_pivot_, work_;
   std::vector<int> row_of_step_;
   std::vector<char> occupied_;           // by columns: entries that have differed from zero, and those opposite
-  std::optional<EliminationList> list_;  // of the factors, where it pays
+  std::optional<EliminationList> list_;  // operations of the factorization, if worthwhile
   bool listed_ = false;                  // whether that is known: a matrix that does not come again needs no list
   LinearSolverStatistics statistics_;
 };

@@ -20,7 +20,7 @@ void each(StepMask steps, F&& f) {
   for (; steps != 0; steps &= steps - 1) f(std::countr_zero(steps));
 }
 
-constexpr auto all_but_sign = std::numeric_limits<std::int64_t>::max();  // of the bits of a number
+constexpr auto all_but_sign = std::numeric_limits<std::int64_t>::max();  // mask of the bits of a number
 
 }  // namespace
 

@@ -1,6 +1,5 @@
-// LU factors of a small matrix with many zeros: the operations on what is not zero, listed once for an order of pivots.
-//
-// They are those of the dense kernels, in the same order: leaving out zeros changes no digit.
+// LU factors of a small matrix with many zeros: the operations on nonzero entries, listed once for an order of
+// pivots. They are those of the dense kernels, in the same order: skipping zeros does not change results.
 #pragma once
 
 #include <cstddef>
@@ -29,19 +28,20 @@ class EliminationList {
     std::uint16_t from, to;  // place in the matrix, by columns, and in the factors
   };
 
-  // Row k of the factors is row_of_step[k] of the matrix; `occupied` tells by columns which entries may differ from zero.
+  // Row k of the factors is row_of_step[k] of the matrix; `occupied` marks entries, by columns, that may differ from
+  // zero.
   EliminationList(std::span<const int> row_of_step, std::span<const char> occupied);
   // Whether it takes less time than the dense kernels.
   bool pays() const { return updates.size() <= static_cast<std::size_t>(size) * static_cast<std::size_t>(size); }
 
   int size = 0;
-  int entries = 0;  // of the factors: pivots first, then L column by column, then U
+  int entries = 0;  // entries of the factors: pivots first, then L column by column, then U
   std::vector<Source> sources;
   std::vector<std::uint16_t> fill;                     // places without a source
-  std::vector<std::int64_t> unoccupied;                // by places in the matrix: the bits of a number that would be missed
+  std::vector<std::int64_t> unoccupied;  // by position in the matrix: mask of bits that must be zero
   std::vector<std::uint16_t> lower_ends, update_ends;  // by pivot
-  std::vector<Update> updates;                         // of the factors, pivot by pivot
-  std::vector<Update> forward;                         // of a right-hand side
+  std::vector<Update> updates;  // updates of the factors, pivot by pivot
+  std::vector<Update> forward;  // updates of a right-hand side
   std::vector<Update> within, before;
   std::vector<Group> groups;
 
@@ -51,7 +51,7 @@ class EliminationList {
   void list_back_substitution();
   std::uint16_t& place(int i, int j) { return places_[static_cast<std::size_t>(j) * static_cast<std::size_t>(size) + static_cast<std::size_t>(i)]; }
 
-  std::vector<StepMask> rows_, columns_;  // of the factors: where they may differ from zero
+  std::vector<StepMask> rows_, columns_;  // pattern of the factors
   std::vector<std::uint16_t> places_;
 };
 

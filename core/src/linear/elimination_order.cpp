@@ -26,10 +26,10 @@ class QuotientGraph {
   enum class State : char { vertex, element, gone };
   struct Node {
     State state = State::vertex;
-    int weight = 0;   // unknowns; of an element: of its vertices
-    int surplus = 0;  // unknowns that bring a pivot less those that need one; of an element: of all that it has eliminated
+    int weight = 0;  // unknowns; for an element: of its vertices
+    int surplus = 0;  // unknowns with a pivot minus those without; for an element: of all eliminated unknowns
     int degree = 0;
-    int previous = -1, next = -1, key = -1;  // in the list of vertices with the same key
+    int previous = -1, next = -1, key = -1;  // links in the list of vertices with the same key
     Stretch vertices, elements;              // neighbours, in vertices_ and elements_
     int first_member = -1, last_member = -1;  // unknowns
   };
@@ -69,8 +69,8 @@ class QuotientGraph {
   std::vector<Node> nodes_;
   // Neighbours of all nodes. A vertex has no more elements than it has lost vertices: they take as much room at most.
   std::vector<int> vertices_, elements_;
-  std::vector<int> next_member_;  // of each unknown: the next one of its node
-  std::vector<int> group_;        // of each unknown: its node
+  std::vector<int> next_member_;  // per unknown: the next one of its node
+  std::vector<int> group_;  // per unknown: its node
   std::vector<int> first_;        // vertices by key: the degree, and `size_` more if not eligible
   int lowest_ = 0;                // no smaller key is in use
   int left_;                      // unknowns that are not eliminated
@@ -149,7 +149,7 @@ void QuotientGraph::connect(const Pattern& pattern) {
   elements_.resize(vertices_.size());
 }
 
-// Pivots for all unknowns of the vertex can come from itself and from what has been eliminated around it.
+// Pivots for all unknowns of the vertex are available in itself and in adjacent eliminated unknowns.
 bool QuotientGraph::eligible(const Node& node) const {
   int surplus = node.surplus;
   for (const int e : node.elements.of(elements_)) surplus += nodes_[e].surplus;

@@ -1,4 +1,4 @@
-// In which order the unknowns of a sparse matrix are eliminated, to keep its factors sparse.
+// Order of elimination of the unknowns of a sparse matrix, for sparse factors.
 #pragma once
 
 #include <span>
@@ -11,9 +11,9 @@ namespace dalembert {
 // By unknown: 1 if it brings a pivot, -1 if it needs one, 0 if it has one of its own as soon as all around it is eliminated.
 using PivotSurplus = std::vector<signed char>;
 
-// Unknowns with a diagonal entry bring a pivot. Of two without one that have their largest entries in common, such as an Euler parameter
-// without inertia and the condition of unit length, either is the other's pivot: one brings it. `dependent`: multipliers of equations that
-// follow from others.
+// Unknowns with a diagonal entry have a pivot. If two unknowns without diagonal entry have their largest entries in
+// common, such as an Euler parameter without inertia and its unit-length constraint, each is the pivot of the other,
+// and one of them counts as having a pivot. `dependent`: multipliers of redundant constraints.
 PivotSurplus pivot_surplus(const Pattern& pattern, std::span<const double> values, std::span<const int> dependent);
 
 // Entry k is the unknown that is eliminated k-th.

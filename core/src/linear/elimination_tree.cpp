@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_known = 2;  // that of masses and constraints, that of Newton's matrix
 
-// What tells trees of a pattern apart.
+// Key that distinguishes trees of a pattern.
 std::vector<bool> key_of(const PivotSurplus& surplus, bool some_depend) {
   std::vector<bool> key;
   std::ranges::transform(surplus, std::back_inserter(key), [](signed char s) { return s > 0; });

@@ -9,8 +9,8 @@
 
 namespace dalembert {
 
-// For matrices with a diagonal like that of `values`, where the `dependent` multipliers follow from others. What has been found is kept with the pattern: initial accelerations, the steps
-// after them and the next solution ask for the same.
+// Elimination tree for matrices with a diagonal like that of `values` and redundant multipliers `dependent`. Results
+// are cached with the pattern: initial accelerations, later steps and the next solution need the same tree.
 std::shared_ptr<const std::vector<FrontStructure>> elimination_tree(const Pattern& pattern, std::span<const double> values,
                                                                      std::span<const int> dependent);
 

@@ -1,7 +1,6 @@
-// Dense arithmetic of the sparse factorization: LU of the pivot columns of a front, with what follows for its other columns.
-//
-// Matrices are stored by columns, which are as long as a multiple of `front_chunk`; what is between the last row and the end
-// of a column takes part in the arithmetic and means nothing.
+// Dense arithmetic of the sparse factorization: LU of the pivot columns of a front, and updates of its remaining
+// columns. Matrices are stored by columns, whose length is a multiple of `front_chunk`; entries between the last row
+// and the end of a column are computed but unused.
 #pragma once
 
 #include <cstddef>
@@ -33,17 +32,18 @@ struct FrontKernels {
   // Eliminates the pivots from `count` further columns: their first `pivots` rows become U, the others the Schur complement.
   // A right-hand side is such a column.
   void (*eliminate)(const double* panel, int pivots, int length, double* columns, int count);
-  // w := U^-1 w. Of w and of `inverse`, padded(pivots) numbers are read.
+  // w := U^-1 w. Reads padded(pivots) numbers of w and of `inverse`.
   void (*substitute)(const double* panel, int pivots, int length, const double* inverse, double* w);
-  // Adds columns of a child to those of its parent, which start at to + places[j]. What follows a run, up to front_slack numbers,
-  // is read and written as it is.
+  // Adds columns of a child to those of its parent, which start at to + places[j]. Up to front_slack numbers behind a
+  // run are read and written unchanged.
   void (*add_columns)(const double* from, int length, int count, std::span<const RowRun> runs, const int* places, double* to);
   // A factorized and eliminated front into the streams of solution_sweeps.hpp. Reads up to front_slack numbers more than the
   // front has; `inverse` is read up to the last slot.
   void (*pack)(const double* panel, const FrontSize& front, int length, const double* columns, const double* inverse,
                double* lower, double* upper);
-  // x := L^-1 x and x := U^-1 x for all fronts, by slots. `rows` and `columns` are the slots of the updates of each front, `w`
-  // has room for the longest. The backward sweep is given the ends: of `columns`, and of the slots that belong to fronts.
+  // x := L^-1 x and x := U^-1 x for all fronts, by slots. `rows` and `columns` are the slots of the updates of each
+  // front, `w` is work space for the longest. The backward sweep takes the ends of `columns`, and of the slots of
+  // fronts.
   void (*forward)(std::span<const FrontSize> fronts, const double* lower, const int* rows, double* x, double* w);
   void (*backward)(std::span<const FrontSize> fronts, const double* upper, const int* columns_end, double* x, double* x_end);
   // The three above of listed operations, digit by digit: the factors' entries out of a matrix, false if others differ from zero;
@@ -53,7 +53,7 @@ struct FrontKernels {
   void (*solve_listed)(const EliminationList& list, const double* a, const double* inverse, double* w);
 };
 
-// Those that this processor can run, best first.
+// Kernels for this processor, best first.
 std::span<const FrontKernels* const> available_front_kernels();
 // By name; empty: the best.
 const FrontKernels& front_kernels(std::string_view name);

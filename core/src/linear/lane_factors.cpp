@@ -10,7 +10,7 @@ namespace dalembert {
 
 namespace {
 
-// In the registers in which DenseLu computes factors of this size.
+// Uses the same registers as DenseLu for this size.
 template <class Loop>
 void in_registers_for(int size, const Loop& loop) {
   size <= DenseLu::tiny ? run_in_any_registers(loop) : in_block_registers(loop);

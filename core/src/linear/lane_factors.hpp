@@ -23,7 +23,7 @@ class LaneFactors {
     eliminate();
     others ? take(wanted) : factors_.swap(next_);
   }
-  // Of the last factorization: whether DenseLu would keep these pivots, none of which has a reciprocal of this size.
+  // Whether DenseLu would keep the pivots of the last factorization; their reciprocals must be below this bound.
   bool usable(int lane, double largest_inverse) const;
   // The solutions for the right-hand sides with the entries `value(k)`, until the next call.
   template <class F>

@@ -1,4 +1,4 @@
-// What the list of an elimination says, done: for one matrix, S = double, or for several at once, S = Pack.
+// Executes the list of an elimination: for one matrix, S = double, or for several at once, S = Pack.
 #pragma once
 
 #include "dalembert/math/pack.hpp"

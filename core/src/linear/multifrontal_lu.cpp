@@ -11,14 +11,14 @@ namespace dalembert {
 
 namespace {
 
-// Pivots may be so much smaller than the largest entry of their columns. Small ones keep the factors sparse and do no harm in
-// general; where they do, the search is done again more strictly.
+// Smallest admissible pivots, relative to the largest entry of their columns. Small pivots keep the factors sparse
+// and are usually accurate; otherwise the search is repeated with a larger ratio.
 constexpr double smallest_ratios[] = {1e-6, 1e-4, 1e-2};
-// In a solution for tests, relative to the sizes of matrix and solution.
+// Residual of a test solution, relative to the sizes of matrix and solution.
 constexpr double largest_residual = 1e-12;
 // Fronts of a stricter search may have so many times the rows of those of the first one.
 constexpr int harmless_fill = 3;
-// A repeated factorization is given up if the largest entry of L grows by more: so many digits could be lost.
+// Largest admissible growth of the entries of L in a repeated factorization, which bounds the loss of digits.
 constexpr double largest_growth = 1e3;
 
 }  // namespace
@@ -31,7 +31,7 @@ LinearSolverStatistics MultifrontalLu::statistics() const { return statistics_; 
 
 int MultifrontalLu::factorize(std::span<const double> given) {
   ++statistics_.factorizations;
-  // Which unknowns are left out depends on the values.
+  // Dropped unknowns depend on the values.
   if (planned_ && !options_.ignore_singular && repeat(given)) return success;
   return start_again(given);
 }
@@ -41,7 +41,7 @@ int MultifrontalLu::start_again(std::span<const double> given) {
   std::vector<double> gathered(slots_.size());
   std::ranges::transform(slots_, gathered.begin(), [&](int slot) { return given[slot]; });
   const std::span<const double> values = slots_.empty() ? given : gathered;
-  std::vector<double> pivots_alone;  // the values without diagonal entries that are none
+  std::vector<double> pivots_alone;  // the values without negligible diagonal entries
   if (!options_.tiny_diagonal.empty()) {
     pivots_alone.assign(values.begin(), values.end());
     for (const int j : options_.tiny_diagonal) pivots_alone[static_cast<std::size_t>(pattern_.slot(j, j))] = 0;
@@ -49,15 +49,15 @@ int MultifrontalLu::start_again(std::span<const double> given) {
   const std::span<const double> structure = pivots_alone.empty() ? values : pivots_alone;
   if (!tree_) tree_ = elimination_tree(pattern_, structure, options_.dependent);
   scaling_ = balance(pattern_, structure);
-  // Without multipliers there is in general nothing to search.
+  // The search is usually trivial without multipliers.
   planned_ = !options_.ignore_singular && std::ranges::none_of(scaling_.multiplier, [](char m) { return m != 0; }) &&
              adopt(pivots_in_order(*tree_), values, given) <= largest_residual && growth_ <= harmless_growth && regular();
   if (planned_) return success;
   return search_and_adopt(values, given);
 }
 
-// Where no search passes the test, as weak constraints do not let any, more strictness may only fill the factors: the pivots that come nearest are
-// taken, and a search whose fronts outgrow those of the first one is given up.
+// If no search passes the test, because of weak constraints, a stricter search may only fill the factors: the best
+// pivots are used, and a search whose fronts outgrow those of the first one is abandoned.
 int MultifrontalLu::search_and_adopt(std::span<const double> values, std::span<const double> given) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   int singular = success, largest_front = pattern_.size();
@@ -92,7 +92,7 @@ double MultifrontalLu::adopt(std::vector<PivotedFront> fronts, std::span<const d
   return residual_of_test(values);
 }
 
-// Of the solution for a right-hand side whose solution is known to be of the size one, by scaled unknowns and equations.
+// Residual for a right-hand side with a known solution of size one, in scaled unknowns and equations.
 double MultifrontalLu::residual_of_test(std::span<const double> values) {
   const auto starts = pattern_.column_start(), rows = pattern_.row_index();
   std::vector<double> x(static_cast<std::size_t>(size_), 0.0), size(x);
@@ -110,7 +110,7 @@ double MultifrontalLu::residual_of_test(std::span<const double> values) {
   solve(x);
   for_each_entry([&](int i, int j, double value) { b[i] -= value * x[j]; });
   double largest_x = 1, residual = 0, largest = 0;
-  const auto include = [](double& so_far, double number) {  // what is not a number is larger than all
+  const auto include = [](double& so_far, double number) {  // NaN counts as the largest
     if (!(number <= so_far)) so_far = number;
   };
   for (int j = 0; j < size_; ++j) {
@@ -164,7 +164,7 @@ void MultifrontalLu::assemble(const Front& front, std::span<const double> given)
   for (int c = front.children; c < front.end_of_children; ++c) take_over(fronts_[children_[c]], to);
 }
 
-// Adds what a child leaves.
+// Adds the update matrix of a child.
 void MultifrontalLu::take_over(const Front& child, double* to) {
   const double* from = columns(child) + static_cast<std::ptrdiff_t>(child.length) * child.pivots;
   const std::span runs = std::span(runs_).subspan(child.runs, child.end_of_runs - child.runs);

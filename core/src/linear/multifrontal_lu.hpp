@@ -20,7 +20,7 @@ namespace dalembert {
 
 class MultifrontalLu final : public LinearSolver {
  public:
-  // `slots`: where the values of the pattern stand among those that are given; none: these are the values.
+  // `slots`: positions of the pattern's values among the given values; empty: these are the values.
   MultifrontalLu(const Pattern& pattern, const LinearSolverOptions& options, std::vector<int> slots = {});
   int factorize(std::span<const double> given) override;
   void solve(std::span<double> x) override;
@@ -29,22 +29,22 @@ class MultifrontalLu final : public LinearSolver {
   LinearSolverStatistics statistics() const override;
 
  private:
-  static constexpr int longest_run = 4;  // of entries of a column that are taken over together
+  static constexpr int longest_run = 4;  // entries of a column that are added together
 
   struct Front {
     int pivots, updates, length;  // length: of a column
-    int first_slot;               // of the pivots
-    std::size_t lower, upper;     // where its factors are
-    std::size_t columns;          // where its columns are; those behind the pivots stay until the parent has taken them over
-    std::size_t first_update;     // of what is stored per update
+    int first_slot;  // of the pivots
+    std::size_t lower, upper;  // addresses of its factors
+    std::size_t columns;  // address of its columns; the update columns are kept until the parent has added them
+    std::size_t first_update;  // start of data stored per update
     std::size_t runs, end_of_runs;
     int first_entry;
-    std::array<int, longest_run + 3> end_of_entries;  // of runs, from the longest to those of one entry; then by scale
+    std::array<int, longest_run + 3> end_of_entries;  // ends of runs, from the longest to single entries; then by scale
     int children, end_of_children;
   };
-  // Where an entry of the matrix goes, or the first one of a run.
+  // Destination of an entry of the matrix, or of the first one of a run.
   struct Entry {
-    int slot, target;  // in the given values, in the columns of the front
+    int slot, target;  // slot: in the given values; target: in the columns of the front
   };
   class RunsOfEntries;
 
@@ -78,25 +78,25 @@ class MultifrontalLu final : public LinearSolver {
   int size_;
   bool planned_ = false;
   double growth_ = 0;          // largest entry of L
-  double planned_growth_ = 1;  // in the factorization that has chosen the pivots
+  double planned_growth_ = 1;  // growth in the factorization that has selected the pivots
   Scaling scaling_;
-  std::array<double, 3> scales_ = {};  // of entries in the row of a multiplier, in the column of one, in both
+  std::array<double, 3> scales_ = {};  // scales of entries in the row of a multiplier, in the column of one, in both
   int pivot_slots_ = 0;  // behind them are unknowns without pivot, only if singular matrices are allowed
   std::shared_ptr<const std::vector<FrontStructure>> tree_;
   std::vector<Front> fronts_;
   std::vector<Entry> entries_;
   std::vector<int> children_;
-  std::vector<int> places_;  // of each update's column in the parent
+  std::vector<int> places_;  // column of each update in the parent
   std::vector<RowRun> runs_;
   std::vector<FrontSize> sizes_;
-  std::vector<int> row_slot_, column_slot_;          // of each update
+  std::vector<int> row_slot_, column_slot_;  // per update
   std::vector<int> row_of_slot_, slot_of_column_;    // slots without an unknown have any row
-  std::vector<double> row_scale_, column_scale_;     // by slots, by unknowns
-  std::vector<double> inverse_pivot_, least_pivot_;  // by slots; what is not larger counts as zero
-  NumberStorage columns_;                            // of the front at work, and what others leave
-  NumberStorage factors_;                            // of all fronts
+  std::vector<double> row_scale_, column_scale_;  // by slots, by unknowns
+  std::vector<double> inverse_pivot_, least_pivot_;  // by slots; smaller pivots count as zero
+  NumberStorage columns_;  // columns of the current front, and update matrices
+  NumberStorage factors_;  // factors of all fronts
   std::size_t first_upper_ = 0;                      // upper factors in factors_
-  std::vector<double> unknowns_, work_;              // by slots, by updates of a front
+  std::vector<double> unknowns_, work_;  // by slots, by updates of a front
   LinearSolverStatistics statistics_;
 };
 

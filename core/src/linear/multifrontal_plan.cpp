@@ -1,4 +1,4 @@
-// Where everything goes in a repeated factorization.
+// Memory layout of a repeated factorization.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -23,7 +23,7 @@ class Places {
     size_ = std::max(size_, place + size);
     return place;
   }
-  // Of what starts at a place, only the end is kept, if there is one.
+  // Releases a block; only its end is kept, if there is one.
   void release(std::size_t place, std::size_t kept_from) {
     const auto taken = taken_.find(place);
     const std::size_t end = taken->second;
@@ -132,7 +132,7 @@ std::vector<int> MultifrontalLu::number_slots(const std::vector<PivotedFront>& f
   return slot_of_row;
 }
 
-// Of the entries of one front, those that follow each other in a column of the matrix as well as in one of the front.
+// Entries of one front that are contiguous in a column of the matrix and in a column of the front.
 class MultifrontalLu::RunsOfEntries {
  public:
   explicit RunsOfEntries(int size) : last_(static_cast<std::size_t>(size), -1) {}
@@ -167,8 +167,8 @@ class MultifrontalLu::RunsOfEntries {
   };
 
   std::vector<Run> runs_;
-  std::vector<int> last_;  // of each column, counted over all fronts
-  int earlier_ = 0;        // of other fronts
+  std::vector<int> last_;  // per column, counted over all fronts
+  int earlier_ = 0;  // number in other fronts
 };
 
 void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {

@@ -60,7 +60,7 @@ LinearSolverStatistics OccupiedLu::statistics() const {
   return all;
 }
 
-// Before another solver takes over.
+// Called before another solver replaces this one.
 void OccupiedLu::count_as_earlier() {
   if (!solver_) return;
   const LinearSolverStatistics last = solver_->statistics();
@@ -101,7 +101,7 @@ void OccupiedLu::take(const std::vector<char>& occupied) {
   solver_ = std::make_unique<MultifrontalLu>(*occupied_, options, std::move(slots));
 }
 
-// Those of entries that differ from zero, of the entries opposite to them, and of the diagonal.
+// Slots of nonzero entries, of their transposed entries, and of the diagonal.
 std::vector<char> OccupiedLu::occupied_slots(std::span<const double> values) const {
   std::vector<char> occupied(values.size(), 0);
   pattern_.for_each_transposed([&, to = occupied.data()](int slot, int transposed) {

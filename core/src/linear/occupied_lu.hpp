@@ -1,7 +1,7 @@
-// A sparse matrix whose pattern is for the most part zeros, as a mass matrix on the pattern of a tangent: only what is not zero
-// is analysed and factorized, and unknowns without neighbours are divided by their diagonal entries. Should another entry become
-// nonzero, the whole pattern is taken, as it is for the first matrices if they may be unlike those that follow. Unknowns that are left out have
-// no part in either.
+// A sparse matrix with a mostly zero pattern, such as a mass matrix on the pattern of a tangent: only nonzero entries
+// are analysed and factorized, and unknowns without neighbours are divided by their diagonal entries. If another
+// entry becomes nonzero, the whole pattern is used, as for the first matrices if these may differ from later ones.
+// Dropped unknowns are ignored in both cases.
 #pragma once
 
 #include <memory>
@@ -40,12 +40,12 @@ class OccupiedLu final : public LinearSolver {
   std::vector<char> has_part_;      // by unknown
   int unsettled_;
   bool chosen_ = false;
-  std::optional<Pattern> occupied_;  // of the unknowns with neighbours
+  std::optional<Pattern> occupied_;  // pattern of the unknowns with neighbours
   std::vector<Lone> lone_;
   std::vector<int> coupled_;        // the others
   std::vector<int> zeros_;          // slots in the whole pattern that must stay zero
   std::unique_ptr<MultifrontalLu> solver_;
-  LinearSolverStatistics earlier_;  // of solvers before this one
+  LinearSolverStatistics earlier_;  // statistics of previous solvers
 };
 
 }  // namespace dalembert

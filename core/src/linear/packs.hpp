@@ -36,7 +36,7 @@ struct Packs {
   DALEMBERT_INLINE void add_product(const Packs& x, const Factor& y) {
     for (int k = 0; k < count; ++k) part[k] += x.part[k] * y;
   }
-  // Of the product, entries from `begin` to before `end` may differ from zero.
+  // Entries of the product from `begin` to before `end` may differ from zero.
   template <class Factor>
   DALEMBERT_INLINE void subtract_product(const Packs& x, const Factor& y, int begin = 0, int end = N) {
     for (int k = 0; k < count; ++k)

@@ -8,9 +8,9 @@ namespace dalembert {
 
 namespace {
 
-// In fronts with more pivots the order as it stands is tried first.
+// Larger fronts try the given order first.
 constexpr int small_front = 16;
-// Where singular matrices are allowed, what is smaller than this part of the column of the matrix is round-off.
+// If singular matrices are allowed, smaller entries relative to the column of the matrix are round-off.
 constexpr double round_off = 1e-14;
 // Inverses of triangles that solutions multiply by are exact to so many times the round-off of their entries.
 constexpr double harmless_ratio = 1e3;
@@ -24,8 +24,8 @@ class DenseFront {
 
   double& at(int row, int column) { return values_[static_cast<std::size_t>(column) * length_ + row]; }
 
-  // `usable(row, column, size, below)`: acceptable as pivot, `below` being the largest entry that is left to the parent. `tiny_last`: those that
-  // are tiny beside their rows.
+  // `usable(row, column, size, below)`: acceptable as pivot, `below` being the largest entry of the update rows.
+  // `tiny_last`: pivots that are tiny relative to their rows come last.
   template <class Usable>
   void eliminate(Usable&& usable, const FrontKernels& kernels, bool tiny_last) {
     if (candidates_ <= small_front || !eliminate_in_order(usable, kernels, tiny_last)) {
@@ -69,7 +69,7 @@ class DenseFront {
     }
   }
 
-  // Beside what is in its row behind column k.
+  // Compares with the entries of its row behind column k.
   bool is_tiny(int row, int k, double pivot) {
     double largest = 0;
     for (int j = k + 1; j < candidates_; ++j) largest = std::max(largest, std::abs(at(row, j)));
@@ -165,7 +165,7 @@ class Search {
   }
 
  private:
-  // What a front leaves to its parent.
+  // Update matrix of a child.
   struct Child {
     int front;
     DenseFront values;
@@ -219,8 +219,8 @@ class Search {
   const FrontKernels& kernels_;
   FrontEntries entries_;
   std::vector<PivotedFront> fronts_;
-  std::vector<std::vector<Child>> waiting_;       // children of each front, until it takes over what they leave
-  std::vector<int> row_place_, column_place_;     // in the front that is being assembled
+  std::vector<std::vector<Child>> waiting_;  // children of each front, until it adds their update matrices
+  std::vector<int> row_place_, column_place_;  // positions in the current front
   double threshold_;
   std::vector<double> smallest_;
   bool ignore_singular_, tiny_last_;

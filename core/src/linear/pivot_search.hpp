@@ -18,7 +18,7 @@ struct PivotedFront {
 };
 
 struct PivotSearch {
-  std::vector<PivotedFront> fronts;  // as in the tree
+  std::vector<PivotedFront> fronts;  // same order as in the tree
   int singular_column = LinearSolver::success;
   int largest_front = 0;  // rows
   bool outgrown = false;  // a front had more rows than it may have: the search has been given up

@@ -23,7 +23,7 @@ ReducedLu::ReducedLu(int size, LinearSolverType type, const LinearSolverOptions&
       x_(kept_.size()) {
   LinearSolverOptions others = options;
   others.left_out.clear();
-  others.tiny_diagonal.clear();  // of sparse matrices, as are those that depend on others
+  others.tiny_diagonal.clear();  // options of sparse matrices, as is `dependent`
   others.dependent.clear();
   solver_ = make_linear_solver(pattern_, type, others);
 }

@@ -1,4 +1,4 @@
-// A dense matrix without some of its unknowns and their rows: in solutions, these unknowns are zero.
+// A dense matrix without some of its unknowns and their rows: these unknowns are zero in solutions.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace dalembert {
 
 class ReducedLu final : public LinearSolver {
  public:
-  // Without options.left_out.
+  // Ignores options.left_out.
   ReducedLu(int size, LinearSolverType type, const LinearSolverOptions& options);
   int factorize(std::span<const double> values) override;
   void solve(std::span<double> x) override;

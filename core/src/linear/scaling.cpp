@@ -8,10 +8,10 @@ namespace dalembert {
 namespace {
 
 constexpr int largest_exponent = 200;
-// Entries of the diagonal that are so much smaller than the largest one are what rounding has left of zeros.
+// Smaller diagonal entries, relative to the largest one, are round-off of zeros.
 constexpr double negligible_entry = 1e-14;
 
-// The median of what is not zero; zero if there is nothing.
+// The median of nonzero entries; zero if there are none.
 double median(std::vector<double> sizes) {
   std::erase_if(sizes, [](double x) { return !(x > 0) || !std::isfinite(x); });
   if (sizes.empty()) return 0;

@@ -11,16 +11,16 @@ namespace dalembert {
 
 // Powers of two: they change no digit of a result.
 struct Scaling {
-  std::vector<char> multiplier;               // which unknowns have no diagonal entry
-  double row_factor = 1, column_factor = 1;   // of their rows and columns
+  std::vector<char> multiplier;  // unknowns without diagonal entry
+  double row_factor = 1, column_factor = 1;  // scales of their rows and columns
 
   double row(int i) const { return multiplier[static_cast<std::size_t>(i)] ? row_factor : 1; }
   double column(int j) const { return multiplier[static_cast<std::size_t>(j)] ? column_factor : 1; }
 };
 
-// One factor for all unknowns without a diagonal entry (multipliers), which makes the gradients of constraints in general as
-// large as the diagonal: their ratio is a power of the step size. Factors of their own for each unknown would follow
-// directions without inertia, as the lengths of Euler parameters, to useless extremes.
+// One factor for all unknowns without a diagonal entry (multipliers), which scales constraint gradients to the size
+// of the diagonal: their ratio is a power of the step size. Individual factors would become extreme for directions
+// without inertia, such as the lengths of Euler parameters.
 Scaling balance(const Pattern& pattern, std::span<const double> values);
 
 }  // namespace dalembert

@@ -1,7 +1,6 @@
-// The factors of a tree of fronts as the two sweeps of a solution read them: two streams, each from its beginning to its end.
-//
-// Pivots are taken in groups of eight; the last group of a front is what remains. In the vector of unknowns each group has
-// room for whole registers, four or eight numbers: these places are called slots.
+// The factors of a tree of fronts as two contiguous streams, one for the forward and one for the backward
+// substitution. Pivots are processed in groups of eight; the last group of a front has the rest. Each group has a
+// multiple of four numbers in the vector of unknowns, four or eight: these positions are called slots.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +14,12 @@ struct FrontSize {
 };
 
 constexpr int group_slots(int pivots) { return pivots <= half_group ? half_group : pivot_group; }
-// First pivot of the last group; negative if there is none.
+// First pivot of the last group; negative if there are no pivots.
 constexpr int last_group(int pivots) { return ((pivots + pivot_group - 1) / pivot_group - 1) * pivot_group; }
 constexpr int slots(int pivots) { return pivots <= 0 ? 0 : last_group(pivots) + group_slots(pivots - last_group(pivots)); }
 
-// Columns of the inverses of triangles are stored in halves of four numbers without those that are zero: where column j of up
-// to eight stands, or how many numbers j columns have.
+// Columns of inverse triangles are stored in halves of four numbers without zero halves: returns the offset of column
+// j of up to eight, or the size of j columns.
 constexpr int lower_column(int j, int height) { return j <= half_group ? height * j : half_group * (j + half_group); }
 constexpr int upper_column(int j) { return j <= half_group ? half_group * j : pivot_group * (j - half_group / 2); }
 

@@ -10,7 +10,7 @@ namespace dalembert {
 
 namespace {
 
-// Where the longest path has fewer fronts, little is waited for.
+// Shorter longest paths are not worth a rotation.
 constexpr int shortest_path = 8;
 
 std::size_t entries(const FrontStructure& front) { return front.pivots.size() * (front.pivots.size() + 2 * front.updates.size()); }
@@ -40,9 +40,10 @@ class TreeRotation {
 
   std::vector<FrontStructure> tree_;
   const PivotSurplus& brought_;
-  // Of each subtree: its fronts, those on its longest path, the child on that, and those on the longest path without that child.
+  // Per subtree: its fronts, those on its longest path, the child on that path, and the longest path without that
+  // child.
   std::vector<int> count_, height_, deepest_, other_height_;
-  std::vector<int> surplus_;                   // of each subtree: unknowns that bring a pivot less those that need one
+  std::vector<int> surplus_;  // per subtree: unknowns with a pivot minus those without
   std::vector<int> mark_;
   std::vector<int> order_;
 };
@@ -85,7 +86,7 @@ std::vector<FrontStructure> TreeRotation::run() {
   return sorted();
 }
 
-// Each front leaves to its old child what that child has left to it. The new root leaves nothing.
+// Each front reverses the edge to its former child. The new root has no parent.
 TreeRotation::Turn TreeRotation::turn(int root) {
   Turn turn{{root}, {}};
   for (int f = root; height_[f] > height_[root] / 2 + 1;) turn.path.push_back(f = deepest_[f]);
@@ -108,7 +109,7 @@ void TreeRotation::split(const FrontStructure& front, const std::vector<int>& ke
 
 // Shorter by a quarter at least, and no larger.
 bool TreeRotation::worth(const Turn& turn) const {
-  int height = 0;  // of what is turned
+  int height = 0;  // height of the rotated part
   std::size_t old_entries = 0, new_entries = 0;
   for (std::size_t i = 0; i < turn.path.size(); ++i) {
     const int f = turn.path[i];

@@ -1,6 +1,6 @@
-// The operations of a trace on several computations at once: sorted into runs of the same operation, without repetitions and
-// without what no output needs. They are done one by one, nothing is fused: every number is the one that the scalar
-// computation gives, bit for bit.
+// The operations of a trace on several computations at once: sorted into runs of the same operation, without repeated
+// or unused operations. Operations are executed one by one without fusing: every number is bit-identical to the
+// scalar computation.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@
 
 namespace dalembert {
 
-// Which constants of a trace have been equal in all computations so far, and which have always been the same.
+// Groups constants of a trace that have been equal in all computations so far, and those with a fixed value.
 class ConstantClasses {
  public:
-  // True: these constants tell some of them apart, and programs made before do not fit.
+  // True: these constants split a group, and earlier programs are invalid.
   bool refine(std::span<const double> constants);
 
   int count() const { return static_cast<int>(first_.size()); }
@@ -38,7 +38,7 @@ class LaneProgram {
   void set_constants(int lane, std::span<const double> constants);
   using Places = std::array<const double*, block_lanes>;
   void read(std::span<const Places> inputs);
-  // After the part of the trace that it belongs to has run; until an earlier part runs again.
+  // Valid after its part of the trace has run; until an earlier part runs again.
   const LaneBlock& output(int k) const { return memory_[outputs_[static_cast<std::size_t>(k)]]; }
   // Always zero, in all computations.
   bool is_zero(int k) const { return zero_[static_cast<std::size_t>(k)]; }
@@ -47,7 +47,7 @@ class LaneProgram {
  private:
   enum class Kind : std::uint8_t { add, subtract, multiply, divide, negate, square_root, sine, cosine, turn };
   struct Instruction {
-    std::uint16_t result, a, b;  // places in memory; of a turn, b is the place of the sine
+    std::uint16_t result, a, b;  // addresses; for a rotation, b is the address of the sine
   };
   struct Run {
     Kind kind;
@@ -68,7 +68,7 @@ class LaneProgram {
   std::vector<Instruction> instructions_;
   std::vector<Run> runs_;
   struct Part {
-    std::size_t run, instruction;  // where it begins
+    std::size_t run, instruction;  // first run and instruction
   };
   std::vector<Part> parts_;  // and the end
 };

@@ -9,7 +9,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr double nothing = 0;  // what an empty lane computes with
+constexpr double nothing = 0;  // value in empty lanes
 
 // Calls f(number, place) for the numbers of a state that noted equations depend on.
 template <class F>
@@ -127,7 +127,7 @@ void Lockstep::take_step(const Lanes& lanes) {
   });
 }
 
-// A modified Newton method that has turned into a full one, or started again, goes its own way; so does one that fails.
+// A modified Newton method that has become a full one, or restarted, leaves the group; so does one that fails.
 bool Lockstep::is_usual(const SecondOrderSolver& solver) {
   return !solver.loop_.restarted && solver.full_newton_ == !solver.newton_settings.useModifiedNewton &&
          (solver.goes_on() || solver.succeeded());
@@ -143,7 +143,7 @@ void Lockstep::iterate(const Lanes& lanes) {
   });
 }
 
-// States of lanes that do not iterate any more are what they were, and so are their residuals.
+// States and residuals of lanes that no longer iterate do not change.
 void Lockstep::find_residuals(const Lanes& lanes) {
   program_.read(inputs_);
   program_.run(0);
@@ -171,7 +171,8 @@ void Lockstep::renew_factors(const Lanes& lanes) {
 
 void Lockstep::search_pivots(int i) {
   Lane& lane = lanes_[static_cast<std::size_t>(i)];
-  const std::span<double> residual = lane.solver->residual();  // where constraints that follow from others look for contradictions
+  // the check for contradictory redundant constraints reads the residual
+  const std::span<double> residual = lane.solver->residual();
   for (std::size_t k = 0; k < residual.size(); ++k) residual[k] = program_.output(static_cast<int>(k))[i];
   const std::span<double> values = lane.solver->jacobian_values();
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = program_.output(matrix_output(static_cast<int>(k)))[i];

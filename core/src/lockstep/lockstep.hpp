@@ -1,5 +1,5 @@
-// Solvers of variations of one model that take their steps together: the logic of each is its own, what takes time is computed
-// for all of them at once (lane_program.hpp). Results are those of solving each alone, bit for bit.
+// Solvers of variations of one model that step together: each has its own logic, and expensive parts are computed for
+// all of them at once (lane_program.hpp). Results are bit-identical to single solutions.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ class Lockstep {
  public:
   static constexpr int most = block_lanes;
 
-  // Why a solver that has been initialized cannot go with others; empty if it can. Settings that change what its steps do, hooks,
-  // history and items whose arithmetic cannot be noted are in the way.
+  // The reason why an initialized solver cannot join; empty if it can. Reasons are settings that change the
+  // operations of a step, hooks, history, and items whose arithmetic cannot be traced.
   static std::string obstacle(SecondOrderSolver& solver);
 
   // Solves the steps of up to `most` initialized solvers. False for those that met something unusual: they are of no use
@@ -33,9 +33,9 @@ class Lockstep {
     SecondOrderSolver* solver = nullptr;
     bool here = false;
     double step_size = 0;           // that the constants are for
-    std::vector<double> constants;  // of its trace
+    std::vector<double> constants;  // constants of its trace
     LaneFactors* factors = nullptr;
-    double norm = 0;                // of the residual
+    double norm = 0;  // norm of the residual
   };
   using Lanes = std::array<bool, most>;
 

@@ -14,7 +14,7 @@ constexpr std::size_t large = 2 * large_page;
 
 std::align_val_t alignment(std::size_t bytes) { return std::align_val_t(bytes < large ? line : large_page); }
 
-// Advice that may be ignored. What does not fill a large page stays in small ones.
+// Advice that the system may ignore. Remainders of less than a large page stay in small ones.
 void prefer_large_pages([[maybe_unused]] void* start, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
   madvise(start, bytes / large_page * large_page, MADV_HUGEPAGE);

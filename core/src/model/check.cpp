@@ -1,4 +1,4 @@
-// What must hold before a model can be assembled.
+// Checks of a model before assembly.
 #include <algorithm>
 #include <optional>
 #include <unordered_map>
@@ -37,7 +37,7 @@ std::vector<std::string_view> names_of(Capability capabilities) {
   return names;
 }
 
-// What item types provide, looked up once per type.
+// Capabilities of item types, looked up once per type.
 class Provisions {
  public:
   Capability of(const ItemType& type) {
@@ -110,7 +110,7 @@ class Checker {
     }
   }
 
-  // Does the item that a row refers to provide what this item requests?
+  // Checks that the referenced item provides the capabilities requested by this item.
   void check_target(const Row& row, ItemKind target, int value, const ItemType& found) const {
     const ItemType& type = *item_.type;
     Capability requested = Capability::none;
@@ -156,7 +156,8 @@ class Checker {
     });
   }
 
-  // What a marker moves with: a node, ground, or a body with coordinates of its own, whose points move against each other.
+  // Carrier of a marker: a node, ground, or a body with its own coordinates, whose points move relative to each
+  // other.
   struct Carrier {
     enum class Kind { ground, node, other } kind = Kind::other;
     int number = -1;
@@ -220,7 +221,7 @@ class Checker {
              "with bodyFixed = True a marker that provides Orientation", "Use a marker of a rigid body, or bodyFixed = False");
   }
 
-  // Generic nodes state how many coordinates they have; their start values have as many, or none for zeros.
+  // Generic nodes have a given number of coordinates; their start values have the same number, or none for zeros.
   void check_coordinates() const {
     const void* record = item_.record.get();
     for (const Row& count : item_.type->rows) {

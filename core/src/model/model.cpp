@@ -11,7 +11,7 @@
 namespace dalembert {
 namespace {
 
-// So many single changes are remembered; after more of them everything is taken to have changed.
+// Number of remembered changes; after more of them everything counts as changed.
 constexpr std::size_t remembered_changes = 4096;
 
 void refuse_planned(const ItemType& type) {

@@ -28,7 +28,7 @@ Names& names() {
 }
 std::atomic<bool> used{false};
 
-// The names of links and joints that the object has: one list for each, empty where it has none.
+// Names of links and joints of the object: one list for each, empty if it has none.
 std::array<std::span<const std::string>, 2> names_in_tree(const Item& object) {
   std::array<std::span<const std::string>, 2> lists;
   for (const Row& row : object.type->rows)
@@ -37,7 +37,7 @@ std::array<std::span<const std::string>, 2> names_in_tree(const Item& object) {
   return lists;
 }
 
-// The item number in the first row of this storage; -1: there is none.
+// The item number in the first row of this storage; -1 if there is no such row.
 int number_in(const ItemType& type, const void* record, Storage storage) {
   const auto row = std::ranges::find_if(type.rows, [&](const Row& r) { return r.storage == storage && r.role == Role::parameter; });
   return row == type.rows.end() ? -1 : index_values(*row, record).front();

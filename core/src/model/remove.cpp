@@ -1,4 +1,4 @@
-// Deleting items: what goes along, and what becomes of references to what is gone.
+// Deletion of items: dependent items, and references to deleted items.
 #include <algorithm>
 
 #include "dalembert/model/errors.hpp"

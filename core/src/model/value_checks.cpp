@@ -67,8 +67,8 @@ Verdict judge_unit_vector(const Vec3<double>& v) {
 }
 
 Verdict judge_color(const Vec<double, 4>& v) {
-  constexpr double rounding = 1e-6;  // of numbers that were kept in single precision
-  constexpr double first_material = 1000, last_material = 1999;  // in the place of the opacity: dalembert.graphics.material
+  constexpr double rounding = 1e-6;  // tolerance for numbers that were stored in single precision
+  constexpr double first_material = 1000, last_material = 1999;  // replaces the opacity: dalembert.graphics.material
   if (v[0] < 0) return {};
   constexpr std::array<const char*, 4> names{"red", "green", "blue", "opacity"};
   const bool is_material = v[3] >= first_material && v[3] <= last_material && v[3] == std::floor(v[3]);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int most_links = 40, most_leftovers = 1000;
 
-// What a name stands for, without following a link; none: there is nothing.
+// Status of a name, without following a link; nullopt if it does not exist.
 std::optional<struct stat> status_of(const std::string& name) {
   struct stat status{};
   if (::lstat(name.c_str(), &status) != 0) return std::nullopt;
@@ -34,7 +34,7 @@ std::string end_of_links(const std::string& name) {
   return "";
 }
 
-// None is given twice: what removes its own file afterwards must not meet that of another thread or process.
+// Endings are unique: a file that is removed later must not belong to another thread or process.
 std::string unused_ending() {
   static std::atomic<std::uint64_t> given = 0;
   return ".part" + std::to_string(::getpid()) + "-" + std::to_string(given++);
@@ -48,7 +48,7 @@ bool create_free(const std::string& target, std::string& name, Create&& create) 
     if (create(name)) return true;
     if (errno != EEXIST && !(errno == ENOENT && status_of(target))) break;  // no file, as another thread was replacing it just then
   }
-  name.clear();  // which leaves errno as it is
+  name.clear();  // does not change errno
   return false;
 }
 

@@ -30,7 +30,7 @@ void append_line(std::string& text, const char* name, std::span<const double> va
   text += '\n';
 }
 
-// FNV-1a: of what may happen to a file by accident, it sees everything.
+// FNV-1a: detects all accidental changes of a file.
 std::string checksum(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -38,7 +38,7 @@ std::string checksum(std::string_view text) {
   return {digits, std::to_chars(digits, digits + sizeof digits, hash, 16).ptr};
 }
 
-// The text of a restart file, line by line; what does not fit is refused.
+// Reads the text of a restart file, line by line; invalid text is rejected.
 class Reader {
  public:
   explicit Reader(const std::string& name) : name_(name) {

@@ -14,7 +14,7 @@ namespace dalembert {
 namespace {
 
 constexpr std::size_t block = 256;     // numbers, whose places in the table are found together
-constexpr double tolerance = 1e-9;  // of the range, by which a number may be outside of it and is not
+constexpr double tolerance = 1e-9;  // relative to the range: numbers within it count as inside
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void contour_numbers(std::span<const double> outputs, std::size_t size, int comp
   }
 }
 
-// Of every eighth number, so that no comparison waits for the last one.
+// Compares every eighth number separately, so that comparisons do not wait for each other.
 std::optional<NumberRange> range_of(std::span<const double> numbers) {
   using Doubles [[gnu::vector_size(32)]] = double;
   constexpr std::size_t width = 4, registers = 2, lanes = width * registers;
@@ -70,7 +70,7 @@ void contour_shades(std::span<const double> numbers, double low, double high, st
     const std::size_t count = std::min(block, numbers.size() - begin);
     in_registers_of_four([=, number = numbers.data() + begin, place = places.data()] {
       for (std::size_t k = 0; k < count; ++k) {
-        const double part = (number[k] - low) * scale, inside = std::min(std::max(0.0, part), steps);  // 0 if it is none
+        const double part = (number[k] - low) * scale, inside = std::min(std::max(0.0, part), steps);  // 0 for NaN
         const double beyond = (part > last ? 1.0 : 0.0) - (part >= first ? 0.0 : 1.0);
         place[k] = static_cast<std::int32_t>(inside + beyond + 1.5);
       }

@@ -1,4 +1,4 @@
-// Which samples a triangle covers, and what they keep of it.
+// Rasterization: samples that a triangle covers, and their stored data.
 #include <algorithm>
 #include <utility>
 
@@ -15,18 +15,18 @@ struct Linear {
   DALEMBERT_INLINE T at(float x, float y) const { return value + x * dx + y * dy; }
 };
 
-// One component of a quantity that is linear over a triangle, at four places.
+// One component of a linear function over a triangle, at four positions.
 DALEMBERT_INLINE inline Four component(const Linear<Four>& q, int i, Four x, Four y) { return four(q.value[i]) + x * four(q.dx[i]) + y * four(q.dy[i]); }
 
 constexpr Four steps{0, 1, 2, 3};
 
-// In which order three points come from above, by which of them are before which.
+// Vertical order of three points, indexed by the results of pairwise comparisons.
 constexpr std::array<std::array<std::uint8_t, 3>, 8> orders{{{2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {}, {}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2}}};
 DALEMBERT_INLINE inline std::size_t is_before(Point a, Point b) {
   return static_cast<std::size_t>(a.y < b.y) | (static_cast<std::size_t>(a.y == b.y) & static_cast<std::size_t>(a.x < b.x));
 }
 
-// Of those samples of a square that are won, by their bits: their middle, and which they are.
+// Covered samples of a tile as a bit mask: their center, and their indices.
 struct Won {
   float x = 0, y = 0;
   std::array<std::int32_t, 4> flags{};
@@ -47,8 +47,8 @@ constexpr std::array<Won, 16> squares = [] {
 
 }  // namespace
 
-// Between which samples of a row a triangle lies: one of its edges passes all of its rows, the other two share them. End points of edges
-// come in one order, so that neighbours agree on every sample between them.
+// Coverage of a triangle per row of samples: one of its edges spans all rows, the other two share them. Edges have a
+// canonical direction, so that adjacent triangles agree on every sample between them.
 class Picture::Sides {
  public:
   explicit Sides(const Corners& v) {
@@ -68,7 +68,7 @@ class Picture::Sides {
   float low, high;
 
  private:
-  Four x_, y_, slope_;  // of the long edge, and of the upper and the lower one of the others
+  Four x_, y_, slope_;  // values of the long edge, and of the upper and the lower short edge
   float middle_;
 };
 
@@ -97,8 +97,8 @@ DALEMBERT_INLINE inline std::pair<Four, Four> Picture::spans(const Sides& sides,
   return {first_samples(left, end), first_samples(right, end)};
 }
 
-// The samples of a triangle, pixel by pixel. Those that it wins in a pixel are shaded at once, in their middle, which is inside of it:
-// shade(x, y) gives color and normal at four places.
+// The samples of a triangle, pixel by pixel. Covered samples of a pixel are shaded together, at their center, which
+// is inside of the triangle: shade(x, y) returns color and normal at four positions.
 template <class Shade>
 void Picture::cover(const Corners& v, const Plan& plan, std::int32_t item, Shade&& shade) {
   const auto near = plan.linear(v[0]->place.z, v[1]->place.z, v[2]->place.z);
@@ -145,7 +145,7 @@ struct Picture::Unshaded {
   static constexpr std::size_t most = 64;
   std::size_t count = 0;
   std::array<std::size_t, most> places;
-  std::array<std::uint32_t, most> samples;  // which of them, by their bits
+  std::array<std::uint32_t, most> samples;  // bit mask of the samples
   std::array<float, most + 3> xs, ys;
 };
 
@@ -234,7 +234,8 @@ void Picture::add(const Corners& v, std::int32_t item) {
     }
     return packed(r, g, b) | four(static_cast<std::int32_t>(to_be_lit));
   };
-  if (bits((v[0]->normal == v[1]->normal) & (v[0]->normal == v[2]->normal)) == 15) {  // flat, seen from far away: one normal for all of it
+  // flat and without perspective: one normal for the triangle
+  if (bits((v[0]->normal == v[1]->normal) & (v[0]->normal == v[2]->normal)) == 15) {
     const Four n = v[0]->normal;
     const FourWhole normal = packed_normal(four(n[0]), four(n[1]), four(n[2]));
     if (has_one_color)

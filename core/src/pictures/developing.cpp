@@ -1,4 +1,4 @@
-// From samples to an image: rims, light, what is transparent, and the mean of the samples of each pixel.
+// Shading and multisample resolve: outlines, lights, transparency, and the mean of the samples of each pixel.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +34,7 @@ struct Sum {
   DALEMBERT_INLINE void add(FourWhole colors) {
     even += static_cast<std::uint32_t>(sum_of(colors & four(0xff00ff))), odd += static_cast<std::uint32_t>(sum_of((colors >> 8) & four(255)));
   }
-  // Of that many colors; two are divided at once where that is a shift.
+  // Mean of `count` colors; powers of two use shifts.
   DALEMBERT_INLINE std::uint32_t mean(std::uint32_t count) const {
     if (count == 1) return even | odd << 8;
     if (count == 4) return ((even + 0x20002u) >> 2 & 0xff00ffu) | ((odd + 2) >> 2) << 8;
@@ -48,7 +48,7 @@ void write(std::uint32_t color, std::uint8_t* pixel) {
 
 }  // namespace
 
-// How bright a surface is; `shine` is what it reflects besides.
+// Brightness of a surface; `shine` is the specular part.
 float Picture::strength(const Point& normal, float& shine) const {
   float bright = lighting_.ambient;
   shine = 0;
@@ -164,7 +164,7 @@ std::uint32_t Picture::mean(std::size_t first) const {
 template <int Samples>
 void Picture::light(int pixel_row, std::uint8_t* pixels) {
   const int samples = Samples > 0 ? Samples : samples_;
-  Surface* surface = surfaces_.data();  // the last one; before the first one is one of nothing
+  Surface* surface = surfaces_.data();  // the last surface; the first one is preceded by an empty one
   *surface = {};
   Waiting* next = waiting_.data();
   const auto add = [&](std::size_t k, int column, Lit lit) {
@@ -172,7 +172,7 @@ void Picture::light(int pixel_row, std::uint8_t* pixels) {
     if (!(now == *surface)) *++surface = now;
     *next++ = {k, static_cast<std::uint32_t>(surface - surfaces_.data()), column, lit};
   };
-  std::uint32_t joined = 0;  // of four pixels, from the last multiple of 4 on
+  std::uint32_t joined = 0;  // masks of four pixels, from the last multiple of 4 on
   for (int column = 0; column < width_; ++column) {
     const std::size_t first = sample(column * samples, pixel_row * samples);
     if constexpr (Samples == 2) {
@@ -209,7 +209,8 @@ void Picture::light(int pixel_row, std::uint8_t* pixels) {
   }
 }
 
-// Darken the rim of what stands before something else of another item, half a pixel wide, so that parts of one color can be told apart.
+// Darkens the outline of an item in front of another one, half a pixel wide, so that parts of equal color are
+// distinguishable.
 void Picture::outline(int pixel_row) {
   if (has_squares()) return outline_squares(pixel_row);
   for (int row = pixel_row * samples_; row < (pixel_row + 1) * samples_; ++row) outline_samples(row);

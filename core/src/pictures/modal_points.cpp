@@ -44,7 +44,8 @@ void ModalPoints::place(std::span<const double> weights, Rows rows, float* to) {
   }
 }
 
-// What the frame has turned and moved, and the deformation in it, so that small displacements are not differences of large numbers.
+// Rotation and translation of the frame, and the deformation in it, are added separately, so that small displacements
+// are not differences of large numbers.
 void ModalPoints::displacements(std::span<const double> weights, Rows rows, Rows at_rest, int component, double* to) {
   deform(weights);
   std::array<double, 12> change;

@@ -15,7 +15,7 @@
 namespace dalembert {
 namespace {
 
-constexpr double standing = 1e-12;  // as a frame does, up to round-off
+constexpr double standing = 1e-12;  // tolerance of an identity frame
 constexpr std::size_t markers = 2;
 
 bool is_made(MovingParts::FrameKind kind) { return kind >= MovingParts::FrameKind::node_place; }
@@ -30,7 +30,7 @@ void at_place(const double* item, double* frame) {
   for (std::size_t i = 3; i < 12; i += 4) frame[i] = item[i];
 }
 
-// From one place to another: the third column reaches from one to the other. Returns the length.
+// Frame from one position to another: the third column is the vector between them. Returns the length.
 double along(const double* begin, const double* end, double* frame) {
   const Vec3<double> from{begin[3], begin[7], begin[11]}, axis = Vec3<double>{end[3], end[7], end[11]} - from;
   const auto [x, y, z] = frame_along(axis);
@@ -46,10 +46,10 @@ void multiply(const double* a, const double* b, double* result) {
     for (std::size_t j = 0; j < 4; ++j) result[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j] + (j == 3 ? a[i + 3] : 0.0);
 }
 
-constexpr double turned = 1e-4;  // by which numbers of a rotation may be off: three units of its bytes
+constexpr double turned = 1e-4;  // tolerance of rotations: three units of their bytes
 constexpr float units = 32000;
 
-// Three numbers from -1 to 1, a little more, and a fourth one, in units: as the lower halves of words.
+// Converts three numbers from -1 to 1, with a margin, and a fourth one, to units: in the lower halves of words.
 DALEMBERT_INLINE inline FourWhole in_units(Four x) {
   constexpr float most = 1.02f, above = 65536;  // makes them positive, so that they are rounded to the nearest
   return whole(four(units) * smaller(larger(x, four(-most)), four(most)) + four(above + 0.5f));
@@ -134,7 +134,7 @@ int MovingParts::add(std::span<const std::int32_t> index) {
   return static_cast<int>(groups_.size()) - 1;
 }
 
-// Where a part is: in `product`, if it is not as its frame.
+// Pose of a part: computed in `product`, unless it equals its frame.
 DALEMBERT_INLINE inline const double* MovingParts::placed(const Group& group, std::size_t k, std::array<double, 12>& product) const {
   const double* const frame = at_[static_cast<std::size_t>(group.index[k])];
   if (group.local.empty()) return frame;
@@ -165,7 +165,7 @@ bool MovingParts::are_turned(int group) const {
   double off = 0;
   const bool finite = each<0, 1>(parts, [&off](std::size_t, const double* row) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;  // columns: of three, each is across the other two
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;  // columns: each of the three is normal to the other two
       for (std::size_t r = 0; r < 3; ++r) {
         const std::size_t s = 4 * ((r + 1) % 3), t = 4 * ((r + 2) % 3);
         off = std::max(off, std::abs(row[s + j] * row[t + k] - row[t + j] * row[s + k] - row[4 * r + i]));
@@ -175,7 +175,7 @@ bool MovingParts::are_turned(int group) const {
   return are_rigid && finite && off < turned;
 }
 
-// Columns of rotations that were turned once can become longer or shorter: by Euler parameters that are not normalized.
+// Columns of rotations may lose their unit length: Euler parameters may not be normalized.
 bool MovingParts::write_turns(int group, std::uint32_t* to) const {
   const Group& parts = groups_[static_cast<std::size_t>(group)];
   Four least = four(1.0f), most = least;  // squares of the lengths of columns

@@ -125,7 +125,7 @@ void Picture::triangles(const Mesh& mesh) {
     if (smooth) return corners[corner(t, 0)].normal.z + corners[corner(t, 1)].normal.z + corners[corner(t, 2)].normal.z > 0;
     return (perspective_ == 0 ? flat(t).z : dot(flat(t), corners[corner(t, 0)].eye + Point{0, 0, 1 / perspective_})) > 0;
   };
-  // Those that face away come last, as others hide many of them.
+  // Back faces come last, because most of them are hidden.
   const std::size_t count = mesh.triangles.size() / 3;
   order_.resize(count);
   std::size_t facing = 0, away = count;
@@ -175,7 +175,7 @@ void Picture::triangles(const Mesh& mesh) {
   draw_all(back, -1);
 }
 
-// Brings the samples of a square to the cache, while what is in the square before it is drawn.
+// Prefetches the samples of a tile while the previous tile is drawn.
 void Picture::prefetch(const Squares& squares, std::size_t square) const {
   constexpr int in_line = 16;  // samples of an array
   const auto across = static_cast<std::size_t>(squares.across());

@@ -101,7 +101,7 @@ RaySurface RayTracer::Scene::surface(const Ray& ray, std::uint32_t shape, const 
 
 std::optional<RaySurface> RayTracer::Scene::find(Ray ray) const {
   Meeting nearest;
-  double distance = never;  // from which lines have a start
+  double distance = never;  // start of lines on the ray
   std::uint32_t found = 0;
   tree.pass(ray, [&](std::uint32_t shape) {
     const Meeting m = meet(ray, shape);

@@ -1,4 +1,4 @@
-// What rays meet: shapes in eye coordinates, and a tree of their boxes.
+// Scene of the ray tracer: shapes in eye coordinates, and a bounding volume hierarchy.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@
 namespace dalembert {
 
 struct RaySurface {
-  Vec3<double> place, normal, face;  // normal: interpolated; face: of the triangle itself; unit vectors towards the ray's origin
+  // normal: interpolated; face: of the triangle itself; unit vectors towards the ray's origin
+  Vec3<double> place, normal, face;
   Vec3<double> color;
   double opacity = 1, distance = 0;
   std::int32_t material = 0;
@@ -43,21 +44,21 @@ struct RayTracer::Scene {
   std::vector<Plane> planes;
 
   std::vector<Vec3<double>> points, normals;
-  std::vector<std::array<float, 4>> colors;  // of the points
+  std::vector<std::array<float, 4>> colors;  // colors of the points
   std::vector<Triangle> triangles;
   std::vector<Ball> balls;
   std::vector<Rod> rods;
   RayTree tree;
-  double size = 1;   // of all of it
-  double front = 0;  // before all of it: there, rays of a parallel view begin
+  double size = 1;  // size of the scene
+  double front = 0;  // in front of the scene: start of rays of a parallel projection
 
   Vec3<double> to_eye(const double* p) const { return turn * Vec3<double>{p[0], p[1], p[2]} + shift; }
   void finish();  // all shapes are there
 
   std::optional<RaySurface> find(Ray ray) const;
-  // Which part of light passes on the way of a ray.
+  // Fraction of light that passes along a ray.
   double passing(Ray ray) const;
-  Ray first_ray(double x, double y) const;  // of a place in the picture, in pixels
+  Ray first_ray(double x, double y) const;  // ray through a position in the picture, in pixels
   double small() const { return 1e-7 * size; }  // a step off a surface, so that a ray does not meet it again
 
  private:

@@ -1,4 +1,5 @@
-// Where a ray meets triangles, spheres and cylinders with round ends; lengths along it count from its origin in units of its direction.
+// Intersections of a ray with triangles, spheres and cylinders with round ends; lengths are measured from its origin
+// in units of its direction.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Light along rays: what a surface scatters, reflects and lets pass (Whitted's model).
+// Light along rays: scattering, reflection and transmission of surfaces (Whitted's model).
 #include "dalembert/pictures/ray_tracer.hpp"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace {
 Vec3<double> between(const Vec3<double>& a, const Vec3<double>& b, double part) { return a + part * (b - a); }
 Vec3<double> mirrored(const Vec3<double>& d, const Vec3<double>& normal) { return d - (2 * dot(d, normal)) * normal; }
 
-// Snell's law; what is totally reflected has no such direction.
+// Snell's law; nullopt for total reflection.
 std::optional<Vec3<double>> refracted(const Vec3<double>& d, const Vec3<double>& normal, double ratio) {
   const double c = -dot(d, normal), rest = 1 - ratio * ratio * (1 - c * c);
   if (rest < 0) return std::nullopt;
   return unit_of(ratio * d + (ratio * c - std::sqrt(rest)) * normal);
 }
 
-// Points of a disc across a direction, evenly spread: those of a sunflower.
+// Points of a disc normal to a direction, evenly distributed like sunflower seeds.
 Vec3<double> place_on_disc(const Vec3<double>& direction, double radius, int number, int count) {
   if (count == 1 || radius <= 0) return {};
   const Vec3<double> other = std::abs(direction[0]) < 0.6 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 1, 0};
@@ -40,7 +40,7 @@ class Tracer {
  public:
   Tracer(const RayTracer::Scene& scene) : scene_(scene), o_(scene.options) {}
 
-  // `behind`: what a ray sees that meets nothing.
+  // `behind`: color of a ray without intersection.
   Vec3<double> look(const Ray& ray, Left left, const Vec3<double>& behind) const {
     const auto found = scene_.find(ray);
     if (!found) return behind;
@@ -88,7 +88,7 @@ class Tracer {
     return color;
   }
 
-  // Which part of a light reaches a surface.
+  // Fraction of a light that reaches a surface.
   double reaching(const RaySurface& s, const RayLight& light) const {
     const Vec3<double> start = s.place + scene_.small() * s.face;
     const Vec3<double> middle = light.at_infinity ? unit_of(light.place) : light.place - start;
@@ -128,7 +128,7 @@ std::vector<std::uint8_t> RayTracer::develop() {
       for (int k = 0; k < 3; ++k) pixel[k] = static_cast<std::uint8_t>(255 * sum[k] / (o.samples * o.samples) + 0.5);
     }
   };
-  // Each thread takes the next part of the picture when it is ready with one; which one has no influence on the bytes.
+  // Each idle thread takes the next part of the picture; the assignment has no influence on the bytes.
   const int threads = std::clamp(o.threads, 1, s.height), parts = std::min(threads * std::max(o.tiles_per_thread, 1), s.height);
   std::atomic<int> next = 0;
   const auto work = [&] {

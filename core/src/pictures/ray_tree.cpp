@@ -6,7 +6,7 @@
 namespace dalembert {
 namespace {
 
-// Boxes along an axis, put into so many slices by their middles: where to cut, so that the sum of surfaces times counts is least.
+// Boxes along an axis, sorted into slices by their centers: the cut minimizes the sum of surfaces times counts.
 struct Cut {
   static constexpr int slices = 16;
 

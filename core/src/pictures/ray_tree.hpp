@@ -1,4 +1,4 @@
-// A tree of boxes: which of many shapes a ray may meet.
+// A bounding volume hierarchy: candidates of many shapes for a ray.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct Box {
 
 class RayTree {
  public:
-  // Of the boxes of shapes; which shapes are near each other follows from these alone, so that the same scene has the same tree.
+  // Builds the hierarchy from the boxes of shapes only, so that the same scene has the same hierarchy.
   void build(const std::vector<Box>& boxes);
   // Calls meet(shape) for those whose boxes the ray passes between its begin and its end, near ones rather first; `meet` may bring the
   // end of the ray nearer, and returns whether enough is known.

@@ -28,8 +28,8 @@ void Picture::spheres(std::span<const double> centers, std::span<const double> r
   for (const Ball& ball : balls) sphere(ball);
 }
 
-// A disc with the depth and the normals of a sphere, four samples at a time, of a pixel or of a row; in perspective, its outline is that of a
-// sphere seen along its own axis.
+// A disc with the depth and the normals of a sphere, four samples at a time, of a pixel or of a row; with
+// perspective, its outline is that of a sphere on the optical axis.
 void Picture::sphere(const Ball& ball) {
   const auto [cx, cy, size, middle, radius, color, item] = ball;
   const float part = 1 / size, nearest = middle - radius;

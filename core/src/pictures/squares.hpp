@@ -1,4 +1,4 @@
-// Squares of a picture: what is drawn one after the other, many at a time, finds the samples of its square in the cache.
+// Tiles of a picture: drawing tile by tile finds the samples in the cache.
 #pragma once
 
 #include <algorithm>
@@ -14,19 +14,20 @@ namespace dalembert {
 
 class Squares {
  public:
-  static constexpr std::size_t many = 1000;  // from so many on, sorting pays
+  static constexpr std::size_t many = 1000;  // smaller numbers are not sorted
   static constexpr int side = 32;            // samples, of 16 bytes each, which stay in the nearest cache
 
   Squares(int columns, int rows) : columns_(columns), rows_(rows), across_(columns / side + 1), count_(across_ * (rows / side + 1)) {}
 
   int across() const { return across_; }
   int count() const { return count_; }
-  // Of a point in samples: its column and its row of squares, in the picture.
+  // Column and row of the tile of a point in samples.
   DALEMBERT_INLINE FourWhole of(Point place) const {
     return whole(first_samples(Four{place.x, place.y}, Four{static_cast<float>(columns_), static_cast<float>(rows_)})) / side;
   }
 
-  // By squares, rows of them first; in each of them, the order stays. place_of: a point in samples. Returns where each square ends.
+  // Sorts by tiles, row by row; the order within a tile is kept. place_of: a point in samples. Returns the end of
+  // each tile.
   template <class T, class PlaceOf>
   std::vector<std::size_t> sort(std::span<T> list, const PlaceOf& place_of) const {
     LargeVector<std::uint32_t> square(list.size());

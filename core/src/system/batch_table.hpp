@@ -1,4 +1,4 @@
-// Batches while items enter them, found by what their entries have in common.
+// Lookup of batches during assembly, by common properties of their entries.
 #pragma once
 
 #include <compare>
@@ -13,7 +13,7 @@ namespace dalembert {
 
 struct BatchKey {
   int region = 0;
-  // The type of the items or what stands in for it, the type that they are about, and the types of the nodes below.
+  // The type of the items or its substitute, the type of their carrier, and the types of its nodes.
   std::vector<const void*> types;
   auto operator<=>(const BatchKey&) const = default;
 };
@@ -22,7 +22,7 @@ template <class B>
 struct GrowingBatch {
   B* batch = nullptr;
   int entries = 0;
-  int region = 0;     // in which all of its entries lie
+  int region = 0;  // region that contains all of its entries
   bool acts = false;  // an entry has coordinates or markers
 };
 

@@ -75,7 +75,7 @@ const Pattern& System::pattern(bool dense) {
   return parts.sparse_patterns.back();
 }
 
-// Those on whose coordinates no other mass acts.
+// Finds terms without other masses on their coordinates.
 void SystemParts::find_masses_without_matrix() {
   const auto separate_solver = [](const Term& term) {
     const auto* solver = term.has_mass() ? dynamic_cast<const MassSolver*>(&term) : nullptr;
@@ -92,7 +92,7 @@ void SystemParts::find_masses_without_matrix() {
       user = now;
     }
     const Term* now = nullptr;
-    std::vector<const Term*> users;  // by coordinate, the last
+    std::vector<const Term*> users;  // by coordinate, the last term
     std::vector<std::pair<const Term*, const Term*>> shared;
   } counter(sizes.total());
   for (const auto& term : terms) {

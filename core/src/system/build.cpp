@@ -1,4 +1,4 @@
-// From a model to batches: numbers the coordinates, places every item, collects items of one kind side by side.
+// Assembly of batches from a model: numbers the coordinates, places every item, collects items of one kind.
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
@@ -63,8 +63,8 @@ class Builder {
     });
   }
 
-  // Vectors that grew item by item would be copied, and take twice their memory. How much markers need is not known yet: so
-  // many numbers fit points.
+  // Growing vectors item by item would copy them, and take twice their memory. The memory of markers is not yet
+  // known: this estimate is right for points.
   void make_room_for_numbers() {
     const auto make_room = [](auto& list, int count) { list.reserve(static_cast<std::size_t>(count)); };
     const int markers = model_.count(ItemKind::marker), objects = model_.count(ItemKind::object);
@@ -103,8 +103,8 @@ class Builder {
     regions_ = Regions(node_sizes_, division_.coordinates);
     parts_.plan.regions.resize(static_cast<std::size_t>(regions_.count()));
   }
-  // In which region an item lies, whose placement is known. Whoever shares coordinates other than ODE2 coordinates, or
-  // calls functions of the user, comes last, on the thread of the solver.
+  // Region of a placed item. Items that share coordinates other than ODE2 coordinates, or call user functions, come
+  // last, on the thread of the solver.
   int region_of(ItemKind kind, int number) const {
     if (regions_.count() == 1) return Regions::whole;
     const Item& item = item_of(kind, number);
@@ -199,7 +199,7 @@ class Builder {
       record = physics.completed(item.record.get(), on_nodes, {model_, ItemKind::object, number});
       parts_.completed.push_back(number);
     }
-    if (!has_markers) check_object(number, on_nodes);  // before markers on it read its parameters
+    if (!has_markers) check_object(number, on_nodes);  // checked before its markers read its parameters
   }
 
   void check_object(int number, const Placement& placement) {
@@ -249,27 +249,27 @@ class Builder {
     return batch_of(marker_batches_, tag(shape), *p.owner_type, make, ItemKind::marker, number);
   }
 
-  // Frame markers of one shape share batches whatever their type: the shape stands in for the type in the key.
+  // Frame markers of one shape share batches for all types: the key contains the shape instead of the type.
   static const void* tag(FrameShape shape) {
     static constexpr char tags[3] = {};
     return &tags[static_cast<int>(shape)];
   }
 
-  // Of the coordinates under a marker, those that it has chosen.
+  // Restricts the coordinates under a marker to the selected ones.
   void select(Placement& p, const std::vector<int>& chosen, int number) const {
     const std::vector<int> dofs = std::exchange(p.dofs, {});
     p.selected = static_cast<int>(chosen.size());
     for (const int i : chosen) {
       if (i >= 0 && i < static_cast<int>(dofs.size())) {
         p.dofs.push_back(dofs[i]);
-      } else if (!dofs.empty()) {  // coordinates of ground: none, they rest
+      } else if (!dofs.empty()) {  // ground coordinates: fixed, not unknowns
         refuse(ErrorKind::value, {model_.describe(ItemKind::marker, number), "coordinate", "", std::to_string(i),
                                   "a coordinate from 0 to " + std::to_string(static_cast<int>(dofs.size()) - 1), ""});
       }
     }
   }
 
-  // The batch for items of type `on`, or what else stands on the nodes of the placement.
+  // The batch for items of type `on`, or for the nodes of the placement.
   template <class B, class Make>
   GrowingBatch<B>& batch_of(BatchTable<B>& table, const void* variant, const ItemType& on, Make&& make, ItemKind kind, int number) {
     key_.region = std::max(kind == ItemKind::marker ? marker_regions_.back() : region_of(kind, number), Regions::whole);

@@ -10,7 +10,7 @@ namespace dalembert {
 namespace {
 
 constexpr std::size_t blocks_to_share = numbers_to_share / 20;  // each takes as long as some twenty numbers
-constexpr std::size_t few_blocks = 2;                           // one by one
+constexpr std::size_t few_blocks = 2;  // processed one by one
 
 // Cosine and axis times sine of half a rotation vector.
 template <class S>
@@ -19,7 +19,8 @@ struct HalfTurn {
   Vec3<S> sine_axis;
 };
 template <class S>
-DALEMBERT_INLINE inline HalfTurn<S> small_half_turn(const Vec3<S>& v, const S& square) {  // as turns of a step are: series to the last bit
+// rotations of a step are small: the series is exact to rounding
+DALEMBERT_INLINE inline HalfTurn<S> small_half_turn(const Vec3<S>& v, const S& square) {
   return {1.0 - square * 0.5 * (1.0 - square * (1.0 / 12) * (1.0 - square * (1.0 / 30) * (1.0 - square * (1.0 / 56) * (1.0 - square * (1.0 / 90))))),
           S(0.5 * (1.0 - square * (1.0 / 6) * (1.0 - square * (1.0 / 20) * (1.0 - square * (1.0 / 42) * (1.0 - square * (1.0 / 72)))))) * v};
 }

@@ -1,4 +1,4 @@
-// Which coordinates an explicit integrator may hold fixed instead of solving constraint equations.
+// Coordinates that an explicit integrator may fix instead of solving constraint equations.
 #include "dalembert/system/parts.hpp"
 
 namespace dalembert {

@@ -15,8 +15,8 @@ void each(const Batches& batches, F&& f) {
   for (const auto& batch : batches) f(*batch);
 }
 
-// Parts of an evaluation are inlined: a call takes as long as what small systems compute.
-// The pointers and conditions of an evaluation. The totals at q are left to the caller.
+// Parts of an evaluation are inlined: for small systems, a call takes as long as the computation. Collects the
+// pointers and conditions of an evaluation. The caller computes the totals at q.
 DALEMBERT_INLINE inline Evaluation view_of(const SystemParts& parts, const State& state, const Conditions& conditions) {
   const bool rests = &state == &parts.states[static_cast<std::size_t>(ConfigurationType::Reference)];
   const double* zeros = parts.work.data() + parts.sizes.total();
@@ -38,7 +38,7 @@ DALEMBERT_INLINE inline Evaluation view_of(const SystemParts& parts, const State
           .of_reference = rests};
 }
 
-// In each region: what a thread writes it meets again in its cache.
+// Computed per region: the data is still in the cache of its thread.
 DALEMBERT_INLINE inline void find_totals(SystemParts& parts, const RegionPlan& region, const Evaluation& e) {
   region.numbers.coordinates.each([reference = e.reference, u = e.u, q = parts.total.data()](std::size_t first, std::size_t count) {
     each_number(count, [q = q + first, from = reference + first, u = u + first](std::size_t i) { q[i] = from[i] + u[i]; });
@@ -95,7 +95,7 @@ void SystemParts::evaluate_resting(const Evaluation& e) {
   plan.resting_evaluated = true;
 }
 
-// In the reference configuration, which is as good as any other.
+// Uses the reference configuration, because the result is the same for all states.
 void SystemParts::evaluate_constant_loads() {
   ConstantLoads& constant = plan.constant;
   constant.residual.assign(constant.loads.empty() ? 0 : static_cast<std::size_t>(sizes.total()), 0.0);
@@ -174,7 +174,7 @@ void clear_columns(const RegionPlan& region, const Pattern& pattern, double* val
   });
 }
 
-// For those who do it now and then.
+// Used by infrequent callers.
 [[gnu::noinline]] void find_residual_in_work(SystemParts& parts, const Evaluation& e, bool loads) {
   find_residual(parts, e, parts.work.data(), loads);
 }

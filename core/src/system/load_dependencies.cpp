@@ -22,7 +22,7 @@ bool contains(const Pattern& pattern, const LoadDependency& dependency) {
   });
 }
 
-// In the order of the loads.
+// Sorted by loads.
 auto place_of(SystemParts& parts, int number) {
   return std::ranges::lower_bound(parts.load_dependencies, number, {}, &LoadDependency::load);
 }
@@ -122,7 +122,7 @@ class LoadDifferences {
     force(r);
     state_.back();
   }
-  // What the load adds to its rows.
+  // Adds the load to its rows.
   void force(std::vector<double>& r) {
     const MarkerPlace& marker = parts_.markers[static_cast<std::size_t>(parts_.loads[static_cast<std::size_t>(dependency_.load)].marker)];
     parts_.ports.clear_forces();

@@ -1,4 +1,4 @@
-// What coordinates measure, and the size of the model in space.
+// Units of coordinates, and the extent of the model.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +19,8 @@ constexpr double smallest_extent = 1e-12;
 // Meshes with more nodes than that for each of their coordinates: few nodes stand for all, as looking at all would take longer than a step.
 constexpr std::size_t many_nodes = 8;
 
-// Those that lie farthest in 26 directions, at rest: which they are must not depend on when they are asked for.
+// The outermost points in 26 directions of the reference configuration: the selection must not depend on the time of
+// the call.
 const std::vector<int>& outermost_nodes(SystemParts& parts, ObjectPlace& object, int count) {
   OutermostNodes& outermost = object.outermost;
   if (outermost.record == object.record) return outermost.nodes;
@@ -86,7 +87,7 @@ std::vector<int> System::bodies_of_coordinates() const {
 
 namespace {
 
-// Around points in space, and what reaches from one of them.
+// Bounding box of points, and of lengths around one of them.
 class Box {
  public:
   Box() {
@@ -112,7 +113,7 @@ class Box {
   double reach_ = 0;
 };
 
-// box(coordinate) takes what moves with an ODE2 coordinate; -1: with none.
+// box(coordinate) contains the parts that move with an ODE2 coordinate; -1: none.
 template <class F>
 void fill_boxes(SystemParts& parts, F&& box) {
   const Ports& ports = parts.ports;

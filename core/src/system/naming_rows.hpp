@@ -12,7 +12,7 @@ namespace dalembert {
 // Looked up once per type.
 class NamingRows {
  public:
-  // Those that name items of one kind, in the order of the spec.
+  // Rows that refer to items of one kind, in the order of the spec.
   const std::vector<const Row*>& of(const ItemType& type, ItemKind kind) {
     if (&type != last_type_) {  // items of one type mostly follow each other
       const auto [found, is_new] = known_.try_emplace(&type);

@@ -25,7 +25,7 @@ Values slice(const std::vector<double>& from, int first, int count) {
                             available.empty() ? "" : "one of " + variable_names(available), ""});
 }
 
-// What a motion says; `reference()` gives the motion of the same point in the reference configuration.
+// Outputs of a motion; `reference()` returns the motion of the same point in the reference configuration.
 template <class Reference>
 bool frame_output(Variable variable, const Motion<double>& m, Reference&& reference, Values& values) {
   const auto global = [&](const Vec3<double>& v) {
@@ -51,7 +51,7 @@ bool frame_output(Variable variable, const Motion<double>& m, Reference&& refere
   }
 }
 
-// What follows from an orientation: a finite element has one if it tells of its rotation.
+// Outputs that follow from an orientation: a finite element has one if it has the output Rotation.
 bool asks_orientation(Variable variable) {
   static constexpr Variable oriented[] = {Variable::RotationMatrix,       Variable::Rotation,          Variable::AngularVelocity,
                                           Variable::AngularVelocityLocal, Variable::AngularAcceleration, Variable::AngularAccelerationLocal,
@@ -63,7 +63,7 @@ bool lacks(const ItemType& type, Variable variable) {
          std::ranges::find(type.outputs, Variable::Rotation) == type.outputs.end();
 }
 
-// Coordinates count from the reference; those of the reference itself are its own.
+// Coordinates are relative to the reference; the reference configuration has the reference values.
 bool coordinate_output(Variable variable, const Evaluation& e, std::span<const int> ode2, std::span<const int> ode1, bool of_reference,
                        const State& reference, Values& values) {
   const auto pick = [&](const double* from, std::span<const int> dofs) {
@@ -314,7 +314,7 @@ bool follows_from_motion(Variable variable) {
   return frame_output(variable, rest, [&] { return rest; }, values);
 }
 
-// Kernels tell in the spec what they have; what follows from motion and from coordinates is the same for all.
+// Outputs of kernels are listed in the spec; outputs from motion and coordinates are common to all.
 bool may_have(const ItemType& type, Variable variable) {
   if (std::ranges::find(type.outputs, variable) != type.outputs.end()) return true;
   Values values;

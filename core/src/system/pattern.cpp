@@ -70,13 +70,13 @@ class Neighbours {
     for (int k = first_[i]; k < first_[i + 1]; ++k)
       for (const int other : lists_[k]) f(other);
   }
-  // Whether each unknown has one list at most, in ascending order, with itself: as where each body has unknowns of its own.
+  // Whether each unknown has at most one sorted list, which contains it: true if each body has its own unknowns.
   bool are_columns() const { return are_columns_; }
   std::span<const int> list(int i) const { return first_[i] < first_[i + 1] ? lists_[first_[i]] : std::span<const int>(); }
 
  private:
   bool are_columns_ = true;
-  std::vector<int> first_;  // in lists_, and the end
+  std::vector<int> first_;  // start in lists_, and the end
   std::vector<std::span<const int>> lists_;
 };
 

@@ -1,4 +1,4 @@
-// What items stand on, gathered from what is placed already. A placement is overwritten by the next one.
+// Nodes and coordinates under an item, collected from placed items. A placement is overwritten by the next one.
 #pragma once
 
 #include <span>
@@ -67,7 +67,7 @@ class Placing {
     return p;
   }
 
-  // What a marker's objects stand on, one after the other, and its own node, if it has one.
+  // Placement of a marker's objects, one after the other, and of its own node, if it has one.
   Placement& under(std::span<const int> objects, int node) {
     Placement& p = placement_;
     p.clear();

@@ -58,7 +58,7 @@ void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& di
 }
 
 void sort_loads(SystemParts& parts) {
-  std::unordered_set<const MarkerBatch*> passing_forces, passing_all, pulled;  // on, as what they are
+  std::unordered_set<const MarkerBatch*> passing_forces, passing_all, pulled;  // markers by their use
   std::unordered_set<const Batch*> changing;
   const auto batch_of = [&](int marker) { return parts.markers[static_cast<std::size_t>(marker)].member.batch; };
   for (const auto& batch : parts.marker_batches) {

@@ -1,4 +1,4 @@
-// What an evaluation visits: the batches of each region, in their order.
+// Evaluation plan: the batches of each region, in their order.
 #pragma once
 
 #include <map>
@@ -20,12 +20,12 @@ struct GrownBatches {
   const std::unordered_set<const MarkerBatch*>& differentiated;  // whose derivatives a term asks for
 };
 
-// The regions are there, and what is theirs.
+// Requires the regions with their data.
 void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& division);
 
-// Which loads are constant depends on parameters: again when these have changed.
+// Finds constant loads, which depend on parameters: repeated after a change of parameters.
 void sort_loads(SystemParts& parts);
-// Which markers are needed where terms read nodes themselves.
+// Finds markers that are needed if terms read nodes themselves.
 void find_needed_markers(SystemParts& parts);
 
 }  // namespace dalembert

@@ -1,4 +1,4 @@
-// Where all items of a kind are: what pictures of a whole system ask for.
+// Poses of all items of a kind, for pictures of a whole system.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -18,7 +18,7 @@ void forget_rotation(double* rows) {
   for (std::size_t k = 0; k < 3; ++k) forget(rows, k, 4);
 }
 
-// A finite element has an orientation if it tells of its rotation.
+// A finite element has an orientation if it has the output Rotation.
 bool has_orientation(const ItemType& type) {
   return type.category != "FiniteElement" || std::ranges::find(type.outputs, OutputVariableType::Rotation) != type.outputs.end();
 }

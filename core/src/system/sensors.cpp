@@ -1,4 +1,4 @@
-// What sensors measure.
+// Values of sensors.
 #include <optional>
 
 #include "dalembert/model/errors.hpp"

@@ -140,7 +140,7 @@ void System::refresh(const Model& model) {
     const bool frame = static_cast<const MarkerPhysics*>(marker.type->physics)->passes_frame(shape, local, marker.record.get());
     return frame ? static_cast<const void*>(&local) : marker.record.get();
   };
-  // What stands on a node that rests has read where it is.
+  // Items on a ground node have read its position.
   const auto move_resting = [&](int node) {
     for (std::size_t k = 0; k < parts.objects.size(); ++k) {
       const ObjectPlace& place = parts.objects[k];

@@ -1,4 +1,4 @@
-// Terms that are no items: how they enter an assembled system, and how patterns follow what they find.
+// Terms that are not items: their connection with an assembled system, and the update of patterns.
 #include "dalembert/system/system_term.hpp"
 
 #include "dalembert/system/parts.hpp"
@@ -70,7 +70,8 @@ bool System::search(const State& state, const Conditions& conditions) {
   ContainmentCheck check(parts.sparse_patterns.back());
   for (const SystemTerm* term : parts.system_terms) term->visit(check, parts.ports);
   if (check.holds && !anew) return false;
-  parts.sparse_patterns.back() = parts.make_sparse_pattern();  // in its place: a solver at work keeps a pointer to it
+  // replaced in place: a running solver has a pointer to it
+  parts.sparse_patterns.back() = parts.make_sparse_pattern();
   ++pattern_revisions_;
   return true;
 }

@@ -59,7 +59,7 @@ TracedEvaluation TracedEquations::evaluation(const TracedState& state, const Con
   e.v = state.v.data();
   e.a = state.a.data();
   e.lambda = state.lambda.data();
-  e.time = std::numeric_limits<double>::quiet_NaN();  // what comes of it is of no use, and shows
+  e.time = std::numeric_limits<double>::quiet_NaN();  // results that depend on it become NaN
   e.load_factor = conditions.load_factor;
   e.step_size = conditions.step_size;
   e.rate_level = conditions.rate_level;

@@ -10,8 +10,8 @@ constexpr std::uint64_t task_bits = 16, task_mask = (std::uint64_t{1} << task_bi
 std::uint64_t next_task(std::uint64_t part) { return part & task_mask; }
 std::uint64_t end_of_tasks(std::uint64_t part) { return (part >> task_bits) & task_mask; }
 
-// A thread that sleeps takes a tenth of a millisecond and more to wake up, as long as ten thousand items take: it stays awake
-// for what commonly goes on between two rounds, as the threads of OpenMP's runtimes do.
+// Waking a sleeping thread takes at least a tenth of a millisecond, as long as ten thousand items. Threads therefore
+// stay awake between two rounds, like those of OpenMP runtimes.
 constexpr std::chrono::milliseconds time_before_sleep{100};
 constexpr int looks_between_times = 100;
 
@@ -33,7 +33,7 @@ Workers::~Workers() {
   round_.notify_all();
 }
 
-// The acquisition of a task orders it after what the round began with, its end before the end of the round.
+// Acquiring a task orders it after the start of the round, its end before the end of the round.
 bool Workers::take(std::size_t thread, int& task) {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     auto& tasks = parts_[(thread + i) % parts_.size()].tasks;

@@ -72,7 +72,8 @@ struct States {
     trees::sum_to_base<S>(tree, places, wrenches, [&](std::size_t i, const S& force) { x[i] = force; });
   }
 
-  // f(i) for joints i to i + 3, of all joints: the last four may have been among those before. Without four, never.
+  // f(i) for joints i to i + 3, for all joints: the last four may overlap with the previous ones. Not called for
+  // fewer than four.
   template <class F>
   DALEMBERT_INLINE void each_four(const F& f) const {
     for (std::size_t i = 0; i + 4 <= links; i += 4) f(i);
@@ -82,7 +83,7 @@ struct States {
   const Tree& tree;
   std::size_t links, first = 0;
   int count = 0;
-  std::array<std::size_t, N> offsets{};  // of the states, in lists of joints
+  std::array<std::size_t, N> offsets{};  // offsets of the states in lists of joints
   AlignedVector<S> q, v, a, x;
   AlignedVector<LinkPlace<S>> places;
   AlignedVector<LinkMass<S>> masses;
@@ -113,7 +114,7 @@ void each_group(const Tree& tree, std::size_t states, const F& f) {
   in_wide_registers([&] { in_groups.template operator()<4>(); });
 }
 
-// In a frame whose first axis is that of its joint.
+// Orientation in a frame whose first axis is that of its joint.
 Mat3<double> axis_first(const TreeLink& link) {
   Mat3<double> turn{};
   for (int j = 0; j < 3; ++j) turn((link.axis + j) % 3, j) = 1;
@@ -247,7 +248,8 @@ void TreeFunctions::jacobian(std::size_t states, const double* q, int link, cons
   each_group(tree_, states, [&]<int N>(States<N>& group) {
     using S = Pack<N>;
     group.place(q);
-    Vec3<S> arm = group.places[static_cast<std::size_t>(link)].rotation * local;  // from the origin of link i to the point
+    // from the origin of link i to the point
+    Vec3<S> arm = group.places[static_cast<std::size_t>(link)].rotation * local;
     for (int joint = link; joint >= 0; joint = tree_.links[static_cast<std::size_t>(joint)].parent) {
       const auto i = static_cast<std::size_t>(joint);
       const Vec3<S>& axis = group.places[i].axis;

@@ -126,7 +126,7 @@ enum class NodeGroup : std::uint32_t {
   DataVariables = 8,
 };
 
-// what a node provides; values can be joined
+// capabilities of a node; values can be combined
 enum class NodeType : std::uint32_t {
   _None = 0,
   Ground = 1,
@@ -149,7 +149,7 @@ enum class NodeType : std::uint32_t {
   PointSlope23 = 262144,
 };
 
-// what an object is; values can be joined
+// categories of an object; values can be combined
 enum class ObjectType : std::uint32_t {
   _None = 0,
   Ground = 2,

@@ -51,7 +51,7 @@ struct ContinuationSettings {
   std::string restartFileName = "";
 };
 
-// what is written between the ends of steps
+// output between the ends of steps
 struct DenseOutputSettings {
   bool atRequestedTimes = false;
 };
@@ -101,7 +101,7 @@ struct RedundantConstraintsSettings {
   bool treat = true;
 };
 
-// what is written to files, and how often
+// output to files: contents and intervals
 struct SolutionSettings {
   bool appendToFile = false;
   bool binarySolutionFile = false;
@@ -168,7 +168,7 @@ struct StaticSolverSettings {
   NewtonSettings newton{};
 };
 
-// which solvers choose their step sizes by an estimated error
+// step-size control by an error estimate
 struct StepSizeControlSettings {
   bool implicitSolvers = false;
 };

@@ -23,7 +23,7 @@ struct VSettingsViewCamera {
   bool useRaytracer = false;
 };
 
-// what a view shows
+// contents of a view
 struct VSettingsViewScene {
   int drawCoordinateSystem = 2;
   bool drawWorldBasis = false;
@@ -49,7 +49,7 @@ struct VSettingsViewWindow {
   bool showWindow = true;
 };
 
-// one view of the model
+// a view of the model
 struct VSettingsView {
   VSettingsViewCamera camera{};
   VSettingsViewScene scene{};
@@ -70,7 +70,7 @@ struct VSettingsLight {
   bool useCameraFrame = false;
 };
 
-// one material of the ray tracer
+// a material of the ray tracer
 struct VSettingsMaterial {
   double alpha = 1.0;
   Vec<double, 3> baseColor = {0.4, 0.4, 0.9};
@@ -431,7 +431,7 @@ struct VSettingsExportImages {
   int widthAlignment = 4;
 };
 
-// settings of the renderer: what is drawn, and how
+// settings of the renderer
 struct VisualizationSettings {
   VSettingsNodes nodes{};
   VSettingsBodies bodies{};

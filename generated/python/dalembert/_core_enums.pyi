@@ -91,9 +91,9 @@ class DynamicSolverType(IntEnum):
     DVERK6 = 10
     """named for scripts of Exudyn; no solver has it and ``solverType`` refuses it: ``DOPRI5`` and ``DOP853`` are of orders 5 and 8"""
     VelocityVerlet = 11
-    """explicit, second order (first where forces depend on velocities), one evaluation per step; for particles and contact"""
+    """explicit, second order (first where forces depend on velocities), one evaluation per step; suitable for particles and contact"""
     DOP853 = 12
-    """explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; for tight tolerances"""
+    """explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; suitable for tight tolerances"""
     ESDIRK43 = 13
     """diagonally implicit Runge-Kutta method of Kennedy and Carpenter, order 4 with error estimate of order 3 and automatic step size; L-stable, for stiff systems and higher accuracy than generalized alpha"""
 
@@ -107,7 +107,7 @@ class ItemType(IntEnum):
     Object = 2
     """object: body, connector, constraint, joint, contact or finite element"""
     Marker = 3
-    """marker: where something acts on a node or object"""
+    """marker: a point or frame of a node or object at which loads and connectors act"""
     Load = 4
     """load: force, torque or generalized force"""
     Sensor = 5
@@ -177,9 +177,9 @@ class LinearSolverType(IntFlag):
     _None = 0
     """no solver; refused"""
     EXUdense = 1
-    """dense factorization with partial pivoting; for small systems"""
+    """dense factorization with partial pivoting; suitable for small systems"""
     EigenSparse = 2
-    """sparse LU factorization; for models with many coordinates"""
+    """sparse LU factorization; suitable for models with many coordinates"""
     EigenSparseSymmetric = 4
     """sparse factorization for symmetric positive definite systems; not for models with constraints or unsymmetric forces"""
     EigenDense = 8
@@ -200,7 +200,7 @@ class NodeGroup(IntFlag):
     """data variables"""
 
 class NodeType(IntFlag):
-    """what a node provides; values can be joined"""
+    """capabilities of a node; values can be combined"""
 
     _None = 0
     """nothing"""
@@ -242,7 +242,7 @@ class NodeType(IntFlag):
     """position and the slope vectors in y and z"""
 
 class ObjectType(IntFlag):
-    """what an object is; values can be joined"""
+    """categories of an object; values can be combined"""
 
     _None = 0
     """none of the following"""
@@ -275,11 +275,11 @@ class OutputVariableType(IntFlag):
     Position = 2
     """position in global coordinates"""
     Displacement = 4
-    """displacement from the reference configuration in global coordinates; of connectors the relative displacement"""
+    """displacement from the reference configuration in global coordinates; connectors have the relative displacement"""
     DisplacementLocal = 8
     """displacement in local coordinates, of body or joint"""
     Velocity = 16
-    """velocity in global coordinates; of connectors the relative velocity"""
+    """velocity in global coordinates; connectors have the relative velocity"""
     VelocityLocal = 32
     """velocity in local coordinates, of body or joint"""
     Acceleration = 64
@@ -315,15 +315,15 @@ class OutputVariableType(IntFlag):
     Director3 = 2097152
     """third direction: slope or axis vector in z"""
     Force = 4194304
-    """force in global coordinates; of super elements the generalized forces"""
+    """force in global coordinates; super elements have the generalized forces"""
     ForceLocal = 8388608
-    """force in local coordinates; of beams the section forces"""
+    """force in local coordinates; beams have the section forces"""
     Torque = 16777216
     """torque in global coordinates"""
     TorqueLocal = 33554432
-    """torque in local coordinates; of beams the section moments"""
+    """torque in local coordinates; beams have the section moments"""
     NonUniqueReactions = 67108864
-    """of a constraint or joint: how many of its equations have reactions that are not unique, because equations follow from others; solvers give the smallest ones. NaN as long as no solver has looked"""
+    """number of equations of a constraint or joint whose reactions are not unique, because constraints are redundant; solvers return the minimum-norm ones. NaN before the first solution"""
     StrainLocal = 268435456
     """strain components in the local frame"""
     StressLocal = 536870912

@@ -74,12 +74,12 @@ class NodeGenericAE(_Node):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def referenceCoordinates(self) -> Array:
-        """reference values; as many as ``numberOfAECoordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
+        """reference values; their number is ``numberOfAECoordinates``; units are those of the equations that use the node [n; various]"""
     @referenceCoordinates.setter
     def referenceCoordinates(self, value: ArrayLike) -> None: ...
     @property
     def initialCoordinates(self) -> Array:
-        """start values of the solver, relative to the reference values; as many as ``numberOfAECoordinates`` [n; various]"""
+        """start values of the solver, relative to the reference values; their number is ``numberOfAECoordinates`` [n; various]"""
     @initialCoordinates.setter
     def initialCoordinates(self, value: ArrayLike) -> None: ...
     numberOfAECoordinates: int
@@ -115,7 +115,7 @@ class NodeGenericData(_Node):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def initialCoordinates(self) -> Array:
-        """values at the start of a computation; as many as ``numberOfDataCoordinates``, or none for zeros; any other length is refused; their meaning and units are those of the object that uses the node [n; various]"""
+        """values at the start of a computation; their number is ``numberOfDataCoordinates``, or zero (all values are zero); other lengths are rejected; their meaning and units are those of the object that uses the node [n; various]"""
     @initialCoordinates.setter
     def initialCoordinates(self, value: ArrayLike) -> None: ...
     numberOfDataCoordinates: int
@@ -150,12 +150,12 @@ class NodeGenericODE1(_Node):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def referenceCoordinates(self) -> Array:
-        """constant values to which the coordinates are added; as many as ``numberOfODE1Coordinates``, or none for zeros; any other length is refused; units as in the equations that use the node [n; various]"""
+        """constant values to which the coordinates are added; their number is ``numberOfODE1Coordinates``, or zero (all values are zero); other lengths are rejected; units are those of the equations that use the node [n; various]"""
     @referenceCoordinates.setter
     def referenceCoordinates(self, value: ArrayLike) -> None: ...
     @property
     def initialCoordinates(self) -> Array:
-        """values at the start, relative to the reference values; as many as ``numberOfODE1Coordinates`` [n; various]"""
+        """values at the start, relative to the reference values; their number is ``numberOfODE1Coordinates`` [n; various]"""
     @initialCoordinates.setter
     def initialCoordinates(self, value: ArrayLike) -> None: ...
     numberOfODE1Coordinates: int
@@ -191,17 +191,17 @@ class NodeGenericODE2(_Node):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def referenceCoordinates(self) -> Array:
-        """constant values to which the coordinates are added; as many as ``numberOfODE2Coordinates``, or none for zeros; any other length is refused; units as in the equations that use the node [n; various]"""
+        """constant values to which the coordinates are added; their number is ``numberOfODE2Coordinates``, or zero (all values are zero); other lengths are rejected; units are those of the equations that use the node [n; various]"""
     @referenceCoordinates.setter
     def referenceCoordinates(self, value: ArrayLike) -> None: ...
     @property
     def initialCoordinates(self) -> Array:
-        """values at the start, relative to the reference values; as many as ``numberOfODE2Coordinates`` [n; various]"""
+        """values at the start, relative to the reference values; their number is ``numberOfODE2Coordinates`` [n; various]"""
     @initialCoordinates.setter
     def initialCoordinates(self, value: ArrayLike) -> None: ...
     @property
     def initialCoordinates_t(self) -> Array:
-        """time derivatives of the coordinates at the start; as many as ``numberOfODE2Coordinates`` [n; various]"""
+        """time derivatives of the coordinates at the start; their number is ``numberOfODE2Coordinates`` [n; various]"""
     @initialCoordinates_t.setter
     def initialCoordinates_t(self, value: ArrayLike) -> None: ...
     numberOfODE2Coordinates: int
@@ -1452,7 +1452,7 @@ class ObjectFFRFreducedOrder(_Object):
     massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives an additional mass matrix for all coordinates; its dependence on them is left out of the tangent"""
     computeFFRFterms: bool
-    """True: the object computes inertia with its coupling of rigid body motion and deformation, stiffness and damping; False: nothing acts but what the user functions give"""
+    """True: the object computes inertia with its coupling of rigid body motion and deformation, stiffness and damping; False: only the user functions act"""
     @property
     def modeBasis(self) -> Array:
         """one column per mode, three rows per mesh node: displacements of the mesh in the body frame for a unit modal coordinate [n x m; various]"""
@@ -1460,7 +1460,7 @@ class ObjectFFRFreducedOrder(_Object):
     def modeBasis(self, value: ArrayLike) -> None: ...
     @property
     def outputVariableModeBasis(self) -> Array:
-        """values of an output variable per unit modal coordinate, one row per mesh node; for each mode six columns, one per component; empty: none [n x m; various]"""
+        """values of an output variable per unit modal coordinate, one row per mesh node; each mode has six columns, its components; empty: not used [n x m; various]"""
     @outputVariableModeBasis.setter
     def outputVariableModeBasis(self, value: ArrayLike) -> None: ...
     outputVariableTypeModeBasis: OutputVariableType
@@ -1621,7 +1621,7 @@ class ObjectGenericODE2(_Object):
     massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], MatrixLike] | Literal[0]
     """function that gives the mass matrix; it replaces ``massMatrix``"""
     jacobianUserFunction: Callable[[MainSystem, float, int, Array, Array, float, float], MatrixLike] | Literal[0]
-    """function that gives the derivatives of the user forces; without it they are found by numerical differentiation"""
+    """function that returns the derivatives of the user forces; the default is numerical differentiation"""
     @property
     def coordinateIndexPerNode(self) -> list[int]:
         """index of the first coordinate of each node in the vector of the object [n]; computed"""
@@ -1669,7 +1669,7 @@ class VObjectKinematicTree(_Visualization):
     def color(self, value: ArrayLike) -> None: ...
     @property
     def graphicsDataList(self) -> list[list[dict[str, Any]]]:
-        """for each link a list of shapes in the frame of the link; empty, or as long as there are links [n x m]"""
+        """a list of shapes in the frame of the link; empty, or as long as there are links [n x m]"""
     @graphicsDataList.setter
     def graphicsDataList(self, value: Sequence[Sequence[dict[str, Any]]]) -> None: ...
     def __init__(
@@ -1713,22 +1713,22 @@ class ObjectKinematicTree(_Object):
     def linkParents(self, value: Sequence[int]) -> None: ...
     @property
     def jointTransformations(self) -> Matrix3DList:
-        """for each link the rotation matrix from its joint frame, at coordinate zero, to the frame of the parent; required [n x 3 x 3; 1]"""
+        """the rotation matrix from its joint frame, at coordinate zero, to the frame of the parent; required [n x 3 x 3; 1]"""
     @jointTransformations.setter
     def jointTransformations(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     @property
     def jointOffsets(self) -> Vector3DList:
-        """for each link the origin of its joint frame in the frame of the parent, for the base in the base frame; required [n x 3; m]"""
+        """the origin of its joint frame in the frame of the parent, for the base in the base frame; required [n x 3; m]"""
     @jointOffsets.setter
     def jointOffsets(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
     def linkInertiasCOM(self) -> Matrix3DList:
-        """for each link the inertia tensor about its center of mass, in the frame of the link; required [n x 3 x 3; kg m^2]"""
+        """the inertia tensor about its center of mass, in the frame of the link; required [n x 3 x 3; kg m^2]"""
     @linkInertiasCOM.setter
     def linkInertiasCOM(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     @property
     def linkCOMs(self) -> Vector3DList:
-        """for each link the center of mass in the frame of the link; required [n x 3; m]"""
+        """the center of mass in the frame of the link; required [n x 3; m]"""
     @linkCOMs.setter
     def linkCOMs(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
@@ -1738,17 +1738,17 @@ class ObjectKinematicTree(_Object):
     def linkMasses(self, value: ArrayLike) -> None: ...
     @property
     def linkForces(self) -> Vector3DList:
-        """for each link a force in global components at the origin of its joint frame; empty for zero [n x 3; N]"""
+        """a force in global components at the origin of its joint frame; empty for zero [n x 3; N]"""
     @linkForces.setter
     def linkForces(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
     def linkTorques(self) -> Vector3DList:
-        """for each link a torque in global components; empty for zero [n x 3; Nm]"""
+        """a torque in global components; empty for zero [n x 3; Nm]"""
     @linkTorques.setter
     def linkTorques(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
     def jointForceVector(self) -> Array:
-        """for each joint a torque (Nm) or force (N) about or along its axis, positive on the link and negative on its parent; empty for zero [n; various]"""
+        """a torque (Nm) or force (N) about or along its axis, positive on the link and negative on its parent; empty for zero [n; various]"""
     @jointForceVector.setter
     def jointForceVector(self, value: ArrayLike) -> None: ...
     @property
@@ -1775,12 +1775,12 @@ class ObjectKinematicTree(_Object):
     """function that gives further joint forces, which act as those of ``jointForceVector``"""
     @property
     def linkNames(self) -> list[str]:
-        """for each link a name, which may stand wherever the number of a link is asked for, or an empty string; empty for no names [n]"""
+        """a name, which may stand wherever the number of a link is asked for, or an empty string; empty for no names [n]"""
     @linkNames.setter
     def linkNames(self, value: Sequence[str]) -> None: ...
     @property
     def jointNames(self) -> list[str]:
-        """for each joint a name, which may stand for the number of the joint and for that of the link which it carries, or an empty string; empty for no names [n]"""
+        """a name, which may stand for the number of the joint and for that of the link which it carries, or an empty string; empty for no names [n]"""
     @jointNames.setter
     def jointNames(self, value: Sequence[str]) -> None: ...
     @property
@@ -1846,7 +1846,7 @@ class ObjectALEANCFCable2D(_Object):
     physicsMassPerLength: float
     """total mass per undeformed length, of the resting and the moving part [kg/m]"""
     physicsMovingMassFactor: float
-    """share of the mass per length that moves along the axis: 1 for an axially moving beam, 0 for none, between for a pipe with fluid [1]"""
+    """share of the mass per length that moves along the axis: 1: axially moving beam, 0: no motion; a pipe with fluid lies between [1]"""
     physicsBendingStiffness: float
     """bending stiffness: bending moment per curvature [N m^2]"""
     physicsAxialStiffness: float
@@ -1869,7 +1869,7 @@ class ObjectALEANCFCable2D(_Object):
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
-    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending"""
+    """integration of the elastic forces along the axis: 0: 5 Gauss points for stretching and 3 for bending; 1: 4 and 2; 2: 3 Lobatto points for stretching and 2 Gauss points for bending"""
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
     @property
@@ -2008,7 +2008,7 @@ class ObjectANCFCable(_Object):
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
-    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness"""
+    """integration of the elastic forces along the axis: 0: 5 Gauss points for stretching and 3 for bending; 1: 4 and 2; 2: 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness"""
     @property
     def visualization(self) -> VObjectANCFCable:
         """how the item is drawn"""
@@ -2081,7 +2081,7 @@ class ObjectANCFCable2D(_Object):
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
-    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness"""
+    """integration of the elastic forces along the axis: 0: 5 Gauss points for stretching and 3 for bending; 1: 4 and 2; 2: 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness"""
     axialForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0]
     """function that gives the axial force in place of the linear law"""
     bendingMomentUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0]
@@ -2136,7 +2136,7 @@ class ObjectANCFThinPlate(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def physicsThickness(self) -> Array:
-        """thickness of the plate: one value, or one value per node that is interpolated [n; m]"""
+        """thickness of the plate: a value, or interpolated values of the nodes [n; m]"""
     @physicsThickness.setter
     def physicsThickness(self, value: ArrayLike) -> None: ...
     physicsDensity: float
@@ -2145,12 +2145,12 @@ class ObjectANCFThinPlate(_Object):
     """damping forces are this factor times mass matrix times velocity [1/s]"""
     @property
     def physicsStrainCoefficients(self) -> Matrix3DList:
-        """stiffness against the strains in the plane, integrated over the thickness; one matrix, or one per node [n x 3 x 3; N/m]"""
+        """stiffness against the strains in the plane, integrated over the thickness; a matrix, or one per node [n x 3 x 3; N/m]"""
     @physicsStrainCoefficients.setter
     def physicsStrainCoefficients(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     @property
     def physicsCurvatureCoefficients(self) -> Matrix3DList:
-        """stiffness against curvatures and twist, integrated over the thickness; one matrix, or one per node [n x 3 x 3; Nm]"""
+        """stiffness against curvatures and twist, integrated over the thickness; a matrix, or one per node [n x 3 x 3; Nm]"""
     @physicsCurvatureCoefficients.setter
     def physicsCurvatureCoefficients(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     strainIsRelativeToReference: float
@@ -2171,7 +2171,7 @@ class ObjectANCFThinPlate(_Object):
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
-    """integration of the elastic forces: 0 with 4 by 4 Gauss points, 1 with 3 by 3"""
+    """integration of the elastic forces: 0: 4 by 4 Gauss points, 1: 3 by 3"""
     @property
     def visualization(self) -> VObjectANCFThinPlate:
         """how the item is drawn"""
@@ -2496,7 +2496,7 @@ class ObjectConnectorCoordinateSpringDamperExt(_Object):
     fDynamicFriction: float
     """friction force in sliding, N for lengths: friction coefficient times a constant normal force [various]"""
     fStaticFrictionOffset: float
-    """what the friction force in sticking may exceed the dynamic one, N for lengths; sticking ends at the sum of both [various]"""
+    """difference of the largest static and the dynamic friction force, N for lengths; sticking ends at the sum of both [various]"""
     stickingStiffness: float
     """stiffness of the bristles in sticking, N/m for lengths; must be positive for friction with ``frictionProportionalZone`` = 0 [various]"""
     stickingDamping: float
@@ -2841,7 +2841,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """rigid body markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; with ``hasCoordinateMarkers``, two coordinate markers follow [n]"""
+        """rigid body markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; if ``hasCoordinateMarkers`` is set, two coordinate markers follow [n]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     hasCoordinateMarkers: bool
@@ -2865,7 +2865,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
     """length of the rope without force [m]"""
     @property
     def sheavesAxes(self) -> Vector3DList:
-        """axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; none may be parallel to the line to the next center [n x 3; 1]"""
+        """axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; it must not be parallel to the line to the next center [n x 3; 1]"""
     @sheavesAxes.setter
     def sheavesAxes(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
@@ -3540,7 +3540,7 @@ class ObjectContactConvexRoll(_Object):
     dynamicFriction: float
     """coefficient of friction in sliding [1]"""
     staticFrictionOffset: float
-    """what the coefficient of static friction exceeds the dynamic one [1]"""
+    """difference of the coefficients of static and dynamic friction [1]"""
     viscousFriction: float
     """growth of the friction coefficient with the slip speed [s/m]"""
     exponentialDecayStatic: float
@@ -3561,14 +3561,14 @@ class ObjectContactConvexRoll(_Object):
     def coefficientsHullDDerivative(self) -> Array:
         """coefficients of the second derivative of the profile [n; various]; computed"""
     rBoundingSphere: float
-    """radius of spheres at both ends that exclude contact by a cheap test; without effect here, where the lowest point of the profile is always looked for [m]"""
+    """radius of spheres at both ends that exclude contact by a cheap test; no effect here, because the lowest point of the profile is always computed [m]"""
     @property
     def pContact(self) -> Array:
         """current point of possible contact; contact if its third component is negative [3; m]; computed"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     limitDamping: bool
-    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
+    """True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open"""
     @property
     def visualization(self) -> VObjectContactConvexRoll:
         """how the item is drawn"""
@@ -3810,7 +3810,7 @@ class ObjectContactFrictionCircleCable2D(_Object):
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     limitDamping: bool
-    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
+    """True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open"""
     @property
     def visualization(self) -> VObjectContactFrictionCircleCable2D:
         """how the item is drawn"""
@@ -3899,7 +3899,7 @@ class ObjectContactSphereSphere(_Object):
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     limitDamping: bool
-    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
+    """True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open"""
     @property
     def visualization(self) -> VObjectContactSphereSphere:
         """how the item is drawn"""
@@ -3990,7 +3990,7 @@ class ObjectContactSphereTorus(_Object):
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     limitDamping: bool
-    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
+    """True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open"""
     @property
     def visualization(self) -> VObjectContactSphereTorus:
         """how the item is drawn"""
@@ -4077,7 +4077,7 @@ class ObjectContactSphereTriangle(_Object):
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     limitDamping: bool
-    """True: damping never pulls; where bodies separate so fast that it would, there is no force. False: it pulls until the gap is open, as linear damping has it"""
+    """True: the force is never tensile; it is zero if damping would make it tensile. False: damping also acts in tension until the gap is open"""
     @property
     def visualization(self) -> VObjectContactSphereTriangle:
         """how the item is drawn"""
@@ -4130,7 +4130,7 @@ class ObjectJointALEMoving2D(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node [2]"""
+        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; the data node has the current element [2]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
@@ -4140,7 +4140,7 @@ class ObjectJointALEMoving2D(_Object):
     def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerOffsets(self) -> Array:
-        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers`` [n; m]"""
+        """for each of these elements, the sum of the reference lengths of all elements before it; the first is 0; one for each of ``slidingMarkerNumbers`` [n; m]"""
     @slidingMarkerOffsets.setter
     def slidingMarkerOffsets(self, value: ArrayLike) -> None: ...
     slidingOffset: float
@@ -4588,7 +4588,7 @@ class ObjectJointSliding(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node [2]"""
+        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; the data node has the current element [2]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
@@ -4598,7 +4598,7 @@ class ObjectJointSliding(_Object):
     def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerOffsets(self) -> Array:
-        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers`` [n; m]"""
+        """for each of these elements, the sum of the reference lengths of all elements before it; the first is 0; one for each of ``slidingMarkerNumbers`` [n; m]"""
     @slidingMarkerOffsets.setter
     def slidingMarkerOffsets(self, value: ArrayLike) -> None: ...
     @property
@@ -4668,7 +4668,7 @@ class ObjectJointSliding2D(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node [2]"""
+        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; the data node has the current element [2]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
@@ -4678,7 +4678,7 @@ class ObjectJointSliding2D(_Object):
     def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerOffsets(self) -> Array:
-        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers`` [n; m]"""
+        """for each of these elements, the sum of the reference lengths of all elements before it; the first is 0; one for each of ``slidingMarkerNumbers`` [n; m]"""
     @slidingMarkerOffsets.setter
     def slidingMarkerOffsets(self, value: ArrayLike) -> None: ...
     @property
@@ -4801,7 +4801,7 @@ class MarkerBodiesRelativeRotationCoordinate(_Marker):
     def localPosition0(self, value: ArrayLike) -> None: ...
     @property
     def localPosition1(self) -> Array:
-        """point in the frame of the second body; without effect, as the angle does not depend on it [3; m]"""
+        """point in the frame of the second body; no effect, because the angle does not depend on it [3; m]"""
     @localPosition1.setter
     def localPosition1(self, value: ArrayLike) -> None: ...
     @property
@@ -5112,7 +5112,7 @@ class MarkerKinematicTreeRigid(_Marker):
     @objectNumber.setter
     def objectNumber(self, value: ObjectIndex | int | str) -> None: ...
     linkNumber: int | str
-    """number of the link within the tree, from 0, or its name, or that of its joint; -1 means not set and is refused"""
+    """number of the link within the tree, from 0, or its name, or that of its joint; -1 means not set and is rejected"""
     @property
     def localPosition(self) -> Array:
         """position of the marker in the frame of the link [3; m]"""
@@ -5153,7 +5153,7 @@ class MarkerNodeCoordinate(_Marker):
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     coordinate: int | str
-    """number of the coordinate within the node, from 0, or the name of a joint of the kinematic tree on the node; -1 means not set and is refused; any number reads zero at a ground node"""
+    """number of the coordinate within the node, from 0, or the name of a joint of the kinematic tree on the node; -1 means not set and is rejected; any number reads zero at a ground node"""
     @property
     def visualization(self) -> VMarkerNodeCoordinate:
         """how the item is drawn"""
@@ -5220,7 +5220,7 @@ class MarkerNodeODE1Coordinate(_Marker):
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     coordinate: int
-    """number of the coordinate within the node, from 0; -1 means not set and is refused"""
+    """number of the coordinate within the node, from 0; -1 means not set and is rejected"""
     @property
     def visualization(self) -> VMarkerNodeODE1Coordinate:
         """how the item is drawn"""
@@ -5319,7 +5319,7 @@ class MarkerNodeRotationCoordinate(_Marker):
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     rotationCoordinate: int
-    """axis of rotation: 0 for x, 1 for y, 2 for z; -1 means not set and is refused"""
+    """axis of rotation: 0 for x, 1 for y, 2 for z; -1 means not set and is rejected"""
     @property
     def visualization(self) -> VMarkerNodeRotationCoordinate:
         """how the item is drawn"""
@@ -5492,7 +5492,7 @@ class LoadCoordinate(_Load):
     @markerNumber.setter
     def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     load: float
-    """generalized force: N on a coordinate that is a length, Nm on an angle; without effect if there is a user function, which gets it as an argument [various]"""
+    """generalized force: N on a coordinate that is a length, Nm on an angle; ignored if there is a user function, which receives it as an argument [various]"""
     loadUserFunction: Callable[[MainSystem, float, float], float] | Literal[0]
     """Python function that computes the load as a function of time"""
     @property
@@ -5531,7 +5531,7 @@ class LoadForceVector(_Load):
     def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     @property
     def loadVector(self) -> Array:
-        """force vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; N]"""
+        """force vector in global coordinates, or in the marker frame with ``bodyFixed``; ignored if there is a user function, which receives it as an argument [3; N]"""
     @loadVector.setter
     def loadVector(self, value: ArrayLike) -> None: ...
     bodyFixed: bool
@@ -5578,7 +5578,7 @@ class LoadMassProportional(_Load):
     def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     @property
     def loadVector(self) -> Array:
-        """force per mass in global coordinates, such as the gravitational acceleration ``[0, 0, -9.81]``; without effect if there is a user function, which gets it as an argument [3; m/s^2]"""
+        """force per mass in global coordinates, such as the gravitational acceleration ``[0, 0, -9.81]``; ignored if there is a user function, which receives it as an argument [3; m/s^2]"""
     @loadVector.setter
     def loadVector(self, value: ArrayLike) -> None: ...
     loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0]
@@ -5622,7 +5622,7 @@ class LoadTorqueVector(_Load):
     def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     @property
     def loadVector(self) -> Array:
-        """torque vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; Nm]"""
+        """torque vector in global coordinates, or in the marker frame with ``bodyFixed``; ignored if there is a user function, which receives it as an argument [3; Nm]"""
     @loadVector.setter
     def loadVector(self, value: ArrayLike) -> None: ...
     bodyFixed: bool
@@ -5669,11 +5669,11 @@ class SensorBody(_Sensor):
     def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def localPosition(self) -> Array:
-        """point in the body frame, relative to the reference point; for beams and cables the x component is the position along the axis [3; m]"""
+        """point in the body frame, relative to the reference point; the x component of beams and cables is the position along the axis [3; m]"""
     @localPosition.setter
     def localPosition(self, value: ArrayLike) -> None: ...
     writeToFile: bool
-    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
+    """write the measured values to a file while a solver runs; no effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
@@ -5718,14 +5718,14 @@ class SensorKinematicTree(_Sensor):
     @objectNumber.setter
     def objectNumber(self, value: ObjectIndex | int | str) -> None: ...
     linkNumber: int | str
-    """link, numbered within the tree from 0, or its name, or that of its joint; -1 means not set and is refused"""
+    """link, numbered within the tree from 0, or its name, or that of its joint; -1 means not set and is rejected"""
     @property
     def localPosition(self) -> Array:
         """point in the frame of the link [3; m]"""
     @localPosition.setter
     def localPosition(self, value: ArrayLike) -> None: ...
     writeToFile: bool
-    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
+    """write the measured values to a file while a solver runs; no effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
@@ -5771,7 +5771,7 @@ class SensorLoad(_Sensor):
     @loadNumber.setter
     def loadNumber(self, value: LoadIndex | int | str) -> None: ...
     writeToFile: bool
-    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
+    """write the measured values to a file while a solver runs; no effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     storeInternal: bool
@@ -5812,7 +5812,7 @@ class SensorMarker(_Sensor):
     @markerNumber.setter
     def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     writeToFile: bool
-    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
+    """write the measured values to a file while a solver runs; no effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
@@ -5856,7 +5856,7 @@ class SensorNode(_Sensor):
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     writeToFile: bool
-    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
+    """write the measured values to a file while a solver runs; no effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
@@ -5900,7 +5900,7 @@ class SensorObject(_Sensor):
     @objectNumber.setter
     def objectNumber(self, value: ObjectIndex | int | str) -> None: ...
     writeToFile: bool
-    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
+    """write the measured values to a file while a solver runs; no effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
@@ -5944,9 +5944,9 @@ class SensorSuperElement(_Sensor):
     @bodyNumber.setter
     def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     meshNodeNumber: int | str
-    """mesh node, numbered within the super element from 0, or the name of a link of a kinematic tree; -1 means not set and is refused"""
+    """mesh node, numbered within the super element from 0, or the name of a link of a kinematic tree; -1 means not set and is rejected"""
     writeToFile: bool
-    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
+    """write the measured values to a file while a solver runs; no effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
@@ -5996,7 +5996,7 @@ class SensorUserFunction(_Sensor):
     @factors.setter
     def factors(self, value: ArrayLike) -> None: ...
     writeToFile: bool
-    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
+    """write the measured values to a file while a solver runs; no effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     sensorUserFunction: Callable[[MainSystem, float, list[int], Array, ConfigurationType], ArrayLike] | Literal[0]

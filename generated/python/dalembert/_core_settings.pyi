@@ -32,7 +32,7 @@ class NewtonNumericalDifferentiationSettings(_Settings):
     forODE2: bool
     """true: derivatives of second order equations by numerical differentiation; false: exact ones; default: False"""
     forODE2connectors: bool
-    """true: derivatives of connector forces by numerical differentiation, for tests; as with ``forODE2``, since forces of connectors and bodies are differentiated together; false: as ``forODE2`` says; default: False"""
+    """true: derivatives of connector forces by numerical differentiation, for tests; the same as ``forODE2``, because forces of connectors and bodies are differentiated together; false: see ``forODE2``; default: False"""
     jacobianConnectorDerivative: bool
     """true: exact derivatives of connectors include the change of the directions of their forces; false: they leave it out; no effect: exact derivatives always include the change of the directions of forces, at no cost worth saving; default: True"""
     minimumCoordinateSize: float
@@ -48,7 +48,7 @@ class NewtonSettings(_Settings):
     absoluteTolerance: float
     """the iteration ends if the error is below this value, in the units of the residual [various]; default: 1e-10"""
     adaptInitialResidual: bool
-    """true: if the residual grows in the first iteration, the larger value is the one that has to be reduced by the relative tolerance; for steps that start with a residual near zero; default: True"""
+    """true: if the residual grows in the first iteration, the larger value is the one that has to be reduced by the relative tolerance; useful for steps that start with a residual near zero; default: True"""
     maximumSolutionNorm: float
     """the solver stops with an error if the squared norm of coordinates or velocities reaches this value: explicit solvers after every step (coordinates only with values below the default), Newton's method while it has not converged [various; greater than 0]; default: 1e+38"""
     maxIterations: int
@@ -64,7 +64,7 @@ class NewtonSettings(_Settings):
     newtonResidualMode: int
     """quantity that measures the error: 0 the residual, 1 the increment of the coordinates of differential equations [from 0 to 1]; default: 0"""
     relativeTolerance: float
-    """the iteration ends if the error has fallen below this fraction of the initial one; in fine steps, the correction that belongs to the last residual follows, so that smaller steps come nearer to the solution [1; from 0 to 1]; default: 1e-08"""
+    """the iteration ends if the error has fallen below this fraction of the initial one; fine steps also apply the correction of the last residual, so that smaller steps are more accurate [1; from 0 to 1]; default: 1e-08"""
     useModifiedNewton: bool
     """true: the Jacobian and its factorization are kept as long as convergence allows; false: computed in every iteration; default: False"""
     useNewtonSolver: bool
@@ -96,12 +96,12 @@ class ContinuationSettings(_Settings):
     """going on with a solution that was stopped"""
 
     restartFileName: str
-    """restart file of a solution with the same model, solver and settings; its start time, end time and number of steps are those of the whole solution. Solution and sensor files go on where they were when the restart file was written; what is behind that is overwritten. Empty: start from the initial values; default: ''"""
+    """restart file of a solution with the same model, solver and settings; its start time, end time and number of steps are those of the whole solution. Solution and sensor files continue at their position in the restart file; later rows are overwritten. Empty: start from the initial values; default: ''"""
     def __init__(self) -> None: ...
 
 @final
 class DenseOutputSettings(_Settings):
-    """what is written between the ends of steps"""
+    """output between the ends of steps"""
 
     atRequestedTimes: bool
     """true: solution and sensors are written at the multiples of ``solutionWritePeriod`` and ``sensorsWritePeriod``, counted from the start, and at the end; within steps by Hermite interpolation of coordinates, velocities and accelerations. Data coordinates are those of the end of the step. False: they are written at the first end of a step at which the period is over. Static solvers write at their load steps; default: False"""
@@ -112,7 +112,7 @@ class EventsSettings(_Settings):
     """contact that opens or closes, friction that begins to slide or to stick, and stops"""
 
     ofItems: bool
-    """true: contact, friction and stops of items, GeneralContact, and sliding joints that pass from element to element are followed by dynamic solvers: a step within which one of them switches is solved again such that it ends there, and accelerations are found anew. What switches again and again, each time within two steps, ends the simulation with an error that names the item. False: they switch in the discontinuous iteration, at the end of a step, as all other items always do; default: False"""
+    """true: dynamic solvers locate events of contact, friction and stops of items, GeneralContact, and sliding joints that pass from element to element: a step with an event is solved again such that it ends there, and accelerations are recomputed. An item that switches repeatedly, each time within two steps, raises an error with its name. False: items switch in the discontinuous iteration, at the end of a step; default: False"""
     def __init__(self) -> None: ...
 
 @final
@@ -134,7 +134,7 @@ class LinearSolverChoiceSettings(_Settings):
     """who chooses the linear solver"""
 
     automatic: bool
-    """true: as long as ``linearSolverType`` has not been set, dense matrices are taken up to 32 unknowns and sparse ones above; setting ``linearSolverType`` makes this false; default: True"""
+    """true: dense matrices are used up to 32 unknowns and sparse ones above; setting ``linearSolverType`` makes this false; default: True"""
     def __init__(self) -> None: ...
 
 @final
@@ -164,7 +164,7 @@ class ParallelSettings(_Settings):
     multithreadedLLimitResiduals: int
     """number of items from which on residuals are evaluated in parallel; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 20"""
     numberOfThreads: int
-    """number of threads that share the evaluation of residuals, tangents and explicit right-hand sides; as many as there are cores at most; results are the same, bit for bit; default: 1"""
+    """number of threads that share the evaluation of residuals, tangents and explicit right-hand sides; limited by the number of cores; results are bit-identical; default: 1"""
     taskSplitMinItems: int
     """number of items from which on work is split into several parts per thread; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 50"""
     taskSplitTasksPerThread: int
@@ -187,14 +187,14 @@ class RedundantConstraintsSettings(_Settings):
 
 @final
 class SolutionSettings(_Settings):
-    """what is written to files, and how often"""
+    """output to files: contents and intervals"""
 
     appendToFile: bool
     """true: solution and solver information are appended to existing files; false: existing files are replaced; binary files are always replaced; default: False"""
     binarySolutionFile: bool
     """true: the solution file is binary, with 8 byte numbers if ``outputPrecision`` is at least 8 and with 4 byte numbers otherwise; false: text; default: False"""
     coordinatesSolutionFileName: str
-    """solution file with all coordinates, with its path; directories are created; without an ending .txt or, for a binary file, .sol is added; default: 'coordinatesSolution'"""
+    """solution file with all coordinates, with its path; directories are created; the default ending is .txt or, for a binary file, .sol; default: 'coordinatesSolution'"""
     exportAccelerations: bool
     """write the accelerations of second order coordinates to the solution file; default: True"""
     exportAlgebraicCoordinates: bool
@@ -206,7 +206,7 @@ class SolutionSettings(_Settings):
     exportVelocities: bool
     """write the velocities of second order coordinates to the solution file; default: True"""
     flushFilesDOF: int
-    """number of coordinates from which on the solution file is flushed at every output, whatever ``flushFilesImmediately`` says; default: 10000"""
+    """number of coordinates from which on the solution file is flushed at every output, independently of ``flushFilesImmediately``; default: 10000"""
     flushFilesImmediately: bool
     """true: files are complete after every output, which costs time in models with short steps; false: output is buffered; default: False"""
     outputPrecision: int
@@ -296,15 +296,15 @@ class StaticSolverSettings(_Settings):
     numberOfLoadSteps: int
     """number of load steps; 1: the full load is applied at once; default: 1"""
     stabilizerODE2term: float
-    """factor of a mass proportional term that is added to the Jacobian of the second order equations, and that fades out as one minus the square of the load factor: it needs several load steps. It finds equilibria of what weight holds on hinges; 0: none [1]; default: 0.0"""
+    """factor of a mass proportional term that is added to the Jacobian of the second order equations, and that fades out as one minus the square of the load factor: it needs several load steps. It finds equilibria of pendulums, which have no initial stiffness; 0: not used [1]; default: 0.0"""
     stepInformation: int
-    """sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only; default: 67"""
+    """sum of numbers that select the contents of a line about a step: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only; default: 67"""
     useLoadFactor: bool
     """true: loads are multiplied with the load factor, which goes from 0 to 1; false: loads act in full, for loads that follow the quasi-time by themselves; default: True"""
     verboseMode: int
-    """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console; default: 1"""
+    """amount of output on the console: no output (0), occasional lines (1), a line per step (2), also the solution (3), mass matrix and Jacobian (4), inverse of the Jacobian (5); default: 1"""
     verboseModeFile: int
-    """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file; default: 0"""
+    """amount of output in the solver information file: no output (0), occasional lines (1), a line per step (2), also the solution (3), mass matrix and Jacobian (4), inverse of the Jacobian (5); default: 0"""
     @property
     def arcLength(self) -> StaticSolverArcLengthSettings: ...
     @arcLength.setter
@@ -321,7 +321,7 @@ class StaticSolverSettings(_Settings):
 
 @final
 class StepSizeControlSettings(_Settings):
-    """which solvers choose their step sizes by an estimated error"""
+    """step-size control by an error estimate"""
 
     implicitSolvers: bool
     """true: implicit solvers estimate the error of coordinates and velocities in each step, and repeat steps whose error is above the tolerances, if ``timeIntegration.automaticStepSize`` is true; false: they take equal steps; default: False"""
@@ -348,7 +348,7 @@ class TimeIntegrationGeneralizedAlphaSettings(_Settings):
     """generalized-alpha, Newmark and implicit trapezoidal integrators"""
 
     computeInitialAccelerations: bool
-    """true: initial accelerations are computed from the equations of motion, without the second derivatives of what user functions prescribe in time; false: they are taken from the system or set to zero; default: True"""
+    """true: initial accelerations are computed from the equations of motion, without the second time derivatives of prescribed motions of user functions; false: they are taken from the system or set to zero; default: True"""
     lieGroupAddTangentOperator: bool
     """true: the tangent operator of the Lie group nodes is part of the Jacobian, for better convergence; acts with lieGroupSimplifiedKinematicRelations only; default: True"""
     lieGroupSimplifiedKinematicRelations: bool
@@ -388,7 +388,7 @@ class TimeIntegrationSettings(_Settings):
     automaticStepSize: bool
     """true: integrators with an error estimate choose the step size; (endTime - startTime)/numberOfSteps is its upper bound; false: constant step size; default: True"""
     computeLoadsJacobian: int
-    """derivatives of loads in the Jacobian of implicit integrators: 0 none, 1 with respect to the coordinates, 2 with respect to the velocities as well [from 0 to 2]; default: 0"""
+    """derivatives of loads in the Jacobian of implicit integrators: no derivatives (0), with respect to the coordinates (1), also with respect to the velocities (2) [from 0 to 2]; default: 0"""
     endTime: float
     """time at which the integration ends [s]; default: 1.0"""
     initialStepSize: float
@@ -410,15 +410,15 @@ class TimeIntegrationSettings(_Settings):
     startTime: float
     """time at which the integration starts [s]; default: 0.0"""
     stepInformation: int
-    """sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only; default: 67"""
+    """sum of numbers that select the contents of a line about a step: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only; default: 67"""
     stepSizeMaxIncrease: float
     """largest factor by which the automatic step size grows from one step to the next [1; at least 1]; default: 2.0"""
     stepSizeSafety: float
     """factor of the step size that the error estimate allows; smaller values avoid rejected steps [1; greater than 0 and at most 1]; default: 0.9"""
     verboseMode: int
-    """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console; default: 0"""
+    """amount of output on the console: no output (0), occasional lines (1), a line per step (2), also the solution (3), mass matrix and Jacobian (4), inverse of the Jacobian (5); default: 0"""
     verboseModeFile: int
-    """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file; default: 0"""
+    """amount of output in the solver information file: no output (0), occasional lines (1), a line per step (2), also the solution (3), mass matrix and Jacobian (4), inverse of the Jacobian (5); default: 0"""
     @property
     def discontinuous(self) -> DiscontinuousSettings: ...
     @discontinuous.setter
@@ -533,7 +533,7 @@ class VSettingsViewCamera(_Settings):
     trackMarker: int
     """number of the marker that the view follows; -1: none; no effect on pages: pages look from where their readers want; default: -1"""
     trackMarkerMbsNumber: int
-    """number of the system in the container that the tracked marker belongs to; 0 for the first; no effect on pages: pages look from where their readers want; default: 0"""
+    """number of the system in the container that the tracked marker belongs to; the first is 0; no effect on pages: pages look from where their readers want; default: 0"""
     @property
     def trackMarkerOrientation(self) -> list[float]:
         """1 in all three components to follow the rotation of the marker, zeros to keep the direction of view [3; 1]; no effect on pages: pages look from where their readers want; default: [0.0, 0.0, 0.0]"""
@@ -550,18 +550,18 @@ class VSettingsViewCamera(_Settings):
 
 @final
 class VSettingsViewScene(_Settings):
-    """what a view shows"""
+    """contents of a view"""
 
     drawCoordinateSystem: int
-    """coordinate system in the corner: 0 none, 1 lines with text, 2 arrows, 3 arrows with text; no effect on pages: pages have lights, lines and words of their own; default: 2"""
+    """coordinate system in the corner: 0 hidden, 1 lines with text, 2 arrows, 3 arrows with text; no effect on pages: pages have lights, lines and words of their own; default: 2"""
     drawWorldBasis: bool
     """draw the global frame at the origin; that of view0 is for all views; default: False"""
     facesTransparent: bool
-    """draw all faces transparent, so that what they hide can be seen; default: False"""
+    """draw all faces transparent; default: False"""
     showFaceEdges: bool
     """draw the edges of faces; default: False"""
     showFaces: bool
-    """draw faces; without them and with edges, a wire frame is left; default: True"""
+    """draw faces; faces off and edges on give a wire frame; default: True"""
     showLines: bool
     """draw lines, other than edges; no effect on pages: pages have lights, lines and words of their own; default: True"""
     showMeshEdges: bool
@@ -601,7 +601,7 @@ class VSettingsViewWindow(_Settings):
 
 @final
 class VSettingsView(_Settings):
-    """one view of the model"""
+    """a view of the model"""
 
     @property
     def camera(self) -> VSettingsViewCamera: ...
@@ -622,7 +622,7 @@ class VSettingsLight(_Settings):
     """one light"""
 
     constantAttenuation: float
-    """constant term of the attenuation, whose inverse weakens the light; of lights with a position, by the ray tracer only [1]; no effect on pages: pages have lights, lines and words of their own; default: 1.0"""
+    """constant term of the attenuation, whose inverse weakens the light; used for lights with a position, by the ray tracer only [1]; no effect on pages: pages have lights, lines and words of their own; default: 1.0"""
     diffuse: float
     """strength of the light that is scattered by faces [1]; no effect on pages: pages have lights, lines and words of their own; default: 0.5"""
     enable: bool
@@ -630,14 +630,14 @@ class VSettingsLight(_Settings):
     lightRadius: float
     """radius of the light for soft shadows; a light at infinity is as large as it would be at its position [m]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.1"""
     linearAttenuation: float
-    """term of the attenuation that grows with the distance; of lights with a position [1/m]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.0"""
+    """term of the attenuation that grows with the distance; used for lights with a position [1/m]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.0"""
     @property
     def position(self) -> list[float]:
         """position of the light if the fourth number is 1; direction towards a light at infinity if it is 0 [4; m]; no effect on pages: pages have lights, lines and words of their own; default: [2.0, 2.0, 10.0, 0.0]"""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     quadraticAttenuation: float
-    """term of the attenuation that grows with the square of the distance; of lights with a position [1/m^2]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.0"""
+    """term of the attenuation that grows with the square of the distance; used for lights with a position [1/m^2]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.0"""
     shadow: float
     """whether this light casts shadows, which are those of the ray tracer: any number above 0, however large; shadows cost rendering time [1]; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: 0.0"""
     specular: float
@@ -648,7 +648,7 @@ class VSettingsLight(_Settings):
 
 @final
 class VSettingsMaterial(_Settings):
-    """one material of the ray tracer"""
+    """a material of the ray tracer"""
 
     alpha: float
     """opacity, from 0 to 1 [1]; default: 1.0"""
@@ -730,7 +730,7 @@ class VSettingsBodiesBeams(_Settings):
     drawVerticalValues: bool
     """write values at the lines of the diagram; they are interpolated ones; default: False"""
     reducedAxialInterploation: bool
-    """true: contour variables are interpolated along the axis with a lower order, which hides oscillations; false: as the element does; no effect: numbers along a beam are those of its points; default: True"""
+    """true: contour variables are interpolated along the axis with a lower order, which hides oscillations; false: like the element; no effect: numbers along a beam are those of its points; default: True"""
     def __init__(self) -> None: ...
 
 @final
@@ -796,7 +796,7 @@ class VSettingsConnectors(_Settings):
     """drawing of connectors, joints and constraints"""
 
     contactPointsDefaultSize: float
-    """size of contact points; without effect, see ``contact.contactPointsDefaultSize`` [m]; no effect: contacts are drawn as the shapes that touch; default: 0.02"""
+    """size of contact points; no effect, see ``contact.contactPointsDefaultSize`` [m]; no effect: contacts are drawn as the shapes that touch; default: 0.02"""
     @property
     def defaultColor(self) -> list[float]:
         """red, green, blue and opacity of connectors without a color of their own, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 1.0, 1.0]"""
@@ -879,18 +879,18 @@ class VSettingsSensorsTraces(_Settings):
     def listOfPositionSensors(self, value: Sequence[int]) -> None: ...
     @property
     def listOfTriadSensors(self) -> list[int]:
-        """numbers of sensors of rotation matrices whose axes are drawn along the traces; one for each position sensor in the list [n]; default: []"""
+        """numbers of sensors of rotation matrices whose axes are drawn along the traces; each position sensor in the list has one [n]; default: []"""
     @listOfTriadSensors.setter
     def listOfTriadSensors(self, value: Sequence[int]) -> None: ...
     @property
     def listOfVectorSensors(self) -> list[int]:
-        """numbers of sensors of vectors that are drawn along the traces; one for each position sensor in the list [n]; default: []"""
+        """numbers of sensors of vectors that are drawn along the traces; each position sensor in the list has one [n]; default: []"""
     @listOfVectorSensors.setter
     def listOfVectorSensors(self, value: Sequence[int]) -> None: ...
     positionsShowEvery: int
     """only every position of this number is part of the trace; default: 1"""
     sensorsMbsNumber: int
-    """number of the system in the container that the sensors belong to; 0 for the first; default: 0"""
+    """number of the system in the container that the sensors belong to; the first is 0; default: 0"""
     showCurrent: bool
     """draw the values at the time that is shown; default: True"""
     showFuture: bool
@@ -1079,11 +1079,11 @@ class VSettingsOpenGLAdvanced(_Settings):
 
     @property
     def clippingPlaneColor(self) -> list[float]:
-        """red, green and blue of cut faces at a clipping plane; the fourth number chooses the color: 0 nothing is drawn, 1 this color, 2 the color of the body [4; 1]; no effect: what a clipping plane cuts stays open; default: [0.7, 0.5, 0.5, 0.0]"""
+        """red, green and blue of cut faces at a clipping plane; the fourth number chooses the color: 0 nothing is drawn, 1 this color, 2 the color of the body [4; 1]; no effect: cut faces are not closed; default: [0.7, 0.5, 0.5, 0.0]"""
     @clippingPlaneColor.setter
     def clippingPlaneColor(self, value: ArrayLike) -> None: ...
     depthSorting: bool
-    """true: faces are sorted by depth, so that transparent ones are drawn correctly, at more cost; no effect: what is seen through is always sorted; default: False"""
+    """true: faces are sorted by depth, so that transparent ones are drawn correctly, at more cost; no effect: transparent faces are always sorted; default: False"""
     enableLighting: bool
     """true: faces are lit; false: plain colors; no effect on pages: pages have lights, lines and words of their own; default: True"""
     @property
@@ -1236,7 +1236,7 @@ class VSettingsRaytracer(_Settings):
     numberOfThreads: int
     """number of threads, at most one for each core; the image does not depend on it; default: 8"""
     verbose: int
-    """amount of output on rendering: 0 none, 1 times and counters, 2 or more details; default: 0"""
+    """amount of output on rendering: 0 no output, 1 times and counters, 2 or more details; default: 0"""
     @property
     def advanced(self) -> VSettingsRaytracerAdvanced: ...
     @advanced.setter
@@ -1306,11 +1306,11 @@ class VSettingsGeneral(_Settings):
     boundingBoxZoomAllOffset: float
     """smallest size of the bounding box when zooming to all [m]; no effect: the space around a system is a part of its size; default: 0.01"""
     circleTiling: int
-    """number of segments of circles; at least 2 are drawn; no effect: circles have 32 segments; default: 16"""
+    """number of segments of circles; the minimum is 2; no effect: circles have 32 segments; default: 16"""
     coordinateSystemSize: float
     """size of the coordinate system in the corner, relative to the font size [1]; no effect on pages: pages have lights, lines and words of their own; default: 5.0"""
     cylinderTiling: int
-    """number of segments around cylinders; at least 2 are drawn; default: 16"""
+    """number of segments around cylinders; the minimum is 2; default: 16"""
     graphicsUpdateInterval: float
     """real time between two updates of the drawing while a solver runs [s]; default: 0.1"""
     limitWindowToScreenSize: bool
@@ -1338,7 +1338,7 @@ class VSettingsGeneral(_Settings):
     showSolverTime: bool
     """show the simulated time; no effect on pages: pages have lights, lines and words of their own; default: True"""
     sphereTiling: int
-    """number of segments of spheres; at least 2 are drawn; no effect: spheres are round; default: 6"""
+    """number of segments of spheres; the minimum is 2; no effect: spheres are round; default: 6"""
     textAlwaysInFront: bool
     """true: texts of items are drawn in front of everything; false: faces can hide them; no effect: texts are always in front; default: True"""
     @property
@@ -1351,7 +1351,7 @@ class VSettingsGeneral(_Settings):
     textOffsetFactor: float
     """shift of texts of items towards the viewer relative to the size of the scene; only without ``textAlwaysInFront`` [1]; no effect: texts stand beside their points, by pixels; default: 0.005"""
     threadSafeGraphicsUpdate: bool
-    """true: the state that is drawn is copied under a lock; false: faster, but pictures may mix two states; no effect: what is drawn is always a copy; default: True"""
+    """true: the state that is drawn is copied under a lock; false: faster, but pictures may mix two states; no effect: pictures always use a copy of the state; default: True"""
     useBitmapText: bool
     """true: texts are drawn from bitmaps; false: from lines; no effect: texts are drawn with a font of outlines; default: True"""
     useGradientBackground: bool
@@ -1413,7 +1413,7 @@ class VSettingsInteractiveOpenVR(_Settings):
     enable: bool
     """use OpenVR, if the package is built with it; no effect: pages are in windows of the browser, with its mouse; default: False"""
     logLevel: int
-    """amount of output: -1 none, 0 errors, 1 warnings, 2 information, 3 for debugging; no effect: pages are in windows of the browser, with its mouse; default: 1"""
+    """amount of output: -1 no output, 0 errors, 1 warnings, 2 information, 3 for debugging; no effect: pages are in windows of the browser, with its mouse; default: 1"""
     showCompanionWindow: bool
     """show the views of both eyes in a window; no effect: pages are in windows of the browser, with its mouse; default: True"""
     def __init__(self) -> None: ...
@@ -1434,7 +1434,7 @@ class VSettingsInteractive(_Settings):
     highlightItemType: ItemType
     """kind of the item that is highlighted; default: ItemType._None"""
     highlightMbsNumber: int
-    """number of the system in the container whose item is highlighted; 0 for the first; default: 0"""
+    """number of the system in the container whose item is highlighted; the first is 0; default: 0"""
     ignoreKeys: bool
     """true: keys, except for escape and F2, are left to the key press user function; default: False"""
     logMouseCoordinates: bool
@@ -1497,7 +1497,7 @@ class VSettingsExportImages(_Settings):
 
 @final
 class VisualizationSettings(_Settings):
-    """settings of the renderer: what is drawn, and how"""
+    """settings of the renderer"""
 
     @property
     def nodes(self) -> VSettingsNodes: ...

@@ -1,6 +1,6 @@
-"""Frequencies of a body that rotates, in dependence of its speed.
+"""Frequencies of a rotating body as a function of its speed.
 
-With speed W, M a + W G v + K q = 0 has eigenfrequencies that split.
+The eigenfrequencies of M a + W G v + K q = 0, W being the speed, split.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def gyroscopic_matrix(mass: Any, axis: int) -> Any:
 
 
 def dense_frequencies(mass: FloatArray, stiffness: FloatArray, gyroscopic: FloatArray, count: int) -> FloatArray:
-    """Frequencies in Hz in rising order; one 0 stands for all rigid motions."""
+    """Frequencies in Hz in ascending order; a single 0 represents all rigid-body modes."""
     size = len(mass)
     right = np.hstack([-stiffness, -gyroscopic])
     matrix = np.vstack(
@@ -35,10 +35,10 @@ def dense_frequencies(mass: FloatArray, stiffness: FloatArray, gyroscopic: Float
 
 
 def sparse_frequencies(mass: Any, stiffness: Any, gyroscopic: Any, points: FloatArray, count: int) -> FloatArray:
-    """The same, of large matrices; those next to zero, by inversion around a small imaginary shift."""
+    """Variant for large matrices: frequencies close to zero, by shift-invert with a small imaginary shift."""
     size = mass.shape[0]
     shift = np.sqrt(SHIFT * first_deformation(mass, stiffness, points))
-    # with a real shift s, (A - s)^-1 of A = [[0, 1], [-M^-1 K, -M^-1 G]] needs K + s G + s^2 M
+    # a real shift s needs K + s G + s^2 M for (A - s)^-1 of A = [[0, 1], [-M^-1 K, -M^-1 G]]
     system = scipy.sparse.csc_matrix(stiffness + shift * gyroscopic + shift**2 * mass)
     factors = scipy.sparse.linalg.splu(system)
 
@@ -55,7 +55,7 @@ def sparse_frequencies(mass: Any, stiffness: Any, gyroscopic: Any, points: Float
 
 
 def _different(values: Any, count: int) -> FloatArray:
-    """One frequency of each conjugate pair, in rising order; rigid motions together are one, 0."""
+    """A frequency per conjugate pair, in ascending order; all rigid-body modes are represented by one 0."""
     frequencies = np.sort(np.imag(values)) / (2 * np.pi)
     above = frequencies[frequencies > 1e-5 * frequencies[-1] * min(1.0, 100 / len(frequencies))]
     moving = above[: count + 1]

@@ -1,4 +1,4 @@
-"""What is wrong with a mesh or its matrices, said with the file, the element or the node."""
+"""Errors of a mesh or its matrices, with the file, the element or the node."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from dalembert._fem.elements import Block
 
 
 class Names:
-    """How nodes and elements are called: by their number here, and by that of the file if it differs."""
+    """Names of nodes and elements in errors: their number here, and that of the file if it differs."""
 
     def __init__(self, metaData: dict[str, Any]) -> None:
         self._file = metaData.get("fileName", "")

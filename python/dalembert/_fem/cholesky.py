@@ -1,7 +1,7 @@
 """Cholesky factors of large sparse matrices of a mesh: a dense front for each cut of its dissection.
 
-What remains of a part after its elimination is a dense matrix on the nodes around it [Duff and Reid 1983], so that
-nearly all of the work is done by LAPACK.
+The Schur complement of a part is a dense matrix on the surrounding nodes [Duff and Reid 1983], so that LAPACK does
+nearly all of the work.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class NotPositiveDefiniteError(ValueError):
 
 @dataclass(frozen=True)
 class Factors:
-    """Columns of the factors that belong to a front: a triangle, and what is below it."""
+    """Columns of the factors of a front: a triangle, and the rows below it."""
 
     triangle: FloatArray
     below: FloatArray
@@ -133,7 +133,7 @@ def _work(front: Front) -> float:
 def _sum_of_front(
     front: Front, matrix: Any, around: IntArray, updates: dict[int, FloatArray], memory: _Memory
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Entries of a front and updates of its children: its triangle, what is below that, and the triangle around it."""
+    """Entries of a front and updates of its children: its triangle, the rows below it, and the update matrix."""
     first, own = SIZE * front.begin, SIZE * (front.end - front.begin)
     triangle, below = (np.zeros((height, own), order="F") for height in (own, len(around)))
     rest = memory.zeros(len(around))
@@ -155,14 +155,14 @@ def _sum_of_front(
 
 
 def _rows_of(places: IntArray) -> list[tuple[int, int, int]]:
-    """Rows without a gap: where each begins and ends, and the place of its first."""
+    """Contiguous runs of rows: begin, end, and the position of the first."""
     ends = np.flatnonzero(np.diff(places, append=-1) != 1) + 1 if len(places) else np.zeros(0, dtype=np.int64)
     begins = np.append(0, ends)[: len(ends)]
     return list(zip(begins.tolist(), ends.tolist(), places[begins].tolist(), strict=True))
 
 
 def _add(full: FloatArray, rows: Any, columns: Any, update: FloatArray) -> None:
-    """Add an update to its places; of a symmetric one, only what is below the diagonal is ever read."""
+    """Add an update at its positions; only the lower triangle of a symmetric update is read."""
     for begin, end, column in columns:
         for top, bottom, row in rows:
             if rows is not columns or bottom > begin:

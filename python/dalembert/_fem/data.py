@@ -1,4 +1,4 @@
-"""What FEMinterface holds: nodes, elements, matrices, sets, modes; and the files that keep them."""
+"""Data of FEMinterface: nodes, elements, matrices, sets, modes; and their files."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class MeshData:
         _lists_to_arrays(self.surface)
 
     def NumpyArray2ListOfLists(self, matrix: Any) -> Any:
-        """An array as list of lists; what is none stays what it is."""
+        """Convert an array to a list of lists; other values are returned unchanged."""
         return matrix.tolist() if isinstance(matrix, np.ndarray) else matrix
 
     def GetDictionary(self) -> dict[str, Any]:
@@ -103,7 +103,7 @@ class MeshData:
             self._save_npy(stem + ending, int(fileVersion))
 
     def LoadFromFile(self, fileName: str, forceVersion: int | None = None, mode: str | None = None) -> int | None:
-        """Load what SaveToFile has saved, and return the version of the file; pickles run code: load only your own."""
+        """Load a file of SaveToFile, and return its version; pickles run code: load only your own."""
         where = "FEMinterface.LoadFromFile: fileName"
         stem, ending, mode = FileNameToMode(file_name(where, fileName), mode)
         file_to_read(where, stem + ending)

@@ -1,8 +1,8 @@
 """Nested dissection of a mesh: the order in which its nodes are eliminated, so that factors have few entries.
 
 A mesh is cut in two again and again [George 1973]; the nodes of a cut are eliminated after those on both of its sides.
-Of all planes across an axis, the one is taken that cuts few nodes for what it cuts off. Its nodes are as few as
-possible: no smaller set meets all edges that cross the plane [Koenig 1931].
+Among all planes normal to an axis, the one with the best ratio of cut nodes to separated nodes is used. The number of
+its nodes is minimal: no smaller set meets all edges that cross the plane [Koenig 1931].
 """
 
 from __future__ import annotations
@@ -17,12 +17,13 @@ from dalembert._checks import FloatArray, IntArray
 
 BoolArray = np.typing.NDArray[np.bool_]
 LEAF = 64  # nodes that are eliminated without a further cut
-SMALLER_SIDE = 0.2  # of the nodes of a part are on the smaller side of a cut, at least
+SMALLER_SIDE = 0.2  # minimum fraction of the nodes of a part on the smaller side of a cut
 
 
 @dataclass
 class Front:
-    """Nodes that are eliminated together, in a row from `begin` to `end`; `around` are later ones that they reach."""
+    """Nodes that are eliminated together, consecutive from `begin` to `end`; `around` are the later nodes of the
+    front."""
 
     begin: int
     end: int
@@ -67,8 +68,9 @@ def _dissect_part(
 def _half(positions: FloatArray, graph: Any) -> BoolArray:
     """Nodes on the lower side of the plane with the fewest nodes for those on its smaller side.
 
-    Nodes below a plane with neighbours above it are those below it less those whose neighbours all are, so that sorted
-    coordinates tell the nodes along all planes at once.
+    The nodes below a plane with neighbours above it are all nodes below it except those with all neighbours below, so
+    that
+    sorted coordinates give the numbers for all planes at once.
     """
     count, best, low = len(positions), np.inf, np.arange(len(positions)) < len(positions) // 2
     for along in positions.T:
@@ -113,7 +115,7 @@ def _smallest_cut(graph: Any, low: BoolArray) -> BoolArray:
 
 
 def _find_surroundings(fronts: list[Front], graph: Any) -> None:
-    """Find the later nodes that each front reaches, by its own entries and by what its children leave."""
+    """Find the later nodes of each front, from its own entries and from the updates of its children."""
     for front in fronts:
         reached = graph.indices[graph.indptr[front.begin] : graph.indptr[front.end]]
         nodes = np.unique(np.concatenate([reached, *(child.around for child in front.children)]))

@@ -19,7 +19,7 @@ from dalembert._fem.cholesky import Cholesky, NotPositiveDefiniteError
 from dalembert._fem.lanczos import Solve, inverse_lanczos
 
 DENSE = 300  # coordinates up to which matrices are dense
-SHIFT = 1e-3  # of the first squared frequency of a deformation
+SHIFT = 1e-3  # relative to the first squared frequency of a deformation
 
 
 def rigid_motions(points: FloatArray, origin: Any = (0.0, 0.0, 0.0)) -> FloatArray:
@@ -50,7 +50,7 @@ def first_deformation(mass: Any, stiffness: Any, points: FloatArray) -> float:
 
 
 def factorize(matrix: Any, points: FloatArray, progress: Callable[[str], None]) -> Solve:
-    """What solves linear systems with a symmetric matrix; LU where it is not positive definite."""
+    """Return a solver for linear systems with a symmetric matrix; uses LU if it is not positive definite."""
     try:
         return Cholesky(matrix, points, progress).solve
     except NotPositiveDefiniteError:

@@ -1,7 +1,8 @@
 """Solid elements: where their nodes are, their shape functions, faces and points of integration.
 
-An element is a table: nodes in reference coordinates, and the monomials that its shape functions are made of. Shape
-functions are 1 at their node and 0 at the others, which says all about them.
+An element is defined by a table: nodes in reference coordinates, and the monomials of its shape functions. The
+condition
+that shape functions are 1 at their node and 0 at the other ones defines them.
 """
 
 from __future__ import annotations
@@ -69,7 +70,7 @@ _FACES: dict[str, tuple[tuple[int, ...], ...]] = {  # corners, normals pointing 
     "Hex": ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)),
     "Wedge": ((0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)),
 }
-_EDGES: dict[str, tuple[tuple[int, int], ...]] = {  # corners beside the nodes on edges, in their order
+_EDGES: dict[str, tuple[tuple[int, int], ...]] = {  # adjacent corners of the nodes on edges, in their order
     "Tet": ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)),
     "Hex": (
         *((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4)),
@@ -107,7 +108,7 @@ class Kind:
 
     @property
     def edges(self) -> tuple[tuple[int, int], ...]:
-        """Corners beside each node on an edge; empty for linear elements."""
+        """Adjacent corners of each node on an edge; empty for linear elements."""
         return _EDGES[self.shape] if self.count > self.first_middle else ()
 
     @property
@@ -182,9 +183,9 @@ _MIRRORED = {"Tet4": [1, 0, 2, 3], "Tet10": [1, 0, 2, 3, 4, 6, 5, 8, 7, 9]}
 
 
 def turned(kind: str, nodes: IntArray, positions: FloatArray) -> IntArray:
-    """Nodes of elements; of tetrahedra, those are reordered whose first face, seen from within, turns clockwise.
+    """Nodes of elements; tetrahedra are reordered if their first face, seen from inside, is clockwise.
 
-    Programs differ in which of the two orders they write.
+    Programs use either of both orders.
     """
     if kind not in _MIRRORED or nodes.size == 0 or nodes.min() < 0 or nodes.max() >= len(positions):
         return nodes

@@ -53,8 +53,9 @@ class ObjectFFRFinterface:
     ) -> dict[str, Any]:
         """Add frame, mesh nodes, body, weight, and the constraint that holds the frame to the mesh; return numbers.
 
-        With constrainRigidBodyMotion, the mesh neither translates nor rotates relative to the frame, on the average of
-        its mass (Tisserand frame); without it, six conditions have to come from elsewhere.
+        constrainRigidBodyMotion prevents the mass-weighted mean translation and rotation of the mesh relative to the
+        frame
+        (Tisserand frame); otherwise, the model must provide six conditions.
         """
         rates = AngularVelocity2EulerParameters_t(initialAngularVelocity, eulerParametersRef)
         frame = eii.NodeRigidBodyEP(

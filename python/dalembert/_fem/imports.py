@@ -44,7 +44,7 @@ _MOST_REGIONS = 1000  # numbers of elements are no regions
 
 
 def _read_by_meshio(name: str) -> Any:
-    """Return the mesh of a file; ValueError for whatever meshio does with a file that it cannot read."""
+    """Return the mesh of a file; all errors of meshio are raised as ValueError."""
     import meshio
 
     try:
@@ -72,10 +72,10 @@ class Imports(Surfaces):
     ) -> FloatArray:
         """Read nodes and solid elements of a part (or typeName='Instance'), with sets and materials; return positions.
 
-        Numbers are those of the order in the file, from 0. Positions are those of the part: where an instance lies in
-        the assembly does not count. Element sets with a section keep its material for AssembleMatrices, which
+        Numbers follow the order in the file, from 0. Positions are those of the part: the position of an instance in
+        the assembly is ignored. Element sets with a section keep its material for AssembleMatrices, which
         integrates all elements fully, also those of types with reduced integration (C3D20R). Names of sets and
-        materials may differ in case. Elements that are no solids are left out with a warning.
+        materials may differ in case. Elements other than solids are ignored with a warning.
         """
         fileName = file_to_read("FEMinterface.ImportFromAbaqusInputFile: fileName", fileName)
         mesh = read_abaqus(fileName, typeName, name)

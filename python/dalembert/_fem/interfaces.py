@@ -1,7 +1,7 @@
 """Modes of Hurty, Craig and Bampton [Hurty 1965, Craig and Bampton 1968] for interfaces that move as rigid bodies.
 
-Static modes are what the mesh does when one coordinate of one interface is 1 and the others are 0; eigenmodes are those
-with all interfaces held. An interface is held exactly (RBE2), or on the average (RBE3): its translation is the weighted
+Static modes are the deformations for a unit value of one coordinate of one interface; eigenmodes are computed with all
+interfaces fixed. An interface is fixed exactly (RBE2), or in the mean (RBE3): its translation is the weighted
 mean of displacements, its rotation that of the moments of displacements about the weighted mean of positions.
 """
 
@@ -65,7 +65,7 @@ class Interface:
 
 
 def interfaces_of(where: str, nodeLists: Any, weightLists: Any, positions: FloatArray) -> list[Interface]:
-    """Check lists of nodes and weights; without weights, all nodes of an interface count the same."""
+    """Check lists of nodes and weights; the default is equal weights of all nodes of an interface."""
     result: list[Interface] = []
     taken = np.zeros(len(positions), dtype=bool)
     if len(weightLists) not in (0, len(nodeLists)):
@@ -199,7 +199,7 @@ def averaged_modes(
     solver = _Averaged(factorize(stiffness + shift * mass, positions, progress), constraints)
     unit = np.eye(len(constraints))
     modes, reactions = solver(np.zeros((mass.shape[0], len(unit))), unit)
-    for _ in range(20):  # the solver has a little too much stiffness, which the residual tells
+    for _ in range(20):  # the solver uses a slightly increased stiffness, which the residual corrects
         residual = stiffness @ modes + constraints.T @ reactions
         change, more = solver(-residual, unit - constraints @ modes)
         modes, reactions = modes + change, reactions + more

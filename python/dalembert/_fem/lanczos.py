@@ -17,7 +17,7 @@ from dalembert._checks import FloatArray
 BLOCK = 12  # vectors that are solved for at once
 TOLERANCE = 1e-10  # norm of a residual, as part of the eigenvalue of the inverse, whose error is about its square
 ROUND_OFF = 1e-15  # the same, as part of the largest of them
-ORTHOGONAL = 1e-9  # what still changes when vectors are made orthogonal once more is its square
+ORTHOGONAL = 1e-9  # the error after a second orthogonalization is the square of this
 DEPENDENT = 1e-12  # a vector of which less than that is left when the others are taken off
 Solve = Callable[[FloatArray], FloatArray]
 
@@ -52,7 +52,7 @@ def _start(mass: Any, solve: Solve, random: np.random.Generator) -> FloatArray:
 
 
 def _modes(mass: Any, solve: Solve, found: FloatArray, eigenvalues: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Modes of unit modal masses; one more solution takes away what has no mass [Nour-Omid et al. 1987]."""
+    """Modes with unit modal masses; a further solution removes massless components [Nour-Omid et al. 1987]."""
     modes = np.hstack([solve(part) for part in np.array_split(found, -(-found.shape[1] // BLOCK), axis=1)])
     modes /= np.sqrt(np.einsum("ij,ij->j", modes, mass @ modes))
     order = np.argsort(eigenvalues)
@@ -73,7 +73,7 @@ class _Basis:
         return self._massive[: self.size].T
 
     def extend(self, new: FloatArray) -> FloatArray:
-        """Add what is new in vectors; returns its coefficients in the vectors that were added."""
+        """Add the independent part of vectors; returns its coefficients in the added vectors."""
         vectors, massive = self._vectors[: self.size], self._massive[: self.size]
         rows, coupling, longest = np.ascontiguousarray(new.T), np.eye(new.shape[1]), 0.0
         while True:
@@ -81,14 +81,14 @@ class _Basis:
             rows -= known @ vectors
             moved = np.ascontiguousarray((self._mass @ rows.T).T)
             squares, axes = np.linalg.eigh(rows @ moved.T)
-            if not longest:  # of the vectors as they came; afterwards they are of unit length
+            if not longest:  # norms of the original vectors; later vectors have unit length
                 longest = float(np.sqrt(squares.max(initial=0.0) + np.square(known).sum(axis=1).max(initial=0.0)))
             kept = squares > (DEPENDENT * longest) ** 2
             lengths, turn = np.sqrt(squares[kept]), axes.T[kept]
             scaled = turn / lengths[:, None]
             rows, moved = scaled @ rows, scaled @ moved
             coupling = (lengths[:, None] * turn) @ coupling
-            # What is left of a vector of which much was taken off is not orthogonal enough [Parlett 1980].
+            # A vector is not orthogonal enough after a large part has been subtracted [Parlett 1980].
             if np.abs(known).max(initial=0.0) < ORTHOGONAL and np.abs(lengths - 1.0).max(initial=0.0) < ORTHOGONAL:
                 self._append(rows, moved)
                 return coupling

@@ -65,7 +65,7 @@ def _tetrahedra(ngmesh: Any, positions: Any, order: int) -> tuple[IntArray, IntA
 
 
 class WithNGsolve(Imports):
-    """What needs NGsolve."""
+    """Functions that need NGsolve."""
 
     def GetNodesOfNGsolveBoundary(self, mesh: Any, boundaryName: str) -> list[int]:
         """Nodes of the boundary with a name."""
@@ -110,7 +110,7 @@ class WithNGsolve(Imports):
     ) -> list[Any]:
         """Take nodes, tetrahedra, matrices and named boundaries of a mesh; return [mass form, stiffness form, space].
 
-        One material for all, or a dictionary with youngsModulus, poissonsRatio and density for each region of the mesh.
+        The material is a single one, or a dictionary with youngsModulus, poissonsRatio and density for each region.
         meshOrder 2 makes quadratic tetrahedra, which are much more accurate. Regions become element sets.
         """
         where = "FEMinterface.ImportMeshFromNGsolve"

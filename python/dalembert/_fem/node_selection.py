@@ -21,7 +21,7 @@ class NodeSelection(MeshData):
         return np.asarray(self.GetNodePositionsAsArray()[list(nodeNumberList)].mean(axis=0), dtype=float)
 
     def GetNodeAtPoint(self, point: npt.ArrayLike, tolerance: float = 1e-5, raiseException: bool = True) -> int:
-        """The node at a point; -1 or ValueError if there is none."""
+        """The node at a point; -1 or ValueError if it does not exist."""
         distance = np.linalg.norm(self.GetNodePositionsAsArray() - np.asarray(point, dtype=float), axis=1)
         found = np.flatnonzero(distance <= tolerance)
         if len(found) > 0:

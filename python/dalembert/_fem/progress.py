@@ -1,4 +1,4 @@
-"""What long computations say while they run."""
+"""Progress output of long computations."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ from dalembert._fem.materials import as_material
 from dalembert._fem.section_mesh import SectionMesh, mesh_of
 from dalembert._fem.section_outlines import SectionOutline
 
-# Gauss points of a triangle: those of a square that is collapsed
+# Gauss points of a triangle, from a collapsed square
 _X, _W = np.polynomial.legendre.leggauss(4)
 _U, _V = (axis.ravel() for axis in np.meshgrid((_X + 1) / 2, (_X + 1) / 2, indexing="ij"))
 _POINTS = np.stack([_U, _V * (1 - _U)], axis=1)
@@ -30,8 +30,9 @@ class SectionConstants:
     """Constants of a cross section; y and z are its axes, x is the axis of the beam.
 
     centroid, shearCenter: [y, z] (m) in the axes of the outline. secondMoments (m^4), about the centroid: [[int y^2,
-    int y z], [int y z, int z^2]]. torsionConstant (m^4), warpingConstant (m^6) about the shear centre. shearCompliance
-    (1/m^2): of forces through the shear centre, times G; shearFactors: 1 / (area times its diagonal). stiffnessMatrix:
+    int y z], [int y z, int z^2]]. torsionConstant (m^4), warpingConstant (m^6) about the shear centre.
+    shearCompliance (1/m^2): compliance for forces through the shear centre, times G; shearFactors: 1 / (area times
+    its diagonal). stiffnessMatrix:
     from [axial strain, shear y, z, twist, curvature y, z] to [N, Qy, Qz, Mx, My, Mz], and massMatrix: from [velocity,
     angular velocity] to momenta, per length; both refer to referencePoint.
     """

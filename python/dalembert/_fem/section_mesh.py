@@ -1,7 +1,7 @@
 """Triangles that fill a cross section, with nodes on their edges, and denser around inner corners.
 
-Stresses are infinite at corners whose angle inside is more than 180 degrees; triangles there halve in size from ring to
-ring, so that what is integrated converges nevertheless.
+Stresses are singular at re-entrant corners (more than 180 degrees); triangles there halve in size from ring to ring, so
+that integrals converge.
 """
 
 from __future__ import annotations

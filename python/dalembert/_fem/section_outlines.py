@@ -33,7 +33,7 @@ class SectionOutline:
     loops: tuple[Loop, ...]
 
     def contains(self, points: FloatArray) -> npt.NDArray[np.bool_]:
-        """Which points lie inside."""
+        """Return a mask of the points inside."""
         from matplotlib.path import Path  # here, as all models import this file and few need sections
 
         inside = np.zeros(len(points), dtype=bool)

@@ -107,12 +107,12 @@ def _of_points(name: str, value: npt.ArrayLike) -> FloatArray:
 
 
 def ResortIndicesOfNGvector(vXXYYZZ: npt.ArrayLike) -> FloatArray:
-    """From (x0, x1, ..., y0, y1, ..., z0, z1, ...) to (x0, y0, z0, x1, ...)."""
+    """Convert (x0, x1, ..., y0, y1, ..., z0, z1, ...) to (x0, y0, z0, x1, ...)."""
     return _of_points("ResortIndicesOfNGvector: vXXYYZZ", vXXYYZZ).reshape(3, -1).T.ravel()
 
 
 def ResortIndicesExudyn2NGvector(vXYZXYZ: npt.ArrayLike) -> FloatArray:
-    """From (x0, y0, z0, x1, ...) to (x0, x1, ..., y0, y1, ..., z0, z1, ...)."""
+    """Convert (x0, y0, z0, x1, ...) to (x0, x1, ..., y0, y1, ..., z0, z1, ...)."""
     return _of_points("ResortIndicesExudyn2NGvector: vXYZXYZ", vXYZXYZ).reshape(-1, 3).T.ravel()
 
 

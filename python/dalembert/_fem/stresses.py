@@ -1,4 +1,4 @@
-"""Stress and strain modes: what each mode of displacements gives at the nodes, as means over adjacent elements."""
+"""Stress and strain modes: nodal values of each displacement mode, averaged over adjacent elements."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def face_triangles(kind: Kind, face: Sequence[int]) -> list[tuple[int, int, int]
 
 
 def _outer(mesh: Sequence[Block]) -> list[IntArray]:
-    """For each block, which faces of its elements have no neighbour: element, face."""
+    """Return, for each block, the faces of its elements without neighbour: element, face."""
     corners = [block.nodes[:, list(face)] for block in mesh for face in block.kind.faces]
     keys = np.concatenate([_key(part) for part in corners]) if corners else np.zeros((0, 4), dtype=np.int64)
     _, place, times = np.unique(keys, axis=0, return_inverse=True, return_counts=True)

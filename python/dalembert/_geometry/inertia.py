@@ -19,8 +19,9 @@ class TreeLink:
 
     jointType None means JointType.RevoluteZ; jointHT maps this link's joint frame to the frame of the parent link;
     parent is the index or name of the parent link, -1 for ground, None for the previous link; PDcontrol holds the
-    control parameters; graphicsDataList None draws a default link, [] draws nothing. name and jointName stand for the
-    number of the link and of its coordinate, wherever one is asked for.
+    control parameters; graphicsDataList None draws a default link, [] draws nothing. name and jointName can be used
+    instead
+    of the number of the link and of its coordinate.
     """
 
     def __init__(
@@ -103,7 +104,8 @@ class RigidBodyInertia:
 
     @staticmethod
     def _of(mass: float, inertiaTensor: FloatArray, com: FloatArray) -> RigidBodyInertia:
-        """Return the inertia of these values about the reference point; sums on the way to a body may be of none."""
+        """Return the inertia of these values about the reference point; intermediate sums may be physically
+        impossible."""
         inertia = RigidBodyInertia(mass, com=com)
         inertia.inertiaTensor = inertiaTensor
         return inertia
@@ -201,9 +203,9 @@ class RigidBodyInertia:
     def GetGraphics(
         self, color: npt.ArrayLike, nTiles: int | None = None, roundness: float | None = None
     ) -> dict[str, Any] | None:
-        """Return graphicsData of the shape the inertia was made of, placed at the centre of mass but not rotated.
+        """Return graphicsData of the shape of the inertia, placed at the centre of mass but not rotated.
 
-        A colour of -1 stands for the default body colour; None is returned for a general inertia.
+        A colour of -1 selects the default body colour; None is returned for a general inertia.
         """
         from dalembert import graphics
 
@@ -242,7 +244,7 @@ class RigidBodyInertia:
 
 
 def _not_negative(where: str, **values: Any) -> None:
-    """Refuse what no shape has: a density, mass, length or radius that is negative or no finite number."""
+    """Raise ValueError if a density, mass, length or radius is negative or not finite."""
     for name, value in values.items():
         for number in value if isinstance(value, np.ndarray) and value.ndim == 1 else [value]:
             as_number(f"{where}: {name}", number, negative=False)

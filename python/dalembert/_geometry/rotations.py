@@ -189,7 +189,7 @@ def RotXYZ2RotationMatrix(rot: npt.ArrayLike) -> FloatArray:
 def RotationMatrix2RotXYZ(rotationMatrix: npt.ArrayLike) -> FloatArray:
     """Return the Tait-Bryan angles [x, y, z] of a 3x3 rotation matrix, y in [-pi/2, pi/2].
 
-    At y = +-pi/2 only the sum or difference of x and z is determined; x = 0 is chosen there.
+    Only the sum or difference of x and z is determined at y = +-pi/2 (gimbal lock); x = 0 is used there.
     """
     A = as_rotation("RotationMatrix2RotXYZ: rotationMatrix", rotationMatrix)
     cosY = hypot(A[1, 2], A[2, 2])
@@ -274,7 +274,7 @@ def RotXYZ2EulerParameters(alpha: npt.ArrayLike) -> FloatArray:
 def RotationMatrix2RotZYZ(rotationMatrix: npt.ArrayLike, flip: bool) -> FloatArray:
     """Return the Euler angles [z, y, z] of a 3x3 rotation matrix A = Az @ Ay @ Az.
 
-    The middle angle is positive, or negative if flip is True (the first angle then differs by pi). Where both z axes
+    The middle angle is positive, or negative if flip is True (the first angle then differs by pi). If both z axes
     coincide, the first angle is zero.
     """
     A = as_rotation("RotationMatrix2RotZYZ: rotationMatrix", rotationMatrix)

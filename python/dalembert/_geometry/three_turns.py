@@ -29,13 +29,16 @@ class ThreeTurns:
 
     @staticmethod
     def of(relative: FloatArray, spin: FloatArray, up: FloatArray, arm: FloatArray) -> ThreeTurns:
-        """Choose axes far from where they lock, for a start from given axes in the frame of the carrier.
+        """Choose axes far from gimbal lock, for given initial axes in the frame of the carrier.
 
-        spin: what the body spins with, if that outdoes its weight; up: against the weight, or zero; both in that frame.
-        arm: where the body lies, seen from the joint, in its own axes; zero if there is none.
-        The first axis is vertical, if there is weight: bodies may turn about it as far as they like, and about the
-        last. This is that of the spin, unless it stands upright, or else the most level one, but not that of the arm,
-        which hangs down at times. Without weight, the second is that of the arm: bodies swing, and twist less.
+        spin: the spin of the body, if it dominates the weight; up: direction against the weight, or zero; both in
+        that frame.
+        arm: vector from the joint to the body, in body axes; zero if there is none.
+        The first axis is vertical if there is weight: the first and the last rotation are unlimited. The last axis is
+        that
+        of the spin, unless it is vertical, or else the most horizontal axis, except that of the arm, which may hang
+        down.
+        If there is no weight, the second axis is that of the arm, because bodies swing more than they twist.
         """
         fastest = int(np.abs(relative.T @ spin).argmax()) if spin.any() else None
         along = int(np.abs(arm).argmax()) if arm.any() else None

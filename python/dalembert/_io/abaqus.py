@@ -14,7 +14,7 @@ from dalembert._checks import FloatArray, IntArray
 from dalembert._fem.elements import KINDS
 from dalembert._io.files import file_to_read
 
-# Types of ABAQUS by their beginning; what follows says how they are integrated, which does not matter for a mesh.
+# Types of ABAQUS by their prefix; the suffix defines the integration, which does not matter for a mesh.
 _TYPES = {"C3D4": "Tet4", "C3D10": "Tet10", "C3D8": "Hex8", "C3D20": "Hex20", "C3D6": "Wedge6", "C3D15": "Wedge15"}
 _SUFFIXES = ("", "R", "H", "RH", "I", "IH", "M", "MH", "HS", "MHS", "S", "T", "RT", "E", "P")
 
@@ -160,7 +160,7 @@ def _read_elements(fileName: str, block: _Block, kind: str, nodes: dict[int, int
 def _read_sets(fileName: str, blocks: Iterable[_Block], option: str, numbers: dict[int, int]) -> dict[str, IntArray]:
     """Sets of nodes or elements; a set may name others, in any case of letters. Members of other parts are left out."""
     sets: dict[str, list[int]] = {}
-    names: dict[str, str] = {}  # as they are first given
+    names: dict[str, str] = {}  # original spelling
     for block in blocks:
         name = block.options.get(option, "")
         members = sets.setdefault(names.setdefault(name.lower(), name), [])
@@ -303,7 +303,7 @@ def read_abaqus_matrix(fileName: str) -> FloatArray:
         text = f"coordinate {where % 3} of node {where // 3} is fixed; export matrices without boundary conditions"
         raise ValueError(f"{fileName}: {text}")
     above, below = table[:, 0] < table[:, 1], table[:, 0] > table[:, 1]
-    if above.any() != below.any():  # one half was written
+    if above.any() != below.any():  # only one half was written
         half = table[above | below]
         table = np.vstack([table, half[:, [1, 0, 2]]])
     return np.asarray(table, dtype=float)
@@ -314,7 +314,7 @@ def ReadNodesFromAbaqusInp(
 ) -> Any:
     """Positions of nodes of an input file; with exportElements [positions, elements, surface elements].
 
-    Elements are a dictionary with their nodes as the file numbers them, and their types; FEMinterface reads more.
+    Elements are a dictionary with their nodes, in the numbering of the file, and their types; FEMinterface reads more.
     """
     mesh = read_abaqus(file_to_read("ReadNodesFromAbaqusInp: fileName", fileName), typeName, name)
     if not exportElements:

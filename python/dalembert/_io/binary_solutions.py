@@ -59,7 +59,7 @@ def _read_text(file: IO[bytes], intType: Any) -> list[Any]:
 
 
 def _check_reading(where: str, file: Any, kinds: str = "i", **types: Any) -> None:
-    """Refuse what cannot be read, and types of numbers that are none of these kinds of numpy."""
+    """Raise an error for unreadable objects, and for number types of other numpy kinds."""
     if not all(hasattr(file, name) for name in ("read", "seek", "tell")) or hasattr(file, "encoding"):
         raise shape_error(f"{where}: file", "a file that is open for reading, by open(name, 'rb')", file)
     for (name, value), kind in zip(types.items(), kinds, strict=True):

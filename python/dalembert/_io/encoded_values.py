@@ -1,4 +1,4 @@
-"""Values of parameters as JSON and back: plain where the type of the parameter says the rest, else marked by a key.
+"""Values of parameters as JSON and back: plain if the type of the parameter determines the rest, else marked by a key.
 
 {"array": [...]}       an array inside of a list of graphics, with "dtype"; "shape" where it is empty
 {"npz": "name"}        an array in the file beside, with the same name and the ending .npz
@@ -22,7 +22,7 @@ import dalembert
 from dalembert import _core
 from dalembert._core import MatrixContainer
 
-LARGE = 1000  # entries; larger arrays go into the file beside
+LARGE = 1000  # entries; larger arrays are stored in the separate file
 _MARKS = ("array", "npz", "sparse", "tuple", "entries", "enumeration", "function", "source")
 _SECTIONS: dict[str, Any] = {"BeamSection": _core.BeamSection, "BeamSectionGeometry": _core.BeamSectionGeometry}
 _INDICES = (_core.NodeIndex, _core.ObjectIndex, _core.MarkerIndex, _core.LoadIndex, _core.SensorIndex)
@@ -33,14 +33,14 @@ class Refused(ValueError):
 
 
 class Encoder:
-    """Turns values into JSON; `arrays` collects what goes into the file beside."""
+    """Converts values to JSON; `arrays` collects the arrays of the separate file."""
 
     def __init__(self, withSource: bool) -> None:
         self.arrays: dict[str, Any] = {}
         self._with_source = withSource
 
     def value(self, value: Any, kind: str, place: str) -> Any:
-        """Return the value of a parameter; `kind` is its type in words, 'object' for what only Python looks into."""
+        """Return the value of a parameter; `kind` is its type as text, 'object' for values that only Python reads."""
         if isinstance(value, Enum):
             return value.name if kind != "object" else {"enumeration": f"{type(value).__name__}.{value.name}"}
         if value is None or isinstance(value, (bool, str)):
@@ -113,7 +113,7 @@ class Encoder:
 
 
 def _imported(module: str, name: str) -> Any:
-    """Return what a module that is there already has under a dotted name; None if there is nothing."""
+    """Return the object with a dotted name in an imported module; None if it does not exist."""
     import sys
 
     found = sys.modules.get(module)

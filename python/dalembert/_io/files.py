@@ -1,4 +1,4 @@
-"""Files of numbers and texts: what goes wrong with one is told with its name and, where there is one, the line."""
+"""Files of numbers and texts: errors have the name of the file and, if known, the line."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def path_name(name: str, value: Any, expected: str = "the name of a file") -> st
 
 
 def file_name(name: str, value: Any) -> str:
-    """Return the name of a file, given as string or path; errors name the argument if it is none, or a folder."""
+    """Return the name of a file, given as string or path; errors name the argument if it is invalid, or a folder."""
     path = path_name(name, value)
     if os.path.isdir(path):
         raise IsADirectoryError(errno.EISDIR, f"{name}: expected a file, but this is a folder", path)
@@ -78,7 +78,7 @@ def naming(fileName: Path) -> Iterator[None]:
         yield
     except OSError as error:
         if error.filename is None or _AT_WORK in str(error.filename):
-            if error.errno is None:  # of a library, with a text of its own
+            if error.errno is None:  # errors of a library, with their own text
                 raise OSError(f"{os.fspath(fileName)}: {error}") from error
             error.filename = os.fspath(fileName)
         raise
@@ -110,14 +110,14 @@ def replacing(fileName: Path) -> Iterator[str]:
 
 
 def refuse_line(fileName: Path, number: int, expected: str, received: str) -> ValueError:
-    """Return the error of a line, counted from 1, that is not what it should be."""
+    """Return the error of an invalid line, counted from 1."""
     shown = received.rstrip("\n")
     shown = shown if len(shown) <= _SHOWN else shown[:_SHOWN] + "..."
     return ValueError(f"{os.fspath(fileName)}, line {number}: expected {expected}, received {shown!r}")
 
 
 def numbers_of(line: str, delimiter: str | None) -> list[float] | None:
-    """Return the numbers of a line, or None if something else stands there."""
+    """Return the numbers of a line, or None if it has other contents."""
     try:
         return [float(entry) for entry in line.split(delimiter)]
     except ValueError:

@@ -15,7 +15,7 @@ from dalembert._io.result_files import ParseOutputFileHeader
 from dalembert._io.solution_rows import COLUMNS
 
 PORTION = 1 << 24  # bytes that are read at once
-KNOWN = 256  # bytes at the beginning, and before what is new, by which a file is known again
+KNOWN = 256  # number of bytes at the start and before new data by which a file is recognised
 HEADER = 20  # lines, at most
 SIZES = len(MAGIC) + 10  # bytes of a binary file, with the sizes of its numbers
 
@@ -24,8 +24,8 @@ class GrowingFile:
     """Some columns of a file, as far as it has been written; look() reads what is new.
 
     A file that gets shorter, or begins with something else, is read anew; one that vanishes keeps its rows until it is
-    back. `names` are those of all columns, `kind` is what ParseOutputFileHeader calls type, `state` says what is to be
-    said of the file, and `skipped` how many lines after the first row were no rows.
+    back. `names` are those of all columns, `kind` is the type of ParseOutputFileHeader, `state` is a message on
+    the file, and `skipped` the number of lines after the first row that were not rows.
     """
 
     def __init__(self, fileName: str, columns: Sequence[int]) -> None:
@@ -52,7 +52,7 @@ class GrowingFile:
         return np.array(self._columns[number], dtype=float)
 
     def look(self) -> bool:
-        """Read what is new; return whether something is. ValueError if it is no file with results."""
+        """Read new rows; return whether there are any. Raises ValueError if the file has no results."""
         try:
             with open(self.fileName, "rb") as file:
                 status = os.fstat(file.fileno())

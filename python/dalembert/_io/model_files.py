@@ -1,8 +1,8 @@
 """Models as JSON files: mbs.Save('model.json') and mbs.Load('model.json').
 
-A file has the items, by kind and in their order, with those parameters that differ from the defaults, and perhaps
-settings. Its schema, model.schema.json beside the modules of this package, is made of the specs. Loading reads data;
-code, that is user functions, only if asked.
+A file has the items, by kind and in their order, with the parameters that differ from the defaults, and optionally
+settings. Its schema, model.schema.json in the folder of this package, is generated from the specs. Loading reads data;
+code (user functions) is only loaded on request.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _NUMBERS_OF_ITEMS = {"markerIndex": "Marker", "rigidBodyMarkerIndex": "Marker", 
 
 
 class _Place:
-    """Where an error is: file and path inside."""
+    """Location of an error: file and path inside."""
 
     def __init__(self, file: str) -> None:
         self.file = file
@@ -45,12 +45,12 @@ class _Place:
             yield
         except ModelFileError:
             raise
-        except Exception as error:  # of a constructor, of an import, of the code of a function
+        except Exception as error:  # errors of a constructor, of an import, of the code of a function
             raise ModelFileError(f"{self.file}: {path}: {error}") from error
 
 
 class ModelFileError(ValueError):
-    """What is wrong with a model file, and where in it."""
+    """An error in a model file, with its location."""
 
     __module__ = "dalembert"
 
@@ -83,10 +83,10 @@ def Save(
 ) -> None:
     """Write the model, and settings if given, into a JSON file that Load and `dalembert run` read.
 
-    All items are written with what differs from their defaults, exactly. Arrays with more than 1000 entries go into a
-    file beside, with the ending .npz. User functions are written by module and name; functions of the main program are
-    refused unless sourceOfFunctions, which writes their code. mbs.variables are written as far as they are numbers,
-    texts, lists and arrays; the state of a solver, and mbs.sys, are not.
+    All items are written exactly, with the values that differ from the defaults. Arrays with more than 1000 entries are
+    stored in a separate file with the ending .npz. User functions are written by module and name; functions of the main
+    program are rejected unless sourceOfFunctions is set, which writes their code. mbs.variables are written if they are
+    numbers, texts, lists and arrays; the state of a solver, and mbs.sys, are not.
     """
     path = Path(file_to_write("mbs.Save(...): fileName", fileName))
     encoder = Encoder(sourceOfFunctions)
@@ -113,7 +113,7 @@ def Save(
             with replacing(beside) as written_beside:
                 np.savez_compressed(written_beside, **encoder.arrays)
         elif beside.exists() and beside != path:
-            beside.unlink()  # of an earlier model of that name
+            beside.unlink()  # file of an earlier model of that name
 
 
 def _encoded_item(encoder: Encoder, place: _Place, kind: str, item: Mapping[str, Any], path: str) -> dict[str, Any]:
@@ -147,7 +147,7 @@ def _untouched_contact() -> dict[str, Any]:
 
 
 def _encoded_contact(encoder: Encoder, contact: Mapping[str, Any], path: str) -> dict[str, Any]:
-    """Return what differs from a contact that nothing was added to: columns of numbers, and settings."""
+    """Return the differences from an empty contact: columns of numbers, and settings."""
     result: dict[str, Any] = {}
     for key, value in contact.items():
         if isinstance(value, Mapping):
@@ -208,8 +208,8 @@ def _lines(value: Any, indent: str) -> str:
 def Load(mbs: MainSystem, fileName: str | os.PathLike[str], allowCode: bool = False) -> SimulationSettings | None:
     """Replace the model by that of a JSON file; return the settings in it, or None if it has none.
 
-    Nothing in the file is run: a user function, which the file has by module and name or as code, is refused unless
-    allowCode. A wrong file is refused with the place inside, e.g. objects[3].physicsMass, and the model stays as it is.
+    Nothing in the file is executed: a user function, given by module and name or as code, is rejected unless allowCode
+    is set. A wrong file is rejected with the location, e.g. objects[3].physicsMass, and the model does not change.
     """
     if isinstance(fileName, dict):
         raise TypeError(

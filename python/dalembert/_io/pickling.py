@@ -13,7 +13,7 @@ from dalembert._core import ConfigurationType, MainSystem
 
 _dictionary: Callable[[MainSystem], dict[str, Any]] = MainSystem.GetDictionary  # the compiled one, replaced below
 _variables = ("variables", "systemVariables")
-_STATES = "systemStates"  # of an assembled system: coordinates and times, by configuration
+_STATES = "systemStates"  # states of an assembled system: coordinates and times, by configuration
 _CONFIGURATIONS = ("Initial", "StartOfStep", "Current")
 _COORDINATES = (
     "ODE2Coordinates",
@@ -83,7 +83,7 @@ def _states(mbs: MainSystem) -> dict[str, dict[str, Any]]:
 
 
 class SystemDictionary(dict[str, Any]):
-    """What GetDictionary() returns: a dictionary whose pickle holds functions by value where no module does."""
+    """Result of GetDictionary(): a dictionary whose pickle stores functions by value if no module has them."""
 
     __slots__ = ("_mbs",)
 
@@ -124,7 +124,7 @@ def _state(mbs: MainSystem) -> dict[str, Any]:
 def _can_be_pickled(mbs: MainSystem, value: Any) -> bool:
     try:
         _dumps(mbs, value)
-    except Exception:  # whatever the class of the value raises
+    except Exception:  # any exception of the class of the value
         return False
     return True
 

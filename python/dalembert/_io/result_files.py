@@ -15,7 +15,7 @@ _MAXIMUM_HEADER = 10
 
 
 def _columns_below(header: Sequence[str], title: str) -> str:
-    """Return the line after the one that starts with the title, without '#'; '' if there is none."""
+    """Return the line after the one that starts with the title, without '#'; '' if it does not exist."""
     for line, following in pairwise(header):
         if line.startswith(title):
             return following.strip().lstrip("#")
@@ -23,7 +23,7 @@ def _columns_below(header: Sequence[str], title: str) -> str:
 
 
 def _value(line: str) -> str:
-    """Return what stands after the last '=' of a line."""
+    """Return the text after the last '=' of a line."""
     return line.rsplit("=", 1)[-1].strip()
 
 
@@ -84,9 +84,8 @@ def ParseOutputFileHeader(lines: Sequence[str]) -> dict[str, Any]:
     """Read the header of a result file, given as the list of its lines.
 
     The result has 'type' ('sensor', 'solution', 'geneticOptimization', 'parameterVariation' or 'unknown'), 'columns'
-    (names of the columns), 'variableRanges' ([begin, end, number] per varied parameter) and what else the header
-    says: 'outputVariableType', 'sensorType', 'itemNumber', 'numberOfSensors', 'numberOfSteps'. It is empty for an
-    empty file.
+    (names of the columns), 'variableRanges' ([begin, end, number] per varied parameter) and further data of the header:
+    'outputVariableType', 'sensorType', 'itemNumber', 'numberOfSensors', 'numberOfSteps'. It is empty for an empty file.
     """
     if not isinstance(lines, (list, tuple)) or not all(isinstance(line, str) for line in lines[:_MAXIMUM_HEADER]):
         raise shape_error("ParseOutputFileHeader: lines", "a list of lines of text", lines)

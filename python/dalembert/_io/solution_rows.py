@@ -1,4 +1,4 @@
-"""What a solution is once it is read, whatever the format of its file."""
+"""A solution in memory, independent of the format of its file."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 from dalembert._checks import FloatArray
 
-# What a row holds after the time, in the order of columnsExported, by the names of the functions that set it.
+# Contents of a row after the time, in the order of columnsExported, by the names of the functions that set it.
 COLUMNS = (
     "ODE2Coordinates",
     "ODE2Coordinates_t",

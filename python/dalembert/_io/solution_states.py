@@ -43,7 +43,7 @@ def _set_row(mbs: Any, row: FloatArray, columns: list[int], configuration: Any) 
 
 
 def check_solution(where: str, solution: Any) -> None:
-    """Refuse what is no solution, the name of its file for instance."""
+    """Raise an error if the value is not a solution, for example a file name."""
     if not isinstance(solution, dict) or not {"data", "nRows", "columnsExported"} <= solution.keys():
         raise shape_error(f"{where}: solution", "what LoadSolutionFile(fileName) returns", solution)
 
@@ -59,7 +59,7 @@ def check_solution_of(mbs: Any, where: str, solution: dict[str, Any]) -> None:
         raise ValueError(f"{where}: solution: expected rows of {numbers}, received {data.shape[1]}")
     for name, count in zip(COLUMNS, columns, strict=True):
         wanted = len(getattr(mbs.systemData, f"Get{name}")(ConfigurationType.Visualization))
-        if count != wanted and (count or name == "ODE2Coordinates"):  # others need not be exported
+        if count != wanted and (count or name == "ODE2Coordinates"):  # further coordinates need not be exported
             raise ValueError(
                 f"{where}: solution: it has {count} {name}, but the system has {wanted}: it belongs to another model, "
                 "or items have come or gone since it was computed"
@@ -95,13 +95,14 @@ def SetSolutionState(
 
 @checked
 def InitializeFromRestartFile(mbs: Any, simulationSettings: Any, restartFileName: Path, verbose: bool = True) -> None:
-    """Go on from a restart file, or from the last complete row of a solution file: current, initial and shown state.
+    """Set the current, initial and visualization state from a restart file, or from the last complete row of a
+    solution file.
 
     Its time becomes the start time of the settings. The system must be assembled and have the structure of the one
     that wrote the file; a solution file must hold velocities too. ValueError if the file does not fit.
 
-    What a solver has besides the state, as generalized alpha its algorithmic accelerations, starts anew; with
-    ContinueFromRestartFile of the solver, it goes on bit for bit.
+    Internal data of the solver, such as algorithmic accelerations of generalized alpha, start anew;
+    ContinueFromRestartFile of the solver continues bit for bit.
     """
     check_system("InitializeFromRestartFile: mbs", mbs)
     check_type("InitializeFromRestartFile: simulationSettings", simulationSettings, SimulationSettings)
@@ -140,7 +141,7 @@ def AnimateSolution(
 ) -> None:
     """Show every rowIncrement-th row of a solution, with a pause of `timeout` seconds; runLoop repeats until stopped.
 
-    Without a render window the first row becomes the visualized state and the function returns.
+    If there is no render window, the first row becomes the visualization state and the function returns.
     """
     check_system("AnimateSolution: mbs", mbs)
     check_solution("AnimateSolution", solution)

@@ -43,7 +43,7 @@ def _columns_of_header(fileName: Path, lines: list[str]) -> list[int]:
 def _rows(fileName: Path, columns: int | None, safeMode: bool) -> Iterator[list[float]]:
     """Give the rows of numbers, as many as `columns` says or, if that is None, the first row has.
 
-    With a header, a row is complete when its line ends. Other rows are left out in safe mode, else refused.
+    If there is a header, a row is complete when its line ends. Other rows are skipped in safe mode, else rejected.
     """
     has_header = columns is not None
     with open(fileName, encoding="utf-8", errors="replace") as text:

@@ -1,4 +1,4 @@
-"""What viewers leave for the thread that works on a system: functions of the user, which may change the system."""
+"""Requests of viewers for the solver's thread: user functions, which may change the system."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 
 def run(mbs: Any) -> None:
-    """Run what has been left by the viewer of a system; called by its solver between two steps."""
+    """Run the requests of the viewer of a system; called by its solver between two steps."""
     from dalembert._live.viewer import viewer_of
 
     viewer = viewer_of(mbs.GetSystemContainer())

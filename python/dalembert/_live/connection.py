@@ -16,8 +16,8 @@ from websockets.protocol import State
 
 from dalembert._live.messages import Piece
 
-SHOWN = b'{"kind":"shown"}'  # what pages say after each picture
-MOST_PIECES = 500  # of a message, in one call
+SHOWN = b'{"kind":"shown"}'  # message of the browser after each picture
+MOST_PIECES = 500  # maximum number of pieces of a message in one call
 BINARY = 0x82  # first byte of the head of a message that is one piece
 
 
@@ -25,16 +25,16 @@ class PageConnection(ServerConnection):
     """Connection of a page; `on_shown` is called in the thread of the server when the page has drawn a picture."""
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
-        """As the library does it."""
+        """Same arguments as in the library."""
         super().__init__(*arguments, **options)
         self.on_shown: Callable[[], object] | None = None
         self._writing = threading.RLock()
         self._socket: socket.socket | None = None
         self._busy = True  # something may be waiting to be written in the thread of the server
-        self._rest: list[Piece] = []  # of pictures, not written at once
+        self._rest: list[Piece] = []  # pieces of pictures that could not be written at once
 
     def send_picture(self, pieces: Sequence[Piece]) -> None:
-        """Send a binary message; in any thread. It does not wait: what cannot be written at once is written later."""
+        """Send a binary message; callable from any thread. It does not wait: remaining data is written later."""
         if len(pieces) > MOST_PIECES:
             pieces = [b"".join(pieces)]
         size = sum(map(len, pieces))
@@ -58,7 +58,7 @@ class PageConnection(ServerConnection):
                 self.loop.call_soon_threadsafe(self.send_data)
 
     def end_pictures(self) -> None:
-        """Send no more pictures; before the connection ends."""
+        """Stop sending pictures; called before the connection ends."""
         with self._writing:
             self._rest.clear()
             self._busy = True
@@ -66,7 +66,7 @@ class PageConnection(ServerConnection):
                 self._socket.close()
                 self._socket = None
 
-    # ---- in the thread of the server
+    # ---- called in the thread of the server --------------------------------------------------------------------------
 
     def connection_made(self, transport: Any) -> None:
         """Keep a socket of its own for pictures, where one can write several pieces at once."""
@@ -80,7 +80,7 @@ class PageConnection(ServerConnection):
         super().connection_lost(exc)
 
     def send_data(self) -> None:
-        """Write what the library has to say, after pictures that are not written yet."""
+        """Write data of the library, after the remaining pictures."""
         with self._writing:
             if not self.transport.is_closing():
                 for part in self._rest:
@@ -90,7 +90,7 @@ class PageConnection(ServerConnection):
             self._look_whether_busy()
 
     def process_event(self, event: Any) -> None:
-        """Take what pages say most often at once, without the task that waits for messages."""
+        """Handle the most frequent message at once, without the task that waits for messages."""
         heard = isinstance(event, Frame) and event.opcode is Opcode.TEXT and event.fin and event.data == SHOWN
         if self.on_shown is None or not heard:
             super().process_event(event)

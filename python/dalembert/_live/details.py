@@ -1,4 +1,4 @@
-"""What a page tells about an item: its parameters, and its outputs as they are now."""
+"""Panel of an item: its parameters and current outputs."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ import numpy as np
 from dalembert._live.viewer import Viewer
 
 RUN = "start or stop"
-POINTS = 500  # of a curve, unless the dialog says otherwise
+POINTS = 500  # points of a curve, unless the dialog sets another number
 LOOKS = 0.05  # s between looks at widgets while nothing runs
 CURVES = 0.1  # s between pictures of curves
 
@@ -59,7 +59,7 @@ def _start_or_stop(dialog: Any) -> None:
 
 
 def _press(dialog: Any, name: str) -> None:
-    """Do what a button is for; they are known by their numbers."""
+    """Perform the action of a button, which is identified by its number."""
     if name == RUN:
         _start_or_stop(dialog)
     elif name.isdecimal() and int(name) < len(dialog.dialogItems):
@@ -87,7 +87,8 @@ def controls(dialog: Any) -> dict[str, Any]:
 
 
 class Curves:
-    """The last values of the sensors that a dialog plots: for each, [(sensor, component), (sensor, component), ...].
+    """The last values of the sensors in the plots of a dialog; each plot has [(sensor, component), (sensor,
+    component), ...].
 
     Components count from 1; 0 is the time.
     """
@@ -116,7 +117,7 @@ class Curves:
         return float(values[component - 1])
 
     def curves(self) -> list[dict[str, Any]]:
-        """Return what the page draws."""
+        """Return the data of the curves."""
         result = []
         for plot, rows in zip(self.plots, self.rows, strict=True):
             title = f"{plot[3]} over {plot[2]}" if len(plot) > 3 else ""

@@ -1,7 +1,7 @@
-"""What sensors of a system have measured, for their traces on pages.
+"""Histories of sensors, for their traces in the viewer.
 
-A copy of a system that follows it stores nothing. While a solver works on the system, what its sensors store is out of
-reach: traces go then through the states that pages have been shown.
+A shadow copy of a system stores no sensor values. The stored values of the original are not accessible while a solver
+runs: traces then use the states that the viewer has shown.
 """
 
 from __future__ import annotations
@@ -19,16 +19,17 @@ FRAME = 12  # numbers of a frame: position and rotation matrix
 
 
 class Track:
-    """Rows one after the other, the first number of each a time, of which never more than LONGEST are kept.
+    """At most LONGEST rows; the first number of each is a time.
 
-    Where there is no more room, those that are too old go; if there are none, every second one goes, and from then on
-    half as many are taken. The last one is always there.
+    If the list is full, outdated rows are removed; if there are none, every second row is removed, and the sampling
+    rate
+    is halved. The last row is always kept.
     """
 
     def __init__(self, columns: int) -> None:
         """`columns`: numbers in a row."""
         self._rows = np.empty((LONGEST + 1, columns))
-        self._count, self._every = 0, 1  # of all that were added, every so manieth is kept
+        self._count, self._every = 0, 1  # every n-th row is kept
         self._kept, self._waits = 0, 0  # 1: the last row is not one of those that are kept
 
     def add(self, row: FloatArray, since: float = -np.inf) -> None:
@@ -50,13 +51,13 @@ class Track:
 
 
 class History:
-    """The rows of sensors of one system: those that they have stored, or the ones of the states that were seen."""
+    """The rows of sensors of one system: stored ones, or those of the shown states."""
 
     def __init__(self, original: Any, shadow: Any, settings: Any) -> None:
         self._original, self._shadow, self._settings = original, shadow, settings
         self._seen: dict[int, Track] = {}
         self._frames: dict[int, int | None] = {}  # nodes of floating frames in whose components rows of sensors are
-        self._frames_now: list[int] = []  # for all sensors; -1: none
+        self._frames_now: list[int] = []  # -1: no frame, for all sensors
 
     def rows(self, number: int) -> tuple[Any, FloatArray | None]:
         """Return time and values of a sensor, row by row, and their floating frames if the values are not global.
@@ -89,7 +90,7 @@ class History:
         self._frames_now = []
 
     def _frame_of(self, number: int) -> int | None:
-        """Return the node of the floating frame in whose components a sensor measures; None: there is none."""
+        """Return the node of the floating frame in whose components a sensor measures; None for global components."""
         self._frames_now = self._frames_now or _core._ScenePlaces(self._shadow.system).frames_of_sensors()
         node = self._frames_now[number]
         return None if node < 0 else node

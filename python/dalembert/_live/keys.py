@@ -1,4 +1,4 @@
-"""What keys of the page do to settings, and which settings a page may change."""
+"""Effect of keys on settings, and the settings that the viewer may change."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ NAMED = {
 
 
 def code(key: str) -> int:
-    """Return the number of a key; letters are those of capital letters; 0 if it has none."""
+    """Return the number of a key; letters use the codes of capital letters; 0 if it has none."""
     if key in NAMED:
         return NAMED[key]
     return ord(key.upper()) if len(key) == 1 and key.isprintable() else 0
@@ -53,7 +53,7 @@ def press(settings: Any, key: str, with_numbers: bool) -> bool:
 
 
 def rows(settings: Any) -> list[dict[str, Any]]:
-    """Return the settings that a page may change: path, value, what it can be, help."""
+    """Return the settings that the viewer may change: path, value, possible values, help."""
     edit, result = Edit(settings), list[dict[str, Any]]()
     for path, value, words in edit.rows():
         try:
@@ -69,7 +69,7 @@ def rows(settings: Any) -> list[dict[str, Any]]:
 
 
 def change(settings: Any, path: str, value: str) -> str:
-    """Change a setting to what its text says; return "" or why it was refused."""
+    """Set a setting from a text; return "" or the reason of the rejection."""
     edit = Edit(settings)
     names = tuple(path.split("."))
     try:

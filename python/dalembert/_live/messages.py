@@ -1,13 +1,14 @@
-"""Scenes as messages for pages: all that is drawn when something else is drawn, and otherwise only what moves.
+"""Scenes as messages for the viewer: the whole scene if its parts have changed, otherwise only moving parts.
 
 A message is a JSON head and arrays behind it: the length of the head (4 bytes), the head, filled up with blanks to a
 multiple of 8, and arrays of little-endian numbers, each at a multiple of 4. The head lists them in `arrays` as
-[kind, count], where kind is f4, u4, u1 or r6; null stands for one that is as in the message of the whole scene. r6 are
-places in six words each instead of twelve numbers: position (f4), then the first two rows of the rotation in units of
-1 / 32000 (signed, of two bytes each); the third row is their cross product. Only meshes that are small beside the scene
-have such places (flow.SMALL), so that what pages draw and measure is right to a millionth of the scene. Pages that
-have drawn the picture before get of lines, which may be traces, only what is new: `kept` in the head lists [where, from
-where in the points before, how many] numbers that are as they were, and are not in the array.
+[kind, count], where kind is f4, u4, u1 or r6; null means an unchanged array of the whole scene. r6 are poses of six
+words instead of twelve numbers: position (f4), then the first two rows of the rotation in units of
+1 / 32000 (signed, of two bytes each); the third row is their cross product. Only meshes that are small compared with
+the scene use them (flow.SMALL), so that positions are accurate to 1e-6 of
+the scene size. Browsers that have drawn the previous picture receive only new points of lines, such as traces: `kept`
+in
+the head lists [position, position in the previous points, count] of unchanged numbers, which are not in the array.
 """
 
 from __future__ import annotations
@@ -33,15 +34,15 @@ Piece = bytes | memoryview
 
 
 class Picture(NamedTuple):
-    """What pages may be sent of a picture."""
+    """Messages of a picture."""
 
     scene: int  # the number of the scene that it is of
     whole: Callable[[], bytes]  # makes the message of the whole scene
-    frame: Sequence[Piece]  # of what moves, for pages that have the scene
+    frame: Sequence[Piece]  # moving parts, for browsers that have the scene
     grown: Callable[[], Sequence[Piece] | None] | None = None  # makes it for pages that have drawn the picture before
 
     def after(self, before: bool) -> Sequence[Piece]:
-        """Return the frame; `before`: for a page that has drawn the picture before."""
+        """Return the frame; `before`: the browser has drawn the previous picture."""
         grown = self.grown() if before and self.grown is not None else None
         return self.frame if grown is None else grown
 
@@ -70,7 +71,7 @@ class Arrays:
         return b"".join(self.pieces(head))
 
     def pieces(self, head: dict[str, Any]) -> list[Piece]:
-        """Return a message as what it consists of: joining millions of bytes takes as long as sending them."""
+        """Return a message in pieces: joining millions of bytes takes as long as sending them."""
         names = {np.dtype(dtype): kind for kind, dtype in KINDS.items()}
         table = [None if part is None else [names[part.dtype], part.size] for part in self.parts]
         text = json.dumps(head | {"arrays": table}, separators=(",", ":")).encode()
@@ -86,16 +87,16 @@ class Arrays:
 
 UNTURNED = np.eye(3)
 LONG = 50  # points of a line that is worth a look whether it has grown
-SCENES = 4  # of which items are remembered: a page may speak of one that has just been replaced
+SCENES = 4  # remembered scenes for picking: a browser may refer to one that has just been replaced
 
 
 class Stage:
-    """What pages have: it tells whether a scene has the same parts as the one before."""
+    """State of the browsers: detects whether a scene has the same parts as the previous one."""
 
     def __init__(self) -> None:
-        self.number = 0  # of the whole scene
-        self.items: list[DrawnItem] = []  # of the scene
-        self._items_of: dict[int, list[DrawnItem]] = {}  # by the number of a scene
+        self.number = 0  # number of the whole scene
+        self.items: list[DrawnItem] = []  # items of the scene
+        self._items_of: dict[int, list[DrawnItem]] = {}  # indexed by the number of a scene
         self._layout: Any = None
         self._kept: Any = None
         self._meshes: dict[Key, Mesh] = {}
@@ -103,13 +104,13 @@ class Stage:
         self._forms: dict[Key, int] = defaultdict(int)  # how often more has changed of a mesh than its points
         self._first: list[npt.NDArray[Any] | None] = []
         self._moved: set[int] = set()
-        self._words = ""  # of the head of a frame, in which only time and range change
+        self._words = ""  # text of the head of a frame, in which only time and range change
         self._whole: Callable[[], bytes] = bytes
         self._lines: list[FloatArray] = []  # points of the last picture
-        self._told: Any = None  # _MovingParts that know what pages have
+        self._told: Any = None  # _MovingParts with the state of the browsers
 
     def item(self, scene: int, number: int) -> DrawnItem | None:
-        """Return the entry of an item that a page has picked; None if it is no longer there."""
+        """Return the entry of a picked item; None if it no longer exists."""
         items = self._items_of.get(scene, [])
         entry = items[number] if 0 <= number < len(items) else None
         return entry if entry in self.items else None
@@ -140,7 +141,8 @@ class Stage:
             self.number += 1
             self._layout, self._first, self._moved = layout, moving.parts, set()
             herds, meshes = list(scene.herds), [group[0][1].mesh for group in rigid]
-            self._kept = (herds, meshes, scene.balls, scene.threads)  # as long as they are known by their id
+            # kept alive, because objects are identified by their id
+            self._kept = (herds, meshes, scene.balls, scene.threads)
             self.items = scene.items
             self._items_of[self.number] = self.items
             self._items_of.pop(self.number - SCENES, None)
@@ -160,7 +162,7 @@ class Stage:
         return Picture(self.number, whole, changed.pieces(head), grown)
 
     def moved(self, flow: Flow) -> Picture | None:
-        """Return the same when parts of a flow have moved since it made the last scene, and nothing else has changed.
+        """Return the messages if only moving parts of a flow have changed since it made the last scene.
 
         None if they cannot follow. The whole scene is that last one: pages take the frames after it.
         """
@@ -189,7 +191,7 @@ class Stage:
     def _sorted(
         self, parts: list[tuple[Key, Instance]]
     ) -> tuple[list[list[tuple[Key, Instance]]], list[tuple[Key, Instance]]]:
-        """Return groups of one mesh at several places, and what changes its shape or its colors."""
+        """Return groups of one mesh at several positions, and parts that change their shape or colors."""
         groups: dict[tuple[int, Any], list[tuple[Key, Instance]]] = {}
         deformed = []
         for key, part in parts:
@@ -233,7 +235,7 @@ class Stage:
         return arrays, head
 
     def _changes(self, moving: Arrays) -> Arrays:
-        """Return the arrays of a frame; what has not moved since the message of the whole scene is left out."""
+        """Return the arrays of a frame, without those that have not moved since the message of the whole scene."""
         changed = Arrays()
         for number, (part, first) in enumerate(zip(moving.parts, self._first, strict=True)):
             if number not in self._moved and not _same(part, first):

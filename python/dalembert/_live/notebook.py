@@ -1,7 +1,8 @@
-"""The live view in a cell of a notebook, and below it a page of its own that is saved with the notebook.
+"""The live view in a cell of a notebook, and a static view below it that is saved with the notebook.
 
-The widget hides that page as long as its kernel answers. Without a kernel, the page is what is seen: it shows the state
-after the last cell that has changed it, and turns and zooms by itself.
+The widget hides the static view while its kernel answers. If there is no kernel, the static view is visible: it shows
+the
+state after the last cell that has changed it, and can be rotated and zoomed.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from dalembert._pictures.html import page_of_state
 from dalembert._pictures.renderer import state_of
 
 LARGEST = 8_000_000  # characters of a page in a notebook; larger ones become pictures
-# Where the kernel is gone, JupyterLab says of the widget that it is not found; what follows takes its place.
+# If the kernel is gone, JupyterLab shows an error instead of the widget; this style replaces it.
 STYLE = (
     "<style>.jp-OutputArea-child:has(+ .jp-OutputArea-child [data-dalembert-still]) .jupyter-widgets:not(:has(*))"
     "{display: none}</style>"
@@ -41,7 +42,7 @@ def show(container: Any) -> None:
 
 
 class Still:
-    """The page below a widget; after each cell it is made anew if another would be seen."""
+    """The static view below a widget; it is updated after each cell if its contents change."""
 
     def __init__(self, viewer: Viewer, name: str) -> None:
         self._viewer, self._name = viewer, name
@@ -58,7 +59,7 @@ class Still:
         self._handle = shown.display(shown.HTML(self._text()), display_id=True)
 
     def end(self) -> None:
-        """Show what was seen last, for good."""
+        """Keep the last view permanently."""
         self._update()
         self._events.unregister("post_run_cell", self._after_cell)
         del _stills[self._viewer]
@@ -76,7 +77,7 @@ class Still:
             self._handle.update(import_module("IPython.display").HTML(self._text()))
 
     def _seen(self) -> object:
-        """Return what a page depends on, as far as it is quickly found."""
+        """Return a key of the contents of the view that is fast to compute."""
         return _or_none(lambda: _state(self._viewer.container))
 
     def _text(self) -> str:
@@ -91,7 +92,7 @@ _stills: dict[Viewer, Still] = {}
 
 
 def _or_none(make: Callable[[], Any]) -> Any:
-    """Return what a function returns, None if it cannot: no cell fails because of a picture that was not asked for."""
+    """Return the result of a function, None after an error: an automatic picture must not make a cell fail."""
     try:
         return make()
     except Exception:

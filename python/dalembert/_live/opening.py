@@ -1,4 +1,4 @@
-"""How a reader gets to the page: by a browser that is opened, a link in a notebook, or an address in a terminal."""
+"""Ways to open the viewer: a browser, a link in a notebook, or an address in a terminal."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""One port of this machine for the page and its messages: who may connect, what is sent, what is taken.
+"""Server of the viewer on one port of this machine: access control and messages.
 
-Nothing but the page itself is given to whoever does not know the token. It is in the part of the address behind #, that
-browsers send nowhere, and is the first message of a page. Messages of pages are JSON; none is evaluated.
+Clients without the token receive only the page itself. The token is in the part of the address behind #, which browsers
+do not send, and is the first message of the page. Messages of the browser are JSON; they are not evaluated.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from dalembert._live.messages import Picture, Piece
 
 HOST = "127.0.0.1"
 LONGEST = 1 << 20  # bytes of a message from a page
-PAGES = 16  # at most so many at once
+PAGES = 16  # maximum number of simultaneous connections
 PATIENCE = 5.0  # s, for the token
 WAITING = 64  # messages for a page that does not read
 SILENCE = 600.0  # s, after which a page is lost: behind a slow line, an answer comes after all of a large scene
@@ -39,7 +39,7 @@ FILES = {"/": ("live.html", "text/html"), "/bundle.js": ("bundle.js", "text/java
 
 @dataclass(eq=False)
 class Page:
-    """A browser that shows the page; `ready`: it has drawn what it was sent last."""
+    """A connected browser; `ready`: it has drawn the last message."""
 
     number: int
     connection: PageConnection
@@ -60,7 +60,7 @@ class PageServer:
         self.port = 0
         self._receive, self._pages, self._count, self._open = receive, dict[int, Page](), 0, 0
         self._newest, self._published = Picture(-1, bytes, ()), 0  # and how many there have been
-        self._lock = threading.RLock()  # of what pages have been sent
+        self._lock = threading.RLock()  # guards the state of the messages
         self._loop = asyncio.new_event_loop()
         self._waking = threading.Lock()  # other threads write to a socket of the loop, which must not be closed by then
         self._started: threading.Event = threading.Event()
@@ -87,11 +87,12 @@ class PageServer:
         return any(page.ready for page in list(self._pages.values()))
 
     def answers(self) -> bool:
-        """Return whether pages can be heard now; by a thread of its own, always."""
+        """Return whether messages can be received now; always true for a server with its own thread."""
         return True
 
     def publish(self, picture: Picture) -> None:
-        """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
+        """Send a frame, or the whole scene to browsers with another scene; busy browsers receive it when they are
+        ready."""
         with self._lock:
             self._newest, self._published = picture, self._published + 1
             for page in list(self._pages.values()):
@@ -111,7 +112,7 @@ class PageServer:
             if not self._loop.is_closed():
                 self._loop.call_soon_threadsafe(function, *arguments)
 
-    # ---- in the thread of the server
+    # ---- called in the thread of the server --------------------------------------------------------------------------
 
     def _run(self, port: int) -> None:
         try:
@@ -120,7 +121,7 @@ class PageServer:
             self._failure = error
         finally:
             self._started.set()
-            if rest := asyncio.all_tasks(self._loop):  # of connections that are being closed
+            if rest := asyncio.all_tasks(self._loop):  # tasks of connections that are being closed
                 self._loop.run_until_complete(asyncio.wait(rest, timeout=1.0))
             with self._waking:
                 self._loop.close()
@@ -137,7 +138,7 @@ class PageServer:
             await self._end.wait()
 
     def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
-        """Give the page to whoever asks for it by a name of this machine; let pages of this server open the socket."""
+        """Serve the page to requests with a name of this machine; only pages of this server may open the socket."""
         if request.headers.get("Host") not in self._hosts:
             return connection.respond(HTTPStatus.FORBIDDEN, "unknown host\n")
         if request.path == "/socket":
@@ -218,7 +219,7 @@ class PageServer:
             self._show(page)
 
     def _show(self, page: Page) -> None:
-        """Send the newest picture to a page that is ready and has not got it; by whoever has the lock."""
+        """Send the newest picture to a browser that is ready and does not have it; the caller has the lock."""
         picture, number = self._newest, self._published
         if page.ready and page.picture < number:
             if page.scene != picture.scene:
@@ -257,7 +258,7 @@ def _port(server: Server) -> int:
 
 
 def _message(text: str | bytes) -> dict[str, Any]:
-    """Return a message; {} for what is none."""
+    """Return a message; {} if it is invalid."""
     if not isinstance(text, str):
         return {}
     try:

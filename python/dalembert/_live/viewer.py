@@ -32,9 +32,9 @@ from dalembert._pictures.renderer import state_of
 from dalembert._pictures.studio import Studio
 
 SHORTEST = 1 / 30  # s between pictures, unless settings say otherwise
-SHARE = 0.25  # of the time, at most, is spent on pictures: the interpreter is needed by others
+SHARE = 0.25  # maximum fraction of the time for pictures: other threads need the interpreter
 LARGE = 50_000  # objects, whose scene takes seconds
-OFTEN = 0.5  # s between looks at what has no signal: settings that scripts change, outputs of the selected item
+OFTEN = 0.5  # s between polls of changes without a signal: settings that scripts change, outputs of the selected item
 
 Receive = Callable[[int, dict[str, Any]], None]
 Link = PageServer | WidgetLink
@@ -47,7 +47,7 @@ def viewer_of(container: Any) -> Viewer | None:
 
 
 def start(container: Any, port: int = 0, link: Callable[[Receive], Link] | None = None) -> Viewer:
-    """Return the viewer of a container; it is started if there is none."""
+    """Return the viewer of a container; starts it if necessary."""
     viewer = viewer_of(container)
     if viewer is None:
         viewer = Viewer(container, link or (lambda receive: PageServer(receive, port)))
@@ -63,7 +63,7 @@ def stop_all() -> None:
 
 
 class Viewer:
-    """Pages, the systems they show, and what their readers do."""
+    """Browsers, their systems, and user actions."""
 
     def __init__(self, container: Any, link: Callable[[Receive], Link]) -> None:
         """`link` reaches pages: a server of this machine, or the channel of a notebook."""
@@ -75,7 +75,7 @@ class Viewer:
         self.selection: tuple[int, str, int, float] | None = None
         self.mouse, self.mouse_place = [0.0, 0.0], [0.0, 0.0]
         self.pictures = 0
-        self.values: dict[str, Any] = {}  # of the controls of a dialog
+        self.values: dict[str, Any] = {}  # values of the controls of a dialog
         self.pressed: list[str] = []  # buttons of a dialog, in their order
         self._controls: dict[str, Any] = {}
         self._messages: queue.SimpleQueue[tuple[int, dict[str, Any]]] = queue.SimpleQueue()
@@ -89,9 +89,9 @@ class Viewer:
         self._known_settings = copy.copy(self.settings)
         self._interval = self._wanted_interval()
         self._complaint = ""
-        self._told: dict[str, Any] = {}  # of the state
+        self._told: dict[str, Any] = {}  # last message of the state
         self._flow: Flow | None = None  # if nothing but places may have changed
-        self._words: dict[str, dict[str, Any]] = {}  # which pages are told of the settings, by name of what is colored
+        self._words: dict[str, dict[str, Any]] = {}  # last message of the settings, by name of the color output
         self._seen = 0.0  # when a page was there, or is expected
         self.expect(PATIENCE["browser"])
         self.at_end: Callable[[], object] = lambda: None
@@ -127,7 +127,7 @@ class Viewer:
         self.server.stop()
 
     def redraw(self, home: bool = False) -> None:
-        """Draw again, although no state has changed; with `home`, from where all is seen."""
+        """Draw again, although no state has changed; `home` fits the view to the scene."""
         self._dirty = True
         self._home = self._home or home
         self._wake.set()
@@ -148,7 +148,7 @@ class Viewer:
             self.redraw(home=True)
 
     def idle(self, seconds: float, announce: bool) -> bool:
-        """Wait: so many seconds, or, if they are negative, until a reader goes on; return whether there are pages."""
+        """Wait for this time or, if it is negative, until the user continues; return whether a browser is connected."""
         self._released.clear()
         self.redraw()
         forever = seconds < 0
@@ -190,10 +190,10 @@ class Viewer:
         """Send a message to all pages."""
         self.server.tell(message)
 
-    # ---- in the thread of the viewer
+    # ---- called in the thread of the viewer --------------------------------------------------------------------------
 
     def _receive(self, page: int, message: dict[str, Any]) -> None:
-        """Take a message; in the thread of the server."""
+        """Receive a message; called in the thread of the server."""
         self._messages.put((page, message))
         self._wake.set()
 
@@ -207,7 +207,7 @@ class Viewer:
                     self._answer(*self._messages.get())
                 if self.server.wanted and (self._dirty or begin >= self._next) and self._look():
                     self._next = begin + interval
-            except Exception as error:  # of a function of the user, or of graphics data
+            except Exception as error:  # errors of a user function, or of graphics data
                 self._complain(error)
             spent, used = time.monotonic() - begin, time.thread_time() - used
             pause = max(min(interval, SHORTEST) - spent, used / SHARE - used, 0.001)
@@ -235,7 +235,7 @@ class Viewer:
         return SHORTEST if looks.is_default(path) else max(float(looks.setting(path)), 0.01)
 
     def _complain(self, error: Exception) -> None:
-        """Tell what went wrong, once."""
+        """Report an error once."""
         words = f"{type(error).__name__}: {error}"
         if words != self._complaint:
             self._complaint = words
@@ -243,7 +243,7 @@ class Viewer:
             self.server.tell({"kind": "notice", "text": words})
 
     def _look(self) -> bool:
-        """Draw what has changed; return whether anything has."""
+        """Draw if something has changed; return whether it has."""
         news = self._follow()
         self._check_now_and_then()
         if not (news or self._dirty or self._views or self._lacks):
@@ -263,7 +263,7 @@ class Viewer:
             self._words = {}
         self._dirty = False
         scene = self.studio.flow()
-        self._know_settings()  # those that the scene was made with may change back before the next look at them
+        self._know_settings()  # settings of the scene may change back before the next poll
         studio = self.studio
 
         def camera() -> Camera:
@@ -285,7 +285,7 @@ class Viewer:
         return True
 
     def _only_moving(self) -> Flow | None:
-        """Return the flow if nothing but the places of items may have changed in what is drawn."""
+        """Return the flow if only positions of items may have changed."""
         if self._dirty or self._home or self._views or self._lacks or self.studio is None:
             return None
         return self.studio.moving()
@@ -398,7 +398,7 @@ class Viewer:
         self.mouse_place = [float(x) for x in message["place"]][:2]
 
     def _on_select(self, page: int, message: dict[str, Any]) -> None:
-        """Remember the item that was picked, and tell about it; item -1: nothing is selected any more."""
+        """Store the picked item, and send its details; item -1 clears the selection."""
         advanced = self.settings.interactive.advanced
         picked = self.stage.item(int(message["scene"]), int(message["item"]))
         if picked is None or not advanced.selectionLeftMouse:

@@ -1,4 +1,4 @@
-"""What pages are told of views: from where they look, what cuts them, and how all is drawn."""
+"""Data of views for the browser: camera, section plane, and style."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from dalembert._pictures.studio import Studio
 
 
 def words(settings: Any, scene: Scene, looks: Looks) -> dict[str, Any]:
-    """Return what pages have to know besides what is drawn."""
+    """Return the settings that the browser needs besides the scene."""
     return {
         **looks.of_pages(),
         "contour": {"name": scene.value_name, "colors": palette(looks)} if scene.value_name else None,
@@ -27,7 +27,7 @@ def words(settings: Any, scene: Scene, looks: Looks) -> dict[str, Any]:
 
 
 def beside(container: Any, studio: Studio, scene: Scene) -> list[dict[str, Any]]:
-    """Return the views beside the main one, as far as they are enabled."""
+    """Return the enabled additional views."""
     states = {number: state_of(container.renderer, number) for number in (1, 2, 3)}
     return [
         {"number": n, "camera": seen_from(studio.camera(scene, n)), "clip": clip(studio.view(n))}

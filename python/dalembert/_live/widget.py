@@ -27,7 +27,7 @@ ANSWER = 3.0  # s for a page to say that it is there
 
 
 def is_installed() -> bool:
-    """Return whether there is what widgets are made of."""
+    """Return whether the packages for widgets are installed."""
     try:
         import_module("anywidget")
     except ImportError:
@@ -52,7 +52,7 @@ def make(name: str) -> Any:
 
 @dataclass(eq=False)
 class View:
-    """A view of the widget; `ready`: it has drawn what it was sent last."""
+    """A view of the widget; `ready`: it has drawn the last message."""
 
     number: int
     name: str = ""
@@ -65,12 +65,12 @@ class View:
 
 
 class WidgetLink:
-    """What PageServer is for browsers; `receive(page number, message)` is called in a thread of the kernel."""
+    """Counterpart of PageServer for widgets; `receive(page number, message)` is called in a thread of the kernel."""
 
     def __init__(self, receive: Callable[[int, dict[str, Any]], None], widget: Any) -> None:
         self.widget = widget
         self._receive, self._views, self._count = receive, dict[str, View](), 0
-        self._unknown: View | None = None  # one that was displayed, and has not been heard of
+        self._unknown: View | None = None  # a displayed view that has not yet sent a message
         self._newest, self._published = Picture(-1, bytes, ()), 0
         self._lock, self._heard = threading.RLock(), threading.Event()
         self._context = contextvars.copy_context()
@@ -86,7 +86,7 @@ class WidgetLink:
 
     @property
     def address(self) -> str:
-        """Return "": there is none."""
+        """Return "", because widgets have no address."""
         return ""
 
     @property
@@ -108,9 +108,9 @@ class WidgetLink:
         return self._heard.wait(ANSWER)
 
     def publish(self, picture: Picture) -> None:
-        """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready.
+        """Send a frame, or the whole scene to views with another scene; busy views receive it when they are ready.
 
-        Notebooks may lose messages: what is enough for pages that have the picture before is not used.
+        Notebooks may lose messages: messages that require the previous picture are therefore not used.
         """
         with self._lock:
             self._newest, self._published = picture, self._published + 1
@@ -149,7 +149,7 @@ class WidgetLink:
         self._send({"page": view.name}, [data])
 
     def _send(self, content: dict[str, Any], buffers: list[bytes] | None = None) -> None:
-        """Send in the context of the last message: that tells kernels which of their threads is to get the answer."""
+        """Send in the context of the last message, from which kernels find the thread for the answer."""
         with self._lock:
             self._context.run(self.widget.send, content, buffers)
 

@@ -1,1 +1,1 @@
-"""Pictures without a display: scenes of items, cameras, and what draws them. Public: SC.renderer, mbs.Draw."""
+"""Pictures without a display: scenes of items, cameras, and drawing. Public: SC.renderer, mbs.Draw."""

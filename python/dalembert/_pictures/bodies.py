@@ -1,4 +1,4 @@
-"""How rigid bodies, masses and ground are drawn: by graphics data, or else by what markers tell of their shape."""
+"""Drawing of rigid bodies, masses and ground: by graphics data, or by rods to their markers."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Bodies:
     def shapes(self, pen: Pen, number: int, item: Item) -> list[graphics_data.Shape]:
         """Return the shapes of a body, and those that its user function gives for this picture."""
         default = pen.looks.default_color("bodies.defaultColor")
-        if default != self._default:  # which meshes without colors have
+        if default != self._default:  # default color of meshes without colors
             self._default, self._shapes, self._known = default, {}, graphics_data.Known()
         if not callable(item.get("VgraphicsDataUserFunction")) and (known := self._shapes.get(number)) is not None:
             return known
@@ -44,7 +44,7 @@ class Bodies:
         return self._shapes[number] + user_shapes(self.mbs, number, item, default, owner)
 
     def meshes(self, pen: Pen, number: int, item: Item) -> list[Mesh] | None:
-        """Return the meshes that a body is drawn by; [] if it has no shape, None if other things are drawn as well."""
+        """Return the meshes of a body; [] if it has no shape, None if it also has other graphics."""
         if callable(item.get("VgraphicsDataUserFunction")):
             return None
         shapes = self.shapes(pen, number, item)
@@ -116,7 +116,7 @@ class Bodies:
 
 
 def node_in_place_of(places: Places, item: Item) -> int | None:
-    """Return the node that is drawn in place of a mass without shape, as CreateMassPoint has it; None for others."""
+    """Return the node that represents a mass without shape, as made by CreateMassPoint; None for other bodies."""
     if item.get("Vshow", True) or not item.get("objectType", "").startswith("MassPoint"):
         return None
     node = int(item["nodeNumber"])
@@ -124,7 +124,7 @@ def node_in_place_of(places: Places, item: Item) -> int | None:
 
 
 def user_shapes(mbs: Any, number: int, item: Item, default: Any, owner: str) -> list[graphics_data.Shape]:
-    """Return what the graphicsDataUserFunction of an object gives."""
+    """Return the result of the graphicsDataUserFunction of an object."""
     function = item.get("VgraphicsDataUserFunction")
     if not callable(function):
         return []

@@ -1,4 +1,4 @@
-"""From where a scene is seen: the render state that scripts keep, and the matrices that follow from it."""
+"""Camera of a scene: the render state that scripts store, and the derived matrices."""
 
 from __future__ import annotations
 
@@ -93,7 +93,8 @@ def named(view: Any, up: int = 2, where: str = "") -> FloatArray:
 
 
 def automatic(box: FloatArray | None, up: int) -> FloatArray:
-    """Return from where a system is seen best: from the front if it is flat there, otherwise so that axes are seen."""
+    """Return the default view of a system: the front if it is planar, otherwise a view in which all axes are
+    visible."""
     if box is None:
         return FRONT
     size = box[1] - box[0]

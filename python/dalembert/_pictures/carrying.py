@@ -1,4 +1,5 @@
-"""What moves rigidly with something else: in a file, it needs the numbers of its place there, and none per frame."""
+"""Attachment of parts that move rigidly with another part: a file stores their constant relative pose, and no numbers
+per frame."""
 
 from __future__ import annotations
 
@@ -8,15 +9,16 @@ import numpy as np
 
 from dalembert._checks import FloatArray
 
-NEAREST = 32  # of what is around a part, so many may carry it
-EQUAL = 1e-6  # of lengths: what differs by less moves as one
+NEAREST = 32  # number of nearby parts that are tested as carriers
+EQUAL = 1e-6  # relative tolerance of lengths for rigid motion
 
 
 @dataclass(frozen=True)
 class Carried:
-    """A part of a motion as it stands in another one; `form` says what its numbers are.
+    """A part relative to its carrier; `form` is the type of its numbers.
 
-    "rows": all of the part turns with the other one. "place": its matrix stays, its place is carried. "points": points.
+    "rows": the part rotates with the carrier. "place": its matrix is constant, its position is carried. "points":
+    points.
     """
 
     by: int  # number of the array of the other motion
@@ -30,11 +32,11 @@ class Carriers:
     def __init__(self) -> None:
         self._arrays: list[int] = []
         self._rows: list[FloatArray] = []  # frames x 3 x 4
-        self._starts = np.empty((64, 3))  # where they begin
+        self._starts = np.empty((64, 3))  # start positions
         self._reach = 0.0  # how far from the origin they come
 
     def add(self, rows: FloatArray, array: int) -> None:
-        """Let this motion carry others, if it can tell where their points are."""
+        """Register this motion as a carrier, if it determines the positions of points."""
         rows = rows.reshape(-1, 3, 4)
         lengths = np.linalg.norm(rows[0, :, :3], axis=0)
         if not lengths.all() or abs(np.linalg.det(rows[0, :, :3] / lengths)) < 0.1:
@@ -47,9 +49,9 @@ class Carriers:
         self._arrays.append(array)
 
     def part(self, rows: FloatArray, is_round: bool = False) -> Carried | None:
-        """Return how a rigid part (frames x rows of matrix and place) is carried; None: it moves by itself.
+        """Return the attachment of a rigid part (frames x rows of matrix and position); None if it has no carrier.
 
-        Of what is round, it does not matter how it turns about its z axis.
+        The rotation of a round part about its z axis is ignored.
         """
         rows = rows.reshape(-1, 3, 4)
         widths = np.linalg.norm(rows[:, :, :2], axis=1)
@@ -77,7 +79,7 @@ class Carriers:
     def _found(
         self, columns: FloatArray, weights: FloatArray, seen: slice = slice(None)
     ) -> tuple[int, FloatArray] | None:
-        """Return which motion carries those columns (frames x 3 x n) that are seen, and what all are in it.
+        """Return the carrier of the visible columns (frames x 3 x n), and their values in its frame.
 
         Weights: 1 for points, 0 for vectors.
         """

@@ -1,4 +1,4 @@
-"""How connectors, joints and contacts are drawn: by what joins their markers, and by symbols of their axes."""
+"""Drawing of connectors, joints and contacts: connections of their markers, and symbols of their axes."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _joint_frame(pen: Pen, item: Item, index: int = 0) -> FloatArray:
 
 
 def spring(pen: Pen, item: Item) -> None:
-    """A helix between two markers; where they coincide, a small ball."""
+    """A helix between two markers; a small ball if they coincide."""
     size, color = _look(pen, item, 0.07)
     ends = _ends(pen, item)
     if len(ends) == 2 and np.linalg.norm(ends[1] - ends[0]) > 1e-3 * pen.looks.size:
@@ -91,7 +91,7 @@ def bushing(pen: Pen, item: Item) -> None:
 
 
 def rod(pen: Pen, item: Item, thickness: float = 0.24) -> None:
-    """A thin rod between the markers; where they coincide, a small block."""
+    """A thin rod between the markers; a small block if they coincide."""
     size, color = _look(pen, item)
     ends = _ends(pen, item)
     if len(ends) == 2 and np.linalg.norm(ends[1] - ends[0]) > 1e-6 * pen.looks.size:
@@ -233,9 +233,9 @@ def prismatic(pen: Pen, item: Item) -> None:
 
 
 def generic_joint(pen: Pen, item: Item) -> None:
-    """A ball, with a rod along each axis about which the joint turns and a bar along each in which it slides.
+    """A ball, with a rod along each axis of rotation and a bar along each axis of sliding.
 
-    What has slid away is at the end of a thin rod.
+    A thin rod leads to the displaced part.
     """
     if not (ends := _ends(pen, item)):
         return

@@ -1,4 +1,4 @@
-"""What general contact holds: spheres and triangles that move with markers, forces, and boxes in which it searches."""
+"""Drawing of general contact: spheres and triangles that move with markers, forces, and boxes of the search."""
 
 from __future__ import annotations
 
@@ -19,13 +19,14 @@ from dalembert._pictures.pen import Pen
 from dalembert._pictures.scene import DrawnItem
 
 KIND = "GeneralContact"
-SHAPES, SEARCH, FORCES = "shapes", "search", "forces"  # the first keeps its shape; others are drawn anew in each scene
+# the first kind is rigid; the other ones are drawn anew in each scene
+SHAPES, SEARCH, FORCES = "shapes", "search", "forces"
 PUSHING = (0.85, 0.1, 0.1, 1.0)
 CROWDED = (1.0, 0.0, 0.0)  # the cell that holds most
 
 
 def drawn_items(mbs: Any, looks: Looks) -> list[DrawnItem]:
-    """Return what is to be drawn of all general contacts, as the settings say."""
+    """Return the visible parts of all general contacts, according to the settings."""
     contact = looks.setting("contact")
     parts = [SHAPES] if contact.showSpheres or contact.showTriangles else []
     if contact.showBoundingBoxes or contact.showSearchTree or contact.showSearchTreeCells:
@@ -67,7 +68,7 @@ def _draw_shapes(pen: Pen, number: int) -> None:
 
 
 def _held(pen: Pen, number: int) -> dict[str, Any]:
-    """Return what the model says of a general contact."""
+    """Return the definition of a general contact."""
     return dict(pen.places.mbs.GetDictionary()["generalContactList"][number])
 
 
@@ -125,7 +126,7 @@ def _round(ends: FloatArray, radius: float, is_capsule: bool, tiles: int = 24) -
 
 
 def _draw_forces(pen: Pen, number: int) -> None:
-    """Draw points of contact, and the force on the sphere at each; where they are not known, say once why."""
+    """Draw contact points, and the force on the sphere at each; if they are unknown, report the reason once."""
     settings = pen.looks.setting("contact")
     size = pen.looks.length("contact.contactPointsDefaultSize", 0.01)
     try:

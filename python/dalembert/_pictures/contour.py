@@ -1,4 +1,4 @@
-"""Outputs as colors: which numbers are asked for, and how they become colors."""
+"""Outputs as colors: selection of the numbers, and their colors."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from dalembert._pictures.looks import Looks
 
 
 class Contour:
-    """What is shown as colors: one component of an output variable, or its length (component -1)."""
+    """The quantity shown as colors: one component of an output variable, or its norm (component -1)."""
 
     def __init__(self, looks: Looks) -> None:
         self.looks = looks
@@ -25,7 +25,7 @@ class Contour:
 
     @property
     def name(self) -> str:
-        """Return the words beside the bar of colors."""
+        """Return the title of the color bar."""
         if not self.active:
             return ""
         return f"{self.variable.name}, {'norm' if self.component < 0 else f'component {self.component}'}"
@@ -89,11 +89,11 @@ def _colored(part: FloatArray, keys: tuple[Shade, ...]) -> FloatArray:
     return result
 
 
-STEPS = 1024  # of the range, for many numbers
+STEPS = 1024  # steps of the range, for many numbers
 
 
 def shades(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> npt.NDArray[np.uint8]:
-    """Return the same as bytes (RGB), by a table: as close as bytes can tell."""
+    """Return colors as bytes (RGB), by a table that is accurate to rounding."""
     return _core._shades(values, *limits, table(looks))
 
 
@@ -104,7 +104,7 @@ def table(looks: Looks) -> npt.NDArray[np.uint8]:
 
 @lru_cache(maxsize=4)
 def _table(keys: tuple[Shade, ...]) -> npt.NDArray[np.uint8]:
-    """Return a color for what is below the range, colors of steps in it, and one for what is above."""
+    """Return a color for values below the range, colors of steps within it, and a color for values above."""
     parts: FloatArray = np.arange(-1.0, STEPS + 2) / STEPS
     return np.round(255 * np.clip(_colored(parts, keys)[:, :3], 0, 1)).astype(np.uint8)
 

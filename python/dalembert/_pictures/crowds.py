@@ -24,20 +24,20 @@ RIGID = ("RigidBody", "RigidBody2D", "MassPoint", "MassPoint2D", "Mass1D", "Rota
 Item = dict[str, Any]
 
 
-MANY = 200  # items of a kind: from there on, those that look alike are taken together
+MANY = 200  # number of items of a kind from which on items with equal appearance are grouped
 KINDS = ("Node", "Object")
 
 
 @dataclass
 class Group:
-    """Items that look alike, of which one is known."""
+    """Items of equal appearance, represented by one of them."""
 
     first: Item
     numbers: IntArray
 
 
 def groups(places: Places, kind: str, count: int) -> list[Group]:
-    """Return the groups of items that look alike and have a frame, of those kinds that have many."""
+    """Return the groups of items with equal appearance and a frame, for kinds with many items."""
     if kind not in KINDS or count < MANY or places.source is None:
         return []
     first, turning = places.source.alike(KINDS.index(kind)), places.turning(kind)
@@ -64,7 +64,7 @@ class Members:
 
 @contextmanager
 def _without_collector() -> Iterator[None]:
-    """Look for no garbage while very much is made that is none: all of it would be looked at again and again."""
+    """Disable the garbage collector while very many objects are created, which it would inspect repeatedly."""
     was_on = gc.isenabled()
     gc.disable()
     try:
@@ -97,7 +97,7 @@ class Crowd:
         return (self._takes_bodies if kind == "Object" else self._takes_nodes)(item, numbers, items)
 
     def _items(self, kind: str, item: Item, numbers: IntArray) -> IntArray:
-        """Put items of which the scene has none yet into it; return their positions."""
+        """Add items that the scene does not have yet; return their positions."""
         with _without_collector():
             names = self._pen.places.source.names(KINDS.index(kind), numbers)
             of_type = repeat(item[f"{kind.lower()}Type"])

@@ -33,12 +33,12 @@ def Draw(
 ) -> PillowImage:
     """Return a picture of the system as it is visualized; before Assemble(), of its reference configuration.
 
-    Notebooks show it by themselves; `fileName` (.png, .jpg, .webp) saves it. `view` is 'front' (x to the right, y up),
+    Notebooks show it automatically; `fileName` (.png, .jpg, .webp) saves it. `view` is 'front' (x to the right, y up),
     'back', 'left', 'right', 'top', 'bottom', 'axonometric', or a rotation matrix with the rows right, up, towards the
-    viewer; without one, it is that of SC.renderer.SetModelView, or what suits the system. `windowSize` are width and
+    viewer; the default is that of SC.renderer.SetModelView, or a view that fits the system. `windowSize` are width and
     height in pixels; `zoom` > 1 shows things larger; `around` is an object, or a list of objects, in the middle of the
-    picture, by index or name; otherwise, the camera follows the marker of view0.camera.trackMarker. Sizes, colors and
-    what is shown: SC.visualizationSettings.
+    picture, by index or name; otherwise, the camera follows the marker of view0.camera.trackMarker.
+    SC.visualizationSettings has sizes, colors and visibility.
     """
     from PIL import Image as Pillow
 
@@ -75,11 +75,11 @@ def DrawSolution(
     windowSize: Any = None,
     zoom: float = 1.0,
 ) -> None:
-    """Make a film of a solution (of LoadSolutionFile), or of that of the last simulation if solution is None.
+    """Make a film of a solution (from LoadSolutionFile), or of the last simulation if solution is None.
 
     A `fileName` with .gif or .webp needs nothing else, .mp4 the program ffmpeg; a name with a % such as
     'images/frame%05d.png' gives numbered images. `speed` is the time of the solution that passes in a second.
-    View, size and zoom are those of Draw(); the camera stands where it sees the whole motion, or follows the marker of
+    View, size and zoom are those of Draw(); the camera shows the whole motion, or follows the marker of
     visualizationSettings.view0.camera.trackMarker.
     """
     from pathlib import Path

@@ -30,7 +30,7 @@ def save_image(image: Image, name: str | Path) -> None:
 
 
 def check_image_name(name: str | Path, where: str = "fileName") -> None:
-    """Refuse names that are none of images."""
+    """Raise an error for names that are not image files."""
     if Path(name).suffix.lower() not in Pillow.registered_extensions():
         raise ValueError(f"{where}: {str(name)!r} does not end as images do; give it the ending .png, .jpg or .webp")
 
@@ -60,12 +60,12 @@ def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
 
 
 def _palette(frame: Pillow.Image) -> Pillow.Image:
-    """Return the colors of a film; what fills most of the image, its background, is exact."""
+    """Return the colors of a film; the color of the background is exact."""
     palette = frame.quantize(255, method=Pillow.Quantize.MEDIANCUT)
     colors, counts = np.unique(np.asarray(frame).reshape(-1, 3), axis=0, return_counts=True)
     background = colors[counts.argmax()].astype(int)
     chosen = np.array((palette.getpalette() or [])[: 3 * 255]).reshape(-1, 3)
-    chosen[np.abs(chosen - background).max(axis=1) < 8] = background  # Pillow does not tell closer ones apart
+    chosen[np.abs(chosen - background).max(axis=1) < 8] = background  # Pillow does not distinguish closer colors
     palette.putpalette([*chosen.ravel().tolist(), *background.tolist()])
     return palette
 
@@ -91,8 +91,8 @@ def make_video(
     if (program := shutil.which("ffmpeg")) is None:
         raise FileNotFoundError(f"{where} the program ffmpeg is not installed, or not in the search path")
     command = [program, "-y", "-framerate", f"{rates[0]:g}", "-start_number", str(first), "-i"]
-    command += [os.path.join(".", pattern)]  # which is no option
-    even = "crop=trunc(iw/2)*2:trunc(ih/2)*2"  # as the format needs it
+    command += [os.path.join(".", pattern)]  # a leading "-" would be an option
+    even = "crop=trunc(iw/2)*2:trunc(ih/2)*2"  # required by the format
     command += ["-vcodec", "libx264", "-crf", str(quality), "-vf", f"fps={rates[1]:g},{even},format=yuv420p"]
     command += [] if count is None else ["-frames:v", str(count)]
     texts: dict[str, Any] = {"capture_output": True, "text": True, "errors": "replace"}
@@ -102,7 +102,7 @@ def make_video(
 
 
 def check_name(path: Path, where: str) -> None:
-    """Refuse, before anything is drawn, names that are none of films, and videos where there is no ffmpeg."""
+    """Raise an error, before anything is drawn, for invalid film names, and for videos without ffmpeg."""
     if path.suffix.lower() not in (*ANIMATIONS, *VIDEOS):
         raise ValueError(
             f"{where}: {str(path)!r} does not end as films do; give it the ending .gif, .webp or .mp4, "

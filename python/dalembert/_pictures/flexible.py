@@ -20,7 +20,7 @@ from dalembert._pictures.scene import Source
 Item = dict[str, Any]
 NO_EDGES: IntArray = np.empty((0, 2), int)
 LINE_WIDTH = 3.0  # pixels, of beams whose section nobody has given
-FEW = 50  # nodes of a body without a mesh, between which lines can be told apart
+FEW = 50  # nodes of a body without a mesh, between which lines are distinguishable
 
 
 def _stations(pen: Pen, length: float) -> FloatArray:
@@ -138,7 +138,7 @@ def beam(pen: Pen, colors: Contour, number: int, item: Item) -> None:
 
 
 def _section(geometry: Any) -> FloatArray | None:
-    """Return the polygon of a section, in the y and z axes of the beam; None if there is none."""
+    """Return the polygon of a section, in the y and z axes of the beam; None if it has no polygon."""
     if geometry is None:
         return None
     if geometry.crossSectionType == CrossSectionType.Circular and geometry.crossSectionRadiusY > 0:
@@ -205,14 +205,14 @@ def _slab(corners: FloatArray, thickness: FloatArray) -> Mesh:
 
 
 class MeshBodies:
-    """Draws bodies with mesh nodes; what belongs to the mesh alone is found once."""
+    """Draws bodies with mesh nodes; data of the mesh is computed once."""
 
     def __init__(self, mbs: Any) -> None:
         self.mbs = mbs
-        self._known: dict[int, tuple[IntArray, IntArray, IntArray]] = {}  # what was given, triangles and edges
+        self._known: dict[int, tuple[IntArray, IntArray, IntArray]] = {}  # given mesh, triangles and edges
 
     def draw(self, pen: Pen, colors: Contour, number: int, item: Item) -> None:
-        """Draw the triangles of the mesh, deformed; without them its nodes, and lines where stiffness couples them."""
+        """Draw the deformed triangles of the mesh or, if there are none, its nodes and lines between coupled nodes."""
         default = rgba(pen.looks.setting("bodies.defaultColor"))
         shapes = user_shapes(self.mbs, number, item, default, f"object {number} '{item['name']}'")
         graphics_data.draw(pen, shapes, np.zeros(3), np.eye(3))
@@ -295,7 +295,7 @@ def _coupled(pen: Pen, item: Item) -> IntArray:
 
 
 def _reference_points(pen: Pen, item: Item) -> FloatArray | None:
-    """Return the mesh as it was given, before the system is assembled: in the frame of its first node."""
+    """Return the undeformed mesh in the frame of its first node, before the system is assembled."""
     points = np.asarray(item["referencePositions"], float).reshape(-1, 3)
     frame = pen.places.frame(item["nodeNumbers"][0])
     return frame[0] + points @ frame[1].T if len(points) and frame is not None else None

@@ -1,9 +1,9 @@
-"""Scenes one after the other, of which all that keeps its shape is moved as arrays, and the rest drawn again.
+"""Incremental scenes: rigid parts are moved as arrays, and the rest is drawn again.
 
-Drawing code says to which frame of an item its parts stick (Pen.stick): that of a node, an object or a marker, its
-place alone, or the span between two markers. The first scene is drawn item by item; from then on, parts that stick are
-where their frames are, times where they stand in them: _MovingParts finds all of them at once. What changes its shape
-or its color need not be drawn again for pages either if its source tells points and numbers (scene.Source).
+Drawing code attaches its parts to a frame of an item (Pen.stick): that of a node, an object or a marker, its position
+only, or the span between two markers. The first scene is drawn item by item; later poses of attached parts are the
+product of their frame and their relative pose: _MovingParts computes all of them at once. Parts that change their shape
+or color need not be drawn again for the viewer if their source provides points and numbers (scene.Source).
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ SMALL = 30
 
 
 class Sent(NamedTuple):
-    """An array of a message: where parts are, or points and colors of one that changes."""
+    """An array of a message: poses of parts, or points and colors of a changing part."""
 
     form: str  # empty: it stays as it is
-    group: int = -1  # of moving parts
-    item: int = -1  # which tells points, or the number that is a color
-    numbers: FloatArray = np.zeros(0)  # one for each part; points of a ball from its middle
+    group: int = -1  # group of moving parts
+    item: int = -1  # provides points, or the number that becomes a color
+    numbers: FloatArray = np.zeros(0)  # one per part; points of a ball relative to its center
 
 
 class Flow:
@@ -43,7 +43,7 @@ class Flow:
         self._maker, self._changes = maker, maker.changes()
         self._parts: Any = None  # _MovingParts
         self._complete = False
-        self._extent = 0.0  # of the places of all frames, at first
+        self._extent = 0.0  # extent of the positions of all frames, initially
 
     def forget(self) -> None:
         """Draw everything again next time: items or settings have changed."""
@@ -59,19 +59,19 @@ class Flow:
             return self._begin(configuration)
 
     def _found(self, configuration: ConfigurationType) -> list[FloatArray] | None:
-        """Return where the parts of all groups are; None if they cannot follow."""
+        """Return the poses of the parts of all groups; None if they cannot be updated."""
         if self._parts is None or not self._parts.find(configuration):
             return None
         found = [self._parts.placed(group) for group in range(len(self._herds) + 3)]
         return None if any(rows is None for rows in found) else found
 
     def moving(self) -> Any:
-        """Return the _MovingParts of all that moves; None if something else is drawn anew in each scene."""
+        """Return the _MovingParts of all moving parts; None if other parts are drawn anew in each scene."""
         self._forget_what_has_changed()
         return self._parts if self._complete else None
 
     def sent(self) -> list[Sent]:
-        """Return what pages are told of the parts, array by array."""
+        """Return the data of the parts for the viewer, array by array."""
         herds = [Sent("turns" if self._is_small(mesh) else "rows", group) for mesh, *_, group in self._herds]
         changing = [sent for part in self._changing for sent in self._sent_of(part)]
         balls, threads, labels = self._balls[-1], self._threads[-1], self._labels[-1]
@@ -79,7 +79,7 @@ class Flow:
         return [*herds, *changing, *others, Sent("place", labels)]
 
     def _sent_of(self, part: Instance) -> list[Sent]:
-        """Return points and colors of what changes its shape, or its color."""
+        """Return points and colors of a part that changes its shape or color."""
         kind, number = part.source or ("", -1)
         if kind == "mesh":
             points = Sent(kind, item=number)
@@ -88,11 +88,11 @@ class Flow:
         return [points] if part.values is None else [points, Sent("shades")]
 
     def keep(self, entries: list[tuple[Any, ...]]) -> None:
-        """Tell the _MovingParts what pages have, beside what sent() returns."""
+        """Store the state of the viewer in the _MovingParts, in addition to the result of sent()."""
         self._parts.keep(entries, self._maker.rule_of_colors(), self._maker.source.modal_meshes)
 
     def range_was(self, limits: tuple[float, float]) -> None:
-        """Remember the range of the colors that pages have been told."""
+        """Store the range of colors that the viewer has."""
         self._maker.range_was(limits)
 
     def _is_small(self, mesh: Mesh) -> bool:
@@ -106,7 +106,7 @@ class Flow:
             self.forget()
 
     def _begin(self, configuration: ConfigurationType) -> Scene:
-        """Draw everything, and note what sticks to what."""
+        """Draw everything, and record attachments."""
         self.forget()
         scene, pen = self._maker.draw(configuration, crowded=True)
         if pen is None or pen.places.source is None:
@@ -127,7 +127,7 @@ class Flow:
         return scene if found is None else self._moved(self._maker.places_again(configuration), found)
 
     def _sort(self, scene: Scene, pen: Pen, all_parts: Any) -> None:
-        """Keep where parts stand in the frames that they stick to; items with parts that stick to none are loose."""
+        """Store the relative poses of attached parts; items with unattached parts are drawn again."""
         stuck, self._items = pen.stuck, scene.items
         loose = {part.item for part, frame in zip(scene.instances, stuck.instances, strict=True) if frame < 0}
         loose |= {part.item for part in scene.instances if part.values is not None}
@@ -202,7 +202,7 @@ class Flow:
         return scene
 
     def _is_told(self, part: Instance) -> bool:
-        """Return whether messages can have what is drawn of a part."""
+        """Return whether messages can describe a part."""
         return part.source is not None and (part.source.kind == "mesh" or part.item in self._seats)
 
 

@@ -1,7 +1,7 @@
 """mbs.SaveGLB(): a motion as binary glTF 2.0, which Blender, browsers and presentations open.
 
-Meshes that keep their shape are nodes whose translation, rotation and scale are animated; what is deformed has a morph
-target for each frame. Reference: the glTF 2.0 specification of the Khronos Group (ISO/IEC 12113:2022).
+Rigid meshes are nodes whose translation, rotation and scale are animated; deformed meshes have a morph target for each
+frame. Reference: the glTF 2.0 specification of the Khronos Group (ISO/IEC 12113:2022).
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 FLOAT, UINT, BYTE = 5126, 5125, 5121  # componentType
 ARRAY, ELEMENTS = 34962, 34963  # target of a bufferView
 LINES, TRIANGLES = 1, 4  # mode of a primitive
-STILL = 1e-7  # of the largest number: less is no motion
+STILL = 1e-7  # relative to the largest number: smaller changes count as rest
 
 
 def SaveGLB(
@@ -36,9 +36,9 @@ def SaveGLB(
     framesPerSecond: float = 25,
     speed: float = 1.0,
 ) -> None:
-    """Save the motion of a solution (of LoadSolutionFile), or of that of the last simulation, as animated glTF (.glb).
+    """Save the motion of a solution (from LoadSolutionFile), or of the last simulation, as animated glTF (.glb).
 
-    Without any solution, the file has the system as it is visualized. `speed` is the time of the solution that passes
+    If there is no solution, the file has the visualization state. `speed` is the time of the solution that passes
     in a second. Colors of a contour are those of the first frame.
     """
     from dalembert._pictures.motion import Motion
@@ -62,7 +62,7 @@ class Exporter:
         self._meshes: list[dict[str, Any]] = []
         self._materials: dict[Rgba, int] = {}
         self._known: dict[tuple[int, Any], int] = {}
-        self._kept: list[Mesh] = []  # as long as meshes are known by their id
+        self._kept: list[Mesh] = []  # kept alive, because meshes are identified by their id
         self._channels: list[dict[str, Any]] = []
         self._samplers: list[dict[str, Any]] = []
         self._nodes: list[dict[str, Any]] = []
@@ -93,7 +93,7 @@ class Exporter:
     def _material(self, color: Rgba) -> int:
         return self._materials.setdefault(color, len(self._materials))
 
-    # ---- what is drawn
+    # ---- drawn parts -------------------------------------------------------------------------------------------------
 
     def _mesh(self, mesh: Mesh, color: Rgba | None, shades: FloatArray | None = None) -> int:
         key = (id(mesh), color)
@@ -155,7 +155,8 @@ class Exporter:
         self._names = names
         for where, history in parts.items():
             first = history[0][1]
-            alike: dict[int, list[tuple[int, Instance]]] = defaultdict(list)  # by the mesh that a part has, for a while
+            # temporarily grouped by the mesh of the part
+            alike: dict[int, list[tuple[int, Instance]]] = defaultdict(list)
             for number, part in history:
                 alike[id(part.mesh)].append((number, part))
             is_one_form = all(p.mesh.points.shape == first.mesh.points.shape for _, p in history)

@@ -24,7 +24,7 @@ from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import frame_along
 from dalembert.graphics import material
 
-Shape = tuple[str, Any, Any]  # kind, what, and its color or size
+Shape = tuple[str, Any, Any]  # kind, geometry, and its color or size
 NEEDED = {
     "TriangleList": ("points", "triangles"),
     "Line": ("data",),
@@ -35,18 +35,18 @@ NEEDED = {
 
 @dataclass
 class Known:
-    """Meshes that have been read: by what they are made of, and by the dictionary that they are from."""
+    """Cache of meshes: by their contents, and by their dictionary."""
 
     meshes: dict[tuple[bytes, ...], Mesh] = field(default_factory=dict)
     entries: dict[int, tuple[dict[str, Any], Mesh]] = field(
         default_factory=dict
-    )  # by id, which stays that of the first
+    )  # by id, which remains that of the first
 
 
 def shapes(data: Any, default: Rgba, owner: str, known: Known | None = None) -> list[Shape]:
-    """Return shapes of a list of graphics data; ValueError that names the owner for what cannot be drawn.
+    """Return shapes of a list of graphics data; raises ValueError with the owner for invalid data.
 
-    What is equal to a mesh that is `known` becomes the same mesh.
+    Data equal to a `known` mesh returns the same mesh.
     """
     known = known or Known()
     if not isinstance(data, (list, tuple)) or not all(isinstance(entry, dict) for entry in data):
@@ -101,7 +101,7 @@ def _mesh(entry: dict[str, Any], default: Rgba, where: str) -> Mesh:
 
 
 def _materials(colors: FloatArray) -> IntArray | None:
-    """Return the materials that colors name in the place of their opacity, as in Mesh; None if there are none."""
+    """Return the materials that replace the opacity of colors, as in Mesh; None if there are none."""
     named = colors[:, 3] >= material.indexBase
     if not named.any():
         return None
@@ -110,7 +110,7 @@ def _materials(colors: FloatArray) -> IntArray | None:
 
 
 def draw(pen: Pen, all_shapes: list[Shape], place: FloatArray, rotation: FloatArray, values: Any = None) -> None:
-    """Draw shapes in a frame; values(points) gives the numbers that are shown as colors, or None."""
+    """Draw shapes in a frame; values(points) returns the numbers for colors, or None."""
     for kind, what, look in all_shapes:
         if kind == "mesh":
             pen.mesh(what, place, rotation, None, None if values is None else values(what.points))

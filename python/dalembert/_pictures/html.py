@@ -22,10 +22,10 @@ def SaveHTML(
     view: Any = None,
     title: str = "",
 ) -> None:
-    """Save the motion of a solution (of LoadSolutionFile), or of that of the last simulation, as a page in one file.
+    """Save the motion of a solution (from LoadSolutionFile), or of the last simulation, as a single HTML file.
 
-    The page needs neither a network nor this package: it plays, scrubs, turns, zooms, and names items under the mouse.
-    Without any solution, it shows the system as it is visualized. `speed` is the time of the solution that passes in a
+    The file needs neither a network nor this package: it plays, rotates, zooms, and names items under the mouse.
+    If there is no solution, it shows the visualization state. `speed` is the time of the solution that passes in a
     second, `view` that of Draw(); settings are those of SC.visualizationSettings.
     """
     from dalembert._pictures.motion import Motion
@@ -40,9 +40,9 @@ def SaveHTML(
 
 
 def page(motion: Motion | Still, words: dict[str, Any]) -> str:
-    """Return the page of a motion; words: its title, whether it plays when it is opened, and begins again at its end.
+    """Return the HTML of a motion; words: its title, whether it plays when it is opened, and whether it repeats.
 
-    Texts of the model are in its data, packed; none becomes a part of the page.
+    Texts of the model are in its packed data, not in the HTML code.
     """
     folder = Path(__file__).parent / "page"
     text = (folder / "page.html").read_text("utf-8").replace("@STYLE@", (folder / "style.css").read_text("utf-8"))
@@ -62,7 +62,7 @@ def _base64(data: bytes) -> str:
 
 
 def page_of_state(container: Any) -> str:
-    """Return a page of what is visualized now, of all systems of a container."""
+    """Return the HTML of the visualization state of all systems of a container."""
     from dalembert._pictures.motion import Still
 
     return page(Still(container), {"title": "dalembert", "plays": False, "again": False})

@@ -1,4 +1,4 @@
-"""Sizes and colors of what is drawn: those of the item, of the settings, or in proportion to the scene."""
+"""Sizes and colors: those of the item, of the settings, or in proportion to the scene."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def clip(view: Any) -> list[float]:
     return [*(float(x) for x in view.camera.clippingPlaneNormal), float(view.camera.clippingPlaneDistance)]
 
 
-MOST_WINDINGS = 500  # of a spring: more cannot be told apart
+MOST_WINDINGS = 500  # larger numbers are not distinguishable
 
 
 @dataclass
@@ -49,7 +49,7 @@ class Looks:
     _windings: dict[int, int] = field(default_factory=dict)  # by number of the spring
     _slenderness: dict[int, float] = field(default_factory=dict)
     _known: Any = None  # a copy of the settings
-    _kept: dict[str, Any] = field(default_factory=dict)  # what was asked of this copy
+    _kept: dict[str, Any] = field(default_factory=dict)  # cache of derived values
     _keeps: bool = False
 
     @contextmanager
@@ -72,7 +72,7 @@ class Looks:
         return self._kept[path]
 
     def derived(self, name: str, make: Callable[[], Any]) -> Any:
-        """Return what follows from settings alone."""
+        """Return a cached value that depends only on settings."""
         if not self._keeps:
             return make()
         if name not in self._kept:
@@ -80,7 +80,7 @@ class Looks:
         return self._kept[name]
 
     def of_pages(self) -> dict[str, Any]:
-        """Return what pages are told of settings that act on all that is drawn."""
+        """Return the global settings for the viewer."""
         view = self.settings.view0
         return {
             "background": list(self.settings.general.backgroundColor)[:3],
@@ -95,7 +95,7 @@ class Looks:
         return bool(_default(path) == self.setting(path))
 
     def length(self, path: str, part: float) -> float:
-        """Return a length of the settings; as long as nobody has set it, a part of the scene."""
+        """Return a length of the settings; the default is a fraction of the scene size."""
         value = float(self.setting(path))
         return part * self.size if value < 0 or self.is_default(path) else value
 
@@ -104,9 +104,8 @@ class Looks:
         return part * self.size if abs(value - default) < 1e-6 else value
 
     def slenderness(self, number: int, value: float) -> float:
-        """Return for which slenderness a spring is drawn: one of few, the same until it is much longer or shorter.
-
-        It is another one when a span has become another one, to whose length it was rounded at first.
+        """Return the slenderness for drawing a spring: one of a few values, kept until the spring is much longer or
+        shorter.
         """
         known, much = self._slenderness.get(number, 0.0), _core._MovingParts.stretch**0.7
         if not known / much < value < known * much:

@@ -1,4 +1,4 @@
-"""How a scene is made of a system: what is drawn for each item, in which order, and how large."""
+"""Construction of a scene from a system: drawing of each item, order and sizes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from dalembert._pictures.trees import Trees
 TINY = 1e-30  # m, of symbols while the size of the scene is found
 NOTHING = 1e-13  # of coordinates: sizes that are rounding errors
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
-# What has no place in space: its coordinates are those of a controller, a hydraulic circuit or a field.
+# Items without a position in space: their coordinates belong to a controller, a hydraulic circuit or a field.
 WITHOUT_PLACE = {
     "ObjectGenericODE1": "equations of first order have no shape",
     "NodeGenericAE": "algebraic coordinates have no place",
@@ -36,24 +36,24 @@ WITHOUT_PLACE = {
 
 
 class SceneMaker:
-    """Makes scenes of one system, one for each state; what does not change between them is found once.
+    """Makes scenes of one system, one for each state; constant data is computed once.
 
-    Sizes that follow from the size of the system are those of the first scene, so that nothing breathes in a film.
+    Sizes relative to the system use the first scene, so that they do not vary in a film.
     """
 
     def __init__(self, mbs: Any, settings: Any, number: int = 0) -> None:
         """`number`: that of the system in its container."""
         self.mbs, self.looks, self.number = mbs, Looks(settings), number
-        self._range: tuple[float, float] | None = None  # of the colors of the last scene
+        self._range: tuple[float, float] | None = None  # color range of the last scene
         self.bodies, self.meshes, self.trees = Bodies(mbs), flexible.MeshBodies(mbs), Trees(mbs)
-        self.source = _core._ScenePlaces(mbs)  # of the places of all items, once the system is assembled
-        self._items: Parameters = {}  # as they have been since the last of the changes
+        self.source = _core._ScenePlaces(mbs)  # positions of all items of the assembled system
+        self._items: Parameters = {}  # valid since the last change
         self._changes = 0
         self.stored: traces.Stored = lambda sensor: (mbs.GetSensorStoredData(sensor), self.source.stored_frames(sensor))
         self._sized = False
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:
-        """Return the scene in a configuration: what is visualized, or the reference if nothing is assembled."""
+        """Return the scene in a configuration: the visualization state, or the reference before assembly."""
         with self.looks.kept():
             return self.draw(configuration)[0]
 
@@ -84,9 +84,9 @@ class SceneMaker:
         return self._changes
 
     def draw(self, configuration: ConfigurationType | None, crowded: bool = False) -> tuple[Scene, Pen | None]:
-        """Return a scene, and the pen that knows what sticks to what; None if that is of no use.
+        """Return a scene, and the pen with the attachments; None if they are not usable.
 
-        `crowded`: what looks alike may be in the scene as arrays.
+        `crowded`: items with equal appearance may be arrays in the scene.
         """
         self.changes()
         assembled = self.is_assembled()
@@ -120,7 +120,7 @@ class SceneMaker:
         return own and highlight(pen)
 
     def draw_again(self, scene: Scene, places: Places, chosen: list[int]) -> None:
-        """Draw some items of a scene whose list of items is there, and what is drawn anew in each scene."""
+        """Draw some items of a scene with a complete list of items, and all parts that are drawn anew in each scene."""
         pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
         for number in chosen:
             if number != self._trace:
@@ -130,7 +130,7 @@ class SceneMaker:
         self._finish(pen, colors)
 
     def _finish(self, pen: Pen, colors: Contour) -> None:
-        """Draw what belongs to no item, and find time and range of the colors."""
+        """Draw parts without an item, and compute time and range of the colors."""
         scene = pen.scene
         scene.time = float(self.mbs.systemData.GetTime(pen.places.configuration)) if pen.places.source else 0.0
         if self.has_traces():
@@ -161,7 +161,7 @@ class SceneMaker:
         return int(self.looks.setting("sensors.traces.sensorsMbsNumber")) == self.number and traces.wanted(self.looks)
 
     def _find_size(self, places: Places) -> None:
-        """Let the size be that of bodies, of the places of nodes and of what connectors join, without symbols."""
+        """Compute the size from bodies, positions of nodes and ends of connectors, without symbols."""
         self.looks.size = TINY
         rough = Scene()
         pen = Pen(rough, places, self.looks)
@@ -175,7 +175,7 @@ class SceneMaker:
                 left[group.numbers] = False
             elif group.first["objectType"] in RIGID and len(group.numbers):
                 meshes = self.bodies.meshes(pen, int(group.numbers[0]), group.first)
-                if meshes is not None:  # without meshes, they reach to their markers alone
+                if meshes is not None:  # bodies without meshes extend to their markers only
                     left[group.numbers] = False if meshes else self.bodies.with_markers(group.numbers)
                 for mesh in meshes or ():
                     alike.setdefault(id(mesh), (mesh, []))[1].append(group.numbers)

@@ -1,4 +1,4 @@
-"""Triangle meshes: those of graphics data, and unit shapes that are scaled and moved to where an item is."""
+"""Triangle meshes: those of graphics data, and unit shapes that are scaled and moved to the position of an item."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Rgba = tuple[float, float, float, float]
 
 @dataclass(eq=False)
 class Mesh:
-    """Points, triangles and what belongs to them; without normals, triangles are flat. Never changed when made."""
+    """Points and triangles with their data; triangles are flat if there are no normals. Immutable."""
 
     points: FloatArray  # n x 3
     triangles: IntArray  # m x 3
@@ -24,7 +24,8 @@ class Mesh:
     colors: FloatArray | None = None  # n x 4; None: the instance says it
     edges: IntArray = field(default_factory=lambda: np.empty((0, 2), int))  # pairs of points
     edge_color: Rgba = (0.2, 0.2, 0.2, 1.0)
-    materials: IntArray | None = None  # n, for the ray tracer: 0: none; 1 + number; -1 - number: with its own color
+    # one per point, for the ray tracer: 0: default; 1 + number; -1 - number: with its own color
+    materials: IntArray | None = None
     sharp: IntArray | None = None  # see sharp_edges
     extreme: FloatArray | None = None  # see extremes
     is_round: bool = False  # looks the same when it is turned about its z axis
@@ -64,7 +65,7 @@ def sharp_edges(mesh: Mesh) -> IntArray:
         _, first, which, count = np.unique(welded, axis=0, return_index=True, return_inverse=True, return_counts=True)
         total = np.zeros((len(first), 3))
         np.add.at(total, which.ravel(), normals[face])
-        # of two unit normals at an angle x, the sum has the length 2 cos(x / 2)
+        # the sum of two unit normals at an angle x has the length 2 cos(x / 2)
         blunt = (count == 2) & (np.linalg.norm(total, axis=1) > 2 * np.cos(np.radians(15)))
         mesh.sharp = sides[first[~blunt]]
     return mesh.sharp
@@ -120,7 +121,7 @@ def _inside(points: FloatArray, corner: FloatArray) -> bool:
 
 
 def joined(*meshes: Mesh) -> Mesh:
-    """Return one mesh of several; all of them have normals, or none of them."""
+    """Join several meshes; either all of them have normals, or no mesh has."""
     starts = np.cumsum([0, *(len(mesh.points) for mesh in meshes)])[:-1]
     normals = [mesh.normals for mesh in meshes if mesh.normals is not None]
     return Mesh(

@@ -21,7 +21,7 @@ from dalembert.interactive import solution_of_last_simulation
 
 
 class Motion:
-    """Scenes and their camera; the visualized state is afterwards what it was before."""
+    """Scenes and their camera; the visualization state is restored afterwards."""
 
     def __init__(
         self,
@@ -36,9 +36,10 @@ class Motion:
         optional: bool = False,
         every_row: bool = False,
     ) -> None:
-        """Make the scenes; with every_row, one for each row of the solution, and otherwise at equal distances in time.
+        """Make the scenes; every_row makes one for each row of the solution, otherwise they are at equal time
+        intervals.
 
-        `optional`: without a solution, the system as it is visualized is the only scene.
+        `optional`: if there is no solution, the visualization state is the only scene.
         """
         self.rate, speed = (
             as_positive(f"{caller}: framesPerSecond", framesPerSecond),
@@ -47,7 +48,7 @@ class Motion:
         if solution is not None:
             check_solution(caller, solution)
         self.studio = Studio(mbs.GetSystemContainer(), [mbs])
-        self._tracked: list[Any] = []  # what the camera follows, for each scene
+        self._tracked: list[Any] = []  # pose that the camera follows, per scene
         self.size = size or self.studio.size(0)
         try:
             data = solution_of_last_simulation(mbs, caller) if solution is None else solution
@@ -101,7 +102,7 @@ class Motion:
 
 
 class Still:
-    """What is visualized of all systems of a container, as the only scene of a motion."""
+    """The visualization state of all systems of a container, as the only scene of a motion."""
 
     def __init__(self, container: Any, size: tuple[int, int] = (1024, 768)) -> None:
         studio = Studio(container)

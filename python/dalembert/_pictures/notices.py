@@ -1,4 +1,4 @@
-"""Words for settings that are not at their defaults and change nothing of what is made: once for each of them."""
+"""Warnings for changed settings without effect, once for each of them."""
 
 from __future__ import annotations
 

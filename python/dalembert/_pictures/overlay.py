@@ -1,4 +1,4 @@
-"""What lies on top of a picture: texts, the axes of the global frame in a corner, the bar of colors."""
+"""Overlay of a picture: texts, the axes of the global frame in a corner, the color bar."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ def _add_axes(canvas: Pillow.Image, camera: Camera, looks: Looks, size: float) -
 
 
 def numbers_of_bar(low: float, high: float, digits: int) -> list[str]:
-    """Return the numbers beside the bar of colors, from below; what rounding leaves of zero is zero."""
+    """Return the numbers of the color bar, from bottom to top; round-off of zero is shown as zero."""
     numbers = low + (high - low) * np.arange(7) / 6
     numbers[np.abs(numbers) < 1e-9 * max(abs(low), abs(high))] = 0.0
     return [f"{number:.{digits}g}" for number in numbers]

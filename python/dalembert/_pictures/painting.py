@@ -1,4 +1,4 @@
-"""From a scene and a camera to an image: faces, lines and spheres by the core, texts and what lies on top by Pillow."""
+"""Rendering of a scene: the core draws faces, lines and spheres, Pillow draws texts and overlays."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ from dalembert._pictures.meshes import Rgba
 from dalembert._pictures.scene import Faces, Scene, faces, mesh_edges
 
 Image = npt.NDArray[np.uint8]
-# Where light0 and light1 come from unless their position is set: right, up, towards the viewer, with whom they turn.
+# Default directions of light0 and light1 in camera coordinates: right, up, towards the viewer.
 LIGHTS = ((-0.5, 0.8, 1.1), (0.9, 0.1, 0.6))
-LIFT = 3e-3  # of lines towards the viewer, as part of the height of the picture
+LIFT = 3e-3  # offset of lines towards the viewer, relative to the height of the picture
 
 
 def paint(
     scene: Scene, camera: Camera, looks: Looks, view: Any, size: tuple[int, int], decorated: bool = True
 ) -> Image:
-    """Return an image (height x width x 3); view: its settings. Decorated: with axes, texts and bar of colors."""
+    """Return an image (height x width x 3); view: its settings. Decorated images have axes, texts and a color bar."""
     image = _drawn(scene, camera, looks, view, size).develop()
     return overlay.add(image, scene, camera, looks, view) if decorated else image
 
 
 def items(scene: Scene, camera: Camera, looks: Looks, view: Any, size: tuple[int, int]) -> npt.NDArray[np.int32]:
-    """Return for each pixel the position of its item in scene.items; -1 where there is none."""
+    """Return the position in scene.items of each pixel's item; -1 for background."""
     picture = _drawn(scene, camera, looks, view, size, samples=1)
     picture.develop()
     return picture.items()
@@ -93,7 +93,7 @@ def _set_background(picture: Any, looks: Looks) -> None:
 
 
 def clipping_plane(camera: Camera, view: Any) -> list[float] | None:
-    """Return the plane beyond which nothing is seen, on the side to which its normal points; None if there is none."""
+    """Return the clipping plane, which hides the side of its normal; None if there is none."""
     normal = np.asarray(view.camera.clippingPlaneNormal, float)
     if not normal.any():
         return None

@@ -1,4 +1,4 @@
-"""What items are drawn with: shapes at places, added to a scene in the name of the item."""
+"""Drawing functions: they add shapes at positions to a scene, with the item as owner."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from dalembert._pictures.scene import DrawnItem, Instance, Label, Scene, Source
 
 RED, GREEN, BLUE = (0.85, 0.15, 0.15, 1.0), (0.15, 0.65, 0.2, 1.0), (0.2, 0.35, 0.9, 1.0)
 
-# Springs of few objects are round; of many, they have fewer corners per winding and around the wire, or are lines.
+# Numbers of springs from which on springs have fewer corners per winding and around the wire, or are lines.
 CROWD = (100, 500, 2000)
 QUALITY = ((16, 8), (12, 5), (8, 3))
 
@@ -26,7 +26,7 @@ FRAMES = {kind: number for number, kind in enumerate(_core._MovingParts.kinds)}
 
 
 class Frames:
-    """To which parts stick: kind, number, and the second marker of a span; -1 for the others."""
+    """Frames of attached parts: kind, number, and the second marker of a span; -1 for other kinds."""
 
     def __init__(self) -> None:
         self._known: dict[tuple[str, int, int], int] = {}
@@ -57,12 +57,12 @@ class Frames:
 
 @dataclass
 class Stuck:
-    """To which frames the parts of a scene stick, in their order; -1: none."""
+    """Frames of the parts of a scene, in their order; -1: unattached."""
 
     instances: list[int] = field(default_factory=list)
     spheres: list[int] = field(default_factory=list)
     lines: list[int] = field(default_factory=list)
-    labels: list[tuple[int, int]] = field(default_factory=list)  # of which item, and the frame
+    labels: list[tuple[int, int]] = field(default_factory=list)  # item and frame
     herds: list[IntArray] = field(default_factory=list)
     balls: IntArray = field(default_factory=lambda: np.empty(0, int))
 
@@ -79,15 +79,15 @@ class Pen:
         self.stuck = Stuck()
 
     def stick(self, kind: str = "", number: int = -1, turns: bool = True) -> None:
-        """Let what is drawn from now on keep its place in the frame of an item; without a kind, or a frame, in none.
+        """Attach parts drawn from now on to the frame of an item; no kind, or no frame, means unattached.
 
-        Without `turns`, it moves with the item and does not turn with it.
+        If `turns` is not set, they move with the item and do not rotate.
         """
         there = bool(kind) and (self.places.turns if turns else self.places.stands)(kind, number)
         self._key = (kind if turns else f"{kind}Place", int(number), -1) if there else None
 
     def stick_between(self, begin: int, end: int) -> None:
-        """Let what is drawn from now on reach from one marker to another."""
+        """Attach parts drawn from now on to the span between two markers."""
         there = self.places.stands("Marker", begin) and self.places.stands("Marker", end)
         self._key = ("Span", int(begin), int(end)) if there else None
 
@@ -132,7 +132,7 @@ class Pen:
         self.stuck.instances.append(self._frame())
 
     def sphere(self, center: FloatArray, radius: float, color: Rgba) -> None:
-        """Add a sphere; those that are seen through are meshes."""
+        """Add a sphere; transparent spheres are meshes."""
         if radius <= 0:
             return
         if color[3] < 1:

@@ -1,4 +1,4 @@
-"""Where things are: positions and rotations of nodes, bodies and markers in one configuration."""
+"""Positions and rotations of nodes, bodies and markers in one configuration."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType
 
-Parameters = dict[tuple[str, int], dict[str, Any]]  # by kind and number of an item
+Parameters = dict[tuple[str, int], dict[str, Any]]  # key: kind and number of an item
 KINDS = ("Node", "Object", "Marker")
 ORIGIN = (0.0, 0.0, 0.0)
 frame_along = _core._frame_along
@@ -20,7 +20,7 @@ Position, RotationMatrix = OutputVariableType.Position, OutputVariableType.Rotat
 
 
 class Places:
-    """Asks a system for outputs; None where an item has no place, or no orientation."""
+    """Queries outputs of a system; None if an item has no position, or no orientation."""
 
     def __init__(
         self,
@@ -30,10 +30,9 @@ class Places:
         items: Parameters | None = None,
         coarse: bool = False,
     ) -> None:
-        """`source`, a _ScenePlaces of an assembled system, tells where all items of a kind are at once.
+        """`source`, a _ScenePlaces of an assembled system, computes the poses of all items of a kind at once.
 
-        `items` are parameters that are known already, and those that are asked for. `coarse`: points of meshes may be
-        in single precision, as pages get them.
+        `items` are cached parameters. `coarse`: points of meshes may have single precision, as in the viewer.
         """
         self._coarse = coarse
         self.mbs, self.configuration, self.source = mbs, configuration, source
@@ -43,9 +42,9 @@ class Places:
         self._turns: dict[str, list[bool]] = {}
 
     def rows(self, kind: str) -> FloatArray | None:
-        """Return rotation and position (n x 3 x 4) of all nodes, objects or markers, nan where there is none.
+        """Return rotation and position (n x 3 x 4) of all nodes, objects or markers, nan if undefined.
 
-        None if the system does not tell: it is not assembled.
+        None if the system is not assembled.
         """
         if self.source is None:
             return None
@@ -87,7 +86,7 @@ class Places:
         return self.items[key]
 
     def forget(self, kind: str, number: int) -> None:
-        """Keep the parameters of an item no longer: of very many, they would fill the memory."""
+        """Remove the parameters of an item from the cache, which would become too large."""
         self.items.pop((kind, number), None)
 
     def _asked(self, method: str, number: int, variable: Any, *arguments: Any) -> FloatArray | None:
@@ -99,7 +98,7 @@ class Places:
         return array if math.isfinite(array.dot(array)) else None
 
     def node(self, number: int) -> FloatArray | None:
-        """Return the position of a node; that of its body if it has none itself."""
+        """Return the position of a node; that of its body if it has no position."""
         if (place := self._place("Node", int(number))) is not None:
             return place
         if (place := self._asked("GetNodeOutput", number, Position)) is not None:
@@ -109,7 +108,8 @@ class Places:
         return None if body is None else self.body(body)
 
     def frame_of_output(self, node: int) -> tuple[FloatArray, FloatArray] | None:
-        """Return position and rotation of the frame in whose components a node tells its outputs; None: global ones."""
+        """Return position and rotation of the frame in whose components a node has its outputs; None for global
+        ones."""
         return self._frame_of_node(node) if self._is_moved(node) else None
 
     def _is_moved(self, node: int) -> bool:
@@ -145,7 +145,7 @@ class Places:
         return self._asked("GetObjectOutputSuperElement", number, variable, int(mesh_node))
 
     def mesh_outputs(self, number: int, variable: Any) -> FloatArray | None:
-        """Return an output of all mesh nodes of a super element, row by row; None if it has none of its own."""
+        """Return an output of all mesh nodes of a super element, row by row; None if it has no mesh of its own."""
         if self.source is None:
             return None
         found = self.source.mesh(int(number), variable, self.configuration)
@@ -187,13 +187,13 @@ class Places:
         kind, owner = self._owner(number)
         if kind == "Node":
             return self.node(owner)
-        # Markers are on bodies; one on a connector, which Assemble refuses, might lead back to itself.
+        # Markers are on bodies; a marker on a connector, which Assemble rejects, could cause an infinite recursion.
         if kind == "Object" and "markerNumbers" not in self.item("Object", owner):
             return self.object(owner)
         return None
 
     def _owner(self, marker: int) -> tuple[str, int]:
-        """Return what a marker is on."""
+        """Return the carrier of a marker."""
         parameters = self.item("Marker", marker)
         if "nodeNumber" in parameters:
             return "Node", int(parameters["nodeNumber"])
@@ -203,7 +203,7 @@ class Places:
         return ("Object", int(parameters["bodyNumbers"][0])) if "bodyNumbers" in parameters else ("", -1)
 
     def seat(self, marker: int) -> tuple[str, int]:
-        """Return with which item a marker moves: itself, or what it is on if it stands for coordinates or a mass."""
+        """Return the item that moves with a marker: itself, or its carrier if it refers to coordinates or a mass."""
         return ("Marker", int(marker)) if self.stands("Marker", marker) else self._owner(marker)
 
     def marker_rotation(self, number: int) -> FloatArray:
@@ -215,7 +215,8 @@ class Places:
         return np.eye(3) if matrix is None else matrix
 
     def object(self, number: int) -> FloatArray | None:
-        """Return where an object is: a body its reference point, others the middle of what they join."""
+        """Return the position of an object: the reference point of a body, the middle of the markers of other
+        objects."""
         place = self.body(number)
         if place is not None:
             return place
@@ -229,7 +230,7 @@ class Places:
         return np.mean(known, axis=0) if known else None
 
     def _frame_of_node(self, number: int) -> tuple[FloatArray, FloatArray] | None:
-        """Return position and rotation of the floating frame in which a node of a mesh moves; None if it is in none."""
+        """Return position and rotation of the floating frame of a mesh node; None if it has none."""
         known = self._nodes_in_frames().get(number)
         return None if known is None else self.frame(known[2])
 

@@ -1,4 +1,4 @@
-"""From a scene and a camera to an image by rays: what the settings `raytracer` say of lights, materials and fog."""
+"""Ray tracing of a scene: lights, materials and fog of the settings `raytracer`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.painting import LIGHTS, Image
 from dalembert._pictures.scene import Faces, Scene
 
-MATERIALS = 10  # of the settings
+MATERIALS = 10  # materials of the settings
 DEEPEST = 32  # reflections, and transparent faces
 TOWARDS_EYE = np.array([1.0, 1.0, -1.0])  # right, up, towards the viewer -> right, up, away from the viewer
 
@@ -50,7 +50,7 @@ def paint(scene: Scene, camera: Camera, looks: Looks, view: Any, size: tuple[int
 
 
 def materials_of(container: Any) -> list[Any]:
-    """Return the materials of SC.renderer; where these are as they were made, those of the settings."""
+    """Return the materials of SC.renderer; unchanged ones are replaced by those of the settings."""
     settings, made = container.visualizationSettings.raytracer, _core.GraphicsMaterialList()
     known = container.renderer.materials
     found = [known[i] for i in range(len(known))]
@@ -63,8 +63,9 @@ def materials_of(container: Any) -> list[Any]:
 def lights(camera: Camera, looks: Looks) -> list[Any]:
     """Return lights in eye coordinates.
 
-    Those whose position is the default turn with the viewer; others are fixed to the model, unless useCameraFrame is
-    set, at a place or at infinity. A light casts shadows or not: how dark they are follows from the other lights.
+    Lights with the default position move with the camera; other lights are fixed to the model, unless useCameraFrame is
+    set, at a position or at infinity. Shadows are on or off for each light: their darkness follows from the other
+    lights.
     """
     found, gl, rows = [], looks.setting("openGL"), camera.view()
     for name, usual in (("light0", LIGHTS[0]), ("light1", LIGHTS[1]), ("light2", None), ("light3", None)):
@@ -91,7 +92,7 @@ def _row(material: Any) -> tuple[Any, ...]:
 
 
 def _plain(looks: Looks) -> tuple[Any, ...]:
-    """Return what faces without a material of their own are made of."""
+    """Return the default material of faces."""
     gl = looks.setting("openGL")
     return (np.asarray(gl.materialSpecular, float)[:3], (0.0, 0.0, 0.0), gl.materialShininess, 0.0, 1.0)
 

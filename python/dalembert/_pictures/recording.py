@@ -11,7 +11,7 @@ _last: tuple[weakref.ref[Any], int, float, Studio] | None = None
 
 
 def record(mbs: Any) -> None:
-    """Save an image of what is visualized; called by solvers between two steps."""
+    """Save an image of the visualization state; called by solvers between two steps."""
     studio = _studio_of(mbs)
     scene = studio.scene()
     save_next(studio.settings.exportImages, studio.image(scene, studio.camera(scene)))

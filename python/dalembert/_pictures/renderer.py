@@ -1,4 +1,4 @@
-"""The methods of SC.renderer. What draws is loaded when the first picture is made."""
+"""The methods of SC.renderer. Drawing modules are loaded with the first picture."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def state_of(renderer: Any, number: int) -> dict[str, Any]:
-    """Return what is known of a view; that of view 0 is the state that containers store."""
+    """Return the state of a view; that of view 0 is stored in the container."""
     state: dict[str, Any] = renderer._state
     return state if number == 0 else state.setdefault(f"view{number}", {})
 
@@ -40,7 +40,7 @@ def _view_number(method: str, viewID: Any) -> int:
 
 
 def _viewer(renderer: Any) -> Viewer | None:
-    """Return what shows the systems on pages; None if nothing does. It is not loaded for that."""
+    """Return the running viewer; None if there is none. Does not load its modules."""
     module = sys.modules.get("dalembert._live.viewer")
     container = renderer._container
     return None if module is None or container is None else module.viewer_of(container)
@@ -50,10 +50,10 @@ _noticed = False
 
 
 def Start(self: Any, verbose: int = 0) -> bool:
-    """Open a page in the browser that shows all systems of the container, also while they are being solved.
+    """Open the live viewer in the browser; it shows all systems of the container, also while they are being solved.
 
-    Return False where there is no display, or DALEMBERT_VIEWER=off, or CI is set: nothing waits for a reader there. In
-    notebooks, it is shown below the cell; in terminals of other machines (SSH), the address of the page is printed.
+    Returns False if there is no display, or DALEMBERT_VIEWER=off, or CI is set: no function waits for the viewer then.
+    Notebooks show it below the cell; terminals of other machines (SSH) print its address.
     """
     global _noticed
     from dalembert._pictures.showing import where_pages_open
@@ -97,16 +97,16 @@ def Detach(self: Any) -> bool:
 
 
 def DoIdleTasks(self: Any, waitSeconds: float = -1.0, printPauseMessage: bool = True) -> bool:
-    """Wait until a reader of a page presses space, 'Q' or escape, or closes it; at once if no page is open.
+    """Wait until space, 'Q' or escape is pressed in the viewer, or it is closed; returns at once if no viewer is open.
 
-    With waitSeconds of 0 or more, wait so long at most. Return whether a page is open.
+    A waitSeconds of 0 or more limits the time. Returns whether a viewer is open.
     """
     viewer = _viewer(self)
     return viewer is not None and viewer.idle(float(waitSeconds), printPauseMessage)
 
 
 def EnableView(self: Any, viewID: int, createWindow: bool = True) -> None:
-    """Show a view from 1 to 3 beside the main one on pages, in a window of its own, unless createWindow is False."""
+    """Show an additional view from 1 to 3 in the viewer, in its own window, unless createWindow is False."""
     number = _view_number("EnableView", viewID)
     state_of(self, number)["viewEnabled"] = bool(createWindow)
     _tell_pages(self, number)
@@ -120,7 +120,7 @@ def DisableView(self: Any, viewID: int) -> None:
 
 
 def SendRedrawSignal(self: Any) -> None:
-    """Let pages show what is visualized now; images do so anyway."""
+    """Update the viewer to the visualization state; images are always up to date."""
     viewer = _viewer(self)
     if viewer is not None:
         viewer.redraw()
@@ -129,7 +129,7 @@ def SendRedrawSignal(self: Any) -> None:
 def RedrawAndGetImage(self: Any, useRaytracer: bool = False, viewID: int = 0) -> Image:
     """Return an image, height x width x 3 bytes, of all systems; size, colors and camera are those of the settings.
 
-    With useRaytracer, or the setting of that name of the view, the ray tracer makes it.
+    useRaytracer, or the setting of that name of the view, selects the ray tracer.
     """
     number = _view_number("RedrawAndGetImage", viewID)
     studio = _studio(self, "RedrawAndGetImage")
@@ -184,7 +184,7 @@ def SetModelView(
 
 
 def GetState(self: Any, viewID: int = 0) -> dict[str, Any]:
-    """Return the view: what SetState or SetModelView has said, otherwise what follows from settings and scene.
+    """Return the view: that of SetState or SetModelView, otherwise the default from settings and scene.
 
     A point p is seen at modelRotation.T @ (p - centerPoint): to the right, up, towards the viewer.
     """
@@ -243,9 +243,9 @@ def GetRenderCount(self: Any) -> int:
 
 
 def GetMouseCoordinates(self: Any, useOpenGLcoordinates: bool = False, viewID: int = 0) -> list[float]:
-    """Return where the mouse was last on a page, in pixels from its upper left corner; zeros without a page.
+    """Return the last mouse position in the viewer, in pixels from its upper left corner; zeros without a viewer.
 
-    With useOpenGLcoordinates, in the plane through the center of the view: to the right and up, in m.
+    useOpenGLcoordinates selects coordinates in the plane through the center of the view: right and up, in m.
     """
     viewer = _viewer(self)
     if viewer is None:
@@ -254,9 +254,9 @@ def GetMouseCoordinates(self: Any, useOpenGLcoordinates: bool = False, viewID: i
 
 
 def GetItemSelection(self: Any, resetSelection: bool = True, viewID: int = 0) -> tuple[int, int, int, float]:
-    """Return number of the system, type and number of the item that a reader has clicked, and its distance.
+    """Return number of the system, type and number of the clicked item, and its distance.
 
-    The type is a number of exu.ItemType; without a selection, the result is (-1, -1, -1, 0).
+    The type is a number of exu.ItemType; the result is (-1, -1, -1, 0) if there is no selection.
     """
     viewer = _viewer(self)
     if viewer is None or viewer.selection is None:

@@ -1,11 +1,12 @@
-"""A motion as data for the page: what each scene draws, once, and how it moves, frame by frame.
+"""A motion as data for the HTML file: parts are stored once, and their motion frame by frame.
 
-The data are a JSON head and arrays behind it. What does not change is stored once; what moves as a whole has 12 numbers
-per frame (the rows of x = matrix @ point + place), what is deformed its points. What moves with something else is kept
-as it stands there, without a number per frame (carrying.py); pages find its numbers when they read it. Floats lose the
-last bits that nobody sees; what is left of their bits is a whole number, of which the difference to the one before is
-kept, as numbers of one frame after the other are nearly equal. Bytes are sorted by significance, so that all of it
-packs well.
+The data are a JSON head and arrays behind it. Constant data is stored once; rigid parts have 12 numbers per frame
+(the rows of x = matrix @ point + position), deformed
+parts their points. Parts that move with a carrier store their relative pose, without numbers per frame (carrying.py);
+the
+browser computes the numbers when it reads the file. Floats lose their last, invisible bits; the remaining bits are an
+integer, whose difference to the previous frame is stored, because successive numbers are nearly equal. Bytes are sorted
+by significance for compression.
 """
 
 from __future__ import annotations
@@ -31,8 +32,8 @@ if TYPE_CHECKING:
     from dalembert._pictures.motion import Motion, Still
 
 LARGEST = float(np.finfo(np.float32).max)
-SPARE_BITS = 7  # of 23 of a mantissa: places are right to 1e-5 of their size
-MOST_TEXTS = 1000  # of a scene that pages show
+SPARE_BITS = 7  # of 23 mantissa bits: relative accuracy of positions 1e-5
+MOST_TEXTS = 1000  # texts of a scene that the viewer shows
 NOWHERE = np.full(3, np.nan)
 Key = tuple[int, int]  # item, and how manieth of its parts
 
@@ -57,9 +58,9 @@ class Packer:
         return self._words("f4", np.diff(bits, prepend=bits.dtype.type(0)))
 
     def moving(self, frames: npt.ArrayLike, carried: Callable[[FloatArray], Carried | None] | None = None) -> int:
-        """Keep numbers per frame (frames x numbers), one number after the other; a single frame if nothing changes.
+        """Store numbers per frame (frames x numbers), one number after the other; a single frame if nothing changes.
 
-        `carried` finds what moves with something else.
+        `carried` finds a carrier.
         """
         array = np.asarray(frames, dtype=float)
         if len(array) > 1 and np.ptp(array, axis=0).max(initial=0) <= 1e-7 * max(
@@ -73,9 +74,9 @@ class Packer:
         return self.floats(array.T)
 
     def part(self, frames: FloatArray, carriers: Carriers, is_round: bool) -> int:
-        """Keep a rigid part (frames x rows of matrix and place).
+        """Store a rigid part (frames x rows of matrix and position).
 
-        What moves by itself may carry others, and what does not turn with its body what is beside it.
+        A part without a carrier may carry other parts; a part that does not rotate with its body carries neighbours.
         """
         number = self.moving(frames, lambda rows: carriers.part(rows, is_round))
         entry = self.table[number]
@@ -104,7 +105,7 @@ class Packer:
 
 
 def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
-    """Return the data of a motion, and what else the page is to know."""
+    """Return the data of a motion, and further data of the HTML file."""
     packer, camera, looks = Packer(), motion.camera, motion.looks
     tell_settings_of_pictures(looks.settings)
     scenes = [scene.unbound() for scene in motion.scenes]
@@ -145,7 +146,7 @@ def _limits(scenes: list[Scene]) -> tuple[float, float]:
 
 
 def _labels(packer: Packer, scenes: list[Scene]) -> dict[str, Any]:
-    """Return texts with their places; those that are not in all frames are nowhere in the others."""
+    """Return texts with their positions, which are undefined in frames without the text."""
     frames: list[dict[tuple[Any, int], FloatArray]] = []
     for scene in scenes:
         found: Counter[Any] = Counter()
@@ -200,7 +201,7 @@ def _meshes(
                 rigid[id(known[0].mesh), known[0].color].append((key, history))
             else:
                 result.append(_deformed(packer, key, history, looks, limits))
-    # What is round comes last: it may turn otherwise than the body that it is on, and carries nothing then.
+    # Round parts come last: their rotation may differ from that of their body, so they cannot be carriers.
     groups = ((next(part for part in group[0][1] if part is not None), group) for group in rigid.values())
     for first, group in sorted(groups, key=lambda known: known[0].mesh.is_round):
         entry = _shape(packer, first.mesh, first)
@@ -211,7 +212,7 @@ def _meshes(
 
 
 def _by_form(parts: list[Instance | None]) -> list[list[Instance | None]]:
-    """Return histories of one form each: where the parts have another one, or are none, there is nothing."""
+    """Split histories by form: entries of another form, or missing parts, are None."""
     histories: list[tuple[Instance, list[Instance | None]]] = []
     for number, part in enumerate(parts):
         if part is None:
@@ -295,7 +296,7 @@ def _spheres(packer: Packer, carriers: Carriers, scenes: list[Scene], numbered: 
 
 
 def _lines(packer: Packer, carriers: Carriers, scenes: list[Scene], numbered: list[list[int]]) -> list[dict[str, Any]]:
-    """Return lines; one that gains points on the way, such as a trace, waits at its end with the points to come."""
+    """Return lines; future points of a growing line, such as a trace, coincide with its current end."""
     frames = [
         _keyed([(numbers[item], (points, color)) for points, color, _, item in scene.lines if len(points) > 1])
         for scene, numbers in zip(scenes, numbered, strict=True)

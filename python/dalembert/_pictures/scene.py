@@ -1,4 +1,4 @@
-"""A scene: what is to be drawn, as data, in global coordinates; no item and no camera is known here."""
+"""A scene: drawing data in global coordinates, independent of items and cameras."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ import numpy.typing as npt
 from dalembert._checks import FloatArray, IntArray
 from dalembert._pictures.meshes import Mesh, Rgba, extremes, sharp_edges
 
-BLOCK = 4096  # of many places, looked at together: what is found for them stays in the cache
+BLOCK = 4096  # number of poses processed together: intermediate results stay in the cache
 WIDE = 3.0  # ground that is larger than all the rest by this factor is a floor to stand on
 
 
 class DrawnItem(NamedTuple):
-    """What a part of a picture belongs to."""
+    """The owner of a part of a picture."""
 
     kind: str  # Node, Object, Marker, Load, Sensor, GeneralContact
     number: int
@@ -27,7 +27,7 @@ class DrawnItem(NamedTuple):
 
 
 class Source(NamedTuple):
-    """What tells points and values of an instance, so that messages can have them without drawing it again."""
+    """Source of points and values of an instance, so that messages need not draw it again."""
 
     kind: str  # mesh: a mesh that deforms by modes, of an object; ball: around a node, in the color of its output
     number: int
@@ -99,7 +99,7 @@ class Threads:
 class Scene:
     """Meshes, spheres, lines and texts; `item` is a position in the list of items.
 
-    What is moved as arrays (flow.py) is in herds, balls and threads, everything else in lists.
+    Parts that are moved as arrays (flow.py) are in herds, balls and threads, all other parts in lists.
     """
 
     items: list[DrawnItem] = field(default_factory=list)
@@ -113,13 +113,13 @@ class Scene:
     balls: Balls = field(default_factory=Balls)
     threads: Threads = field(default_factory=Threads)
     time: float = 0.0
-    of_motion: bool = False  # one of many, whose times are shown from the first on
-    information: list[str] = field(default_factory=list)  # for the corner of the picture
-    value_name: str = ""  # what the values are; "" if there are none
+    of_motion: bool = False  # frame of a motion, whose times are shown from the first on
+    information: list[str] = field(default_factory=list)  # shown in the corner of the picture
+    value_name: str = ""  # name of the values; "" if there are none
     value_range: tuple[float, float] = (0.0, 1.0)
 
     def unbound(self) -> Scene:
-        """Return the same scene with everything in lists, for what treats parts one by one."""
+        """Return the same scene with everything in lists, for code that processes parts one by one."""
         balls, threads = self.balls, self.threads
         whole = replace(self, herds=[], balls=Balls(), threads=Threads())
         whole.instances = [
@@ -141,15 +141,15 @@ class Scene:
         return whole
 
     def box(self) -> FloatArray | None:
-        """Return the smallest and largest coordinates of what is drawn; None if there is nothing.
+        """Return the smallest and largest coordinates of the scene; None if it is empty.
 
-        Symbols of nodes, markers and sensors count only where there is nothing else, ground unless it is wide.
+        Symbols of nodes, markers and sensors count only if there are no other parts, ground unless it is wide.
         """
         counted = [
             (item.kind in ("Object", "Load", "Trace", "GeneralContact")) + (item.type_name == "Ground")
             for item in self.items
         ]
-        kinds = np.array([*counted, 1])  # the last one is of what belongs to no item, -1
+        kinds = np.array([*counted, 1])  # the last one is for parts without an item, -1
         moving, objects = self._corners(kinds == 1), self._corners(kinds > 0)
         if moving is None or objects is None:
             return self._corners(kinds >= 0) if objects is None else objects
@@ -185,7 +185,7 @@ class Scene:
 
 def _bounds(points: FloatArray) -> FloatArray | None:
     """Return the smallest and the largest coordinates of points that are finite; None if there are none."""
-    columns = np.ascontiguousarray(points.T)  # along which numpy is ten times as fast
+    columns = np.ascontiguousarray(points.T)  # numpy is ten times as fast along these
     if not columns.size:
         return None
     bounds: FloatArray = np.array([columns.min(axis=1), columns.max(axis=1)])
@@ -196,7 +196,7 @@ def _bounds(points: FloatArray) -> FloatArray | None:
 
 
 def _bounds_of_herd(herd: Herd, chosen: npt.NDArray[np.bool_]) -> FloatArray:
-    """Return the smallest and the largest coordinates of a mesh at many places (2 x 3; 0 x 3 if it is at none)."""
+    """Return the smallest and the largest coordinates of a mesh at many positions (2 x 3; 0 x 3 if there are none)."""
     rows = herd.rows if chosen.all() else herd.rows[chosen]
     points = extremes(herd.mesh)
     if not len(rows) or not len(points):
@@ -219,7 +219,7 @@ class Faces:
     colors: FloatArray
     triangles: IntArray
     items: IntArray
-    materials: IntArray | None  # of points, as in Mesh
+    materials: IntArray | None  # one per point, as in Mesh
 
 
 @dataclass
@@ -231,7 +231,7 @@ class _Crowd:
     places: FloatArray
     colors: FloatArray
     items: IntArray
-    plain: list[bool]  # or one for all: without the materials of the mesh, as it has other colors
+    plain: list[bool]  # or one for all: without the materials of the mesh, because its colors differ
 
     @staticmethod
     def of_herd(herd: Herd) -> _Crowd:
@@ -317,7 +317,7 @@ def _joined(parts: list[Any]) -> Any:
 
 
 def _cofactors(m: FloatArray) -> FloatArray:
-    """Return what turns normals when points are multiplied by the matrices m, up to a factor per matrix."""
+    """Return the matrices that transform normals if points are multiplied by m, up to a factor per matrix."""
     a, b, c = m[:, :, 0], m[:, :, 1], m[:, :, 2]
     turned = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=2)
     return turned / np.maximum(np.linalg.norm(turned, axis=(1, 2), keepdims=True), 1e-300)
@@ -332,7 +332,7 @@ def _colors(mesh: Mesh, color: Rgba | None) -> FloatArray:
 def mesh_edges(scene: Scene, sharp: Rgba | None = None) -> list[tuple[FloatArray, Rgba, int]]:
     """Return the edges of meshes in global coordinates: end points (n x 6), color and item.
 
-    With a color for them, edges where faces meet at an angle are among them.
+    A color for sharp edges adds edges at which faces meet at an angle.
     """
     result = []
     for instance in scene.unbound().instances if scene.herds else scene.instances:

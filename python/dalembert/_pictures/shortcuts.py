@@ -56,7 +56,7 @@ def WaitForUserToContinue(mbs: Any, printMessage: bool = True) -> None:
 
 
 def SendRedrawSignalOfSystem(mbs: Any) -> None:
-    """Let pages show what is visualized now."""
+    """Update the viewer to the visualization state."""
     mbs.GetSystemContainer().renderer.SendRedrawSignal()
 
 

@@ -1,4 +1,4 @@
-"""Where a page can be seen: in the notebook that is running, in a browser, or nowhere."""
+"""Places to show a viewer or HTML file: the running notebook, a browser, or none."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def _open_viewer(container: Any) -> Any:
 
 
 def in_notebook() -> bool:
-    """Return whether cells of a notebook show what is displayed."""
+    """Return whether output is displayed in cells of a notebook."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython is not None else None
     kind = type(shell)
@@ -71,7 +71,7 @@ def where_pages_open() -> str:
 
 
 def _silent() -> bool:
-    """Return whether nothing is to be opened, whatever could be: in tests, where CI is set, or if the user wants it."""
+    """Return whether opening windows is disabled: in tests, if CI is set, or by the user."""
     environment = os.environ
     off = environment.get("DALEMBERT_VIEWER") == "off"
     return off or bool(environment.get("CI")) or "PYTEST_CURRENT_TEST" in environment

@@ -48,7 +48,7 @@ def joined(scenes: list[Scene]) -> Scene:
 
 
 class Studio:
-    """Draws systems of a container, all of them if none are given, as its settings and its render state say."""
+    """Draws systems of a container, by default all of them, according to its settings and render state."""
 
     def __init__(self, container: Any, systems: list[Any] | None = None) -> None:
         self.container = container
@@ -62,11 +62,11 @@ class Studio:
         tell_settings_without_effect(self.settings)
 
     def margin(self) -> float:
-        """Return how much larger an image is than what it shows."""
+        """Return the ratio of the image size to the size of its contents."""
         return max(float(self.settings.general.boundingBoxZoomAllFactor), 0.1)
 
     def fit(self, seen: Camera, scene: Scene, box: FloatArray | None, size: tuple[int, int]) -> None:
-        """Let a camera look at a box; the bar of colors has its place beside it."""
+        """Fit a camera to a box, with space for the color bar."""
         bar = bool(scene.value_name) and bool(self.settings.contour.advanced.showColorBar)
         seen.fit(box, *size, self.margin(), BAR if bar else 0.0)
 
@@ -97,7 +97,7 @@ class Studio:
         return joined([maker.scene(configuration) for maker in self.makers]) if self.makers else Scene()
 
     def flow(self) -> Scene:
-        """Return the scene of what is visualized; what keeps its shape is moved, not drawn again."""
+        """Return the scene of the visualization state; rigid parts are moved, not drawn again."""
         if len(self._flows) != len(self.makers):
             self._flows = [Flow(maker) for maker in self.makers]
         return joined([flow.scene() for flow in self._flows]) if self._flows else Scene()
@@ -118,7 +118,7 @@ class Studio:
         return result
 
     def camera_at_rest(self, scene: Scene, number: int = 0, size: tuple[int, int] | None = None) -> Camera:
-        """Return the camera of the render state; what that does not say follows from the settings and the scene."""
+        """Return the camera of the render state; defaults follow from the settings and the scene."""
         state = state_of(self.container.renderer, number)
         result = camera.of_settings(self.settings)
         result.perspective = float(self.view(number).camera.perspective)
@@ -134,7 +134,8 @@ class Studio:
         return result
 
     def tracked(self, number: int = 0) -> tuple[FloatArray | None, FloatArray] | None:
-        """Return place and rotation matrix of the marker that the camera of a view follows; None if it follows none."""
+        """Return position and rotation matrix of the marker that the camera of a view follows; None if there is
+        none."""
         follow, here = self.view(number).camera, f"visualizationSettings.view{number}.camera"
         marker, system = int(follow.trackMarker), int(follow.trackMarkerMbsNumber)
         if marker < 0 or not self.makers:
@@ -153,7 +154,7 @@ class Studio:
         return places.marker(marker), places.marker_rotation(marker)
 
     def track(self, camera: Camera, number: int, tracked: tuple[FloatArray | None, FloatArray] | None) -> None:
-        """Let a camera follow what tracked() has returned."""
+        """Let a camera follow the result of tracked()."""
         if tracked is None:
             return
         follow, (place, rotation) = self.view(number).camera, tracked
@@ -171,7 +172,7 @@ class Studio:
         size: tuple[int, int] | None = None,
         raytracer: bool = False,
     ) -> Image:
-        """Return the image of a scene; by the ray tracer if that is wanted, or the settings of the view say so."""
+        """Return the image of a scene; the argument or the settings of the view select the ray tracer."""
         settings, looks, size = self.view(number), self.makers[0].looks, size or self.size(number)
         if not raytracer and not settings.camera.useRaytracer:
             tell_settings_of_rays(self.settings)
@@ -181,7 +182,7 @@ class Studio:
         return raytracing.paint(scene, view, looks, settings, size, raytracing.materials_of(self.container))
 
     def picture(self, number: int = 0, raytracer: bool = False) -> Image:
-        """Return the image of what is visualized now."""
+        """Return the image of the visualization state."""
         if not self.makers:
             width, height = self.size(number)
             return np.full((height, width, 3), 255, np.uint8)
@@ -190,7 +191,7 @@ class Studio:
 
 
 def save_next(export: Any, image: Image) -> Path:
-    """Save an image under the next name; its size becomes a multiple of what videos need."""
+    """Save an image under the next name; its size is adapted to videos."""
     height, width = (n // max(int(a), 1) * max(int(a), 1) or n for n, a in zip(
         image.shape, (export.heightAlignment, export.widthAlignment), strict=False))  # fmt: skip
     image = image[:height, :width]

@@ -1,4 +1,4 @@
-"""Symbols of what has no shape of its own: nodes, markers, loads and sensors."""
+"""Symbols of items without a shape: nodes, markers, loads and sensors."""
 
 from __future__ import annotations
 
@@ -38,7 +38,8 @@ def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
 
 
 def besides_ball(pen: Pen, item: Item) -> list[Drawing]:
-    """Return what draws more of a node than a ball: number, parameters and place are given to it."""
+    """Return the functions that draw further symbols of a node besides a ball; arguments are number, parameters and
+    position."""
     nodes = pen.looks.setting("nodes")
     drawn: list[Drawing] = []
     if nodes.showNodalSlopes and "Slope" in item["nodeType"]:
@@ -153,7 +154,7 @@ def sensor(pen: Pen, number: int, item: Item) -> None:
 
 
 def sensor_place(pen: Pen, item: Item) -> FloatArray | None:
-    """Return where a sensor measures; None if that is nowhere."""
+    """Return the position at which a sensor measures; None if it has none."""
     if "meshNodeNumber" in item:
         return pen.places.mesh_output(item["bodyNumber"], OutputVariableType.Position, item["meshNodeNumber"])
     if "linkNumber" in item:

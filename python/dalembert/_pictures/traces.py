@@ -25,7 +25,7 @@ def wanted(looks: Looks) -> bool:
 
 
 def draw(pen: Pen, time: float, stored: Stored) -> None:
-    """Draw what visualizationSettings.sensors.traces asks for, of sensors that store their values."""
+    """Draw the traces of visualizationSettings.sensors.traces, for sensors that store their values."""
     traces = pen.looks.setting("sensors.traces")
     _require_sensors(pen, traces)
     numbers = [int(n) for n in traces.listOfPositionSensors] or _position_sensors(pen)
@@ -85,9 +85,9 @@ def _position_sensors(pen: Pen) -> list[int]:
 def _rows(
     pen: Pen, stored: Stored, number: int, time: float, least: int = 3
 ) -> tuple[FloatArray, FloatArray | None] | None:
-    """Return time and values of a sensor, with frames, as much of the past and the future as is to be shown.
+    """Return time and values of a sensor, with frames, for the visible part of the past and the future.
 
-    None if it has not stored at least so many values at a time; if it never will, a notice says so.
+    None if it has not stored enough values per row; if it never will, a warning is given.
     """
     here = f"visualizationSettings.sensors.traces: sensor {number}"
     try:

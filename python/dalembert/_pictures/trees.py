@@ -24,7 +24,7 @@ class Trees:
         self._ends: dict[int, list[tuple[int, FloatArray]]] | None = None  # by tree: link and place of markers
 
     def shapes(self, pen: Pen, number: int, name: str) -> list[list[graphics_data.Shape]]:
-        """Return the shapes of each link; none at all if there are no graphics data."""
+        """Return the shapes of each link; an empty list if there are no graphics data."""
         if number not in self._shapes:
             default = rgba(pen.looks.setting("bodies.defaultColor"))
             data = self.mbs.GetObject(number, True).get("VgraphicsDataList") or []
@@ -68,7 +68,7 @@ def draw(
         elif item["VshowLinks"]:
             parent = int(item["linkParents"][link])
             pen.cylinder(frames[parent][0] if parent >= 0 else base, place, thick, color)
-            if link not in item["linkParents"]:  # the last of its chain: to its center of mass
+            if link not in item["linkParents"]:  # last link of a chain: to its center of mass
                 pen.cylinder(place, place + rotation @ np.asarray(item["linkCOMs"][link], float), thick, color)
             for _, end in (end for end in ends or [] if end[0] == link):
                 pen.cylinder(place, place + rotation @ end, thick, color)

@@ -1,4 +1,4 @@
-"""mbs.SaveVTU(): what is drawn as unstructured grids of VTK, for ParaView: a file per frame, and a list of them."""
+"""mbs.SaveVTU(): scenes as unstructured grids of VTK, for ParaView: a file per frame, and a list of them."""
 
 from __future__ import annotations
 
@@ -27,12 +27,13 @@ def SaveVTU(
     framesPerSecond: float = 25,
     speed: float = 1.0,
 ) -> None:
-    """Save the motion of a solution, or of that of the last simulation, as grids that ParaView opens.
+    """Save the motion of a solution, or of the last simulation, as grids for ParaView.
 
-    A `fileName` that ends with .pvd lists grids beside it, such as motion_0003.vtu, with the times of the solution;
-    one that ends with .vtu is one grid, of what is visualized. Cells have the kind (0: node, 1: object, ...) and the
-    number of their items; points have the numbers that are shown as colors (SC.visualizationSettings.contour), nan
-    where there are none.
+    A `fileName` with the ending .pvd lists grids in the same folder, such as motion_0003.vtu, with the times of the
+    solution; the ending .vtu writes one grid, of the visualization state. Cells have the kind (0: node, 1: object,
+    ...) and the
+    number of their items; points have the numbers of the color output (SC.visualizationSettings.contour), nan if
+    undefined.
     """
     from dalembert._pictures.motion import Motion
     from dalembert._pictures.studio import Studio

@@ -91,7 +91,7 @@ def PlotSensorFFT(mbs: Any, sensor: Any, component: int = 0, fileName: str = "",
 
 
 def _axes(plt: Any, ax: Any, where: str) -> Any:
-    """Return axes to draw in: those that are given, or new ones."""
+    """Return axes to draw in: the given ones, or new ones."""
     if ax is None:
         return plt.subplots()[1]
     if not all(hasattr(ax, name) for name in ("plot", "get_figure")):

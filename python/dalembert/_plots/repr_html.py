@@ -51,7 +51,7 @@ def _picture(mbs: Any, items: dict[str, Any]) -> str:
     file = BytesIO()
     try:
         mbs.Draw(windowSize=[480, 320]).save(file, "png")
-    except Exception:  # a table is better than an error: Draw() tells it
+    except Exception:  # a table is better than an error, which Draw() reports
         return ""
     return f'<img alt="the system" src="data:image/png;base64,{b64encode(file.getvalue()).decode()}" />'
 

@@ -1,4 +1,4 @@
-"""What the curves of PlotSensor show: sensors, files or arrays become labelled data."""
+"""Data of the curves of PlotSensor: sensors, files or arrays become labelled data."""
 
 from __future__ import annotations
 
@@ -28,16 +28,16 @@ TIME = "time (s)"  # on axes
 
 @dataclass
 class Curve:
-    """What one curve of PlotSensor shows."""
+    """Data of one curve of PlotSensor."""
 
-    name: str  # as errors name it
+    name: str  # name in errors
     label: str
     variable: str  # name of the output variable
     data: FloatArray  # rows of [time, values]
     component: int
     component_x: int
     unit: str = ""
-    name_x: str = ""  # of the variable and its component on the x-axis
+    name_x: str = ""  # variable and component on the x-axis
 
     @property
     def title(self) -> str:
@@ -135,7 +135,7 @@ def _file_information(where: str, fileName: str, comments: str, delimiter: str) 
 
 
 def _file_data(fileName: str, header: Mapping[str, Any], comments: str, delimiter: str) -> FloatArray:
-    """Return the rows of a file; those that solvers have written must be complete and as the header says."""
+    """Return the rows of a file; files of solvers must be complete and agree with the header."""
     known = header.get("type") in ("sensor", "solution")
     if known:
         require_last_line(fileName)

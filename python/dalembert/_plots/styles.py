@@ -24,7 +24,7 @@ def check_figure(figureName: Any, sizeInches: Any, subPlot: Any) -> None:
 
 
 def check_curves(colors: Sequence[Any], lines: Sequence[Any], markers: Sequence[Any]) -> None:
-    """Check colors, and styles of lines and markers, one for each curve; None or empty: those of matplotlib."""
+    """Check colors, and styles of lines and markers, one for each curve; None or empty selects those of matplotlib."""
     from matplotlib.colors import is_color_like
     from matplotlib.lines import Line2D
 
@@ -41,7 +41,7 @@ def check_numbers(widths: Sequence[Any], sizes: Sequence[Any], offsets: Sequence
             as_number(f"PlotSensor: {name}", value, negative=False)
     for name, values in (("offsets", offsets), ("factors", factors)):
         for value in values:
-            if value is None:  # of which numpy makes nan
+            if value is None:  # numpy would convert it to nan
                 raise shape_error(f"PlotSensor: {name}", "numbers", values)
             as_array(f"PlotSensor: {name}", value)
 
@@ -53,7 +53,7 @@ def check_axes(ticks: dict[str, Any], ranges: dict[str, Any]) -> None:
     for name, limits in ranges.items():
         if not is_empty(limits):
             for limit in _items(name, limits, 2, "[minimum, maximum]"):
-                if limit is not None:  # as matplotlib finds it
+                if limit is not None:  # None: chosen by matplotlib
                     as_number(f"PlotSensor: {name}", limit)
 
 
@@ -67,9 +67,9 @@ def draw_legend(ax: Any, legendArgs: Any) -> None:
 
 
 def place_legend(ax: Any) -> None:
-    """Draw the legend within the axes where no curve is, or else beside them: above, or at the right of a title.
+    """Draw the legend within the axes if it hides no curve, otherwise outside: above, or to the right of a title.
 
-    The layout of the figure has to be known, and is not known afterwards if the legend stands beside the axes.
+    The layout of the figure has to be computed before, and is invalid afterwards if the legend is outside of the axes.
     """
     box = ax.legend().get_window_extent()
     curves = (line.get_transform().transform_path(line.get_path()) for line in ax.lines)

@@ -19,9 +19,9 @@ _COLORS = {
 }
 _OBJECT_NODE_COLOR = "navy"
 LARGEST = 100.0  # factor of the size of letters
-# Prefixes of labels: connectors are told apart from bodies.
+# Prefixes of labels, which distinguish connectors from bodies.
 _OBJECT_PREFIXES = {"Connector": "Oconnector", "Contact": "Ocontact", "Joint": "Ojoint"}
-# After which part of the type name a label is broken into two lines.
+# Parts of the type name after which a label is broken into two lines.
 _BREAKS = {
     "Node": ("Ground", "Rigid", "Generic"),
     "Marker": ("Body", "Object", "Node", "SuperElement", "Kinematic"),
@@ -160,7 +160,7 @@ def DrawSystemGraph(
     addItemData: bool = False,
     addAnnotations: bool = False,
 ) -> list[Any]:
-    """Draw which item refers to which and return [networkx, graph, texts]; texts is None if showGraph is False.
+    """Draw the references between items and return [networkx, graph, texts]; texts is None if showGraph is False.
 
     Labels are kind and number, type names (useItemTypes) or item names (useItemNames: they must differ). addItemData
     stores type, basicType, ID and name, addAnnotations the parameters in the nodes of the graph. ImportError if

@@ -56,20 +56,20 @@ struct BodyPhysics final : ObjectPhysics {
     [[maybe_unused]] const auto all = [&](std::string_view name) {
       return std::ranges::all_of(nodes, [&](const ItemType* node) { return node->name == name; });
     };
-    if constexpr (requires { Body::node_items; }) {  // on nodes of given types
+    if constexpr (requires { Body::node_items; }) {  // nodes of given types
       static_assert(ElementKernel<Body>, "see core/include/dalembert/contracts/element.hpp");
       if (std::ranges::equal(nodes, Body::node_items, {}, &ItemType::name)) f.template operator()<Body>();
     } else if constexpr (sizeof...(Nodes) == 0) {  // it rests
       static_assert(ElementKernel<Body> && Body::size == 0, "see core/include/dalembert/contracts/element.hpp");
       f.template operator()<Body>();
-    } else if constexpr (requires { Body::node_counts; }) {  // on different numbers of nodes
+    } else if constexpr (requires { Body::node_counts; }) {  // different numbers of nodes
       [&]<std::size_t... i>(std::index_sequence<i...>) {
         const auto choose_count = [&]<int count>() {
           if (static_cast<int>(nodes.size()) == count) f.template operator()<StrainElement<typename Body::template On<count>>>();
         };
         if ((all(Nodes::item) || ...)) (choose_count.template operator()<Body::node_counts[i]>(), ...);
       }(std::make_index_sequence<Body::node_counts.size()>{});
-    } else if constexpr (requires { Body::nodes; }) {  // on the motions of several nodes of one type
+    } else if constexpr (requires { Body::nodes; }) {  // motions of several nodes of one type
       ((all(Nodes::item) ? (f.template operator()<StrainElement<typename Body::template On<Nodes>>>(), true) : false) || ...);
     } else if constexpr (requires { Body::size; }) {
       using Element = typename ElementOf<Body>::Type;

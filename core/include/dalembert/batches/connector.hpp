@@ -163,7 +163,7 @@ class PortBatch final : public Term {
     std::array<PortOffsets, M> offsets{};
     int item = -1, first_data = -1, data_count = 0;
 
-    // What differs between the contexts of the entries.
+    // Builds the context of an entry.
     template <class S>
     void place(Context& c, const EvaluationOf<S>& evaluation) const {
       c.item = item;
@@ -230,7 +230,7 @@ class PortBatch final : public Term {
     return true;
   }
 
-  // Connectors with user functions have no law; what is switched off has one that gives no force.
+  // Connectors with user functions have no law; an inactive connector has a law with zero force.
   void take_law(int entry) requires SpanLawConnector<K> {
     const typename K::Parameters& p = entries_[entry].parameters;
     if (!has_closed_form(p)) spans_.drop_law(entry);
@@ -260,7 +260,7 @@ struct PairPhysics final : ObjectPhysics {
   }
 };
 
-// Between two markers of one shape, or between any.
+// Selects the batch for two markers of one shape, or for any number of markers.
 template <class K, class Record>
 using ConnectorPhysics = std::conditional_t<requires { typename K::Port; }, PairPhysics<K, Record>, ManyPortsPhysics<K, Record>>;
 

@@ -127,7 +127,7 @@ class ConstraintBatch final : public Term {
   struct NoTable {};
   struct Entry {
     Parameters parameters;
-    [[no_unique_address]] std::conditional_t<TabulatedJoint<K>, Table, NoTable> table;  // of these parameters
+    [[no_unique_address]] std::conditional_t<TabulatedJoint<K>, Table, NoTable> table;  // table for these parameters
     std::array<int, 2> markers{};
     std::array<PortOffsets, 2> offsets{};
     int item = -1, first_ae = -1, first_row = -1;
@@ -137,7 +137,7 @@ class ConstraintBatch final : public Term {
     }
   };
 
-  // Of a joint that is nothing but its table, gap and reaction come together.
+  // Joints that are fully described by their table compute gap and reaction together.
   static bool by_table(const Entry& e, const Evaluation& evaluation) {
     return is_active(e.parameters) && !at_rate_level(e.parameters, evaluation.rate_level);
   }
@@ -191,7 +191,7 @@ class ConstraintBatch final : public Term {
     add_forces<Port, 2>(ports, e.markers, -1.0, reaction<S>(e.parameters, c, frames, load<S, m>(lambda)));
   }
 
-  // Where the blocks of one constraint begin: gaps by coordinates, multipliers transposed, coordinates by coordinates.
+  // Starts of the blocks of one constraint: gaps by coordinates, multipliers transposed, coordinates by coordinates.
   struct BlockSlots {
     const int *gaps, *multipliers, *forces, *diagonal;
     BlockSlots(const int* first, int coordinates)
@@ -210,7 +210,7 @@ class ConstraintBatch final : public Term {
       if (add_diagonal(e, blocks, values)) f(e, columns, blocks);
     }
   }
-  // For multipliers that constrain nothing. False: none does.
+  // Equation for multipliers of inactive constraints. Returns false if there are none.
   template <class S>
   static bool add_diagonal(const Entry& e, const BlockSlots& slots, S* values) {
     for (int k = 0; k < m; ++k)
@@ -241,8 +241,8 @@ class ConstraintBatch final : public Term {
 
   using Tangent = JointTangent<typename Frames<double>::value_type>;
 
-  // Which coordinates of the markers vary the reaction: of a joint along fixed directions, those that turn a frame,
-  // of a linear one, none.
+  // Coordinates of the markers that vary the reaction: those that rotate a frame for a joint along fixed directions,
+  // none for a linear constraint.
   static std::vector<bool> varying_reaction(const Ports& ports, const Entry& e) {
     std::vector<bool> turns;
     for (const int marker : e.markers) {
@@ -349,7 +349,7 @@ struct PairConstraintPhysics final : ObjectPhysics {
   }
 };
 
-// Between two markers of one shape, or between any.
+// Selects the batch for two markers of one shape, or for any number of markers.
 template <class K, class Record>
 using ConstraintPhysics = std::conditional_t<requires { typename K::Port; }, PairConstraintPhysics<K, Record>, ManyPortsPhysics<K, Record>>;
 

@@ -78,7 +78,7 @@ class ElementBatch : public Term {
       for (const Entry& e : entries_) add_mass(e, evaluation, 1.0, e.dofs.data(), diagonal);
     return n == 0 || (is_diagonal && PureInertia<E>);
   }
-  // Where rates are spins, only the lever of a centre of mass turns.
+  // If rates are spins, only the lever arm of a center of mass rotates.
   bool constant_mass() const override {
     if constexpr (RotatingBodyElement<E>) {
       if constexpr (LieKernel<typename E::OwnRotation> && E::Kernel::traits.constant_mass)
@@ -92,17 +92,18 @@ class ElementBatch : public Term {
     m = E::template motion<double>(e.parameters, gather<n>(evaluation, e.dofs.data()), local);
     return true;
   }
-  // What the rest of the motion takes is not computed where all of it is inlined.
+  // Inlining removes the computation of the remaining motion.
   [[gnu::flatten]] void poses(int first, int count, const Evaluation& evaluation, double* rows) const override {
     if constexpr (moves_in_packs) {
       const auto begin = static_cast<std::size_t>(first), end = begin + static_cast<std::size_t>(count);
       each_group(begin, end, [&]<int L>(const Group<L>& group) {
-        const auto q = gathered<n>(group.each([&](std::size_t i) { return evaluation.q + entries_[i].dofs[0]; }));  // which follow each other
+        // consecutive entries
+        const auto q = gathered<n>(group.each([&](std::size_t i) { return evaluation.q + entries_[i].dofs[0]; }));
         const auto m = E::OwnRotation::template motion<Numbers<L>>({q, {}, {}});
         store_numbers(pose_numbers(m.position, m.rotation), group.each([&](std::size_t i) { return rows + 12 * (i - begin); }));
       });
     } else if constexpr (requires { typename E::Kernel; }) {
-      const Evaluation e = evaluation;  // which rows, being numbers as well, cannot change
+      const Evaluation e = evaluation;  // local copy: the compiler then knows that writing rows does not change it
       for (int i = first; i < first + count; ++i, rows += 12) {
         const Entry& entry = entries_[static_cast<std::size_t>(i)];
         const auto m = E::template motion<double>(entry.parameters, gather<n>(e, entry.dofs.data()), {});
@@ -160,7 +161,7 @@ class ElementBatch : public Term {
     }
   }
 
-  // What it takes to accelerate coordinates, one after the other; all at once if each needs a force of its own only.
+  // Inverse masses of consecutive coordinates; stored once if each coordinate needs only its own force.
   template <class S>
   static void add_mass(const Entry& e, const EvaluationOf<S>& evaluation, double weight, const int* slot, S* values) {
     Coordinates<S, n> x{};
@@ -267,7 +268,7 @@ class ElementBatch : public Term {
 
   // All that the loop over lanes reads of an element whose law it knows.
   struct Lane {
-    std::array<int, ElementBatch::nodes> starts{};  // of its nodes among the coordinates
+    std::array<int, ElementBatch::nodes> starts{};  // starts of its nodes among the coordinates
     bool like_previous = false;                     // its law is that of the element before
   };
   std::vector<Lane> lanes_;

@@ -12,7 +12,7 @@
 
 namespace dalembert {
 
-// How a frame shape reads a motion, and what generalised force its conjugate makes. On a turning element that is `scale`
+// How a frame shape reads a motion, and the generalised force of its conjugate. On a rotating element this is `scale`
 // times a force at `point`, and a moment.
 template <class E>
 struct PointShape {
@@ -55,7 +55,7 @@ struct MassShape {
   static constexpr int values = 0, forces = 3;
   static decltype(auto) point(const typename E::Parameters& p, const Vec3<double>&) { return E::Kernel::centre(p); }
   static double scale(const typename E::Parameters& p) { return E::Kernel::mass(p); }
-  // What weighs the accelerations of coordinates weighs the load.
+  // The mass matrix that multiplies accelerations also weights the load.
   static constexpr bool constant_jacobian = E::traits.constant_mass;
   template <class S>
   static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>&,
@@ -283,7 +283,7 @@ class FrameMarkerBatch : public MarkerBatch {
     }
   }
 
-  std::vector<Run> runs_;  // of entries that pass on
+  std::vector<Run> runs_;  // runs of entries that pass forces on
   std::vector<typename E::Parameters> owners_;
   int last_owner_ = -1;  // its number
 };

@@ -1,5 +1,5 @@
-// Entries of a batch side by side, as many at once as registers hold: their numbers are gathered from the places where they
-// lie, and what is computed for all lanes at once goes back to such places, lane after lane.
+// Entries of a batch side by side, as many as registers hold: their numbers are gathered from memory into lanes, and
+// results are scattered back lane by lane.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace dalembert {
 
-// One number of each of L entries; of an entry by itself, a plain number.
+// One number per lane for L entries; a plain number for a single entry.
 template <int L>
 struct NumbersOf {
   using Type = Pack<L>;
@@ -32,7 +32,7 @@ struct Group {
   std::size_t first;
   int count;
 
-  // of_entry(i) for the entry i of each lane.
+  // Gathers of_entry(i) for the entry i of each lane.
   template <class F>
   DALEMBERT_INLINE auto each(const F& of_entry) const {
     return [&]<int... lane>(std::integer_sequence<int, lane...>) DALEMBERT_INLINE {
@@ -53,8 +53,8 @@ DALEMBERT_INLINE inline void each_group_of_four(std::size_t begin, std::size_t e
   if (begin < end) f(Group<1>{begin, 1});
 }
 
-// Calls f(group) for groups that make up the entries [begin, end). Without wide registers, or if entries do not go `together`,
-// each of them is a group.
+// Calls f(group) for groups that cover the entries [begin, end). Groups have one entry if there are no wide
+// registers, or if entries cannot be computed together.
 template <bool together = true, class F>
 void each_group(std::size_t begin, std::size_t end, const F& f) {
   const auto one_by_one = [&] {
@@ -115,7 +115,7 @@ DALEMBERT_INLINE inline void store_numbers(const Vec<S, Count>& from, const std:
     });
   }
 }
-// Adds the numbers of the first `count` lanes; those that share a place come one after the other.
+// Adds the numbers of the first `count` lanes; lanes with the same address are added one after the other.
 template <int Count, class S, std::size_t L>
 DALEMBERT_INLINE inline void add_numbers(const Vec<S, Count>& from, const std::array<double*, L>& to, int count) {
   constexpr int lanes = static_cast<int>(L);

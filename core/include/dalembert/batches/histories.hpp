@@ -1,11 +1,11 @@
-// What batches of connectors do between Newton's method and the next step: histories of items, and where they switch.
+// Work of connector batches between Newton's method and the next step: histories and switching of items.
 #pragma once
 
 #include "dalembert/contracts/switches.hpp"
 
 namespace dalembert {
 
-// `with(entry, call)` calls `call` with what the functions of the kernel are given of an entry, behind its parameters.
+// `with(entry, call)` calls `call` with the kernel arguments of an entry that follow its parameters.
 template <class K>
 struct Histories {
   static PostNewton update(const auto& entries, const auto& with) {

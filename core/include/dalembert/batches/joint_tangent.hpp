@@ -65,7 +65,7 @@ class JointTangent {
 
  private:
   static constexpr int most_turns = 4;
-  using Turns = Vec<double, most_turns>;  // by the coordinates that turn one frame; beyond their number, anything
+  using Turns = Vec<double, most_turns>;  // one value per coordinate that rotates a frame; further values are unused
   using Moving = Vec3<Turns>;             // the derivative of a vector
 
   struct Side {
@@ -127,7 +127,7 @@ class JointTangent {
     moment_[0] -= multiplier * cross(b, da);
     moment_[1] += multiplier * cross(a, db);
   }
-  // What an axis that turns with the first frame adds to a displacement along it.
+  // Adds the contribution of an axis that rotates with the first frame to a displacement along it.
   void add_turning_axis(const Vec3<double>& local, const Vec3<double>& axis, double multiplier, double scale, const int* gap_slots,
                         const int* multiplier_slots, double* values) {
     turns_ = true;

@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-// On a rotating node, where a force on the whole mass acts at one point.
+// Marker on a rotating node, for which a force on the whole mass acts at one point.
 template <class Shape, class E>
 concept RotatesWith = RotatingElement<E> && (Shape::values > 0 || RotatingBodyElement<E>);
 
@@ -27,7 +27,7 @@ struct PointElement<AtNode<Node>> {
   using Type = AtNode<PositionOf<Node>>;
 };
 
-// `OwnerRecord` is void for nodes. None where the element has no such frame.
+// `OwnerRecord` is void for nodes. Returns nullptr if the element does not have such a frame.
 template <class E, class OwnerRecord>
 std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
   const auto make = [&]<template <class> class Shape, class On = E>() -> std::unique_ptr<MarkerBatch> {

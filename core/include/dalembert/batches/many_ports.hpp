@@ -51,7 +51,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
       refuse(ErrorKind::state, {"object " + std::to_string(e.item), "", "its equations have changed their number or their kind since the system was assembled",
                                 "", "", "Use mbs.ModifyObject(...), then mbs.Assemble()"});
   }
-  // For each alternative: rows and columns are those of the coordinates of the markers, then those of the unknowns of the item.
+  // Each alternative has rows and columns for the coordinates of its markers, followed by the unknowns of the item.
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
     std::vector<int> all;
     for (const Entry& e : entries_)
@@ -133,11 +133,11 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
  private:
   struct Entry {
     Parameters parameters;
-    std::vector<int> markers;      // those that act always, then the alternatives
-    std::vector<int> rows;         // of its equations in the system
-    std::vector<int> first_order;  // where the last of the unknowns are, in the vector of ODE1 coordinates
+    std::vector<int> markers;  // always acting markers, then the alternatives
+    std::vector<int> rows;  // rows of its equations in the system
+    std::vector<int> first_order;  // positions of the first-order unknowns in the vector of ODE1 coordinates
     std::vector<int> first_slots;  // by alternative
-    std::vector<int> coordinates;  // by marker of its list: how many it selects
+    std::vector<int> coordinates;  // number of selected coordinates for each marker of its list
     int always = 0, algebraic = 0;
     bool is_full = true;           // forces change with the coordinates
     int item = -1, first_data = -1, data_count = 0, first_ae = -1;
@@ -151,7 +151,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     }
   };
 
-  // Where the entries of one alternative lie among its slots.
+  // Position of the entries of one alternative among its slots.
   struct Block {
     int coordinates, columns, left;  // left: the first column that rows of coordinates have
     Block(const Entry& e, int n) : coordinates(n), columns(n + static_cast<int>(e.rows.size())), left(e.is_full ? 0 : n) {}
@@ -198,7 +198,8 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     return exchange(e, evaluation, ports, forces_.data());
   }
 
-  // Where numbers of the acting markers lie that are differentiated, side by side. Returns how many coordinates move them.
+  // Collects the differentiated numbers of the acting markers side by side. Returns the number of coordinates that
+  // move them.
   int place_markers(const Entry& e, int chosen, const Ports& ports) const {
     acting_.clear();
     moving_places_.clear();
@@ -238,7 +239,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     }
   }
 
-  // Along columns [first, first + sweep_width).
+  // Seeds derivatives for the columns [first, first + sweep_width).
   void move_frames(const Ports& ports, int first) const {
     for (std::size_t i = 0; i < acting_.size(); ++i) {
       const auto [marker, offset] = acting_[i];
@@ -288,7 +289,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
   }
 
   struct Acting {
-    int marker, offset;  // offset: of its coordinates among those of all
+    int marker, offset;  // offset: position of its coordinates among all coordinates
   };
 
   std::vector<Entry> entries_;

@@ -1,4 +1,4 @@
-// Markers: those that pass on the frame of a body or a node, and those that select coordinates of a node.
+// Markers with the frame of a body or a node, and markers that select coordinates of a node.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,4 @@
-// Markers on mesh nodes of a super element: what moves them depends on that.
+// Markers on mesh nodes of a super element; the type of element selects the implementation.
 #pragma once
 
 #include "dalembert/model/errors.hpp"

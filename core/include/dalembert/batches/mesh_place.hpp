@@ -15,7 +15,7 @@ struct MeshNodes {
     int node, coordinate;  // among these nodes; among the coordinates of the marker
     Vec3<double> by;       // how far the coordinate moves the node
   };
-  std::vector<Vec3<double>> rest;  // in the frame
+  std::vector<Vec3<double>> rest;  // positions in the frame
   std::vector<Shape> shapes;
   int coordinates = 0;
 };
@@ -25,7 +25,8 @@ MeshNodes mesh_of_nodes(std::span<const int> numbers, const Placement& on, std::
 // Positions in Placement::dofs of the coordinates that move such nodes, each of them once.
 std::vector<int> coordinates_of_nodes(const Placement& on, std::span<const int> numbers);
 
-// The weighted mean position of the mesh nodes; refuses other numbers of them than before. With a rotation, which nodes have to define.
+// The weighted mean position of the mesh nodes; rejects a changed number of nodes. Optionally with a rotation, which
+// the nodes must determine.
 FramePlace mean_place(const MeshNodes& mesh, const MeshMean& mean, int marker);
 
 }  // namespace dalembert

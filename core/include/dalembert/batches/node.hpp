@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-// The condition of a node on its own coordinates: those from `unit_from` on are a vector x of length one, x x - 1 = 0.
+// Constraint of a node on its own coordinates: those from `unit_from` on are a unit vector x, x x - 1 = 0.
 template <class Node>
 class UnitLengthBatch final : public Term, public UnitVectors {
  public:
@@ -137,7 +137,7 @@ struct MovingNodePhysics final : NodePhysics {
   static void take(std::vector<double>& values, const Vec<double, N>& given) {
     values.assign(given.x.begin(), given.x.end());
   }
-  // Of any length in the spec; the node has its own, and takes none for zeros.
+  // The spec allows any length; the node requires its own length, and replaces an empty vector by zeros.
   static void check_length(std::size_t given, const char* name, const ItemLabel& item) {
     if (given != 0 && given != Node::size)
       refuse(ErrorKind::value, {item, name, "", std::to_string(given) + " values", std::to_string(Node::size), ""});

@@ -43,7 +43,7 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
   template <class S>
   void find_frames(const EvaluationOf<S>& evaluation, PortsOf<S>& ports) const {
     if constexpr (Shape::values > 0) {
-      int angle = -1;  // of the marker before: several on one body follow each other
+      int angle = -1;  // angle of the previous marker: several markers on one body are consecutive
       PlanarRotation<S> r;
       for (const Entry& e : entries_) {
         Coordinates<S, n> x;  // accelerations play no part
@@ -104,9 +104,9 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
     }
   }
 
-  static constexpr bool on_node = E::traits.constant_jacobian;  // without an arm
+  static constexpr bool on_node = E::traits.constant_jacobian;  // no lever arm
   static constexpr bool turns = n == 3 && !on_node;
-  static constexpr bool keeps_rotation = Shape::values == 18;  // in the port
+  static constexpr bool keeps_rotation = Shape::values == 18;  // stored in the port
 
   Vec3<double> point(const Entry& e) const {
     if constexpr (on_node) return {};

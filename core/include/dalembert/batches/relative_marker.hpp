@@ -1,7 +1,6 @@
-// Markers on a coordinate between two bodies: a translation or a rotation that both frames make together.
-//
-// A kernel says what it measures and which wrenches on the two frames a force on the coordinate is. With a data node, the
-// coordinate is an angle that is continued from the last one, so that it counts full turns.
+// Markers on a relative coordinate between two bodies: a translation or a rotation between two frames. A kernel
+// defines the measured coordinate and the wrenches on both frames for a force on the coordinate. With a data node,
+// the coordinate is a continued angle that counts full turns.
 #pragma once
 
 #include <array>

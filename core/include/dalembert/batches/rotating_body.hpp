@@ -19,7 +19,8 @@ void add_inertia_tangent(const typename Body::Parameters& p, const SpinMotion<do
   const InertiaTangent b = Body::inertia_tangent(Body::mass_properties(p), motion);
   const auto add = [&](int row, int column, double x) { values[slot[row * n + column]] += x; };
   for (int i = 0; i < 3; ++i) add(i, i, w.a * b.mass);
-  Mat<double, 3, r> moment = b.moment_by_spin * t.spin_tangent + b.moment_by_spin_rate * t.spin_rate_tangent;  // in own axes
+  // in body axes
+  Mat<double, 3, r> moment = b.moment_by_spin * t.spin_tangent + b.moment_by_spin_rate * t.spin_rate_tangent;
   if (b.eccentric) {
     const Mat<double, 3, r> swing = t.rotation * (b.swing_by_spin * t.spin_tangent + b.swing_by_spin_rate * t.spin_rate_tangent);
     for (int j = 0; j < r; ++j) {
@@ -66,7 +67,7 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
       const auto first = [&](std::size_t i) { return evaluation.a + entries_[i].dofs[0]; };
       const auto b = gathered<MassProperties>(group.each([&](std::size_t i) { return &masses_[i]; }));
       const auto spin = gathered<6>(group.each([&](std::size_t i) { return motion(i).spin.x.data(); }));  // and its rate
-      Mat3<Numbers<L>> rotation;  // of no use to others
+      Mat3<Numbers<L>> rotation;  // used only by this class
       if (b.eccentric()) rotation = {gathered<9>(group.each([&](std::size_t i) { return motion(i).rotation.x.data(); })).x};
       Vec3<Numbers<L>> acceleration{};
       if (evaluation.inertia) acceleration = segment<3>(gathered<4>(group.each(first)), 0);
@@ -87,7 +88,7 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
       }
     });
   }
-  // Of any state: the nodes need not have been evaluated.
+  // Valid for any state: the nodes need not have been evaluated.
   void mass(const Evaluation& evaluation, Ports&, double* values) const override {
     constexpr Weights weights{.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0};
     const int* slot = this->slots.data();
@@ -98,7 +99,7 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
       slot += n * n;
     }
   }
-  // Where rates are spins, and about axes of inertia through the centre of mass.
+  // Diagonal if rates are spins about principal axes of inertia through the center of mass.
   bool add_diagonal_masses(const Evaluation&, double* diagonal) const override {
     if constexpr (!LieKernel<Node>) return entries_.empty();
     for (std::size_t k = 0; k < entries_.size(); ++k) {

@@ -8,9 +8,9 @@
 
 namespace dalembert {
 
-// Derivatives of the frame at a point, `local` in own axes.
-// Rows: position, velocity and, of 18 Values, the rotation row by row and the angular velocity, all in global axes.
-// Writes what can differ from zero of a matrix row by row.
+// Derivatives of the frame at a point, `local` in body axes. Rows: position, velocity and, if there are 18 Values,
+// the rotation row by row and the angular velocity, all in global axes. Writes the nonzero part of a matrix row by
+// row.
 template <int Values, RotatingNode Node>
 void write_frame_tangent(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local, const Weights& w, double* d) {
   constexpr int n = Node::size;
@@ -128,8 +128,8 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
   }
 
  private:
-  // Markers at the node itself whose numbers all lie side by side are a run, which is all that is read of them; what lies beside it is one by
-  // itself.
+  // A run is a sequence of markers at the node itself with contiguous numbers, which are the only data read. A marker
+  // away from the node is a run of its own.
   struct Place {
     int node, dof, value, force;
     bool operator==(const Place&) const = default;
@@ -155,7 +155,7 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
     }
     runs_.push_back({here, number, 1, at_node});
   }
-  // Calls f(place, entry) for all; at the node itself nobody needs the entry, and it is null.
+  // Calls f(place, entry) for all; entry is null for markers at the node itself.
   template <class F>
   DALEMBERT_INLINE void each_place(const F& f) const {
     for (const Run& run : runs_) {

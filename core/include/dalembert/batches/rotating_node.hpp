@@ -16,10 +16,11 @@ namespace dalembert {
 template <RotatingNode Node, class S>
 NodeMotionOf<S> node_motion(const Coordinates<S, Node::size>& x) {
   const SpinMotion<S> own = Node::template spin_motion<S>(x);
-  if constexpr (LieKernel<Node>) return {own.spin, own.spin_rate, own.rotation, own.rotation * own.spin};  // what `motion` finds as well
+  // also computed by `motion`
+  if constexpr (LieKernel<Node>) return {own.spin, own.spin_rate, own.rotation, own.rotation * own.spin};
   else return {own.spin, own.spin_rate, own.rotation, Node::template motion<S>(x).angular_velocity};
 }
-// Of the generalised forces of a load that is held fixed: by the rotation coordinates, in their rows.
+// Derivative of the generalised forces of a fixed load with respect to the rotation coordinates, in their rows.
 template <RotatingNode Node>
 Mat<double, Node::size - 3, Node::size - 3> load_tangent(const NodeLoad& load, const PointForces& beside, const Coordinates<double, Node::size>& x,
                                                          const RotationTangent<Node::size - 3>& t, const Weights& w) {

@@ -1,4 +1,5 @@
-// Blocks of numbers, of which equal ones are kept once: machines are made of parts that repeat, and what repeats stays in caches.
+// Blocks of numbers in which equal blocks are stored once: machines have repeated parts, and shared blocks stay in
+// caches.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@ class SharedBlocks {
   // The place of new blocks, all zeros, with one user.
   int add() { return add({}); }
 
-  // To be changed by one of its users: if there are others, it moves to a copy of its own.
+  // Returns a block that one of its users may change: a shared block is copied.
   Blocks& own(int& place) {
     if (kept(place).users > 1) {
       --kept(place).users;
@@ -33,7 +34,8 @@ class SharedBlocks {
   // Its one user moves to equal ones that have been shared before, if there are any, and is followed by others otherwise.
   void share(int& place) {
     const int known = places_.try_emplace(std::hash<std::string_view>()(bytes(place)), place).first->second;
-    if (known == place || kept(known).users == 0 || bytes(known) != bytes(place)) return;  // which others have left, or changed
+    // released or changed by other users
+    if (known == place || kept(known).users == 0 || bytes(known) != bytes(place)) return;
     kept(place).users = 0;
     free_.push_back(place);
     place = known;
@@ -62,7 +64,7 @@ class SharedBlocks {
 
   std::vector<Kept> kept_;
   std::vector<int> free_;
-  std::unordered_map<std::size_t, int> places_;  // by the hash of what was shared there
+  std::unordered_map<std::size_t, int> places_;  // lookup by the hash of the shared contents
 };
 
 }  // namespace dalembert

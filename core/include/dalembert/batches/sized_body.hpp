@@ -1,4 +1,4 @@
-// All bodies of run-time size of one type side by side: what the law says, and the residual in sweeps. There is no other loop over
+// All bodies of run-time size of one type: the linear law, and the residual in sweeps. There is no other loop over
 // them.
 #pragma once
 
@@ -71,7 +71,7 @@ class SizedBodyBatch final : public Term {
     return !has_residual<B> && std::ranges::none_of(entries_, [](const Entry& e) { return e.law.has_mass_function(); });
   }
 
-  // Of the frame: what is beyond it are mesh nodes.
+  // Motion in the frame; further points are mesh nodes.
   bool motion(int entry, const Evaluation& evaluation, const Vec3<double>& local, Motion<double>& m) const override {
     if constexpr (is_framed<B>) {
       m = FramePlace{.rest = local}.motion<Frame>(own_work(entries_[entry], evaluation).vectors.values());
@@ -98,7 +98,7 @@ class SizedBodyBatch final : public Term {
   int mesh_nodes(int entry) const override {
     if constexpr (places_mesh<B>) {
       const int count = B::mesh_nodes(*entries_[entry].parameters);
-      return count > 0 ? count : -1;  // none, and not those of the system
+      return count > 0 ? count : -1;  // an empty element must not use the coordinates of the system
     }
     return 0;
   }
@@ -268,7 +268,7 @@ struct SizedBodyPhysics final : ObjectPhysics {
   struct FirstOf<N, Rest...> {
     using Type = On<N>;
   };
-  using Plain = typename FirstOf<Nodes...>::Type::Type;  // what does not depend on the frame
+  using Plain = typename FirstOf<Nodes...>::Type::Type;  // part that does not depend on the frame
   static const typename Plain::Parameters& parameters(const void* record) { return static_cast<const Record*>(record)->parameters; }
 
   template <class B, class Port, template <class, class> class Seat>

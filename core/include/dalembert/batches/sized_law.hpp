@@ -13,7 +13,8 @@ namespace dalembert {
 
 class LawOfBody {
  public:
-  // Numbers of the body's coordinates in vectors of the system, and of its equations. Those from `begin` on are the law's.
+  // Numbers of the body's coordinates in vectors of the system, and of its equations. The law uses those from `begin`
+  // on.
   void place(int order, const Placement& placement, int begin);
   // `with_residual`: the tangent is full anyway.
   void read(const SizedLaw& law, bool with_residual);
@@ -57,7 +58,7 @@ class LawOfBody {
   bool forceless_ = true;  // neither forces nor matrices but that of masses
 };
 
-// Refuses matrices and vectors of other sizes than so many coordinates, or none.
+// Rejects matrices and vectors whose size is neither zero nor the number of coordinates.
 void check_sizes(const SizedLaw& law, int coordinates, std::string_view called, const ItemLabel& item);
 // Refuses a matrix of another size.
 void check_size(const char* parameter, const DynamicMatrix<double>& m, int rows, int columns, const ItemLabel& item, const char* advice);

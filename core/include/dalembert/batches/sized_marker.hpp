@@ -1,5 +1,5 @@
-// Markers on bodies of run-time size: each is a place in the frame of its body (contracts/frame_place.hpp), and a port. What differs
-// is what makes the place, its seat.
+// Markers on bodies of run-time size: each has a place in the frame of its body (contracts/frame_place.hpp), and a
+// port. Types differ in the seat, which computes the place.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace dalembert {
 
-// What a seat is made for.
+// Arguments for making a seat.
 struct Seating {
-  std::vector<const ItemType*> node_types;  // of the body
-  MeshMeanReader read_mean = nullptr;       // of markers on mesh nodes
+  std::vector<const ItemType*> node_types;  // node types of the body
+  MeshMeanReader read_mean = nullptr;  // used by markers on mesh nodes
 };
 
 // A point of the frame itself.

@@ -54,7 +54,7 @@ class SpanLaws {
   // Entries that are not computed here.
   const std::set<int>& without_law() const { return without_law_; }
 
-  // To the forces on the markers, one connector after the other. Frames and forces are taken in fours.
+  // Adds the forces on the markers, one connector after the other. Frames and forces are processed in fours.
   void add_forces(const double* values, double* forces) const {
     const auto add = [&]<int L>() {
       for (const Block& block : blocks_)
@@ -63,8 +63,8 @@ class SpanLaws {
     in_fours(add);
   }
 
-  // To the matrix: values[slots[row * n + column]], one connector after the other. `add_other(entry, slots)` does it for those without
-  // law and those that are not between points, and returns the end of their slots.
+  // Adds to the matrix: values[slots[row * n + column]], one connector after the other. `add_other(entry, slots)`
+  // handles connectors without a law or with other markers, and returns the end of their slots.
   template <class F>
   void add_tangents(const Ports& ports, const int* slots, double* values, const F& add_other) const {
     const auto add = [&]<int L>() {
@@ -86,7 +86,7 @@ class SpanLaws {
   }
 
  private:
-  // Which markers move as points do, by three coordinates; or others, or none.
+  // Ends that move like points, with three coordinates; other ends, or none.
   enum class Ends : char { both, one, none, other };
   static bool is_point(const PortLayout& port) { return port.n == 3 && port.translations == 3; }
   static Ends ends_of(const PortLayout& a, const PortLayout& b) {
@@ -127,13 +127,13 @@ class SpanLaws {
 
     DALEMBERT_INLINE Some(const LawBlocks& laws, const Block& block, int first, const double* values) {
       for (int i = 0; i < law_size; ++i) reinterpret_cast<Pack<L>*>(&law)[i] = Pack<L>::load(reinterpret_cast<const double*>(&laws[i]) + first);
-      const auto differences = [&](int number) DALEMBERT_INLINE {  // of four numbers of the frames
+      const auto differences = [&](int number) DALEMBERT_INLINE {  // differences of four numbers of the frames
         return columns_of<L>([&](int lane) DALEMBERT_INLINE {
           const auto frame = [&](int m) DALEMBERT_INLINE { return Pack<4>::load(values + block.values[m][first + lane] + number); };
           return frame(1) - frame(0);
         });
       };
-      const auto spans = differences(0), rates = differences(2);  // which begin with the last number of the span
+      const auto spans = differences(0), rates = differences(2);  // start with the last number of the span
       span = {spans[0], spans[1], spans[2]};
       rate = {rates[1], rates[2], rates[3]};
     }
@@ -150,8 +150,8 @@ class SpanLaws {
     }
   }
 
-  // Points are moved by their coordinates along the axes: the derivative by coordinates is that by span and rate, weighted. By lane and
-  // row by row.
+  // Points move with their coordinates along the axes: the derivative with respect to coordinates is the weighted
+  // derivative with respect to span and rate. Ordered by lane, then row by row.
   static constexpr int matrix_size = 12;  // nine, stored in fours
   template <int L>
   static void find_matrices(const LawBlocks& laws, const Block& block, int first, const Ports& ports, double* matrices) {
@@ -192,7 +192,7 @@ class SpanLaws {
   std::set<int> without_law_;
 };
 
-// What a batch of connectors keeps besides: nothing, if its kernel has no laws.
+// Additional data of a batch of connectors; empty if its kernel has no laws.
 template <class K>
 struct SpansOf {
   struct Type {};

@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-// Between markers whose coordinates are the components of the vector: one block, four times.
+// Tangent for markers whose coordinates are the components of the vector: one block, added four times.
 template <int N, class S, class T>
 void add_between_points(const S& span_weight, const S& rate_weight, const SpanTangent<N, T>& t, const int* slots, S* values) {
   Mat<S, N, N> block;

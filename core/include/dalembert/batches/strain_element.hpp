@@ -1,5 +1,5 @@
-// Where residual and tangent of elements with quadrature are summed (contracts/strain_points.hpp): an element as the assembler
-// knows it, of what its kernel states.
+// Sums of residual and tangent of elements with quadrature (contracts/strain_points.hpp): makes an assembled element
+// from the definitions of its kernel.
 #pragma once
 
 #include <algorithm>
@@ -91,8 +91,9 @@ struct StrainElement {
     return k;
   }
 
-  // User functions are called for one element at a time. So are elements of more local vectors than a beam has, whose tangents would
-  // take minutes to compile. Eight lanes bring 9 % of the time of planar cables, and nothing to beams in space.
+  // User functions are called for one element at a time. Elements with more local vectors than a beam are also
+  // computed one at a time, because their tangents would take minutes to compile. Eight lanes save 9 % of the time of
+  // planar cables, and nothing for beams in space.
   static constexpr int most_lanes = numbers <= 8 ? 8 : 4;
   static bool same_law(const Parameters& p, const Prepared& k, const Parameters& other_p, const Prepared& other)
     requires(Map::linear && numbers <= 15)
@@ -115,7 +116,8 @@ struct StrainElement {
     return r;
   }
 
-  // The sum of w (B' C B + geometric part): one sweep of dual numbers through strain, law and pull-back at each point.
+  // The sum of w (B' C B + geometric part): one sweep of dual numbers through strain, law and pull-back at each
+  // point.
   template <class T>
   static Mat<T, size, size> tangent(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<T, size>& x,
                                     const Weights& w)
@@ -157,7 +159,7 @@ struct StrainElement {
     auto strain() const {
       return std::tuple_element_t<family, typename E::Families>::strain(k, fields<family>());
     }
-    // What of the strain has a stress.
+    // The part of the strain that has a stress.
     template <int family>
     auto elastic_strain() const {
       using F = std::tuple_element_t<family, typename E::Families>;
@@ -275,7 +277,8 @@ struct StrainElement {
     }
   }
 
-  // Of numbers side by side, few directions at once: more take registers longer than there are, and minutes to compile.
+  // Lane-parallel sweeps use few directions at once: more directions exceed the registers, and take minutes to
+  // compile.
   template <class T>
   static constexpr int directions_at_once(int all) {
     if (OneNumber<T> || all <= 12) return all;
@@ -283,8 +286,9 @@ struct StrainElement {
     return (all + sweeps - 1) / sweeps;
   }
 
-  // Forces on the local vectors, and their derivatives by these along the weights. Directions are the numbers of the fields, or
-  // those of the local vectors where these are fewer. Of a symmetric matrix the lower half.
+  // Forces on the local vectors, and their derivatives with respect to these along the weights. Directions are the
+  // numbers of the fields, or those of the local vectors if these are fewer. Only the lower half of a symmetric
+  // matrix is computed.
   template <class F, bool damped, bool symmetric, class Free, class T>
   static void add_tangent(const Parameters& p, const Constants& k, const Context& c, const Free& free, const Local<T>& y,
                           const Local<T>& rate, const Weights& w, Local<T>& forces, LocalMatrix<T>& m) {
@@ -330,7 +334,7 @@ struct StrainElement {
       }
     }
   }
-  // The sum of what fields have times the shares of a local vector in them.
+  // The sum of field values times the shares of a local vector in them.
   template <class F, class T, class Shape, class Of>
   static T sum_of_shares(const Shape& shape, int vector, const Of& of) {
     T sum(0.0);

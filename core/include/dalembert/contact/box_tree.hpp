@@ -1,4 +1,4 @@
-// Things in boxes within boxes: which of them are near a point, and which ones a line may meet.
+// Bounding volume hierarchy: finds the entries near a point, and those that a line may hit.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Box {
       if (lower[i] > other.upper[i] || upper[i] < other.lower[i]) return false;
     return true;
   }
-  // Of a point, or of several side by side.
+  // Argument: a point, or several side by side.
   template <class S>
   DALEMBERT_INLINE S square_distance(const Vec3<S>& point) const {
     S square{};
@@ -65,8 +65,8 @@ class BoxTree {
     };
     each(wanted, f);
   }
-  // Calls f(entry) for all with a box that the line start + s * direction, from <= s <= to(), may pass at this distance; `to` may fall
-  // meanwhile.
+  // Calls f(entry) for all entries whose box may be hit by the line start + s * direction, from <= s <= to(), at this
+  // distance; `to` may decrease meanwhile.
   template <class To, class F>
   void each_along(const Vec3<double>& start, const Vec3<double>& direction, double distance, double from, const To& to, F&& f) const {
     each([&](const Box& box) { return passes(box, start, direction, distance, from, to()); }, f);
@@ -75,7 +75,7 @@ class BoxTree {
  private:
   struct Node {
     Box box;
-    int first = 0, count = 0;  // of a leaf, its entries; count 0: children are the next node and number `first`
+    int first = 0, count = 0;  // leaf: its entries; count 0: the children are the next node and node number `first`
   };
   template <class Wanted, class F>
   DALEMBERT_INLINE void each(const Wanted& wanted, F&& f) const {

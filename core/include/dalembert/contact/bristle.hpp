@@ -12,7 +12,7 @@
 namespace dalembert {
 
 struct Bristle {
-  Vec3<double> root0, root1;  // from the markers, in their frames
+  Vec3<double> root0, root1;  // from the markers, in marker frames
   bool slides = false;        // it has given way in the last step
 };
 
@@ -36,7 +36,7 @@ class BristleList {
   }
   const std::vector<Entry>& all() const { return entries_; }
   bool empty() const { return entries_.empty(); }
-  // Takes the place of what was known; the memory goes back and forth.
+  // Replaces the list; memory is exchanged.
   void take(std::vector<Entry>& entries) {
     entries_.swap(entries);
     first_.assign(entries_.empty() ? 0 : static_cast<std::size_t>(entries_.back().sphere) + 2, 0);
@@ -50,7 +50,7 @@ class BristleList {
 
  private:
   std::vector<Entry> entries_;
-  std::vector<std::size_t> first_;  // of each sphere; those of the last one that has any end with the list
+  std::vector<std::size_t> first_;  // start of each sphere; those of the last sphere with bristles end with the list
 };
 
 }  // namespace dalembert

@@ -1,4 +1,5 @@
-// What general contact knows before anything is assembled: spheres, convex shapes, triangles and planes at markers, their surfaces, and how they are treated.
+// Definition of general contact before assembly: spheres, convex shapes, triangles and planes at markers, their
+// surfaces and options.
 #pragma once
 
 #include <array>
@@ -50,8 +51,8 @@ struct ContactPlane {
   ContactSurface surface;
 };
 
-// Tangential springs and dampers of contacts, as parts of those along the normal, and what holds at most, as a multiple of friction that slides.
-// Without stiffness there are none, and friction grows with the slip.
+// Tangential springs and dampers of contacts, as ratios of the normal ones, and the ratio of static to kinetic
+// friction. If the stiffness is zero, friction is regularized by the slip velocity.
 struct ContactBristles {
   double stiffness = 0, damping = 0, holding = 1;
   bool grow() const { return stiffness > 0; }
@@ -63,13 +64,14 @@ class ContactSet final : public SystemTermSource {
   std::vector<ContactSphere> spheres;
   std::vector<ContactCable> cables;
   std::vector<ContactCarrier> carriers;
-  std::vector<ContactTriangle> triangles;  // those of one carrier may be anywhere among them
+  std::vector<ContactTriangle> triangles;  // triangles of one carrier need not be contiguous
   std::vector<ContactConvex> convex;
   std::vector<ContactPlane> planes;
-  std::vector<double> friction;            // of pairs of materials, by rows
+  std::vector<double> friction;  // friction coefficients of pairs of materials, row by row
   int materials = 0;
   double proportional_zone = 1e-3;        // m/s
-  double nearest_relative_distance = 1e-10;  // of a centre from a triangle, in radii: what is nearer has no direction
+  // smallest distance of a center from a triangle, in radii; the normal is undefined below
+  double nearest_relative_distance = 1e-10;
   ContactBristles bristles;
   bool active = true, spheres_touch = true;
   std::uint64_t shapes = 0;  // counts changes of radii and triangles: who keeps anything made of them looks here
@@ -81,8 +83,8 @@ class ContactSet final : public SystemTermSource {
   }
   // Settings of the interface that change nothing here; kept to be read again.
   std::map<std::string, double> without_effect;
-  std::array<int, 3> cells{};              // of a search tree; nothing depends on it
-  std::array<double, 6> box{0, 0, 0, -1, -1, -1};  // lower and upper corner, likewise; empty: none was given
+  std::array<int, 3> cells{};  // cells of a search tree, without effect
+  std::array<double, 6> box{0, 0, 0, -1, -1, -1};  // lower and upper corner, without effect; empty if not given
 
   // Global numbers: spheres, then cables, then triangles, then convex shapes, then planes.
   int first_cable() const { return static_cast<int>(spheres.size()); }

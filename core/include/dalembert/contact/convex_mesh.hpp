@@ -1,5 +1,6 @@
-// Convex shapes on triangles of one body. Corners of the shape stand on the triangle that they are below, whatever edges are around; edges and corners of the
-// mesh touch where they stick out. So a flat mesh is as its plane, however fine it is.
+// Convex shapes on triangles of one body. Corners of the shape contact the triangle below them, independently of
+// edges; edges and corners of the mesh contact only if they protrude. So a flat mesh acts like its plane, for any
+// fineness.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,7 @@ class ConvexMesh {
     double depth = 0;
     ConvexTouch touch;
   };
-  // What a search needs for itself.
+  // Temporary data of a search.
   struct Scratch {
     std::vector<Foot> feet;
     std::vector<Candidate> candidates;
@@ -32,9 +33,10 @@ class ConvexMesh {
 
  private:
   struct Edge {
-    Vec3<double> begin, along;  // of length one
+    Vec3<double> begin, along;  // unit vectors
     double length = 0;
-    std::array<Vec3<double>, 2> inward, normal;  // of the triangles on both sides, alike if there is one alone
+    // directions of the triangles on both sides, equal if there is only one
+    std::array<Vec3<double>, 2> inward, normal;
   };
   struct Corner {
     Vec3<double> place, normal;  // the mean one around

@@ -1,4 +1,5 @@
-// Where two convex things overlap: in closed forms of their features, without iterations, so that the same places give the same numbers.
+// Overlap of two convex shapes: closed forms of their features, without iterations, so that equal positions give
+// equal numbers.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@ struct ConvexNow {
   RigidFrame<double> frame;
   std::vector<Vec3<double>> corners, normals;
   std::vector<double> offsets;
-  Vec3<double> centre, axis;  // of capsules and cylinders
+  Vec3<double> centre, axis;  // axis of capsules and cylinders
   double length = 0;
   Box box;
 
@@ -32,7 +33,7 @@ struct ConvexNow {
 struct Foot {
   Vec3<double> place;
   std::int64_t key = 0;
-  int edge = 0;           // which one leads from here to the next
+  int edge = 0;  // edge from here to the next one
   double share = 1;
   int corner = -1;        // none: it lies on an edge
   int rim = -1;           // end of a cylinder's axis
@@ -47,42 +48,46 @@ constexpr std::int64_t edges = std::int64_t{1} << 20, second_owner = std::int64_
 static_assert(end == 2 * mesh_corner && end < std::int64_t{1} << 53, "files keep keys as doubles");
 }  // namespace convex_keys
 
-// What of a shape is lowest along a normal: of the faces at its lowest corner, the one that is most across.
+// The lowest part of a shape along a normal: among the faces at its lowest corner, the one most perpendicular to the
+// normal.
 void lowest_feet(const ConvexNow& shape, const Vec3<double>& normal, std::vector<Foot>& feet);
-// As a touch with a plane, whose normal and point are given in the frame of their owner; `swapped`: the plane belongs to the first one.
+// Makes a touch with a plane, whose normal and point are given in the frame of their owner; `swapped`: the plane
+// belongs to the first shape.
 ConvexTouch touch_of(const Foot& foot, const ConvexNow& shape, const Vec3<double>& local_normal, const Vec3<double>& local_point);
 
-// All places of a pair; participants are filled in by the caller. Keys tell places apart.
+// All contact points of a pair; the caller fills in the participants. Keys identify the points.
 class ConvexPairs {
  public:
   void with_plane(const ConvexNow& shape, const Vec3<double>& normal, const Vec3<double>& point, const RigidFrame<double>& owner, std::vector<ConvexTouch>& found);
   void between(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found);
 
-  // How deep two polytopes overlap, and along what: the least over all directions; negative: they do not.
+  // Penetration depth and direction of two polytopes, the minimum over all directions; negative if they are
+  // separated.
   struct Overlap {
     double depth = -1;
-    Vec3<double> normal;  // from a to b
+    Vec3<double> normal;  // points from a to b
     int face_a = -1, face_b = -1, edge_a = -1, edge_b = -1;
   };
   // `of_faces`: the least over directions across faces.
   Overlap overlap(const ConvexNow& a, const ConvexNow& b, Overlap& of_faces) const;
-  // The same of a cylinder and something: which of its features is where they overlap least, and which of the other's.
+  // Features of a cylinder and the other shape with the least overlap.
   enum class RoundFeature { cap, mantle, rim };
   enum class OtherFeature { face, edge, corner, cap, mantle, rim };
   struct RoundOverlap {
     double depth = 0;
-    Vec3<double> normal;  // from the cylinder to the other
+    Vec3<double> normal;  // points from the cylinder to the other shape
     RoundFeature own = RoundFeature::cap;
     OtherFeature other = OtherFeature::corner;
     int own_end = 0, other_number = 0;  // the end of the cylinder's axis; that of the other's axis, or its face, edge or corner
   };
   // How far feet of a shape are from a plane, of those that are not below it.
   double clearance(const ConvexNow& shape, const Vec3<double>& normal, const Vec3<double>& point);
-  // How far two shapes are from each other: the most that a direction tells in which faces, edges or corners may touch; 0: none separates them.
+  // Lower bound of the distance of two shapes: the maximum over directions of possible face, edge or corner contacts;
+  // 0 if none separates them.
   double clearance(const ConvexNow& a, const ConvexNow& b);
 
   struct Line {
-    Vec3<double> begin, along;  // of length one
+    Vec3<double> begin, along;  // unit vectors
   };
 
  private:
@@ -100,7 +105,7 @@ class ConvexPairs {
   // `swapped`: the cylinder is the second one.
   void cylinder_and_polytope(const ConvexNow& cylinder, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found);
   void cylinders(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found);
-  // One place alone, where it is deepest.
+  // A single contact point at the deepest position.
   void lowest_on_face(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found);
   void capsule_on_rims(const ConvexNow& capsule, const ConvexNow& cylinder, bool swapped, std::vector<ConvexTouch>& found) const;
 
@@ -114,8 +119,8 @@ class ConvexPairs {
 inline Rim<double> rim_of(const ConvexNow& cylinder, int end) {
   return {cylinder.corners[static_cast<std::size_t>(end)], end == 1 ? cylinder.axis : -cylinder.axis, cylinder.shape->radius};
 }
-// Calls f(normal) for directions from the rim to a line, across it, in which both overlap least of all around; of those that are up to a signed `angle`
-// around the line from `from`.
+// Calls f(normal) for directions from the rim to a line, perpendicular to it, with locally least overlap, within a
+// signed `angle` around the line from `from`.
 template <class F>
 void each_least_overlap(const Rim<double>& rim, const Vec3<double>& point, const Vec3<double>& along, const Vec3<double>& from, double angle, const F& f) {
   constexpr double step = 0.4;  // curves are that smooth
@@ -131,7 +136,8 @@ void each_least_overlap(const Rim<double>& rim, const Vec3<double>& point, const
   double before = sign * slope(from);
   for (int k = 1; k <= count; ++k) {
     const double now = sign * slope(direction(sign * k * part));
-    if (before < 0 && now >= 0) {  // Newton's method, halving where it leaves what is known to hold the least one
+    // Newton's method, with bisection if it leaves the interval that contains the minimum
+    if (before < 0 && now >= 0) {
       double low = (k - 1) * part, high = k * part, x = 0.5 * (low + high), change = part;
       for (int turn = 0; turn < 60 && change > rim_normals::rounding; ++turn) {
         const rim_normals::Newton1 at = rim_normals::across_line(rim, w, along, direction(sign * x));
@@ -149,28 +155,30 @@ void each_least_overlap(const Rim<double>& rim, const Vec3<double>& point, const
 inline double angle_around(const Vec3<double>& along, const Vec3<double>& from, const Vec3<double>& to) { return std::atan2(dot(along, cross(from, to)), dot(from, to)); }
 // Sine below which two lines lie side by side.
 inline constexpr double parallel = 0.05;
-// Of the first thing a point with a radius, in its own axes as all else.
+// The first shape contributes a point with a radius, in its own axes like all data.
 ConvexTouch round_touch(ConvexTouch::Kind kind, const Vec3<double>& at, double radius, const Vec3<double>& at1, const Vec3<double>& along1, double radius1, double share,
                         std::int64_t key);
-// Both are parts of lines, in global axes: of a cylinder its axis, of a polytope an edge.
+// Both features are parts of lines, in global axes: the axis of a cylinder, an edge of a polytope.
 ConvexTouch line_touch(const ConvexNow& a, const Vec3<double>& at0, const Vec3<double>& along0, double radius0, const ConvexNow& b, const Vec3<double>& at1,
                        const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share, std::int64_t key);
-// As a touch of the first thing, with a line of another, in its own axes; the normal in global ones.
+// A rim of the first shape and a line of another one, each in its own axes; the normal is in global axes.
 ConvexTouch rim_touch(const ConvexNow& cylinder, int end, const Vec3<double>& at1, const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share,
                       std::int64_t key);
 // The same with a line of a convex shape, in global axes.
 ConvexTouch rim_touch(const ConvexNow& cylinder, int end, const ConvexNow& other, const Vec3<double>& at, const Vec3<double>& along, double radius,
                       const Vec3<double>& normal);
 
-// An edge contact is one of faces up to this sine of the angle between the two; faces of the first shape take what those of the second do as well.
+// An edge contact becomes a face contact up to this sine of the angle between both; faces of the first shape have
+// priority by this advantage.
 inline constexpr double near_face = 0.1, face_advantage = 1e-3;
 inline bool is_near_face(const Vec3<double>& normal, const Vec3<double>& least) { return norm(cross(least, normal)) < near_face && dot(least, normal) > 0; }
-// Whether places from `begin` on tell how deep the two are: what is deepest may not be over the face, and of parts of rims there are chords.
+// Whether the points from `begin` on represent the penetration depth: the deepest point may be outside of the face,
+// and rims are approximated by chords.
 bool is_as_deep(const std::vector<ConvexTouch>& found, std::size_t begin, const ConvexNow& first, const ConvexNow& second, double depth);
-// Of a place where no faces lie on each other.
+// Share of a contact point without parallel faces.
 inline double share_of_edges(const ConvexNow& a, const ConvexNow& b) { return 0.5 * (a.shape->lone + b.shape->lone); }
 
-// Parameters of the points of two lines that are nearest to each other; parallel ones have none.
+// Parameters of the nearest points of two lines; undefined for parallel lines.
 struct LinePair {
   double s = 0, t = 0, sine = 0;
 };

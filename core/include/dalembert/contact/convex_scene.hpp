@@ -1,4 +1,4 @@
-// Convex shapes, spheres, bodies with triangles and planes, as far as convex shapes or planes take part: what is near what, and where it touches now.
+// Contact search for pairs with convex shapes or planes: neighbours, and current contact points.
 #pragma once
 
 #include <span>
@@ -31,7 +31,7 @@ class ConvexScene {
   struct Batch {
     std::size_t begin = 0, end = 0;
     std::vector<ConvexTouch> found, kept;
-    std::vector<double> clearances;  // of its pairs
+    std::vector<double> clearances;  // lower bounds of the distances of its pairs
     ConvexPairs pairs;
     ConvexMesh::Scratch in_triangles;
     ConvexNow in_mesh;
@@ -56,7 +56,7 @@ class ConvexScene {
   const std::vector<Facet>* facets_ = nullptr;
   const std::vector<BoxTree>* trees_ = nullptr;
   int convex_ = 0, balls_ = 0, carriers_ = 0, planes_ = 0;
-  std::vector<ConvexShape> shapes_;  // of convex shapes and spheres
+  std::vector<ConvexShape> shapes_;  // convex shapes and spheres
   std::vector<int> markers_;
   std::vector<ContactSurface> surfaces_;
   std::vector<ConvexMesh> meshes_;
@@ -65,7 +65,7 @@ class ConvexScene {
   std::vector<Batch> batches_;
   SphereNeighbours neighbours_;
   std::vector<std::pair<int, int>> near_;
-  std::vector<std::vector<int>> near_triangles_;  // of pairs with triangles
+  std::vector<std::vector<int>> near_triangles_;  // candidate triangles of pairs
   double skin_ = 0;
 };
 

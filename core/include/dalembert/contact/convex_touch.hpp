@@ -1,5 +1,5 @@
-// One place where a convex shape touches something, kept as the two features that meet there, in the frames of their markers: so its gap and its normal
-// follow both bodies exactly as long as the features stay.
+// One contact point of a convex shape, defined by the two contacting features in the frames of their markers: gap and
+// normal follow both bodies exactly while the features stay in contact.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace dalembert {
 
-// Where two things meet.
+// Geometry of a contact point.
 template <class S>
 struct ContactMeeting {
   Vec3<S> normal, arm0, arm1;  // from the first to the second; from the markers to the common point of action
@@ -20,31 +20,31 @@ struct ContactMeeting {
 
 struct ConvexTouch {
   enum class Kind {
-    point_plane,  // of one thing, a point with a radius; of the other, a plane
-    rim_plane,    // of one thing, the point of a circle that is lowest over the plane of the other, or one at an angle from it
+    point_plane,  // first: a point with a radius; second: a plane
+    rim_plane,  // first: the lowest point of a circle over the plane, or a point at an angle from it; second: the plane
     points,       // points with radii
-    point_line,   // of one thing, a point; of the other, a line; with radii
-    point_rim,    // of one thing, a point with a radius; of the other, a circle
+    point_line,  // first: a point; second: a line; with radii
+    point_rim,  // first: a point with a radius; second: a circle
     lines,        // with radii
-    rim_line,     // of one thing, a circle; of the other, a line with a radius
-    rims          // of both, circles
+    rim_line,  // first: a circle; second: a line with a radius
+    rims  // two circles
   };
   int first = -1, second = -1;  // participants
-  std::int64_t key = 0;         // which place it is of this pair: convex_keys
+  std::int64_t key = 0;  // identifies the point within its pair: convex_keys
   Kind kind = Kind::point_plane;
   bool swapped = false;         // the point, rim or first line belongs to the second one
-  Vec3<double> at0, along0, at1, along1;  // point and direction: of a plane its normal, of a circle its axis
-  double radius0 = 0, radius1 = 0;        // that are added; of a circle, its own
-  double cosine = 1, sine = 0;            // of the angle on a rim
-  Vec3<double> nearby;                    // of a rim and a line, of rims: a direction near the normal
-  double share = 1;                       // of the stiffness of the pair
+  Vec3<double> at0, along0, at1, along1;  // point and direction: the normal of a plane, the axis of a circle
+  double radius0 = 0, radius1 = 0;  // radii, which are added; the radius of a circle
+  double cosine = 1, sine = 0;  // cosine of the angle on a rim
+  Vec3<double> nearby;  // rim and line, or two rims: a direction near the normal
+  double share = 1;  // share in the stiffness of the pair
   bool sticks = true, presses = true;
   std::int64_t bristle = -1;              // the key that its bristle has been known by
 
   auto order() const { return std::tuple(first, second, key); }
 };
 
-// Of two things from the one with the point to the other, with the place of the contact instead of arms.
+// Geometry from the shape with the point to the other one, with the contact position instead of arms.
 template <class S>
 struct MeetingPlace {
   Vec3<S> normal, place;
@@ -98,7 +98,7 @@ MeetingPlace<S> between_lines(const ConvexTouch& t, const Vec3<S>& x0, const Vec
   const Vec3<S> across = cross(d0, d1), span = x1 - x0;
   const S square = dot(across, across);
   using std::sqrt;
-  const Vec3<S> normal = (t.cosine / sqrt(square)) * across;  // which carries its sign
+  const Vec3<S> normal = (t.cosine / sqrt(square)) * across;  // carries the sign
   const S gap = dot(normal, span) - (t.radius0 + t.radius1);
   const Vec3<S> nearest = x0 + (dot(cross(span, d1), across) / square) * d0;
   return {normal, nearest + (t.radius0 + 0.5 * gap) * normal, gap};

@@ -1,4 +1,4 @@
-// A triangle and what is often asked of it: its normal, and on which side of its edges a point is.
+// A triangle with derived data: its normal, and the side of its edges on which a point is.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace dalembert {
 
 struct Facet {
-  Vec3<double> corner, normal;             // of length one
-  std::array<Vec3<double>, 3> inward;      // in the plane, across the edges, of length one
+  Vec3<double> corner, normal;  // unit normal
+  std::array<Vec3<double>, 3> inward;  // unit vectors in the plane, perpendicular to the edges
   std::array<double, 3> at_edge{};         // their products with points of the edges
 
   Facet() = default;
@@ -23,7 +23,7 @@ struct Facet {
       at_edge[k] = dot(inward[k], t[k]);
     }
   }
-  // Of a point, or of several side by side.
+  // Argument: a point, or several side by side.
   template <class S>
   DALEMBERT_INLINE S height(const Vec3<S>& point) const {
     return dot(normal, point - corner);

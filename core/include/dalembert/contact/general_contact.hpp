@@ -32,19 +32,19 @@ namespace dalembert {
 struct HeldContact {
   int sphere = -1, other = -1;  // global number of a sphere with a larger number, of a cable, or of a triangle
   bool sticks = true;           // the slip was in the proportional zone
-  Stretch1D along = {};         // of a cable: where it is in the circle
+  Stretch1D along = {};  // position of a cable interval in the circle
   int bristle = -1;             // the number that its bristle has been known by
 };
 
-// What a line meets first.
+// The first hit of a line.
 struct LineHit {
-  double distance = 0, velocity = 0;  // from the start, and of the surface, along the line
-  int sphere = -1, cable = -1, triangle = -1, convex = -1, plane = -1;  // -1: none of this kind
+  double distance = 0, velocity = 0;  // distance from the start, and velocity of the surface along the line
+  int sphere = -1, cable = -1, triangle = -1, convex = -1, plane = -1;  // -1: not hit
 };
 struct Line {
-  Vec3<double> start, direction;  // of length one
+  Vec3<double> start, direction;  // unit vector
   double nearest = 0, farthest = 0;
-  double radius = 0;              // of a cylinder around it, for spheres
+  double radius = 0;  // radius of a cylinder around the line, for spheres
   bool spheres = true, cables = true, triangles = true, convex = true, planes = true;
 };
 
@@ -79,28 +79,29 @@ class GeneralContact final : public SystemTerm {
   void write_history(std::vector<double>& numbers) const override;
   bool take_history(std::span<const double>& numbers) override;
 
-  // ---- questions, by frames in the ports ----
-  // What touched at the last search, Newton iteration or `update`.
+  // ---- queries, by frames in the ports ------------------------------------------------------------------------------
+  // Contacts at the last search, Newton iteration or `update`.
   const std::vector<HeldContact>& touching() const { return touching_; }
   void update(const Ports& ports);
-  // The number of the ports: good as long as they stay as they are; 0: for this line alone.
+  // `number` identifies the contents of the ports: search data is reused while it is unchanged; 0: for this line
+  // alone.
   LineHit first_hit(const Line& line, const Ports& ports, std::uint64_t number) const;
   struct Items {
     std::vector<int> spheres, cables, triangles, convex;
   };
   Items items_in(const Box& box, const Ports& ports) const;
   RigidFrame<double> frame_of(int marker, const Ports& ports) const;
-  // What pushes, for pictures: between a sphere and another thing, at a point, with a force on the sphere. The lists of this term become those
-  // of the configuration: ask one that no solver has.
+  // Active contacts for pictures: a sphere, the other entity, a point, and the force on the sphere. The lists of this
+  // term are updated to the given configuration: call it for a term that no solver uses.
   struct Push {
     int sphere, other;
     Vec3<double> point, force;
   };
   std::vector<Push> pushes(const Ports& ports, ConfigurationType configuration);
-  // Where convex shapes and planes touch and push.
+  // Active contact points of convex shapes and planes.
   struct ConvexPlace {
-    int first, second;  // global numbers; of triangles, that of the first one of their body
-    Vec3<double> point, normal, force;  // from the first to the second; on the first
+    int first, second;  // global numbers; triangles use the number of the first triangle of their body
+    Vec3<double> point, normal, force;  // normal from the first to the second; force on the first
     double gap, share;
   };
   std::vector<ConvexPlace> convex_places(const Ports& ports);
@@ -110,14 +111,14 @@ class GeneralContact final : public SystemTerm {
     bool sticks;
   };
   std::vector<ConvexPair> convex_pairs() const;
-  // What another term of the same contacts remembers.
+  // Copies the bristles of another term of the same contacts.
   void take_bristles_of(const GeneralContact& other) {
     bristles_ = other.bristles_;
     convex_bristles_ = other.convex_bristles_;
   }
 
  private:
-  // Where a sphere and another thing meet.
+  // Contact geometry of a sphere and another entity.
   template <class S>
   using Meeting = ContactMeeting<S>;
   // Blocks of the tangent: a sphere with another, or with the carrier of triangles.
@@ -125,12 +126,13 @@ class GeneralContact final : public SystemTerm {
     enum class With { sphere, cable, carrier };
     int sphere = -1, marker1 = -1;  // no marker: a cable
     With with = With::sphere;
-    int number = -1;  // of the other sphere, of the cable, of the carrier
+    int number = -1;  // number of the other sphere, of the cable or of the carrier
     std::size_t first_slot = 0;
     auto key() const { return std::tuple(sphere, with, number); }
   };
 
-  // Of what is near a sphere, with larger numbers: how many push and stick, and how near the next change is.
+  // Margins of a sphere with respect to neighbours with larger numbers: the number of active and sticking contacts,
+  // and the distance to the next change.
   struct Verge {
     int touching = 0, sticking = 0;
     double open = std::numeric_limits<double>::infinity(), closed = open, slip = open;  // N, N, m/s or, of bristles, N
@@ -152,18 +154,19 @@ class GeneralContact final : public SystemTerm {
 
   struct Found {
     int triangle = -1, rank = 0;        // 0: face, 1: edge, 2: corner
-    Vec3<double> point, normal;         // in the frame of the carrier; the normal leads there from the centre of the sphere
+    // in the frame of the carrier; the normal points from the center of the sphere to the point
+    Vec3<double> point, normal;
     double distance = 0;
     int bristle = -1;                   // the number that its bristle has been known by
   };
   // Spheres that follow each other: threads share chunks, which depend on the number of spheres alone, and so does the order of sums.
   struct Chunk {
     int begin = 0, end = 0;
-    double moved = 0;  // by its spheres since the lists were made: not more than this
+    double moved = 0;  // upper bound of the displacement of its spheres since the lists were made
     std::vector<int> at_triangles;  // spheres that are near some
-    std::vector<int> near_triangles;  // of its spheres, one after the other,
+    std::vector<int> near_triangles;  // candidate triangles of its spheres, one after the other,
     std::vector<std::size_t> ends;    // up to here
-    std::size_t first_near = 0;       // of them among those of all chunks
+    std::size_t first_near = 0;  // start of these among those of all chunks
     struct OnCarrier {
       int marker;
       Vec3<double> force, moment;
@@ -173,8 +176,8 @@ class GeneralContact final : public SystemTerm {
       int sphere, triangle;
       bool over_face;
     };
-    std::vector<Near> near, on_faces;  // what spheres may dip into now: these are over faces that rest,
-    std::size_t others = 0, faces = 0;  // so many of both
+    std::vector<Near> near, on_faces;  // candidates for penetration; on_faces: those over faces of fixed carriers,
+    std::size_t others = 0, faces = 0;  // numbers of both
     std::vector<int> of_sphere;
     std::vector<Found> found, kept;
     std::vector<BristleList::Entry> grown;
@@ -182,7 +185,7 @@ class GeneralContact final : public SystemTerm {
   template <class F>
   void each_chunk(const F& f) const;
 
-  // With `nodes`, spheres at nodes are read there.
+  // With `nodes`, the positions of spheres at nodes are read from the nodes.
   void take_places(const Ports& ports, const Evaluation* nodes = nullptr) const;
   void follow(const Ports& ports, const Evaluation* nodes = nullptr) const;
   void renew_lists() const;
@@ -217,7 +220,8 @@ class GeneralContact final : public SystemTerm {
   template <class S>
   Vec3<S> force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, std::optional<bool> sticks) const;
 
-  // A bristle now: what lies between its roots, and how much stronger it is than friction that slides.
+  // Current state of a bristle: the vector between its attachment points, and the ratio of static to kinetic
+  // friction.
   template <class S>
   struct Grip {
     Vec3<S> span{};
@@ -322,7 +326,7 @@ class GeneralContact final : public SystemTerm {
   std::string name_;
   std::vector<int> markers_;
   std::vector<char> turns_;  // whether the marker of a sphere has a rotation
-  std::vector<PortOffsets> offsets_;  // of the markers of spheres
+  std::vector<PortOffsets> offsets_;  // ports of the markers of spheres
   std::vector<NodeFrame> at_nodes_;   // by sphere
   bool shares_nodes_ = false;
   bool shares_markers_ = false;  // several spheres leave their forces at one marker: nobody else may at the same time
@@ -335,7 +339,7 @@ class GeneralContact final : public SystemTerm {
   mutable std::vector<HeldContact> cable_touches_;
   std::uint64_t blocks_of_list_ = 0;
 
-  // Kept from one evaluation to the next: they decide what is looked at, never what it gives.
+  // Caches between evaluations: they affect the search, never the results.
   mutable std::uint64_t shapes_ = ~std::uint64_t{0}, lists_ = 0;
   mutable std::vector<BoxTree> trees_;
   mutable std::vector<Triangle> local_;  // corners of all triangles
@@ -360,20 +364,21 @@ class GeneralContact final : public SystemTerm {
   };
   mutable Lines lines_;
   std::vector<HeldContact> touching_;
-  BristleList bristles_;  // at the start of the step
+  BristleList bristles_;  // bristles at the start of the step
   std::vector<BristleList::Entry> grown_bristles_;
   mutable ConvexScene scene_;
   std::vector<ConvexTouch> convex_held_, convex_touching_;
   mutable std::vector<ConvexTouch> convex_found_;
   struct ConvexPush {
-    Vec3<double> force, moment0, moment1;  // on the first one
+    Vec3<double> force, moment0, moment1;  // force and moment on the first, moment on the second
   };
   mutable std::vector<ConvexPush> convex_pushes_;
   std::vector<ConvexBlock> convex_blocks_;
   std::vector<ConvexBristle> convex_bristles_, grown_convex_;
   mutable std::uint64_t convex_lists_ = 0;
-  bool grown_ = false;  // those at its end are known
-  mutable std::vector<Verge> verges_, verges_before_;  // by sphere and convex shape: now, and after the last step; empty: not known
+  bool grown_ = false;  // whether those at the end of the step are known
+  // by sphere and convex shape: now, and after the last step; empty: unknown
+  mutable std::vector<Verge> verges_, verges_before_;
 };
 
 }  // namespace dalembert

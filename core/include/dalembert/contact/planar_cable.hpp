@@ -17,7 +17,7 @@ struct CableShape {
   std::array<int, 8> dofs{};  // global coordinates: position and slope at both ends
   double length = 0;
 
-  // What the coordinates of position and slope at both ends count at a place of the axis.
+  // Weights of the coordinates of position and slope at both ends, for a point of the axis.
   template <class S>
   std::array<S, 4> weights(const S& x) const {
     const S s = (1 / length) * x, s2 = s * s, s3 = s2 * s;

@@ -1,8 +1,9 @@
-// The direction in which a circle and a line, or two circles, overlap least: where it is, all of what they are changes nothing of the overlap to first order.
+// The direction of least overlap of a circle and a line, or of two circles: a stationary point of the overlap.
 //
-// Along u, a circle of radius r around an axis n reaches r |u - (u.n) n| beyond its centre. With w from the second thing to the centre of the first, they overlap
-// by F(u) = w.u + r |u - (u.n) n| + ..., whose gradient and curvature on the sphere of directions are known in closed form: Newton's method finds the direction
-// from one nearby, and its derivatives follow from one more step with what moves.
+// A circle of radius r around an axis n extends along u by r |u - (u.n) n| from its center. Let w point from the second
+// feature to the center of the first. The overlap is F(u) = w.u + r |u - (u.n) n| + ..., whose gradient and Hessian on the
+// sphere of directions have closed forms. Newton's method computes the direction from a nearby one; derivatives follow from
+// one more step with dual numbers.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +15,10 @@ namespace dalembert {
 
 template <class S>
 struct Rim {
-  Vec3<S> centre, axis;  // of length one
+  Vec3<S> centre, axis;  // unit vectors
   double radius = 0;
 
-  // Where it is farthest along u, seen from its centre: a direction, and how much of u is in its plane.
+  // The farthest point along u, seen from its center: a direction, and the in-plane part of u.
   struct Reach {
     Vec3<S> out;
     S sine;
@@ -33,7 +34,8 @@ namespace rim_normals {
 
 constexpr int most_steps = 30;
 constexpr double longest_step = 0.3, rounding = 1e-15;
-constexpr double converged = 1e-6;  // steps that are followed by none but one of rounding, which carries derivatives
+// smaller steps are followed by a single one of round-off, which carries derivatives
+constexpr double converged = 1e-6;
 
 template <class S>
 Vec3<double> value_of_vector(const Vec3<S>& v) {
@@ -63,7 +65,7 @@ inline Newton1 across_line(const Rim<double>& rim, const Vec3<double>& w, const 
   return {slope(rim, reach, w, t), bend(rim, reach, t, t) - dot(w, u) - rim.radius * reach.sine};
 }
 
-// Of two circles: two directions across u.
+// Newton's method for two circles, in two directions perpendicular to u.
 struct Newton2 {
   Vec3<double> s, t;
   double curvature[3];  // ss, st, tt
@@ -89,7 +91,7 @@ inline Newton2 between_rims(const Rim<double>& a, const Rim<double>& b, const Ve
   return n;
 }
 
-// From u, where both are as there.
+// Starts from u, evaluated at u.
 template <class S>
 Vec3<S> step_between(const Newton2& at, const Rim<S>& a, const Rim<S>& b, const Vec3<S>& u) {
   const Vec3<S> pull = a.centre - b.centre + a.radius * a.reach(u).out + b.radius * b.reach(u).out;
@@ -99,7 +101,8 @@ inline Vec3<double> not_longer(const Vec3<double>& step, double length) { return
 
 }  // namespace rim_normals
 
-// From the rim to the line, and across it; `point` is any one of the line. What is added to the line changes nothing.
+// Direction from the rim to the line and perpendicular to it; `point` is any point of the line. Adding a multiple of
+// the line direction has no effect.
 template <class S>
 Vec3<S> normal_of_rim_and_line(const Rim<S>& rim, const Vec3<S>& point, const Vec3<S>& along, const Vec3<double>& nearby) {
   using namespace rim_normals;
@@ -119,7 +122,7 @@ Vec3<S> normal_of_rim_and_line(const Rim<S>& rim, const Vec3<S>& point, const Ve
   return across + ((-1 / curvature) * slope(rim, rim.reach(across), rim.centre - point, t)) * t;
 }
 
-// From the first to the second.
+// Direction from the first to the second.
 template <class S>
 Vec3<S> normal_of_rims(const Rim<S>& a, const Rim<S>& b, const Vec3<double>& nearby) {
   using namespace rim_normals;

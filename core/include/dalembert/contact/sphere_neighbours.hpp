@@ -1,4 +1,4 @@
-// Which spheres are near each other: a list of pairs that stays good as long as no sphere has moved farther than half of a skin.
+// Neighbouring spheres: a list of pairs that is valid until a sphere has moved farther than half of a skin.
 #pragma once
 
 #include <cstdint>
@@ -24,11 +24,11 @@ struct alignas(32) SphereAt {
 
 class SphereNeighbours {
  public:
-  // Pairs with a gap of up to `margin`, for these places. Threads share the search; what is found does not depend on them.
+  // Computes pairs with a gap of up to `margin`. Threads share the search; the result does not depend on them.
   void build(std::span<const SphereAt> spheres, double margin, Workers* workers);
-  // Those of a sphere with larger numbers, ascending.
+  // Neighbours of a sphere with larger numbers, ascending.
   std::span<const int> behind(int sphere) const { return behind(sphere, sphere + 1); }
-  // Those of the spheres from `begin` to `end`, one after the other.
+  // Neighbours of the spheres from `begin` to `end`, one after the other.
   std::span<const int> behind(int begin, int end) const {
     const std::size_t first = first_[static_cast<std::size_t>(begin)];
     return {seconds_.data() + first, first_[static_cast<std::size_t>(end)] - first};
@@ -44,7 +44,7 @@ class SphereNeighbours {
 
   std::vector<std::size_t> first_;
   LargeVector<int> seconds_;
-  std::vector<LargeVector<Pair>> found_;  // by stretches of spheres
+  std::vector<LargeVector<Pair>> found_;  // found pairs by range of spheres
 };
 
 }  // namespace dalembert

@@ -1,4 +1,4 @@
-// What a kernel may know besides its parameters and coordinates.
+// Arguments of a kernel besides its parameters and coordinates.
 #pragma once
 
 #include "dalembert/reflection/callback.hpp"
@@ -14,7 +14,7 @@ struct Context {
   double step_size = 0;
   const double* data = nullptr;  // the item's data coordinates; null: none
   int data_count = 0;
-  bool same_state = false;       // as in the evaluation before: user functions need not be called again
+  bool same_state = false;  // same state as in the previous evaluation: user functions need not be called again
 
   template <class S>
   static Context of(const EvaluationOf<S>& e, int item, int first_data = -1, int data_count = 0) {

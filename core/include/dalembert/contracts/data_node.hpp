@@ -1,4 +1,4 @@
-// What errors expect of the node of an item that remembers something.
+// Error texts for the data node of an item with history.
 #pragma once
 
 #include <string>

@@ -1,11 +1,9 @@
-// What the assembler needs of anything that has coordinates and points: bodies on a node, finite elements, nodes.
-//
-// A body that stands on one node speaks of the node's motion only (BodyKernel); OnNode makes an element of it and the
-// node. An item with coordinates of its own (ANCF cable) is an element itself (ElementKernel).
-//
-// What is known of a kernel it says in its `traits`, closed forms among it: the compiler knows their names, and those that are named
-// have to be there, and no others. What a kernel does without, it says by deriving from NoCheck, NoDoubt, NoNodeOutputs or
-// NoElementOutputs. So a member that is missing, misspelt or has another signature does not compile.
+// Contract of everything with coordinates and points: bodies on a node, finite elements, nodes.
+// A body on one node uses only the motion of the node (BodyKernel); OnNode combines it with the node to an element.
+// An item with its own coordinates (ANCF cable) is an element itself (ElementKernel). A kernel declares its constant
+// properties and closed forms in `traits`: the compiler checks their names and requires the named members. A kernel
+// derives from NoCheck, NoDoubt, NoNodeOutputs or NoElementOutputs for each part that it lacks. So a member that is
+// missing, misspelt or has another signature does not compile.
 #pragma once
 
 #include <array>
@@ -25,7 +23,7 @@
 
 namespace dalembert {
 
-// What `output` of an element is asked for. `reference` holds the coordinates of the reference configuration.
+// Request for an output of an element. `reference` contains the coordinates of the reference configuration.
 struct OutputRequest {
   OutputVariableType variable{};
   Vec3<double> local;
@@ -35,8 +33,8 @@ struct OutputRequest {
 
 // ---- nodes --------------------------------------------------------------------------------------------------------------
 struct NodeTraits {
-  int translations = 0;            // so many coordinates come first that are components of the position
-  bool constant_jacobian = false;  // of the motion by the coordinates
+  int translations = 0;  // number of leading coordinates that are components of the position
+  bool constant_jacobian = false;  // constant Jacobian of the motion
   bool oriented = true;            // else it has a position only
   bool planar = false;             // contracts/planar_node.hpp
   int unit_from = -1;              // coordinates from this one on form a vector of length one
@@ -45,7 +43,7 @@ struct NodeTraits {
   bool rotation_tangent = false;   // it states the derivatives of its rotation: contracts/rotating_node.hpp
   bool in_packs = false;           // motion and pull-back take numbers side by side: batches/groups.hpp
 };
-// Of parameters; of nodes and bodies.
+// Base of kernels of nodes and bodies without a check of parameters.
 struct NoCheck {
   static void check(const auto&, const ItemLabel&) {}
 };
@@ -76,11 +74,11 @@ concept LieKernel = requires { requires N::traits.lie_rotation >= 0; };
 
 // ---- bodies -------------------------------------------------------------------------------------------------------------
 struct BodyTraits {
-  bool constant_mass = false;   // in the axes of the body; the node decides about its coordinates
+  bool constant_mass = false;  // in body axes; the node determines the mass matrix of its coordinates
   bool pure_inertia = false;    // mass times acceleration, the same in all directions, and nothing else
   bool planar_tangent = false;  // it differentiates its residual on planar nodes: contracts/planar_node.hpp
 };
-// Of parameters that no real body has, though it can be computed.
+// Warnings about parameters that no real body has, although they can be computed.
 struct NoDoubt {
   static std::string doubt(const auto&) { return {}; }
 };
@@ -99,7 +97,7 @@ concept ChecksParameters = requires(const typename B::Parameters& p, const ItemL
   { B::check(p, item) } -> std::same_as<void>;
   { B::doubt(p) } -> std::same_as<std::string>;
 };
-// On a node of any number of coordinates.
+// Body on a node with any number of coordinates.
 template <class B, int N>
 concept OutputsOf = requires(const typename B::Parameters& p, const Context& c, const Coordinates<double, N>& x, const OutputRequest& request,
                              std::vector<double>& values) {
@@ -110,11 +108,11 @@ concept BodyKernel = FrameBody<B> != RotatingBody<B> && ChecksParameters<B> && r
 
 // ---- elements -----------------------------------------------------------------------------------------------------------
 struct ElementTraits {
-  int translations = 0;            // so many coordinates come first that are components of the position
-  bool constant_mass = false;      // of its coordinates
-  bool constant_jacobian = false;  // of the motion of its points
+  int translations = 0;  // number of leading coordinates that are components of the position
+  bool constant_mass = false;  // constant mass matrix of its coordinates
+  bool constant_jacobian = false;  // constant Jacobian of the motion of its points
   bool oriented = true;            // else its points have a position only
-  bool planar = false;             // on a planar node
+  bool planar = false;  // stands on a planar node
   bool pure_inertia = false;       // nothing without accelerations
   bool diagonal = false;           // its mass matrix
   bool tangent = false;            // it states the derivative of its residual
@@ -185,8 +183,8 @@ concept LaneKernel = requires(const typename E::Parameters& p, const typename Pr
   requires E::node_size >= 3;
 };
 
-// A residual that is a constant mass matrix times accelerations, and nothing without them. Of a body: one mass, the same in
-// all directions.
+// The residual is a constant mass matrix times accelerations, and zero without accelerations. For a body: an
+// isotropic mass.
 template <class E>
 concept PureInertia = requires { requires E::traits.pure_inertia; };
 
@@ -201,13 +199,13 @@ concept ElementKernel = requires(const typename E::Parameters& p, const typename
   { E::template motion<double>(p, x, local) } -> std::same_as<Motion<double>>;
   { E::template pull_back<double>(p, x, local, local, local) } -> std::same_as<Vec<double, E::size>>;
   { E::template mass_load<double>(p, x, local) } -> std::same_as<Vec<double, E::size>>;
-  { E::lie_rotations.size() };  // where rotation vectors begin that take increments on the group
+  { E::lie_rotations.size() };  // starts of rotation vectors with increments on the group
   requires std::same_as<decltype(E::traits), const ElementTraits>;
   requires E::traits.tangent == TangentKernel<E>;
   requires OutputsOf<E, E::size>;
 };
 
-// The rotation alone, where a node can tell it for less than its motion.
+// The rotation alone, if a node computes it at lower cost than its motion.
 template <class Node, class S>
 Mat3<S> node_rotation(const Coordinates<S, Node::size>& x) {
   if constexpr (Node::traits.rotation_alone) {
@@ -240,7 +238,7 @@ Vec<S, Node::size> pull_back_spin_wrench(const Coordinates<S, Node::size>& x, co
   }
 }
 
-// Where the coordinates of an element on this node have rotation vectors that take increments on the group.
+// Starts of rotation vectors with increments on the group, among the coordinates of an element on this node.
 template <class Node>
 constexpr auto lie_rotations_of() {
   if constexpr (LieKernel<Node>) return std::array{Node::traits.lie_rotation};
@@ -287,7 +285,7 @@ struct OnNode {
       .oriented = Node::traits.oriented,
       .planar = PlanarNode<Node>,
       .pure_inertia = pure_inertia,
-      .diagonal = pure_inertia && Node::traits.translations == size,  // one mass in all directions
+      .diagonal = pure_inertia && Node::traits.translations == size,  // isotropic mass
       .tangent = PlanarBody<Body, Node>};
   static constexpr auto lie_rotations = lie_rotations_of<Node>();
 
@@ -374,7 +372,7 @@ struct OnRestingNode : NoLieRotations, NoElementOutputs {
   }
 };
 
-// A node alone, as an element: for markers on nodes.
+// A node as an element of its own: for markers on nodes.
 template <class Node>
 struct AtNode {
   struct Parameters {};
@@ -409,8 +407,9 @@ Coordinates<S, N> gather(const EvaluationOf<S>& e, const int* dofs) {
   return x;
 }
 
-// Gathers coordinates with `Count` directions, from coordinate `begin` on: one derivative per coordinate, along the weights. Increments of a
-// rotation vector on the group turn into rates of its components by the inverse tangent map.
+// Gathers coordinates with `Count` directions, from coordinate `begin` on: one derivative per coordinate, along the
+// weights. Increments of a rotation vector on the group are converted to rates of its components by the inverse
+// tangent map.
 template <class E, int Count, class S, int N>
 Coordinates<Dual<Count, S>, N> seeded_from(int begin, const Coordinates<S, N>& x, const Weights& w) {
   using D = Dual<Count, S>;

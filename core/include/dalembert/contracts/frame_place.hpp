@@ -1,5 +1,5 @@
-// A place on a body that deforms in a frame. Its displacement u and its small rotation theta are linear in the coordinates of the
-// body: constant rows, prepared once however many mesh nodes the place stands for. With the frame F at p, turned by A_0F,
+// A point of a body that deforms in a frame. Its displacement u and its small rotation theta are linear in the coordinates of
+// the body, with constant rows that are prepared once for any number of mesh nodes. The frame F is at p, with rotation A_0F:
 //
 //      position    p + A_0F (rest + u)           u = translation x,      theta = rotation x
 //      rotation    A_0F exp(theta)
@@ -33,14 +33,15 @@ Mat3<S> rotation_vector_tangent(const Vec3<S>& rotation) {
   return t;
 }
 
-// That of the body; without a frame, global axes.
+// Frame of the body; global axes if there is no frame.
 template <class Frame, class S>
 Motion<S> frame_motion(const SizedCoordinates<S>& x) {
   if constexpr (Frame::size > 0) return Frame::template motion<S>(x.template of_first<Frame>());
   return {};
 }
 
-// Of what stands at y in a frame, and moves there by y_t and y_tt, all in its axes.
+// Position, velocity and acceleration of a point at y in a moving frame, with relative velocity y_t and acceleration
+// y_tt, all in the axes of the frame.
 template <class S>
 Motion<S> motion_in(const Motion<S>& frame, const Vec3<S>& y, const Vec3<S>& y_t, const Vec3<S>& y_tt) {
   const Vec3<S> rate_0 = frame.rotation * y_t;
@@ -51,8 +52,8 @@ Motion<S> motion_in(const Motion<S>& frame, const Vec3<S>& y, const Vec3<S>& y_t
 }
 
 struct FramePlace {
-  double scale = 1;                           // of the force on the frame as a whole
-  Vec3<double> rest{};                        // in the frame
+  double scale = 1;  // factor of the force on the frame
+  Vec3<double> rest{};  // in the frame
   std::vector<double> translation = {}, rotation = {};  // three rows each, of the first coordinates; empty: none
   bool exponential_map = true;                // else rotations are linear
   bool exact_rate = true;                     // the angular velocity is that of the exponential map

@@ -15,19 +15,19 @@ namespace dalembert {
 
 struct JointEquation {
   enum class Kind {
-    displacement,  // of the second point against the first, along a global axis
+    displacement,  // displacement of the second point relative to the first, along a global axis
     along,         // the same along an axis of the first frame
-    product,       // of an axis of the first frame and one of the second, which are normal to each other
+    product,  // scalar product of an axis of the first frame and an axis of the second, which are orthogonal
   };
   Kind kind = Kind::displacement;
-  Vec3<double> first{}, second{};  // axes; of a frame: in the marker's own coordinates
+  Vec3<double> first{}, second{};  // axes; axes of a frame are given in marker coordinates
 };
 
-// What is known of an equation without any parameters.
+// Properties of an equation that do not depend on parameters.
 struct JointRow {
   JointEquation::Kind kind;
   int axis = 0;              // the global one, of a displacement
-  bool same_first = false;   // of a product: its first axis is that of the row before, which is a product as well
+  bool same_first = false;  // a product whose first axis is that of the previous row, which is also a product
 };
 
 // A kernel without equations along axes that turn says `fixed_directions`: translations do not vary its reaction.
@@ -51,7 +51,7 @@ JointSums<S, static_cast<std::size_t>(M)> joint_sums(const Table& table, const R
   const Vec3<S> span = m1.position - m0.position;
   Vec<S, M> gap;
   Vec3<S> force{}, turning{}, moment{};  // forces along axes that turn under the displacement, in addition
-  Vec3<S> axis{}, seen{};                // of products with one first axis: that, also in the axes of the second frame
+  Vec3<S> axis{}, seen{};  // common first axis of products, also in the axes of the second frame
   Vec3<L> sum{};                         // their second axes times multipliers
   const auto add = [&]<int k>() {
     constexpr JointRow row = rows[static_cast<std::size_t>(k)];
@@ -80,7 +80,7 @@ JointSums<S, static_cast<std::size_t>(M)> joint_sums(const Table& table, const R
   return {gap, {Wrench<S>{-force, moment - cross(span, turning)}, Wrench<S>{force, -moment}}};
 }
 
-// A joint that is nothing but its table says what is known of its `rows`: gap and reaction follow.
+// A joint that is fully described by its table declares the properties of its `rows`: gap and reaction follow.
 template <class K>
 struct JointOfTable {
   static constexpr bool is_table = true;

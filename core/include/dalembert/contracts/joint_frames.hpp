@@ -1,5 +1,5 @@
-// The frames of a joint: those of its markers, turned by the rotations that the joint's parameters state, and what joints
-// tell about their relative motion in the axes of the first frame.
+// The frames of a joint: those of its markers, rotated by the joint's parameters, and the relative motion in the axes
+// of the first frame.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-// Of the joint frames i and j on both markers, with the notation of frames.hpp: their axes are the columns.
+// Joint frames i and j on both markers, with the notation of frames.hpp: their axes are the columns.
 template <class S>
 struct JointAxes {
   Mat3<S> A_0i, A_0j;

@@ -1,4 +1,4 @@
-// The line between two points that a force acts along; points that coincide have none.
+// The line of action of a force between two points; it is undefined for coinciding points.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ struct LinearEquation {
 template <class K>
 concept LinearConstraint = requires(const typename K::Parameters& p) {
   { K::linear(p) } -> std::same_as<std::array<LinearEquation, K::equations>>;
-  { K::is_homogeneous(p) } -> std::same_as<bool>;  // what stands on the right is zero at all times
+  { K::is_homogeneous(p) } -> std::same_as<bool>;  // the right-hand side is zero at all times
 };
 
 }  // namespace dalembert

@@ -1,4 +1,4 @@
-// The value of a load at a time: its parameter, or what its user function makes of it.
+// The value of a load at a time: its parameter, or the result of its user function.
 #pragma once
 
 #include "dalembert/contracts/user_function.hpp"

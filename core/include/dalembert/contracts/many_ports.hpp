@@ -4,11 +4,11 @@
 //   unknowns ─────────▶ │ evaluate │ ──equations▶ one for each unknown
 //   data ─────────────▶ └──────────┘
 //
-// A kernel states one function of all that it reads; its tangent follows by sweeps of dual numbers over the coordinates of the
-// markers and its own unknowns. Unknowns are algebraic (multipliers, or coordinates such as the place of a slider), with
-// equations that have to vanish; or coordinates of first order of its nodes, with equations that are their rates.
+// A kernel has one function of all its arguments; its tangent follows by sweeps of dual numbers over the coordinates of the
+// markers and its own unknowns. Unknowns are algebraic (multipliers, or coordinates such as the position of a slider), with
+// equations that have to vanish; or first-order coordinates of its nodes, with equations for their rates.
 //
-// There are no optional members: what a kernel does not have, it says by deriving from AllMarkersAct, NoAlgebraicEquations,
+// There are no optional members. A kernel declares a missing part by deriving from AllMarkersAct, NoAlgebraicEquations,
 // NoHistory, NoSwitches or NoOutputs. A member that is missing, misspelt or has another signature does not compile.
 #pragma once
 
@@ -30,19 +30,19 @@
 
 namespace dalembert {
 
-// Positions in an item's list of markers: some act always, of the others one at a time, as the elements of a cable under a slider.
-// Those are coupled with the item, and not with each other.
+// Positions in an item's list of markers. Some act always, of the remaining ones (alternatives) one at a time, such
+// as the cable elements under a slider. Alternatives are coupled with the item, and not with each other.
 struct ActingMarkers {
   std::vector<int> always, alternatives;
 };
 
-// What an item reads of its acting markers and of its unknowns, and what it leaves there. The one that is chosen of the
-// alternatives comes last.
+// Frames and unknowns that an item reads, and forces and equations that it computes. The active alternative comes
+// last.
 template <class S>
 class Exchange {
  public:
   struct Place {
-    int value = 0, values = 0, force = 0, forces = 0;  // where they begin, and how many there are
+    int value = 0, values = 0, force = 0, forces = 0;  // start and number
     bool moves = false;                                // it has coordinates
   };
 
@@ -57,7 +57,7 @@ class Exchange {
   std::span<S> forces(int marker) { return {forces_ + place(marker).force, static_cast<std::size_t>(place(marker).forces)}; }
   int selected(int marker) const { return place(marker).forces; }  // how many numbers of a marker have forces
   bool moves(int marker) const { return place(marker).moves; }     // or it rests on ground
-  // Adds what acts on a marker.
+  // Adds the force on a marker.
   template <class Force>
   void apply(int marker, const Force& force) {
     const S* from = reinterpret_cast<const S*>(&force);
@@ -77,8 +77,8 @@ class Exchange {
   std::span<const Place> places_;
 };
 
-// What an item remembers, after Newton's method: data coordinates at the start of the step and now, and its algebraic unknowns,
-// which may be taken over into data.
+// History of an item after Newton's method: data coordinates at the start of the step and now, and its algebraic
+// unknowns, which may be stored as data.
 struct History {
   const double* start;
   double* data;
@@ -158,9 +158,11 @@ concept ManyPortsKernel = requires(const typename K::Parameters& p, const Contex
                                    const Connections& on, const History& history, Switches& switches, std::span<const int> coordinates,
                                    OutputVariableType variable, std::vector<double>& values) {
   { K::acting(p, 0) } -> std::same_as<ActingMarkers>;
-  { K::alternative(p, c) } -> std::same_as<int>;  // which one acts: its place among the alternatives
-  { K::algebraic_equations(p, coordinates) } -> std::same_as<int>;  // by the numbers of coordinates that the markers select
-  { K::is_multiplier(p, 0) } -> std::same_as<bool>;  // of an algebraic unknown: a Lagrange multiplier, or a coordinate
+  { K::alternative(p, c) } -> std::same_as<int>;  // the active one: its index among the alternatives
+  // arguments: numbers of coordinates that the markers select
+  { K::algebraic_equations(p, coordinates) } -> std::same_as<int>;
+  // whether an algebraic unknown is a Lagrange multiplier; otherwise it is a coordinate
+  { K::is_multiplier(p, 0) } -> std::same_as<bool>;
   { K::forces_follow_motion(p) } -> std::same_as<bool>;  // false: reactions of a linear constraint, which coordinates do not change
   { K::template evaluate<double>(p, c, x) } -> std::same_as<void>;
   requires std::same_as<decltype(K::has_history), const bool>;

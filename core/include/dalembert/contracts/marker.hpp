@@ -1,4 +1,4 @@
-// Markers: what a kernel says, one of four things.
+// Markers: a kernel has one of four forms.
 //
 //   the frame of a body or node:          `shape` and `local`, a position that moves with it
 //   coordinates of a node or object:      `coordinates`, which of them, and `totals`, whether with reference values

@@ -41,7 +41,7 @@
 // `update` writes them, after Newton's method has converged (contracts/switches.hpp: or `switch_over`, at events). A constraint states its number of `equations` and the `gap` g = 0 (or `gap_rate`, if it is
 // nonholonomic); dual numbers give G = dg/d(frames) and the forces -G^T lambda of its multipliers (contracts/variation.hpp). A load states `force`.
 //
-// No member is optional. A kernel derives from one of the structs below for each part of the contract that it does not have: a member that is missing,
+// No member is optional. A kernel derives from one of the structs below for each missing part of the contract: a member that is missing,
 // misspelt or has another signature does not compile. Closed forms of derivatives may be left out, for sweeps of dual numbers find the same numbers; a
 // kernel names those that it has in `closed_forms`, and must have those that it names.
 #pragma once
@@ -63,7 +63,7 @@
 namespace dalembert {
 
 // ---- connectors ---------------------------------------------------------------------------------------------------------
-constexpr int any_data_coordinates = -1;  // as many as the node of the item has
+constexpr int any_data_coordinates = -1;  // number of data coordinates of the item's node
 
 struct NoPairHistory : NoSwitches {
   static constexpr bool has_history = false;

@@ -1,5 +1,5 @@
-// Nodes in the plane: two displacements and perhaps an angle about z, with coordinates that are rates of each other. What
-// bodies and markers on them need is short in closed form.
+// Nodes in the plane: two displacements and optionally an angle about z, with rates as velocities. Closed forms for
+// their bodies and markers are short.
 #pragma once
 
 #include <cmath>
@@ -55,7 +55,7 @@ RigidFrame<S> planar_frame(const Coordinates<S, N>& x, const PlanarRotation<S>& 
   if constexpr (N == 3) f.angular_velocity[2] = x.v[2];
   return f;
 }
-// What can differ from zero of the frame's derivatives, whose rows are those of 6 or 18 Values.
+// Nonzero part of the frame's derivatives, whose rows are those of 6 or 18 Values.
 template <int Values, class S, int N>
 void write_planar_frame_tangent(const Coordinates<S, N>& x, const PlanarRotation<S>& r, const Arm<S>& arm, const Weights& w, S* d) {
   for (int i = 0; i < 2; ++i) {

@@ -129,8 +129,8 @@ struct RelativeFrames {
     return pull_back(x, wrenches(pose(x, base).rotation, local(k, x), g));
   }
 
-  // J'mJ and, with the local forces held: those in global axes turn with the base, moments change with d and phi; rates of the
-  // local vectors turn with the coordinates, and damping with them.
+  // J'mJ and the derivative with fixed local forces: those in global axes rotate with the base, moments change with d
+  // and phi; rates of the local vectors, and damping, rotate with the coordinates.
   template <class K, class T>
   static Mat<T, size, size> tangent(const K& k, const State<T>& x, const Local<T>& g, const Mat<T, rows, rows>& m,
                                     const Mat<T, rows, rows>& damping, const Weights& w)

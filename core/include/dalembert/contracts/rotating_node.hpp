@@ -14,7 +14,7 @@
 
 namespace dalembert {
 
-// What inertia forces see of a node. The acceleration is in global axes, spin and its rate are in the node's own.
+// Motion of a node for inertia forces. The acceleration is in global axes, spin and its rate are in body axes.
 template <class S>
 struct SpinMotion {
   Vec3<S> acceleration;
@@ -27,11 +27,11 @@ struct SpinWrench {
   Vec3<S> force, moment;
 };
 
-// What bodies and markers read of the rotation of the node they are on, and what they leave there, once for all of them:
-// records of numbers in this order, so that several are gathered at once (batches/groups.hpp).
+// Shared record of a node for its bodies and markers: they read its rotation and add their forces. Records are
+// numbers in this order, so that several are gathered at once (batches/groups.hpp).
 template <class S>
 struct NodeMotionOf {
-  Vec3<S> spin, spin_rate;  // in own axes
+  Vec3<S> spin, spin_rate;  // in body axes
   Mat3<S> rotation;
   Vec3<S> angular_velocity;
 
@@ -43,7 +43,7 @@ using NodeMotion = NodeMotionOf<double>;
 template <class S>
 struct NodeLoadOf {
   Vec3<S> own_moment, force, moment;
-  S beside{};  // not zero: some of the forces act beside the node
+  S beside{};  // nonzero if some forces act away from the node
 
   static constexpr int count = 10;
   static NodeLoadOf of(const Vec<S, count>& x) { return {segment<3>(x, 0), segment<3>(x, 3), segment<3>(x, 6), x[9]}; }
@@ -54,7 +54,8 @@ struct NodeLoadOf {
 };
 using NodeLoad = NodeLoadOf<double>;
 
-// Of forces beside the node: the sum of point force^T, points in own axes. Without such forces it is neither read nor set back.
+// Sum of point force^T over forces away from the node, points in body axes. It is neither read nor reset without such
+// forces.
 template <class S>
 struct PointForcesOf {
   Mat3<S> sum;
@@ -73,7 +74,7 @@ using PointForces = PointForcesOf<double>;
 template <int R>
 struct RotationTangent {
   Mat3<double> rotation{};
-  std::array<Mat3<double>, R> turn{};                    // of the rotation, along the weight of q
+  std::array<Mat3<double>, R> turn{};  // derivatives of the rotation, along the weight of q
   Vec3<double> spin{};
   Mat<double, 3, R> spin_map{}, angular_map{};             // rates to spin, rates to angular velocity in global axes
   Mat<double, 3, R> spin_tangent{}, spin_rate_tangent{}, angular_tangent{};
@@ -87,9 +88,10 @@ template <class N>
 concept RotatingNode = requires(const Coordinates<double, N::size>& x, const Vec3<double>& m, const Weights& w) {
   { N::template motion<double>(x) } -> std::same_as<Motion<double>>;
   { N::template spin_motion<double>(x) } -> std::same_as<SpinMotion<double>>;
-  { N::template pull_back_spin<double>(x, m) } -> std::same_as<Vec<double, N::size - 3>>;  // of a moment in own axes
+  // pull-back of a moment in body axes
+  { N::template pull_back_spin<double>(x, m) } -> std::same_as<Vec<double, N::size - 3>>;
   { N::rotation_tangent(x, w) } -> std::same_as<RotationTangent<N::size - 3>>;
-  // of the pull-back of a moment in own axes and one in global axes, held fixed
+  // derivative of the pull-back of a fixed moment in body axes and a fixed one in global axes
   { N::moment_tangent(x, m, m, w) } -> std::same_as<Mat<double, N::size - 3, N::size - 3>>;
 };
 
@@ -102,7 +104,7 @@ struct InertiaTangent {
   Mat3<double> moment_by_spin{}, moment_by_spin_rate{}, moment_by_acceleration{};  // the acceleration in own axes
 };
 
-// Of a rigid body: the tensor about the node, [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy], and the centre of mass, in own axes.
+// Rigid body: inertia tensor about the node, [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy], and center of mass, in body axes.
 template <class T>
 struct MassProperties {
   T mass;
@@ -121,7 +123,7 @@ struct MassProperties {
 template <class B>
 concept RotatingBody = requires(const typename B::Parameters& p, const MassProperties<double>& b, const SpinMotion<double>& m) {
   { B::mass_properties(p) } -> std::same_as<MassProperties<double>>;
-  { B::inertia(b, m) } -> std::same_as<SpinWrench<double>>;  // of numbers side by side as well
+  { B::inertia(b, m) } -> std::same_as<SpinWrench<double>>;  // also for lane-parallel numbers
   { B::inertia_tangent(b, m) } -> std::same_as<InertiaTangent>;
   { B::centre(p) } -> std::convertible_to<const Vec3<double>&>;
   { B::mass(p) } -> std::convertible_to<double>;

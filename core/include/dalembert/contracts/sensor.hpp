@@ -1,6 +1,5 @@
-// Sensors: a kernel states what it measures, and which item and output variable it names.
-//
-// No member is optional: a sensor whose values are not those of one item says so by deriving from NoSubject.
+// Sensors: a kernel defines the measured value, and names the item and output variable. No member is optional: a
+// sensor whose values are not those of one item derives from NoSubject.
 #pragma once
 
 #include <concepts>

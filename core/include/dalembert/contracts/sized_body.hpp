@@ -4,11 +4,11 @@
 //      law        constant matrices, forces and user functions: r = sum of matrices times state vectors - forces
 //      residual   what else there is, a template over its scalar with constants that `prepare` has made once; differentiated
 //                 in sweeps of a few directions, which the coordinates carry (contracts/sized_coordinates.hpp)
-//      Frame      the node, first of all, on which the body stands as a whole; it deforms in the axes of that node.
+//      Frame the first node, which is the frame of the body; it deforms in the axes of that node.
 //                 Mesh nodes move in the frame, linearly in the coordinates: a place on the body is a few constant rows
 //                 (contracts/frame_place.hpp)
 //
-// What a kernel does not have it says, too (`NoFrame`, `NothingPrepared`, `Mesh::none`, false): a member that is misspelt or of a
+// A kernel also declares missing parts (`NoFrame`, `NothingPrepared`, `Mesh::none`, false): a member that is misspelt or of a
 // wrong type does not compile.
 #pragma once
 
@@ -23,7 +23,7 @@ namespace dalembert {
 // ---- the law ------------------------------------------------------------------------------------------------------------
 enum class StateVector { displacement, velocity, acceleration, first_order };
 
-// A matrix among the parameters, and what it is multiplied by.
+// A matrix parameter, and the state vector that it multiplies.
 class ConstantMatrix {
  public:
   ConstantMatrix() = default;
@@ -46,8 +46,9 @@ class ConstantMatrix {
   const DynamicMatrix<double>* dense_ = nullptr;
 };
 
-// On the coordinates behind those of the frame. Pointers are into the parameters; null: none. Functions of a body of second order take displacements and velocities, those of first
-// order coordinates; all of the body's.
+// The linear law, for the coordinates that follow those of the frame. Pointers refer to the parameters; null: none.
+// User functions of a second-order body take displacements and velocities, those of a first-order body coordinates,
+// in both cases of the whole body.
 struct SizedLaw {
   std::array<ConstantMatrix, 3> matrices = {};
   const std::vector<double>* force_vector = nullptr;
@@ -57,14 +58,14 @@ struct SizedLaw {
   bool has_user_function() const { return force || mass || jacobian; }
 };
 
-// ---- the kernel ---------------------------------------------------------------------------------------------------------
-// Which mesh nodes there are: none, the nodes of the body, all of these but the first, whose coordinates are in its frame, or some that only its
-// parameters know.
+// ---- the kernel -----------------------------------------------------------------------------------------------------
+// Mesh nodes: none, the nodes of the body, all of these but the first, whose coordinates are in its frame, or nodes
+// that are defined only by its parameters.
 enum class Mesh { none, nodes, nodes_in_frame, own };
 
 template <class B>
 constexpr bool is_framed = !std::is_same_v<typename B::Frame, NoFrame>;
-// Its mesh nodes are elsewhere than nodes of the system say: it tells where.
+// Its mesh nodes are not at the positions of system nodes: the kernel computes the positions.
 template <class B>
 constexpr bool places_mesh = B::mesh == Mesh::nodes_in_frame || B::mesh == Mesh::own;
 template <class B>
@@ -79,8 +80,8 @@ constexpr int frame_size = [] {
 template <class B>
 concept StatesLaw = requires(const typename B::Parameters& p, const Placement& on, const ItemLabel& item) {
   { B::item } -> std::convertible_to<std::string_view>;                 // 'ObjectGenericODE2'
-  { B::order } -> std::convertible_to<int>;                             // of its differential equations
-  { B::coordinates } -> std::convertible_to<std::string_view>;          // what errors call those of its law
+  { B::order } -> std::convertible_to<int>;  // order of its differential equations
+  { B::coordinates } -> std::convertible_to<std::string_view>;  // name of its coordinates in error texts
   { B::law(p) } -> std::same_as<SizedLaw>;
   { B::takes(B::item, 0) } -> std::same_as<bool>;                       // a node of this type at this position
   { B::check(p, on, item) } -> std::same_as<void>;                      // beyond the sizes of the law
@@ -99,8 +100,8 @@ template <class B>
 concept StatesFrame = !is_framed<B> || (NodeKernel<typename B::Frame> && requires(const typename B::Parameters& p) {
   { B::whole_mass(p) } -> std::same_as<FramePlace>;
 });
-// Mesh nodes that it places: where they rest in the frame, shape(i, by) for each coordinate `i` behind those of the frame that moves them, and
-// outputs of many of them, one after the other.
+// Mesh nodes that the kernel defines: their reference positions in the frame, shape(i, by) for each coordinate `i`
+// behind those of the frame that moves them, and outputs of many of them, one after the other.
 template <class B>
 concept StatesMesh =
     !places_mesh<B> || requires(const typename B::Parameters& p, const SizedCoordinates<double>& x, std::vector<double>& values) {

@@ -53,7 +53,7 @@ struct SizedCoordinates {
     const std::size_t n = rows.size() / 3;
     return {x.combined(rows.first(n), begin), x.combined(rows.subspan(n, n), begin), x.combined(rows.last(n), begin)};
   }
-  // Those of a node that has the first coordinates.
+  // Coordinates of a node that has the first coordinates.
   template <class Node>
   Coordinates<S, Node::size> of_first() const {
     Coordinates<S, Node::size> x;

@@ -14,8 +14,8 @@ struct SpanTangent {
   Mat<S, N, N> by_span, by_rate;
 };
 
-// Kernels ask whether points coincide. Of what is only noted that is not known: it counts as no zero. Where it is one, results are no
-// numbers, and those who use them notice.
+// Kernels test whether points coincide. The value of traced numbers is unknown and counts as nonzero. If it is zero,
+// results are NaN, which the caller detects.
 inline bool is_zero(const Vec3<Traced>&) { return false; }
 
 // `has_tangent(p)`: not with user functions, which only the sweep of dual numbers differentiates.

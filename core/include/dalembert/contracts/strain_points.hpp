@@ -1,13 +1,11 @@
-// Elements with quadrature: the strain is the cut. A point is to an element what a marker is to a body, the law of the section
-// what a connector is to frames.
+// Elements with quadrature: the strain is the cut. A point of an element corresponds to a marker of a body, and the law of the section to a connector.
 //
 //   coordinates --Map--> local vectors --shape numbers--> fields at a point --strain--> law --pull_back--> ... and back
 //
 //   Cable:  r0, r0', r1, r1'  ->  chord, r0', r1'  ->  r', r''  ->  axial strain, curvature  ->  force, moment
 //
 // An element states its map, its families of points and its inertia; a family states its points, its strains, the transpose of
-// their derivative, and its law. All sums over points stand in batches/strain_element.hpp, for every element. No member is
-// optional: what is missing or misspelt does not compile.
+// their derivative, and its law. All sums over points stand in batches/strain_element.hpp, for every element. No member is optional: a missing or misspelt member does not compile.
 #pragma once
 
 #include <concepts>
@@ -23,7 +21,7 @@
 
 namespace dalembert {
 
-// Elements of which users have not told the length.
+// Check of elements whose length is undefined.
 inline void check_element_length(double length, const ItemLabel& item) {
   if (!(length > 0)) refuse(ErrorKind::value, {item, "physicsLength", "", std::to_string(length), "a positive length", ""});
 }
@@ -35,7 +33,8 @@ using Vectors = std::array<Vec<S, D>, N>;
 template <int Fields, int LocalVectors>
 using ShapeNumbers = std::array<std::array<double, LocalVectors>, Fields>;
 
-// Position and weight run from 0 to 1 along the element. On a surface, a place has two coordinates, and weights are areas.
+// Position and weight run from 0 to 1 along the element. A position on a surface has two coordinates, and weights are
+// areas.
 template <class Shape, class Place = double>
 struct StrainPoint {
   Place position{};
@@ -58,7 +57,7 @@ constexpr StrainPoints<Shape> tabulated(const QuadratureRule& rule, Shape (*shap
 
 template <class F, class K>
 using PlaceOf = std::remove_cvref_t<decltype(F::points(std::declval<const K&>()).at[0].position)>;
-// Where shapes or the law differ from element to element, or from place to place, families say how.
+// Families whose shapes or law vary between elements or positions define the variation.
 template <class F, class K>
 auto shape_at(const K& k, const PlaceOf<F, K>& place) {
   if constexpr (requires { F::shape(k, place); }) return F::shape(k, place);
@@ -75,12 +74,13 @@ auto stiffness_at(const K& k, const PlaceOf<F, K>& place) {
   return F::stiffness(k, place);
 }
 
-// What a point with a linear law states; S is a number, dual numbers, or several of them side by side.
+// Definition of a point with a linear law; S is a number, dual numbers, or lane-parallel numbers.
 template <class F, class E>
 concept LinearFamily = requires(const typename E::Constants& k, const PlaceOf<F, typename E::Constants>& place) {
   k.length* Vec<double, F::strains>{};
   { stiffness_at<F>(k, place) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;  // stress by strain
-  { F::damping(k) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;    // by the rate of strain
+  // derivative with respect to the rate of strain
+  { F::damping(k) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;
 };
 // A law of its own, such as a function of the user; `free` are the strains without stress.
 template <class F, class E>
@@ -95,7 +95,8 @@ concept StrainFamily =
              const Vec<double, F::strains>& strain, const Vectors<double, E::Map::dimension, F::fields>& fields) {
       { F::uses(0, 0) } -> std::same_as<bool>;  // field, local vector: false where this share is always zero
       { F::points(k).count } -> std::convertible_to<int>;
-      { shape_at<F>(k, place) } -> std::same_as<std::remove_cvref_t<decltype(F::points(k).at[0].shape)>>;  // at any place
+      // at any position
+      { shape_at<F>(k, place) } -> std::same_as<std::remove_cvref_t<decltype(F::points(k).at[0].shape)>>;
       { F::strain(k, fields) } -> std::same_as<Vec<double, F::strains>>;
       // The strains without stress, from those of the reference configuration.
       { F::stress_free(p, strain) } -> std::same_as<Vec<double, F::strains>>;
@@ -107,7 +108,7 @@ concept PullsBack = requires(const typename E::Constants& k, const Vectors<doubl
   { F::pull_back(k, fields, stress) } -> std::same_as<Vectors<double, E::Map::dimension, F::fields>>;
 };
 
-// From coordinates to the vectors that are interpolated, and back.
+// Map from coordinates to the interpolated vectors, and back.
 template <class M, class K>
 concept StrainMap = requires(const K& k, const Coordinates<double, M::size>& x, const Vectors<double, M::dimension, M::vectors>& y,
                              const Mat<double, M::dimension * M::vectors, M::dimension * M::vectors>& m, const Weights& w) {
@@ -137,7 +138,7 @@ concept StrainKernel =
              const Vec3<double>& v, const Weights& w, Mat<double, E::Map::size, E::Map::size>& m) {
       { E::constants(p) } -> std::same_as<typename E::Constants>;
       { k == k } -> std::same_as<bool>;
-      { k.length } -> std::convertible_to<double>;  // what the weights are shares of
+      { k.length } -> std::convertible_to<double>;  // weights are fractions of this length
       { E::calls(p) } -> std::same_as<bool>;
       { E::damped(k) } -> std::same_as<bool>;
       E::along(k, v);  // the place of a local position, from 0 to 1 along a line

@@ -1,5 +1,6 @@
-// Items that switch: contact that opens or closes, friction that sticks or slides, stops. Their data coordinates tell what they do, until a
-// function of the state says that it is over. Solvers may end a step there (Solver::end_with_event), or find it afterwards, by `update`.
+// Items that switch: contact that opens or closes, friction that sticks or slides, stops. Their data coordinates
+// define the state, which is valid until a function of the state changes its sign. Solvers may end a step there
+// (Solver::end_with_event), or detect it afterwards, by `update`.
 #pragma once
 
 #include "dalembert/contracts/context.hpp"
@@ -18,7 +19,8 @@ struct SwitchesByUpdate {
 struct SwitchesByItself {
   static constexpr bool has_switches = true, switches_by_update = false, settles = false;
 };
-// As by `update`; `settle`, of the same arguments, takes its place in the discontinuous iteration, for what changes at no place of its own.
+// Works like `update`. `settle`, with the same arguments, replaces it in the discontinuous iteration, for gradual
+// changes without an event.
 struct SwitchesAndSettles {
   static constexpr bool has_switches = true, switches_by_update = true, settles = true;
 };

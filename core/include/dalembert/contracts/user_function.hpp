@@ -15,7 +15,7 @@
 
 namespace dalembert {
 
-// Arguments of one call, flat, with their shapes. At most `Capacity` numbers.
+// Arguments of one call as a flat list, with their shapes. At most `Capacity` numbers.
 template <class S, int Capacity>
 class CallArguments {
  public:
@@ -42,7 +42,7 @@ class CallArguments {
     std::array<Argument, most_arguments> arguments;
     f.callback->call(c.time, c.item, described(arguments, numbers), results);
   }
-  // The same with what the last call has given, if nothing has changed since.
+  // Variant that returns the results of the last call if nothing has changed since.
   void recall(const UserFunction& f, const Context& c, const double* numbers, std::span<double> results) const {
     std::array<Argument, most_arguments> arguments;
     f.callback->recall(c.time, c.item, described(arguments, numbers), results);
@@ -63,7 +63,7 @@ class CallArguments {
   const S& operator[](int i) const { return values_[i]; }
 
  private:
-  static constexpr std::size_t most_arguments = std::min(Capacity, 16);  // none is empty
+  static constexpr std::size_t most_arguments = std::min(Capacity, 16);  // every argument has at least one number
 
   std::span<const Argument> described(std::span<Argument> arguments, const double* numbers) const {
     describe(arguments, numbers);
@@ -110,7 +110,7 @@ Vec<Dual<N, T>, Results> evaluate(const UserFunction& f, const Context& c,
   return r;
 }
 
-// What a user function does cannot be noted: such traces are of no use.
+// User functions cannot be traced: such traces are unusable.
 template <int Results, int Capacity>
 Vec<Traced, Results> evaluate(const UserFunction&, const Context&, const CallArguments<Traced, Capacity>&) {
   Vec<Traced, Results> unknown;

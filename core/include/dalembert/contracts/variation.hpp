@@ -1,7 +1,6 @@
-// What follows from a gap equation alone: its rate along the motion of the frames, and the forces that do its virtual work.
-//
-// A kernel whose gap follows a prescribed motion states `offsets`, `offset(p, c)` and `offset_rate(p, c)`; its gap takes
-// the offset as last argument.
+// Consequences of a gap equation: its rate along the motion of the frames, and the forces that do its virtual work. A
+// kernel whose gap follows a prescribed motion defines `offsets`, `offset(p, c)` and `offset_rate(p, c)`; its gap
+// takes the offset as last argument.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@ namespace dalembert {
 template <class K>
 concept FollowsOffset = requires { { K::offsets } -> std::convertible_to<int>; };
 
-// What follows from the gap, in closed form.
+// Closed forms of a gap.
 template <class K>
 concept StatesGapRate = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m) {
   { K::template gap_rate<double>(p, c, m, m) } -> std::same_as<Vec<double, K::equations>>;

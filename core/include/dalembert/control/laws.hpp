@@ -16,8 +16,9 @@ namespace dalembert {
 class DesiredMotion {
  public:
   using Function = void (*)(double time, std::int64_t count, double* q, double* v, double* a);
-  // One more time than pieces; for each piece and coordinate four coefficients, lowest power first, of the time since its begin. Before and
-  // after, the rows of `ends` hold: coordinates, velocities, accelerations before, and the same after.
+  // There is one more time than pieces. Each piece and coordinate has four coefficients, lowest power first, of the
+  // time since its start. The rows of `ends` hold before and after: coordinates, velocities, accelerations before,
+  // and the same after.
   DesiredMotion(std::size_t count, std::vector<double> times, std::vector<double> coefficients, std::vector<double> ends);
   DesiredMotion(std::size_t count, Function function) : count_(count), function_(function) {}
 
@@ -38,7 +39,7 @@ class ControlLaw {
   virtual void forces(double time, int item, std::span<const double> q, std::span<const double> v, std::span<double> f) const = 0;
 };
 
-// What errors of coordinates and velocities call for, each by itself.
+// Gains of coordinate and velocity errors, per coordinate.
 struct Gains {
   std::vector<double> stiffness, damping;  // one number per coordinate
 };
@@ -84,7 +85,8 @@ class CompiledLaw final : public ControlLaw {
   Function function_;
 };
 
-// Measures at equal intervals, beginning with the start of a solution; what the law finds acts after the dead time and until the next acts.
+// Samples at equal intervals, beginning with the start of a solution; the output of the law acts after the dead time,
+// until the next output.
 class SampledForces {
  public:
   SampledForces(double period, double dead_time) : period_(period), dead_time_(dead_time) {}
@@ -94,7 +96,7 @@ class SampledForces {
   std::span<const double> held() const { return held_; }
   // When it measures or acts next.
   double next() const;
-  // Does what is due; `law(forces)`. Whether other forces act from now on.
+  // Performs due actions by `law(forces)`. Returns whether the forces change at this time.
   template <class Law>
   bool act(double time, const Law& law) {
     if (time > next_sample() - same_time()) {

@@ -22,10 +22,10 @@ struct AdhesiveLaw {
         attraction(p.adhesionCoefficient),
         attraction_exponent(p.adhesionExponent) {}
 
-  // What is left of a penetration at first loading.
+  // Plastic part of the penetration after first loading.
   double plastic_overlap(double penetration) const { return plasticity == 0 ? 0 : std::pow(plasticity, 1 / exponent) * penetration; }
 
-  // Without plasticity, loading and unloading are one curve; attraction acts only where unloading would pull.
+  // Loading and unloading coincide without plasticity; attraction acts only if unloading would be tensile.
   template <class S>
   S normal_force(const S& penetration, double overlap) const {
     const S loading = stiffness * odd_power(penetration, exponent);

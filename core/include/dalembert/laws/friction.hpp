@@ -30,10 +30,12 @@ namespace dalembert {
 
 // ---- regularised Coulomb friction ---------------------------------------------------------------------------------------
 
-// The linear branch of the law acts; it never does without a zone, whatever speed users have written to data coordinates.
+// Whether the linear branch of the law acts; it is never active without a zone, for any speed in the data
+// coordinates.
 inline bool in_zone(double speed, double zone) { return zone != 0 && speed < zone; }
 
-// v / max(|v|, v_0). The caller states the branch, which Newton's method keeps; without slip the direction is zero.
+// Returns v / max(|v|, v_0). The caller selects the branch, which Newton's method keeps; the direction is zero
+// without slip.
 template <class S, int N>
 Vec<S, N> coulomb_direction(const Vec<S, N>& slip, double zone, bool sticks) {
   return sticks ? (1 / zone) * slip : direction(slip);
@@ -56,7 +58,8 @@ DALEMBERT_INLINE inline Pack<N> inverse_slip(const Pack<N>& square, double zone)
   return Pack<N>::chosen(less(square, Pack<N>(zone * zone)), within, beyond);
 }
 
-// Friction that was computed with the wrong branch: by how much the force along its own branch misses the limit mu N.
+// Error of friction that was computed with the wrong branch: difference between the force of its branch and the limit
+// mu N.
 inline double coulomb_error(double limit, double zone, double speed_before, double speed) {
   return in_zone(speed, zone) == in_zone(speed_before, zone) ? 0 : std::abs(limit / zone * (speed - zone));
 }
@@ -83,7 +86,7 @@ struct StribeckCurve {
     const S force = dynamic + static_offset * exp((-1 / decay_velocity) * excess) + viscous * excess;
     return velocity < 0.0 ? -force : force;
   }
-  // The force has no data coordinates: at the end of the zone it has a kink.
+  // The force has no data coordinates: it has a kink at the end of the zone.
   void find_kink(double speed, Switches& switches) const { switches.kink("friction", speed - zone); }
 };
 
@@ -100,7 +103,8 @@ Vec3<S> at_most(const Vec3<S>& v, const S& limit) {
 
 // Tangential spring and damper between a contact and its anchor. `stretch` is x - x_a, `limit` the largest friction force.
 struct StickSlip {
-  static constexpr double rounding = 1e-9;  // of forces just after slip has become stick, relative to the limit
+  // tolerance of forces just after the transition from slip to stick, relative to the limit
+  static constexpr double rounding = 1e-9;
 
   double stiffness = 0, damping = 0;
 
@@ -109,8 +113,8 @@ struct StickSlip {
   S holding_force(const S& stretch, const S& slip) const {
     return stiffness * stretch + damping * slip;
   }
-  // In a plane, bounded: the spring alone by the limit, and again with the damper. Friction takes power in all cases, for a force that is cut at the
-  // limit loses a part along the slip.
+  // Bounded friction in a plane: the spring alone is limited, and again the sum with the damper. Friction always
+  // dissipates energy, because a limited force loses a part along the slip.
   template <class S>
   Vec3<S> bounded_force(const Vec3<S>& stretch, const Vec3<S>& slip, const S& limit) const {
     return at_most(at_most(stiffness * stretch, limit) + damping * slip, limit);

@@ -34,7 +34,7 @@ S with_losses(bool limited, const S& lossless, const S& losses) {
   return lossless < 0.0 ? lossless : S(0);
 }
 
-// Where losses begin to be held back, this changes its sign.
+// Changes its sign where the limitation of losses begins.
 inline double pull_margin(bool limited, double lossless, double losses) { return limited ? lossless + losses - std::min(lossless, 0.0) : 1; }
 
 struct ImpactLaw {

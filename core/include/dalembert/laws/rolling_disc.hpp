@@ -1,4 +1,5 @@
-// A disc on a plane: where they touch, and how they move there. Vectors are global, but for those by their components in the contact frame c.
+// A disc on a plane: contact point and relative motion. Vectors are global, except for components in the contact
+// frame c.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@ namespace dalembert {
 template <class S>
 struct RollingContact {
   Vec3<S> lateral, forward, normal;  // axes of the contact frame
-  Vec3<S> radius;                    // from the centre of the disc to its lowest point,
+  Vec3<S> radius;  // from the center of the disc to its lowest point,
   Vec3<S> arm;                       // and from the marker on the plane to that point
   Vec3<S> slip;                      // velocity of the disc against the plane there
 

@@ -1,4 +1,4 @@
-// Contact of two bodies at one common point: normal force by a law of impacts, dry friction, and what is remembered.
+// Contact of two bodies at one common point: normal force by an impact law, dry friction, and history.
 #pragma once
 
 #include <cmath>
@@ -13,12 +13,12 @@
 
 namespace dalembert {
 
-// Where two surfaces are closest, and how they move there.
+// Nearest points of two surfaces, and their relative motion.
 template <class S>
 struct Touch {
   Vec3<S> normal;      // out of body 0, towards body 1
   Vec3<S> arm0, arm1;  // from the markers to the point in the middle of overlap or gap
-  Vec3<S> velocity;    // of body 1 against body 0, at that point
+  Vec3<S> velocity;  // velocity of body 1 relative to body 0, at that point
   Vec3<S> slip;        // its tangential part
   S gap, penetration_rate;
 

@@ -15,11 +15,11 @@ namespace dalembert {
 struct LinearSolverOptions {
   double pivot_threshold = 0;     // a pivot that is not larger counts as zero
   bool ignore_singular = false;   // leave out the equations that depend on others instead of failing
-  int unsettled_matrices = 0;     // what is zero in the first ones may well be something else in the next
+  int unsettled_matrices = 0;  // zeros in the first matrices may become nonzero in later ones
   std::string instructions = {};  // one of instruction_sets(); empty: the first
   std::vector<int> tiny_diagonal = {};  // unknowns whose diagonal entry, if there is one, is too small to count as a pivot
-  std::vector<int> dependent = {};  // of these, as many as follow from others: what is left of them at last is that entry
-  std::vector<int> left_out = {};   // of these, rows and columns have no part: in solutions they are zero
+  std::vector<int> dependent = {};  // redundant ones among these: their last pivots are that entry
+  std::vector<int> left_out = {};  // dropped ones among these: rows and columns are ignored, solutions are zero
 };
 
 struct LinearSolverStatistics {
@@ -39,19 +39,20 @@ class LinearSolver {
   virtual void solve(std::span<double> x) = 0;
   virtual LinearSolverStatistics statistics() const = 0;
 
-  // Whether factors may as well be made by listed operations (elimination_list.hpp), digit by digit; then also the rows of the
-  // pivots that the last factorization has chosen, and what the reciprocal of none may reach.
+  // Whether factors may as well be computed by listed operations (elimination_list.hpp), bit-identical; if so, also
+  // the pivot rows of the last factorization, and the upper bound of the reciprocal pivots.
   virtual bool may_be_listed() const { return false; }
   virtual std::span<const int> listed_rows() const { return {}; }
   virtual double largest_inverse() const { return 0; }
 };
 
 bool is_dense(LinearSolverType type);
-// The pattern must outlive the solver. Refuses LinearSolverType::_None.
+// The pattern must outlive the solver. Rejects LinearSolverType::_None.
 std::unique_ptr<LinearSolver> make_linear_solver(const Pattern& pattern, LinearSolverType type,
                                                  const LinearSolverOptions& options);
 
-// For which this processor has a fast path, best first; the last one is what every processor has. Results differ by rounding.
+// Instruction sets with a fast path on this processor, best first; the last one is supported by every processor.
+// Results differ by rounding.
 std::vector<std::string> instruction_sets();
 
 }  // namespace dalembert

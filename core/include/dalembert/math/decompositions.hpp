@@ -31,18 +31,19 @@ Eigen::VectorXd smallest_solution(const Eigen::MatrixXd& matrix, const Eigen::Ve
 // The triangle of a QR decomposition in which each column is the one of which most is left behind those before it.
 struct PivotedTriangle {
   Eigen::MatrixXd triangle;
-  std::vector<int> columns;  // of the matrix, in this order
+  std::vector<int> columns;  // columns of the matrix, in this order
 };
 PivotedTriangle pivoted_triangle(const Eigen::MatrixXd& matrix);
 
-// An orthonormal basis of which the first `rank` vectors span all columns. None: what is left of one behind others is neither as large as that nor negligible.
+// An orthonormal basis whose first `rank` vectors span all columns. Empty if the remainder of a column is neither
+// large enough nor negligible.
 struct TurnedApart {
   Eigen::MatrixXd basis;
   Eigen::Index rank;
 };
 std::optional<TurnedApart> turned_apart(const Eigen::MatrixXd& columns, double large, double negligible);
 
-// Columns that span what the matrix takes to zero; pivots count as zero below that share of the largest.
+// Columns that span the null space of the matrix; smaller pivots, relative to the largest, count as zero.
 Eigen::MatrixXd kernel_of(const Eigen::MatrixXd& matrix, double negligible_pivot);
 
 }  // namespace dalembert

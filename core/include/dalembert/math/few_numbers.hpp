@@ -9,8 +9,8 @@
 
 namespace dalembert {
 
-// So many numbers are done one by one. To sort out which of them fill registers, or to call memcpy, would take longer; and
-// what has just been written number by number cannot be read at once in wide registers.
+// Small loops are unrolled number by number up to this count. Dispatching to wide registers or calling memcpy would
+// take longer, and numbers written one by one cannot be forwarded to wide loads.
 constexpr std::size_t few_numbers = 8;
 
 // Keeps the compiler from turning the loop around it into another one.
@@ -33,7 +33,7 @@ DALEMBERT_INLINE inline void each_of_few(std::size_t count, F&& f) {
   }
 }
 
-// Calls f(i) for all i below `count`, in any order: no result of one call is read by another, and what f holds is copied.
+// Calls f(i) for all i below `count`, in any order: calls must be independent, and f is copied.
 template <class F>
 DALEMBERT_INLINE inline void each_number(std::size_t count, F&& f) {
   if (count <= few_numbers) return each_of_few(count, f);

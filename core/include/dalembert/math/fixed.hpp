@@ -29,7 +29,7 @@ struct Mat {
 template <class S>
 using Mat3 = Mat<S, 3, 3>;
 
-// Of entries f(i) and f(i, j): made at once, without zeros before.
+// Constructs entries f(i) and f(i, j) without initializing zeros first.
 template <int N, class F>
 constexpr auto vector_of(const F& f) {
   return [&f]<int... I>(std::integer_sequence<int, I...>) {

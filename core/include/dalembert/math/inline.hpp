@@ -1,4 +1,4 @@
-// For functions and lambdas that are inlined wherever they are called. What inlines all that it calls is [[gnu::flatten]].
+// Attribute for functions and lambdas that are always inlined. [[gnu::flatten]] inlines all calls within a function.
 #pragma once
 
 #define DALEMBERT_INLINE __attribute__((always_inline))

@@ -8,7 +8,7 @@ namespace dalembert {
 
 inline constexpr int block_lanes = 8;
 
-// One register, or as many as the processor needs for it; it lies where the widest ones can be loaded from.
+// One register, or as many as the processor needs; aligned for the widest loads.
 struct alignas(block_lanes * sizeof(double)) LaneBlock : Pack<block_lanes> {
   using Pack::Pack;
   LaneBlock() = default;

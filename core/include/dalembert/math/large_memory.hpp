@@ -1,5 +1,5 @@
-// Memory for many numbers that are written once: of large blocks the system is asked to make pages of two megabytes, if it can. A page is
-// made when it is touched for the first time, and making many small ones takes longer than what fills them.
+// Memory for many numbers that are written once: large blocks request pages of two megabytes from the system. A page
+// is created at its first use, and creating many small ones takes longer than filling them.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace dalembert {
 void* allocate_large(std::size_t bytes);
 void release_large(void* memory, std::size_t bytes);
 
-// Elements that are given no values have none.
+// Elements are not initialized.
 template <class T>
 struct LargeAllocator {
   using value_type = T;

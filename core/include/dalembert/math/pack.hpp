@@ -41,8 +41,8 @@ struct RegisterOf<8> {
   using Mask [[gnu::vector_size(8 * sizeof(double))]] = long long;
 };
 
-// To be passed between inlined functions only: how a vector is passed to others, and where it may lie in memory, depends on the
-// processor (math/lane_block.hpp has packs that stay).
+// Pass packs between inlined functions only: their calling convention and alignment depend on the processor
+// (math/lane_block.hpp has packs for storage).
 template <int N>
 struct Pack {
   static constexpr int count = N;
@@ -51,7 +51,7 @@ struct Pack {
   Register x{};
 
   DALEMBERT_INLINE Pack() = default;
-  // Copied as a register: the compiler takes what it may copy as memory through other registers.
+  // Copied as a register: the default copy would use other registers.
   DALEMBERT_INLINE Pack(const Pack& other) : x(other.x) {}
   DALEMBERT_INLINE Pack& operator=(const Pack& other) {
     x = other.x;
@@ -95,15 +95,16 @@ struct Pack {
     else return first ? a.x : b.x;
   }
   DALEMBERT_INLINE static bool is_none(const Mask& mask) { return is_all_zero(mask); }
-  DALEMBERT_INLINE friend bool is_zero(const Pack& a) { return is_none(std::bit_cast<Mask>(a.x) << 1); }  // without the sign
+  // ignores the sign
+  DALEMBERT_INLINE friend bool is_zero(const Pack& a) { return is_none(std::bit_cast<Mask>(a.x) << 1); }
   DALEMBERT_INLINE friend Pack sqrt(const Pack& a) {
     return of_each([&a](int lane) { return std::sqrt(a.x[lane]); });
   }
   DALEMBERT_INLINE friend Pack magnitude(const Pack& a) { return chosen(less(a, Pack()), -a, a); }
   DALEMBERT_INLINE friend Pack larger(const Pack& a, const Pack& b) { return chosen(less(b, a), a, b); }
-  // Zero in other lanes, whatever is there.
+  // Zero in the unselected lanes, for any value there.
   DALEMBERT_INLINE friend Pack only_where(const Pack& flag, const Pack& a) { return chosen(equal(flag, Pack()), Pack(), a); }
-  // A divisor where there would be none.
+  // Replaces zero divisors by one.
   DALEMBERT_INLINE friend Pack one_for_zero(const Pack& a) { return chosen(equal(a, Pack()), Pack(1.0), a); }
 
   template <class F>
@@ -121,7 +122,7 @@ struct Pack {
   }
 
  private:
-  // By halves, as long as they are registers.
+  // Combines halves, as long as they are registers.
   template <class Bits>
   DALEMBERT_INLINE static bool is_all_zero(const Bits& bits) {
     constexpr std::size_t count = sizeof(Bits) / sizeof(long long);
@@ -181,7 +182,7 @@ template <int N>
 DALEMBERT_INLINE inline std::array<Pack<N>, 4> gather_fours(const std::array<const double*, N>& places) {
   return columns_of<N>([&places](int lane) DALEMBERT_INLINE { return Pack<4>::load(places[lane]); });
 }
-// The inverse of columns_of: what lane i of the vectors holds, as row i.
+// The inverse of columns_of: row i has the numbers of lane i of the vectors.
 template <int N>
 DALEMBERT_INLINE inline std::array<Pack<4>, N> rows_from(std::array<Pack<N>, 4> numbers) {
   std::array<Pack<4>, N> rows;
@@ -202,7 +203,7 @@ DALEMBERT_INLINE inline void each_row(const std::array<Pack<N>, 4>& numbers, int
     (void)((lane < count && (f(lane, rows[lane]), true)) && ...);
   }(std::make_integer_sequence<int, N>{});
 }
-// Scalars that stand for one number and its derivatives: what a user function can be called with.
+// Scalars with one number and its derivatives: possible arguments of user functions.
 template <class S>
 inline constexpr bool holds_packs = false;
 template <int N>

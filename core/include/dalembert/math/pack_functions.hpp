@@ -1,6 +1,6 @@
-// Sine and cosine together. Of numbers side by side, to rounding: within an eighth of a turn the polynomials of fdlibm (Sun Microsystems, 1993), which are
-// wrong by less than 2^-57, after the nearest quarter turn has been taken off in three parts (W. J. Cody, W. Waite, Software Manual for the
-// Elementary Functions, 1980).
+// Sine and cosine together, for lane-parallel numbers, accurate to rounding: within an eighth of a turn the
+// polynomials of fdlibm (Sun Microsystems, 1993), whose error is below 2^-57, after the nearest quarter turn has been
+// subtracted in three parts (W. J. Cody, W. Waite, Software Manual for the Elementary Functions, 1980).
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ DALEMBERT_INLINE inline Pack<N> polynomial(const std::array<double, count>& coef
   return sum;
 }
 
-// 1 in lanes whose angle is beyond what the series below are good for, or not a number; `others` elsewhere.
+// Returns 1 in lanes whose angle is beyond the range of the series below, or NaN; `others` elsewhere.
 template <int N>
 DALEMBERT_INLINE inline Pack<N> one_if_large(const Pack<N>& angle, const Pack<N>& others) {
   return Pack<N>::chosen(less(magnitude(angle), Pack<N>(1e5)), others, Pack<N>(1.0));
@@ -43,7 +43,7 @@ DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine_of_moderate(const Pack<N
   using Register = typename Pack<N>::Register;
   using Integers = typename Pack<N>::Mask;
   constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52: the last bits of a sum with it are an integer
-  // Of a turn; products with the first two parts are exact.
+  // Parts of a quarter turn; products with the first two are exact.
   constexpr double quarter[] = {1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21};
   const Register shifted = angle.x * 0.6366197723675814 + to_integer, quarters = shifted - to_integer;
   const auto turns = std::bit_cast<Integers>(shifted);
@@ -57,7 +57,7 @@ DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine_of_moderate(const Pack<N
   const Pack<N> s = Pack<N>::chosen(is_odd, cosine, sine), c = Pack<N>::chosen(is_odd, sine, cosine);
   return {Pack<N>::chosen(has_bit<N>(turns, 1), -s, s), Pack<N>::chosen(has_bit<N>(turns + 1, 1), -c, c)};
 }
-// What is in one lane does not change what comes of another.
+// Lanes are independent.
 template <int N>
 DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine(const Pack<N>& angle) {
   const SineCosine<Pack<N>> moderate = sine_cosine_of_moderate(angle);
@@ -67,7 +67,7 @@ DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine(const Pack<N>& angle) {
   const auto is_moderate = equal(large, Pack<N>());
   return {Pack<N>::chosen(is_moderate, moderate.sine, any.sine), Pack<N>::chosen(is_moderate, moderate.cosine, any.cosine)};
 }
-// Of one number, and with derivatives: both are computed once.
+// Variant for one number, and with derivatives: both are computed once.
 template <class S>
 SineCosine<S> sine_cosine(const S& angle) {
   using std::cos;
@@ -79,12 +79,13 @@ SineCosine<Dual<N, T>> sine_cosine(const Dual<N, T>& angle) {
   const auto [sine, cosine] = sine_cosine(angle.value);
   return {angle.chain(sine, cosine), angle.chain(cosine, -sine)};
 }
-// The angle whose sine and cosine, or multiples of both, these are; 0 of two zeros. Arguments up to 7/16, and what is left of others when an
-// eighth of a turn has been taken off: the polynomial of fdlibm's arc tangent (Sun Microsystems, 1993).
+// The angle for given multiples of sine and cosine; 0 for two zeros. Polynomial of fdlibm's arc tangent (Sun
+// Microsystems, 1993) for arguments up to 7/16; an eighth of a turn is subtracted from larger ones.
 template <int N>
 DALEMBERT_INLINE inline Pack<N> angle_of(const Pack<N>& sine, const Pack<N>& cosine) {
   using P = Pack<N>;
-  constexpr double eighth = 7.85398163397448278999e-01, rest = 3.06161699786838301793e-17;  // of a turn, and what is left of it
+  // an eighth of a turn, and its rounding error
+  constexpr double eighth = 7.85398163397448278999e-01, rest = 3.06161699786838301793e-17;
   constexpr std::array arc{3.33333333333329318027e-01,  -1.99999999998764832476e-01, 1.42857142725034663711e-01, -1.11111104054623557880e-01,
                            9.09088713343650656196e-02,  -7.69187620504482999495e-02, 6.66107313738753120669e-02, -5.83357013379057348645e-02,
                            4.97687799461593236017e-02,  -3.65315727442169155270e-02, 1.62858201153657823623e-02};

@@ -1,4 +1,4 @@
-// Which instructions the hot loops may use.
+// Instruction sets for hot loops.
 #pragma once
 
 namespace dalembert {

@@ -13,7 +13,7 @@ struct QuadratureRule {
 };
 
 namespace detail {
-// As in tables: on [-1, 1], symmetric, from the middle outwards.
+// Tabulated rules: on [-1, 1], symmetric, from the middle outwards.
 constexpr QuadratureRule symmetric_rule(int count, const std::array<double, 3>& position, const std::array<double, 3>& weight) {
   QuadratureRule rule{.count = count};
   const int lower = count / 2, odd = count % 2;
@@ -34,7 +34,7 @@ inline constexpr QuadratureRule gauss_4 =
     detail::symmetric_rule(4, {0.33998104358485626, 0.86113631159405258}, {0.65214515486254614, 0.34785484513745386});
 inline constexpr QuadratureRule gauss_5 = detail::symmetric_rule(
     5, {0, 0.53846931010568309, 0.90617984593866399}, {128. / 225, 0.47862867049936647, 0.23692688505618909});
-// With both ends: exact to degree 2 n - 3.
+// Rules that include both ends: exact to degree 2 n - 3.
 inline constexpr QuadratureRule lobatto_2 = detail::symmetric_rule(2, {1}, {1});
 inline constexpr QuadratureRule lobatto_3 = detail::symmetric_rule(3, {0, 1}, {4. / 3, 1. / 3});
 

@@ -1,7 +1,6 @@
-// The exponential map of rotations and its derivatives, as functions that dual numbers pass through.
-//
-// With T(v) the tangent map, the spin in own axes of exp(v) is T(v) dv/dt; T(-v) is the transpose of T(v), and gives the angular
-// velocity in the axes before the rotation. Bruels, Cardona & Arnold, Mech. Mach. Theory 48 (2012).
+// The exponential map of rotations and its derivatives, for dual numbers. Let T(v) be the tangent map: the spin of
+// exp(v) in body axes is T(v) dv/dt. T(-v) is the transpose of T(v), and gives the angular velocity in the axes
+// before the rotation. Bruels, Cardona & Arnold, Mech. Mach. Theory 48 (2012).
 #pragma once
 
 #include <array>
@@ -25,7 +24,7 @@ struct InverseTangentFactor {
   S value, slope;
 
   explicit InverseTangentFactor(const S& x) {
-    if (x < 1.0) {  // by Bernoulli numbers: the first omitted term is 1e-16
+    if (x < 1.0) {  // coefficients by Bernoulli numbers: the first omitted term is 1e-16
       constexpr std::array<double, 10> c{1. / 12,
                                          1. / 720,
                                          1. / 30240,

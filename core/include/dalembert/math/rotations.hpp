@@ -19,8 +19,9 @@ Mat3<S> skew(const Vec3<S>& v) {
   return {o, -v[2], v[1], v[2], o, -v[0], -v[1], v[0], o};
 }
 
-// ---- Euler parameters ----------------------------------------------------------------------------------------------
-// Of unit length; where they drift away from it, as with velocity level constraints, the form of the diagonal shows.
+// ---- Euler parameters -----------------------------------------------------------------------------------------------
+// Formulas for unit length. If the length drifts, as with velocity level constraints, the form of the diagonal
+// matters.
 template <class S>
 Mat3<S> euler_parameters_rotation(const Vec<S, 4>& e) {
   const S &a = e[0], &b = e[1], &c = e[2], &d = e[3];
@@ -122,7 +123,7 @@ struct RodriguesSeries {
     versine = 0.5 + x * (-1.0 / 24 + x * (1.0 / 720 + x * (-1.0 / 40320 + x * (1.0 / 3628800))));
     residue = 1.0 / 6 + x * (-1.0 / 120 + x * (1.0 / 5040 + x * (-1.0 / 362880 + x * (1.0 / 39916800))));
   }
-  // Of half the angle: 1 - cos(x) would lose digits.
+  // Uses half the angle: 1 - cos(x) would lose digits.
   template <class S>
   DALEMBERT_INLINE static void of_others(const S& angle_squared, S& sinc, S& versine, S& residue) {
     using std::sqrt;
@@ -163,7 +164,7 @@ Vec3<S> rotation_vector_rate(const Vec3<S>& v, const Vec3<S>& w) {
   const Vec3<S> vw = cross(v, w);
   return w + 0.5 * vw + factor * cross(v, vw);
 }
-// An angle by its sine, asin(x)/x in powers of x^2: to rounding for angles whose sine squared is below 0.01.
+// An angle from its sine, asin(x)/x in powers of x^2: accurate to rounding for squared sines below 0.01.
 template <class S>
 DALEMBERT_INLINE inline S small_angle_by_sine(const S& x) {
   const S x2 = x * x, x4 = x2 * x2;

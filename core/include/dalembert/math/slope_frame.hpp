@@ -1,4 +1,4 @@
-// The frame that follows two vectors of any length: one axis along the first of them, another one normal to both.
+// The frame of two vectors of any length: one axis along the first vector, another one normal to both.
 #pragma once
 
 #include <array>
@@ -36,7 +36,8 @@ struct SlopeFrame {
   // How these forces change at rates of both vectors, while the moment does not.
   std::array<Vec3<S>, 2> pull_back_rate(const Vec3<S>& moment, const Vec3<S>& a, const Vec3<S>& b) const {
     const Vec3<S> area_rate = cross(b, first) + cross(second, a);
-    const S growth = per_length * dot(lead, a), area_growth = per_area * dot(normal, area_rate);  // of length and area, relative
+    // relative growth of length and area
+    const S growth = per_length * dot(lead, a), area_growth = per_area * dot(normal, area_rate);
     const Vec3<S> lead_rate = per_length * a - growth * lead, normal_rate = per_area * area_rate - area_growth * normal;
     const Vec3<S> side_rate = cross(lead_rate, normal) + cross(lead, normal_rate);
     const S roll = per_area * dot(moment, lead), roll_rate = per_area * dot(moment, lead_rate) - area_growth * roll;

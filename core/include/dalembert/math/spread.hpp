@@ -27,7 +27,7 @@ struct Spread {
   DALEMBERT_INLINE friend Spread operator/(const Spread& a, const Spread& b) { return a.x / b.x; }
 };
 
-// What single numbers of a computation over S come and go as, and how they get there.
+// Types of single numbers in a computation over S, and their conversion.
 template <class S>
 struct SingleNumber {
   using Type = S;

@@ -1,4 +1,4 @@
-// What bodies need of 3 x 3 matrices, over any scalar. Of numbers that fill registers: math/spread.hpp.
+// Operations on 3 x 3 matrices for bodies, over any scalar. Variants for registers: math/spread.hpp.
 #pragma once
 
 #include "dalembert/math/fixed.hpp"

@@ -1,4 +1,4 @@
-// Numbers whose arithmetic is noted: what templates over the scalar compute with them becomes a list of operations.
+// Numbers that record their arithmetic: computations of templates over the scalar become a list of operations.
 #pragma once
 
 #include <cstdint>
@@ -32,12 +32,12 @@ class Traced {
   static Traced note(Operation operation, const Traced& a, const Traced& b);
   bool is_constant() const { return place_ < 0; }
 
-  double value_ = 0;  // of a constant
-  int place_ = -1;    // of any other number
+  double value_ = 0;  // value of a constant
+  int place_ = -1;  // address of a computed number
 };
 
-// The operations of one computation. It may be noted again with other constants: they are what the second trace brings if
-// its operations are the same.
+// The operations of one computation. It may be traced again with other constants, which a second trace of the same
+// operations provides.
 class Trace {
  public:
   // Operands and outputs are places: inputs come first, results follow one by one. Constants are ~k, in the order of use.

@@ -1,5 +1,5 @@
-// The point of a triangle that is nearest to a given one: on its face, on an edge, or a corner.
-// Ericson: Real-time collision detection, chapter 5, Morgan Kaufmann 2005.
+// The nearest point of a triangle to a given point: on its face, on an edge, or a corner. Ericson: Real-time
+// collision detection, chapter 5, Morgan Kaufmann 2005.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ using Triangle = std::array<Vec3<double>, 3>;
 
 // Edge i leads from corner i to the next one.
 struct TriangleFeature {
-  int edges = 0;  // bits 1, 2, 4: of the edge, or of both at the corner; 0: the face
-  int first = 0;  // of the edge: its begin; the corner
+  int edges = 0;  // bits 1, 2, 4: the edge, or both edges at the corner; 0: the face
+  int first = 0;  // start of the edge; the corner
   bool is_face() const { return edges == 0; }
   bool is_edge() const { return edges == 1 || edges == 2 || edges == 4; }
 };
@@ -47,7 +47,8 @@ inline int edges_near(const Triangle& t, const Vec3<double>& point, double dista
   return edges;
 }
 
-// Of a small circle in the plane of a triangle, about a point on these edges: the part inside of the triangle.
+// Fraction of a small circle in the plane of a triangle, around a point on these edges, that is inside of the
+// triangle.
 inline double share_at(const Triangle& t, int edges) {
   if (edges == 0) return 1;
   if (edges == 1 || edges == 2 || edges == 4) return 0.5;

@@ -1,5 +1,5 @@
-// Loops that are compiled twice: for any processor, and for those with registers that hold four numbers (AVX2). There,
-// products and sums are fused: results differ by rounding. Loops over eight numbers at once are for AVX-512 alone.
+// Loops that are compiled twice: for any processor, and for registers of four numbers (AVX2). Products and sums are
+// fused in the latter, so results differ by rounding. Loops over eight numbers require AVX-512.
 #pragma once
 
 #include "dalembert/math/processor.hpp"

@@ -1,4 +1,4 @@
-// Errors about a model: what is wrong with which item, and what to do about it.
+// Errors of a model: item, cause and remedy.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-// Which Python exception an error becomes.
+// The Python exception of an error.
 enum class ErrorKind : unsigned char { value, type, index, name, state, planned };
 
 class ModelError : public std::runtime_error {
@@ -29,7 +29,7 @@ struct Complaint {
   std::string problem = {};   // when there is no single value to blame
   std::string received = {};  // "[1, 2] (list of length 2)"
   std::string expected = {};  // "3 finite numbers"
-  std::string advice = {};    // what to do
+  std::string advice = {};  // remedy
   std::string text() const;
 };
 
@@ -45,7 +45,7 @@ struct ItemLabel {
 
 [[noreturn]] void refuse(ErrorKind kind, const Complaint& complaint);
 
-// The known word that resembles `word` most; empty if none is close.
+// The known word most similar to `word`; empty if none is close.
 std::string nearest(std::string_view word, const std::vector<std::string_view>& known);
 // " Did you mean 'x'?" or, when nothing is close, " Known are: a, b, c."
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& known);

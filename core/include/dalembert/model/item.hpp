@@ -1,4 +1,4 @@
-// One item of a model, and the words by which items are named.
+// One item of a model, and its name in error texts.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@ namespace dalembert {
 
 inline constexpr int item_kinds = 5;
 
-// Records are never changed in place once an item is in a model: a change replaces the record by a changed copy.
-// Whoever reads through a raw pointer must fetch it again after Model::value_changes() has grown.
+// Records of items in a model are never changed in place: a change replaces the record by a changed copy. Raw
+// pointers to records must be fetched again if Model::value_changes() has increased.
 struct Item {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
@@ -37,16 +37,16 @@ std::string_view kind_title(ItemKind kind);   // "Node"
 std::string_view index_name(ItemKind kind);   // "NodeIndex"
 std::string_view type_key(ItemKind kind);     // "nodeType"
 
-// nullptr if there is none.
+// nullptr if it does not exist.
 const ItemType* find_type(std::string_view name);                 // 'NodePoint'
 const ItemType* find_type(ItemKind kind, std::string_view name);  // 'NodePoint' or 'Point'
-// As above; an unknown name is refused with the nearest known one. `where` begins the text of the error.
+// Variant that rejects an unknown name, with the nearest known one. `where` begins the text of the error.
 const ItemType& require_type(ItemKind kind, std::string_view name, const std::string& where);
 
-// Parameters by their names or aliases, visualization with a leading 'V'; nullptr if there is none.
+// Finds parameters by name or alias, visualization parameters with a leading 'V'; nullptr if unknown.
 const Row* find_row(const ItemType& type, std::string_view name);
-const Row* find_visualization_row(const ItemType& type, std::string_view name);  // without the 'V'
-// What to write in place of a name that is no parameter; the second among these that are known.
+const Row* find_visualization_row(const ItemType& type, std::string_view name);  // name without the 'V'
+// Suggestion for an unknown parameter name; the second function searches a given list.
 std::string suggest_parameter(const ItemType& type, std::string_view name);
 std::string suggest_parameter(const ItemType& type, std::string_view name, const std::vector<std::string_view>& known);
 bool provides(const ItemType& type, std::string_view what);

@@ -17,7 +17,7 @@ inline const void* member(const void* record, const Row& row) {
   return static_cast<const char*>(record) + row.offset;
 }
 
-// The member of this name; nullptr if the item has none.
+// The member of this name; nullptr if the item does not have it.
 template <class T>
 const T* member_of(const Item& item, std::string_view name) {
   const Row* row = find_row(*item.type, name);

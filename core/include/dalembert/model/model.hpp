@@ -28,13 +28,13 @@ class Model {
   const std::vector<Item>& items(ItemKind kind) const { return items_[static_cast<std::size_t>(kind)]; }
   // Refused if there is no such item.
   const Item& item(ItemKind kind, int number) const;
-  const Item* find_item(ItemKind kind, int number) const;  // nullptr if there is none
+  const Item* find_item(ItemKind kind, int number) const;  // nullptr if it does not exist
   std::string name(ItemKind kind, int number) const;
-  int number(ItemKind kind, std::string_view name) const;  // -1: there is none
+  int number(ItemKind kind, std::string_view name) const;  // -1 if it does not exist
   // The numbers of items with names of their own.
   const std::unordered_map<std::string, int>& names(ItemKind kind) const { return numbers_[static_cast<std::size_t>(kind)]; }
   std::string describe(ItemKind kind, int number) const;   // "node 3 'foot' (NodePoint)"
-  // What items are called that have another number elsewhere; empty in a model of its own.
+  // Names of items whose number differs in the original model; empty for an independent model.
   using Titles = std::array<std::unordered_map<int, std::string>, item_kinds>;
   const Titles& titles() const { return titles_; }
   void entitle(ItemKind kind, int number, std::string title) { titles_[static_cast<std::size_t>(kind)][number] = std::move(title); }
@@ -45,14 +45,16 @@ class Model {
   void replace(ItemKind kind, int number, Item item);
   // Write one parameter: `write` gets the member in a copy, which is kept only if `write` returns.
   void edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write);
-  // An object with parameters that Assemble finds: what they are found from has not changed.
+  // Replaces an object by one with derived parameters that Assemble has computed; the input of the computation has
+  // not changed.
   void complete(int object, std::shared_ptr<const void> record);
-  // Parameters with other values; what is connected to what is as before.
+  // Replaces parameter values; connections do not change.
   void renew(ItemKind kind, int number, std::shared_ptr<const void> record);
   void rename(ItemKind kind, int number, std::string name);
   // Take the items of another model; changes go on counting.
   void become(Model other);
-  // What an edit of a row takes: another Assemble, or the new value alone; neither for what is only drawn or named.
+  // The effect of an edit of a row: another Assemble, or only the new value; neither for rows that are only drawn or
+  // names.
   static bool changes_structure(const Row& row);
   static bool changes_values(const Row& row);
 
@@ -65,14 +67,15 @@ class Model {
   void add_load_dependencies(int load, std::span<const int> coordinates);
   const std::map<int, std::vector<int>>& load_dependencies() const { return load_dependencies_; }
 
-  // What makes terms of the assembled system besides items. Whoever changes one says so, as far as another Assemble is needed.
+  // Sources of further terms of the assembled system. Code that changes a source must report whether another Assemble
+  // is needed.
   std::span<const std::shared_ptr<SystemTermSource>> term_sources() const { return term_sources_; }
   static std::string term_name(std::size_t number) { return "GeneralContact " + std::to_string(number); }
   void add(std::shared_ptr<SystemTermSource> source);
   void remove_term_source(std::size_t number);
   void term_source_changed();
 
-  // What is doubtful about items, though it can be computed: a sentence on the first of them, and how many there are; empty: nothing.
+  // Warning about questionable items: a sentence on the first one, and their number; empty if there are none.
   std::string doubt() const;
   // Refuse a model that cannot be assembled: indices, types of nodes and markers, array lengths. Throws ModelError.
   void check() const;
@@ -86,7 +89,7 @@ class Model {
   std::pair<std::vector<ItemReference>, bool> changed_since(std::uint64_t since) const;
 
  private:
-  std::vector<Item>& items(ItemKind kind) {  // to be changed
+  std::vector<Item>& items(ItemKind kind) {  // for changes
     ++record_changes_;
     return items_[static_cast<std::size_t>(kind)];
   }

@@ -1,5 +1,6 @@
-// Names in place of item numbers. An item is described before its system is known: until it is added, a name stands in its record as a
-// number below -1, and Model puts the number of the item there that has the name. So do names of links and joints of kinematic trees.
+// Names in place of item numbers. An item is described before its system exists: until it is added, a name is stored
+// in its record as a number below -1, which Model replaces by the number of the named item. Names of links and joints
+// of kinematic trees are treated in the same way.
 #pragma once
 
 #include <string>
@@ -19,10 +20,10 @@ bool names_are_used();
 
 // Refused: a name that no item of the kind has, with the nearest one.
 int number_of(const Model& model, ItemKind kind, const std::string& name, const std::string& where, const std::string& parameter);
-// The number of a link of a kinematic tree, by its name or that of the joint which carries it; where one link and another joint have it, that counts
-// which is counted.
+// The number of a link of a kinematic tree, by its name or that of its joint. If one link and another joint have the
+// same name, `counted` selects between them.
 int number_of_link(const Item& tree, Named counted, const std::string& name, const std::string& where, const std::string& parameter);
-// Put numbers in place of names in a record, or in one row of it. `where` is the item, for errors.
+// Replaces names by numbers in a record, or in one row of it. `where` is the item, for errors.
 void resolve_names(const Model& model, const ItemType& type, const Row& row, void* record, const std::string& where);
 Item with_numbers(const Model& model, Item item, const std::string& where);
 

@@ -1,4 +1,5 @@
-// What a model has besides its items: something that Assemble makes a term of (system/system_term.hpp), such as general contact.
+// Part of a model that is not an item: Assemble makes a term from it (system/system_term.hpp), such as general
+// contact.
 #pragma once
 
 #include <memory>
@@ -16,7 +17,7 @@ class SystemTerm;
 class SystemTermSource : public std::enable_shared_from_this<SystemTermSource> {
  public:
   virtual ~SystemTermSource() = default;
-  // Refuses what cannot be assembled; `name` begins the errors.
+  // Throws if it cannot be assembled; `name` begins the error text.
   virtual void check(const Model& model, const std::string& name) const = 0;
   virtual std::unique_ptr<SystemTerm> make_term(const Ports& ports, const std::string& name) const = 0;
   // An item was deleted: numbers behind it move up; adds a sentence for each reference that is lost.

@@ -1,4 +1,4 @@
-// What values have to be beyond their type: one judgement for arguments, parameters and models.
+// Requirements on values beyond their type: one check for arguments, parameters and models.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,25 @@
 
 namespace dalembert {
 
-// What is doubtful is used, with a warning.
+// Doubtful values are used, with a warning.
 enum class Fit : std::uint8_t { right, doubtful, wrong };
 
 struct Verdict {
   Fit fit = Fit::right;
-  std::string problem = {};  // what is wrong, as a sentence; empty if nothing is
+  std::string problem = {};  // the fault as a sentence; empty if there is none
 };
 
-// Rotations are orthogonal and have the determinant 1, both to 1e-8. Where only some of the columns count, reflections are doubtful.
+// Rotations are orthogonal and have the determinant 1, both to 1e-8. Reflections are doubtful if only some columns
+// matter.
 Verdict judge_rotation(const Mat3<double>& a, Fit of_reflections = Fit::wrong);
-// Of length 1, to 1e-8.
+// Unit length, to 1e-8.
 Verdict judge_unit_vector(const Vec3<double>& v);
 // Red, green, blue and opacity, each from 0 to 1; a negative red stands for a default color.
 Verdict judge_color(const Vec<double, 4>& v);
-// A member by the check of its row; of a list, the worst entry.
+// Checks a member by the check of its row; a list has the result of its worst entry.
 Verdict judge(const Row& row, const void* member);
 
-// What a check asks for, as in "but expected ...", and what to do; empty for those of numbers.
+// Requirement of a check, as in "but expected ...", and the remedy; empty for checks of numbers.
 std::string demand(Check check);
 std::string advice(Check check);
 

@@ -1,4 +1,4 @@
-// A file that cannot be written or read: which one, and the reason that the operating system gives.
+// A file that cannot be written or read: its name, and the reason of the operating system.
 #pragma once
 
 #include <stdexcept>
@@ -14,7 +14,7 @@ class FileError : public std::runtime_error {
 
   int code() const { return code_; }
   const std::string& file() const { return file_; }
-  const std::string& reason() const { return reason_; }  // without the name of the file
+  const std::string& reason() const { return reason_; }  // excludes the name of the file
 
  private:
   int code_;

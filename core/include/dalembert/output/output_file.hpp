@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-// Which file it is, whatever its name; {0, 0} for devices, pipes and files that are not there.
+// Identity of a file, independent of its name; {0, 0} for devices, pipes and missing files.
 using FileIdentity = std::pair<unsigned long long, unsigned long long>;
 FileIdentity identity_of(const std::string& name);
 
@@ -19,9 +19,9 @@ class OutputFile {
  public:
   // Missing folders are made.
   void open(const std::string& name, bool append, std::string_view purpose);
-  // Goes on where the file had this length; what follows there is taken off. Negative: the file is new.
+  // Continues a file at this length; the rest is truncated. A negative length makes a new file.
   void resume(const std::string& name, double length, std::string_view purpose);
-  // On the disk; negative if it is none that has a length, or not open.
+  // Length on the disk; negative if the file has no length, or is not open.
   double length();
   // Takes over an open file; `name` is that of messages.
   void adopt(int descriptor, const std::string& name, std::string_view purpose);
@@ -48,13 +48,13 @@ class OutputFile {
 
   std::string name_, purpose_, buffer_;
   int descriptor_ = -1;
-  int failure_ = 0;  // after which nothing more is written: a file without gaps can be read
+  int failure_ = 0;  // nothing is written after the first error, so that the file has no gaps
 };
 
 // All are closed, then the first error is thrown.
 void close_all(std::span<OutputFile> files);
 
-// Makes the folder in which a file is to be; what goes wrong is seen when the file is opened.
+// Makes the folder of a file; errors appear when the file is opened.
 void make_folder_of(const std::string& name);
 
 // "2026-01-31,12:00:00", local time.

@@ -8,9 +8,9 @@
 
 namespace dalembert {
 
-// Written under a name of its own in the same folder, with the permissions of the file before. A link stays, and the file that it
-// points to is replaced. What is no regular file, such as a device or a pipe, is never replaced, but written to. All functions
-// throw FileError.
+// A file that is written under a temporary name in the same folder, with the permissions of the previous file.
+// Symbolic links are kept, and their target is replaced. Devices, pipes and similar files are written directly. All
+// functions throw FileError.
 class ReplacedFile {
  public:
   ReplacedFile(const std::string& name, std::string_view purpose);
@@ -18,7 +18,7 @@ class ReplacedFile {
   ReplacedFile& operator=(const ReplacedFile&) = delete;
 
   std::string& text() { return file_.text(); }
-  // The file before is kept under its name with `backup_ending`. Without commit, nothing has happened.
+  // The previous file is kept with `backup_ending`. Nothing changes without commit.
   void commit(std::string_view backup_ending);
 
   // Whether the name is that of a device, pipe or the like.

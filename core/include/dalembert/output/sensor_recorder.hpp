@@ -12,13 +12,13 @@
 
 namespace dalembert {
 
-// How one sensor of the model is recorded; one per sensor, in the order of their numbers.
+// Recording of one sensor of the model; one per sensor, in the order of their numbers.
 struct SensorChannel {
   std::string file_name;
   bool write_to_file = true, store_internal = false;
   std::string measured;  // "Node number = 3"; "UserFunction"
   std::string variable;  // "Position"
-  int frame_node = -1;   // of the floating frame in whose components the sensor's node tells its values; -1: they are global
+  int frame_node = -1;  // floating frame in whose components the sensor's node has its values; -1: global
 };
 
 // Rows of time and values, one after the other.
@@ -28,7 +28,7 @@ struct SensorTable {
   int rows() const { return columns == 0 ? 0 : static_cast<int>(values.size()) / columns; }
 };
 
-// Where the values of a sensor stand in a row of all sensors.
+// Columns of a sensor in a row of all sensors.
 struct SensorColumns {
   int first = -1, count = 0;  // first < 0: the sensor is not stored
   bool framed = false;        // position and rotation of the floating frame follow, for traces in space
@@ -36,22 +36,22 @@ struct SensorColumns {
   int width() const { return count + (framed ? frame : 0); }
 };
 
-// What sensors with storeInternal have recorded; belongs to the main system and outlives the solver. A row has the time and the
-// values of all sensors, side by side, since that is how they come.
+// Recorded values of sensors with storeInternal; owned by the main system, it outlives the solver. A row has the time
+// and the values of all sensors, which are recorded together.
 class SensorStorage {
  public:
   void clear() { chunks_.clear(); }
   // Rows that follow have these columns; `rows`: how many are expected.
   void begin(const std::vector<SensorColumns>& columns, std::size_t rows);
   void append(const std::vector<double>& row);
-  SensorColumns columns(int sensor) const;  // in the last rows that have the sensor
+  SensorColumns columns(int sensor) const;  // columns in the last rows that contain the sensor
   SensorTable table(int sensor) const;
   SensorTable frames(int sensor) const;  // position and rotation of the floating frame, row by row; no columns: values are global
 
  private:
   struct Chunk {
-    std::vector<SensorColumns> columns;  // by sensor number
-    std::size_t width = 0, rows = 0;     // rows: so many fit
+    std::vector<SensorColumns> columns;  // indexed by sensor number
+    std::size_t width = 0, rows = 0;  // rows: capacity
     std::vector<double> values;
   };
   std::vector<Chunk> chunks_;
@@ -59,8 +59,8 @@ class SensorStorage {
 
 class SensorRecorder {
  public:
-  // Opens files and empties the storage, both unless data is to be appended. `rows`: how many are expected at most. With `lengths`, by
-  // sensor, files go on where they had these lengths, without another header.
+  // Opens files and clears the storage, unless data is to be appended. `rows` is the expected maximum. With
+  // `lengths`, by sensor, files continue at these lengths, without another header.
   void open(const SimulationSettings& settings, const std::vector<SensorChannel>& channels, SensorStorage* storage,
             double rows, std::span<const double> lengths = {});
   std::vector<double> lengths();
@@ -72,7 +72,7 @@ class SensorRecorder {
   void close();  // throws FileError when all are closed
 
  private:
-  // Where the values of one sensor go.
+  // Destination of the values of one sensor.
   struct Target {
     OutputFile* file = nullptr;
     bool stored = false;
@@ -83,7 +83,7 @@ class SensorRecorder {
   std::vector<SensorChannel> channels_;
   std::vector<OutputFile> files_;
   std::vector<Target> targets_;
-  std::vector<double> values_, row_;  // of the sensor or the frame being recorded, and of all that are stored
+  std::vector<double> values_, row_;  // values of the current sensor or frame, and of all stored sensors
   SensorStorage* storage_ = nullptr;  // null: nothing is stored
   std::vector<SensorColumns> columns_;
   bool active_ = false, flush_ = false, headers_ = false, begun_ = false;

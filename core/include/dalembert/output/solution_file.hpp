@@ -1,4 +1,4 @@
-// The file with all coordinates over time: header, one row per written step, footer; as text or binary.
+// The file of all coordinates over time: header, one row per written step, footer; as text or binary.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace dalembert {
 
-// Who computes what, for the headers of files.
+// Program and model, for the headers of files.
 struct RunDescription {
   std::string solver_name;
   bool is_static = false;
-  std::string version = "1.11.0";  // of the file layout
+  std::string version = "1.11.0";  // version of the file layout
   std::string build;               // version of program, Python and platform
 };
 
@@ -27,12 +27,12 @@ class SolutionFile {
   bool is_open() const { return file_.is_open(); }
   void write_header(const SimulationSettings& settings, const RunDescription& run, const Sizes& sizes);
   void write_row(const SimulationSettings& settings, const State& state);
-  // `footer` is what write_footer of text files appends.
+  // `footer` is the text that write_footer of text files appends.
   void write_footer(const std::string& footer, const SolverIterationData& it, const SolverConvergenceData& conv);
   void close() { file_.close(); }
   const OutputFile& file() const { return file_; }
 
-  // The name of the file, with an ending if the settings give none.
+  // The name of the file, with a default ending.
   static std::string name(const SimulationSettings& settings);
 
  private:
@@ -43,7 +43,7 @@ class SolutionFile {
   bool is_static_ = false, binary_ = false, single_precision_ = false, headed_ = false;
 };
 
-// What is known at the end of a run, as comment lines.
+// Statistics at the end of a run, as comment lines.
 std::string solution_footer(const SolverIterationData& it, const SolverConvergenceData& conv, double seconds);
 
 }  // namespace dalembert

@@ -20,7 +20,7 @@ DALEMBERT_INLINE inline Four root(Four a) { return Four{std::sqrt(a[0]), std::sq
 DALEMBERT_INLINE inline Four as_numbers(FourWhole a) { return __builtin_convertvector(a, Four); }
 DALEMBERT_INLINE inline FourWhole whole(Four a) { return __builtin_convertvector(a, FourWhole); }
 
-// Which lanes of a comparison hold, one bit each.
+// Lanes for which a comparison is true, one bit each.
 DALEMBERT_INLINE inline std::uint32_t bits(FourWhole flags) {
 #ifdef __SSE__
   return static_cast<std::uint32_t>(__builtin_ia32_movmskps(reinterpret_cast<Four>(flags)));
@@ -42,7 +42,7 @@ DALEMBERT_INLINE inline V load(const T* from) {
 }
 template <class V, class T>
 DALEMBERT_INLINE inline void store(V values, T* to) { std::memcpy(to, &values, sizeof values); }
-// Of each lane, one of two numbers; flags: of a comparison.
+// Selects one of two numbers per lane; flags: result of a comparison.
 template <class V>
 DALEMBERT_INLINE inline V chosen(FourWhole flags, V yes, V no) {
   const auto a = reinterpret_cast<FourWhole>(yes), b = reinterpret_cast<FourWhole>(no);

@@ -1,4 +1,4 @@
-// Frames of what reaches along an axis: rods, springs, arrows.
+// Frames of symbols along an axis: rods, springs, arrows.
 #pragma once
 
 #include <algorithm>

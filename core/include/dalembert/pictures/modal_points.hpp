@@ -23,15 +23,15 @@ class ModalPoints {
 
   // x, y and z of each node.
   void place(std::span<const double> weights, Rows frame, float* to);
-  // Of each node, a component of its displacement, or the length (-1); at_rest: the frame in which the mesh is not deformed.
+  // A component of the displacement of each node, or the norm (-1); at_rest: the frame of the undeformed mesh.
   void displacements(std::span<const double> weights, Rows frame, Rows at_rest, int component, double* to);
 
  private:
   void deform(std::span<const double> weights);
 
   ModePlanes planes_;
-  LargeVector<float> rest_;         // by block and component
-  LargeVector<float> deformation_;  // of the weights that follow, in the same order
+  LargeVector<float> rest_;  // by block and component
+  LargeVector<float> deformation_;  // for the weights that follow, in the same order
   std::vector<double> weights_;
 };
 

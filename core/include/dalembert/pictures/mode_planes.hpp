@@ -1,6 +1,7 @@
-// Outputs of mesh nodes that are sums of modes, for pictures: copies of which all that is read is used, as reading them takes most of the time.
-// A mode is kept in units, its largest number among the nodes of a block divided by the largest integer of two bytes: enough for what is only
-// seen, as a place in a picture or as a color. Where a mode has no number but zero, as those of plates in their plane, there is none to be read.
+// Outputs of mesh nodes as sums of modes, for pictures: compact copies, because reading memory takes most of the
+// time. A mode is stored as integers of two bytes, in units of its largest number in a block of nodes divided by the
+// largest integer: sufficient for positions and colors in pictures. Modes of zeros, such as in-plane modes of plates,
+// are not stored.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ class ModePlanes {
   static constexpr std::size_t most_components = 6;
   static constexpr std::size_t block = 256;  // nodes, whose sums stay in the nearest cache
 
-  // of_mode(node, component, mode) tells what is summed up.
+  // of_mode(node, component, mode) returns the mode values.
   template <class OfMode>
   ModePlanes(std::size_t nodes, std::size_t components, std::size_t modes, const OfMode& of_mode)
       : nodes_(nodes), components_(components), modes_(modes), planes_(nodes * components * modes) {
@@ -56,9 +57,9 @@ class ModePlanes {
   void add(std::span<const double> weights, std::size_t first, float* sums) const;
 
   std::size_t nodes_ = 0, components_ = 0, modes_ = 0;
-  LargeVector<std::int16_t> planes_;    // by block, mode and component; without those of zeros
+  LargeVector<std::int16_t> planes_;  // by block, mode and component; without those of zeros
   std::vector<std::ptrdiff_t> starts_;  // of blocks
-  std::vector<double> units_;           // of each plane, also of those
+  std::vector<double> units_;  // unit of each plane, including those of zeros
 };
 
 }  // namespace dalembert

@@ -1,6 +1,6 @@
-// Pictures without a display: triangles, spheres and lines into one buffer of samples, several per pixel, on one thread, so that
-// the same scene gives the same bytes. Colors and normals are kept per sample and lit once; what is transparent is lit where
-// it is drawn, from the back to the front.
+// Pictures without a display: triangles, spheres and lines are drawn into one buffer of samples, several per pixel,
+// on one thread, so that the same scene gives the same bytes. Colors and normals are stored per sample and shaded
+// once; transparent triangles are shaded when they are drawn, from back to front.
 #pragma once
 
 #include <array>
@@ -25,9 +25,9 @@ struct Paint {
   float r = 0, g = 0, b = 0, a = 1;
 };
 
-// Where the scene is seen from. Rows of `view` turn a point of the scene into eye coordinates: to the right, up, and away from the
-// viewer, counted from the center of the picture. A length there is `scale` pixels; with `perspective`, a point that is z further away
-// is smaller by 1 + perspective * z.
+// The camera. Rows of `view` transform a point of the scene to eye coordinates: right, up, and away from the viewer,
+// relative to the center of the picture. A unit length has `scale` pixels; with `perspective`, a point that is z
+// further away is smaller by 1 + perspective * z.
 struct Camera {
   std::array<double, 12> view{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0};
   double scale = 1;
@@ -45,17 +45,17 @@ struct Lighting {
   float shininess = 32;
 };
 
-// What is left of clipping: a x + b y + c z + d >= 0, in eye coordinates.
+// Clipping plane: keeps a x + b y + c z + d >= 0, in eye coordinates.
 struct Plane {
   float a, b, c, d;
 };
 
 struct Mesh {
   std::span<const double> points;    // 3 each
-  std::span<const double> normals;   // 3 each, or none: flat triangles
+  std::span<const double> normals;  // 3 each, or empty: flat triangles
   std::span<const float> colors;     // 4 each
   std::span<const std::int32_t> triangles;  // 3 points each
-  std::span<const std::int32_t> items;      // one number per triangle, for item_at
+  std::span<const std::int32_t> items;  // one number per triangle, for item_at
   bool is_smooth() const { return !normals.empty(); }
 };
 
@@ -70,7 +70,7 @@ class Picture {
   int height() const { return height_; }
 
   void background(const Paint& top, const Paint& bottom);
-  void clip(const Plane& plane);  // what is drawn from now on
+  void clip(const Plane& plane);  // for everything drawn from now on
 
   void triangles(const Mesh& mesh);
   // Centers 3, radii 1, colors 4 each.
@@ -89,9 +89,9 @@ class Picture {
  private:
   struct Vertex {
     Point place;  // x, y in samples, z: nearness
-    bool inside = true;  // of all planes, and at a place that there is
+    bool inside = true;  // inside all planes, and finite
     std::uint32_t color = 0;
-    Four normal{};  // in eye coordinates, and 1 / w, by which all of it is multiplied, as is the paint
+    Four normal{};  // normal in eye coordinates, and 1 / w, which multiplies all members, including the paint
     Four paint{};
     float weight() const { return normal[3]; }
   };
@@ -104,7 +104,7 @@ class Picture {
   class Sides;
   class Plan;
   struct Unshaded;
-  struct Sheet {  // a transparent triangle that waits for what is behind it
+  struct Sheet {  // a transparent triangle, drawn after everything behind it
     Three corners;
     float nearness;
     std::int32_t item;
@@ -114,7 +114,8 @@ class Picture {
     std::int32_t color, normal;
     bool operator==(const Surface&) const = default;
   };
-  enum class Lit : std::uint8_t { pixel, sample, all_samples };  // at once; one of several; all of a pixel, by then, whose mean remains
+  // immediately; one of several; all samples of a pixel, whose mean is kept
+  enum class Lit : std::uint8_t { pixel, sample, all_samples };
   struct Waiting {  // a sample, or the first one of a pixel, and which surface it is
     std::size_t sample;
     std::uint32_t surface;
@@ -124,12 +125,13 @@ class Picture {
 
   struct Ball {
     float x, y, size;  // in samples
-    float z, radius;   // in eye coordinates
+    float z, radius;  // in eye coordinates
     std::uint32_t color;
     std::int32_t item;
   };
 
-  struct Memory {  // of a picture that is not there any more, for the next one: to get as much anew takes a quarter of the time of a picture
+  // buffers of a deleted picture, reused by the next one: allocating them takes a quarter of the time of a picture
+  struct Memory {
     LargeVector<float> depth;
     LargeVector<std::uint32_t> color, normal;
     LargeVector<std::int32_t> item;
@@ -147,7 +149,8 @@ class Picture {
   bool is_inside(const Point& eye) const;
   std::size_t row_start(int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_); }
   bool has_squares() const { return samples_ == 2; }
-  // Where a sample is in memory: the four of a pixel lie side by side, upper ones first, if there are four; otherwise those of a row.
+  // Address of a sample: the four of a pixel are contiguous, upper ones first, if there are four; otherwise samples
+  // are stored by rows.
   std::size_t sample(int column, int row) const {
     if (!has_squares()) return row_start(row) + static_cast<std::size_t>(column);
     return row_start(row & ~1) + static_cast<std::size_t>(2 * (column & ~1) + 2 * (row & 1) + (column & 1));
@@ -189,14 +192,15 @@ class Picture {
   float scale_, perspective_;
   std::array<double, 12> view_;
   Lighting lighting_;
-  std::vector<Point> halves_;        // of light and viewer, per light
+  std::vector<Point> halves_;  // half vectors of light and viewer, per light
   std::vector<float> shine_;         // power of the cosine, in a table
   std::vector<Plane> planes_;
   LargeVector<float> depth_;         // nearness of each sample; this and the next three are a few longer than the picture
   LargeVector<std::uint32_t> color_;   // bytes r, g, b, and 255 if it is to be lit
-  LargeVector<std::uint32_t> normal_;  // x and y of the unit normal towards the viewer, two bytes each; where something was drawn
+  // x and y of the unit normal towards the viewer, two bytes each; valid for covered samples
+  LargeVector<std::uint32_t> normal_;
   LargeVector<std::int32_t> item_;
-  LargeVector<Corner> corners_;        // of the mesh that is drawn
+  LargeVector<Corner> corners_;  // corners of the current mesh
   LargeVector<Vertex> vertices_;
   LargeVector<std::uint32_t> order_;
   bool has_background_ = false;

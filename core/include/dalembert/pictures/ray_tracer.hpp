@@ -18,25 +18,25 @@ struct RayMaterial {
   double shininess = 32, reflectivity = 0, refraction = 1;  // refraction: index; 1: rays go straight on
 };
 
-// In eye coordinates.
+// A light, in eye coordinates.
 struct RayLight {
   Vec3<double> place;  // or the direction towards it
   bool at_infinity = true;
   double diffuse = 0, specular = 0;
-  double shadow = 0;   // part of the light that what stands before it takes away
-  double radius = 0;   // of a ball of light; at infinity, in parts of the distance
+  double shadow = 0;  // fraction of the light that an obstacle removes
+  double radius = 0;  // radius of a spherical light; relative to the distance if it is at infinity
   std::array<double, 3> attenuation{1, 0, 0};  // 1, distance, its square
 };
 
 struct RayOptions {
-  int samples = 1;  // of a pixel in each direction
+  int samples = 1;  // samples of a pixel in each direction
   int threads = 1, tiles_per_thread = 12;
   int reflections = 2, transparencies = 2;  // that a ray follows
-  int light_places = 1;  // from which shadows are cast, for each light
-  double lift = 0;       // of lines towards the viewer
+  int light_places = 1;  // number of sample positions per light for shadows
+  double lift = 0;  // offset of lines towards the viewer
   double ambient = 1;
-  Vec3<double> top{1, 1, 1}, bottom{1, 1, 1};  // of the background
-  Vec3<double> around{0.4, 0.4, 0.4};          // what reflected rays see that leave the scene
+  Vec3<double> top{1, 1, 1}, bottom{1, 1, 1};  // colors of the background
+  Vec3<double> around{0.4, 0.4, 0.4};  // color of reflected rays that leave the scene
   Vec3<double> fog{0.5, 0.5, 0.5};
   double fog_density = 0;  // 1 / length
 };
@@ -53,7 +53,7 @@ class RayTracer {
   void clip(const Plane& plane);
   // `materials`: a number for each triangle; the opacity is that of the colors.
   void triangles(const Mesh& mesh, std::span<const std::int32_t> materials);
-  // Of the first material.
+  // Spheres have the first material.
   void spheres(std::span<const double> centers, std::span<const double> radii, std::span<const float> colors);
   // Neither lit nor casting shadows; the width is one in pixels at the center of the picture.
   void lines(std::span<const double> segments, std::span<const float> colors, double width);

@@ -1,4 +1,4 @@
-// The cross section of a beam: what it does, and how it looks.
+// The cross section of a beam: its stiffness and mass, and its shape for drawing.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct BeamSection {
   bool operator==(const BeamSection&) const = default;
 };
 
-// For drawing only.
+// Used for drawing only.
 struct BeamSectionGeometry {
   CrossSectionType crossSectionType = CrossSectionType::Polygon;
   double crossSectionRadiusY = 0, crossSectionRadiusZ = 0;  // m, circular

@@ -18,14 +18,14 @@ class Callback {
   virtual ~Callback() = default;
   // Whether coordinates among the arguments include reference values.
   virtual bool takes_total_coordinates() const { return false; }
-  // `results` has the size that the signature in the spec promises. Throws what the user's function throws.
+  // `results` has the size of the signature in the spec. Throws the exceptions of the user's function.
   virtual void call(double time, int item, std::span<const Argument> arguments, std::span<double> results) const = 0;
-  // The same for a system whose state has not changed since the last call: what that call gave may be given again, if the
-  // arguments are the same.
+  // Variant for a system whose state has not changed since the last call: it may return the previous result if the
+  // arguments are equal.
   virtual void recall(double time, int item, std::span<const Argument> arguments, std::span<double> results) const {
     call(time, item, arguments, results);
   }
-  // As `call`, for a result of any length.
+  // Variant of `call` for a result of any length.
   virtual std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const = 0;
 };
 

@@ -13,7 +13,7 @@
 
 namespace dalembert {
 
-// What an argument becomes among the parameters of the C function.
+// Parameter types of the C function for an argument.
 template <Signature::Kind K>
 auto c_parameters(const Argument& argument) {
   using Kind = Signature::Kind;

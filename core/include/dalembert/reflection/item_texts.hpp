@@ -1,4 +1,4 @@
-// What specs say about items in words, for help() and its like: beside the rows, which simulations read.
+// Texts of specs about items, for help(): stored apart from the rows that simulations read.
 #pragma once
 
 #include <span>
@@ -16,12 +16,12 @@ struct OutputText {
 
 struct ItemText {
   std::string_view summary;
-  std::span<const std::string_view> rows;  // in the order of ItemType::rows
-  std::span<const OutputText> outputs;     // in the order of ItemType::outputs
+  std::span<const std::string_view> rows;  // same order as ItemType::rows
+  std::span<const OutputText> outputs;  // same order as ItemType::outputs
   std::string_view more;                   // user functions, Create functions, example, page
 };
 
-// In the order of item_types().
+// Same order as item_types().
 std::span<const ItemText> item_texts();
 
 }  // namespace dalembert

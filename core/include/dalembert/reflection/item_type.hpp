@@ -1,4 +1,4 @@
-// What is known of an item type at run time. One constant per spec, written by the generator.
+// Run-time description of an item type. One constant per spec, written by the generator.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace dalembert {
 
 // The parameters of one item, type-erased: the struct that the generator wrote.
 struct RecordOperations {
-  std::shared_ptr<void> (*create)();             // with the spec's defaults
+  std::shared_ptr<void> (*create)();  // has the spec's defaults
   std::shared_ptr<void> (*copy)(const void*);
 };
 
@@ -24,7 +24,7 @@ constexpr RecordOperations record_operations() {
           }};
 }
 
-// What an item can do for another, bit by bit: a request is met when all of its bits are provided.
+// Capabilities of an item for other items, as bits: a request is met if all of its bits are provided.
 enum class Capability : std::uint32_t {
   none = 0, position = 1, orientation = 2, coordinate = 4, body_mass = 8, generic_ode2 = 16, generic_data = 32,
   position_2d = 64, orientation_2d = 128,
@@ -42,12 +42,12 @@ struct ItemType {
   std::string_view type_name;                        // 'MassPoint'
   std::string_view category;                         // objects: 'Body', 'Joint', ...
   std::span<const std::string_view> short_names;
-  std::span<const std::string_view> provides;        // as the reference documentation lists them
+  std::span<const std::string_view> provides;  // listed in the reference documentation
   std::span<const Row> rows;                         // name, parameters, visualization, in the order of the spec
   std::span<const OutputVariableType> outputs;
   RecordOperations record;
-  Capability requested_node = Capability::none;      // what its nodes must provide
-  Capability requested_marker = Capability::none;    // what its markers must provide
+  Capability requested_node = Capability::none;  // required of its nodes
+  Capability requested_marker = Capability::none;  // required of its markers
   const Physics* physics = nullptr;                  // null: planned
   std::string_view spec;                             // 'specs/bodies/mass_point.toml'
 };

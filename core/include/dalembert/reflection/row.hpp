@@ -1,4 +1,4 @@
-// One row of a parameter table: what hand-written code needs to read, write, check and name a member.
+// One row of a parameter table: data to read, write, check and name a member.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace dalembert {
 // The last four are for vectors and matrices, see core/include/dalembert/model/value_checks.hpp.
 enum class Check : std::uint8_t { none, non_negative, positive, rotation, orthogonal, unit_vector, color };
 
-// Of integers: what they count has names, which may stand for them (model/references.hpp).
+// Integers that count named parts, whose names may replace the numbers (model/references.hpp).
 enum class Named : std::uint8_t { no, links, joints };
 
 enum class Role : std::uint8_t { name, parameter, visualization };
@@ -24,11 +24,11 @@ struct Argument;  // core/include/dalembert/reflection/callback.hpp
 using CompiledCall = void (*)(const void* function, double time, int item, std::span<const Argument> arguments,
                               std::span<double> results);
 
-// What the row's user function takes and gives, from the spec.
+// Arguments and result of the row's user function, from the spec.
 struct Signature {
   // The open ones have a length that is known at run time only.
   enum class Kind : std::uint8_t { scalar, integer, boolean, vector, matrix, open_vector, open_matrix, index_list, configuration };
-  std::span<const Kind> arguments;  // after mbs, t and (if takes_item) the item number
+  std::span<const Kind> arguments;  // following mbs, t and (if takes_item) the item number
   bool takes_time = true;
   bool takes_item = true;
   Kind result = Kind::scalar;
@@ -42,7 +42,7 @@ struct Signature {
 struct Row {
   std::string_view name;
   Storage storage;
-  std::uint32_t offset;  // of the member in the record
+  std::uint32_t offset;  // offset of the member in the record
   Role role;
   Check check = Check::none;
   Named named = Named::no;
@@ -53,7 +53,7 @@ struct Row {
   bool needs_assemble = false;                // a change takes effect at the next Assemble only
   std::string_view unit = {};
   std::span<const std::string_view> aliases = {};
-  const Signature* signature = nullptr;       // of user functions
+  const Signature* signature = nullptr;  // signature of a user function
   std::uint16_t enumeration = 0;              // Storage::enumeration: number of the table in enums.hpp
 };
 

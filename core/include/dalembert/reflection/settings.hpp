@@ -1,4 +1,4 @@
-// What is known of a settings structure at run time: its rows, and the structures inside it. Written by the generator.
+// Run-time description of a settings structure: its rows, and nested structures. Written by the generator.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ struct SettingsGroup;
 
 // A structure inside a structure.
 struct SettingsChild {
-  std::string_view name;       // of the member
+  std::string_view name;  // name of the member
   const SettingsGroup* group;  // its type
-  std::uint32_t offset;        // in the structure that contains it
+  std::uint32_t offset;  // offset in the containing structure
 };
 
-// What is known of a setting beyond its row; the texts are empty where there is nothing to say.
+// Properties of a setting beyond its row; unused texts are empty.
 struct SettingRule {
   std::string_view name;
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ struct SettingRule {
   std::string_view words = {};                  // of the range: "from 0 to 1"
   std::string_view no_effect = {};              // why nothing depends on it, but for `only_in`
   std::string_view no_effect_on_pages = {}, no_effect_without_rays = {};  // why no page does, and no picture without the ray tracer
-  std::span<const std::string_view> acts_with = {};  // flags beside it, one of which has to be true
+  std::span<const std::string_view> acts_with = {};  // related flags, one of which has to be true
   std::string_view only_in = {};                // the structure of the root whose own has an effect, for all structures like it
 
   constexpr bool admits(double value) const {
@@ -43,7 +43,7 @@ struct SettingRule {
 };
 
 struct SettingsGroup {
-  std::string_view name;  // of the C++ structure and of the Python class
+  std::string_view name;  // name of the C++ structure and of the Python class
   std::span<const Row> rows;  // offsets from the start of this structure
   std::span<const SettingsChild> children;
   std::span<const SettingRule> rules = {};

@@ -1,4 +1,4 @@
-// What specs say about settings and enumerations in words, for help() and its like.
+// Texts of specs about settings and enumerations, for help().
 #pragma once
 
 #include <span>
@@ -8,18 +8,18 @@ namespace dalembert {
 
 struct SettingsText {
   std::string_view name, summary;
-  std::span<const std::string_view> rows;  // in the order of SettingsGroup::rows
+  std::span<const std::string_view> rows;  // same order as SettingsGroup::rows
 };
 
-// One per structure.
+// One entry per structure.
 std::span<const SettingsText> settings_texts();
 
 struct EnumText {
   std::string_view summary;
-  std::span<const std::string_view> values;  // in the order of EnumTable::entries
+  std::span<const std::string_view> values;  // same order as EnumTable::entries
 };
 
-// In the order of enum_tables().
+// Same order as enum_tables().
 std::span<const EnumText> enum_texts();
 
 }  // namespace dalembert

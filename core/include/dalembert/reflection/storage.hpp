@@ -63,7 +63,7 @@ struct UserFunction {
   explicit operator bool() const { return callback != nullptr; }
 };
 
-// Which member type a row describes. One converter to and from Python per entry.
+// Member type of a row. Each entry has one converter to and from Python.
 enum class Storage : std::uint8_t {
   boolean,       // bool
   integer,       // int

@@ -22,20 +22,20 @@ struct Shape {
 
 enum class Op : std::uint8_t {
   constant, variable,
-  // of one scalar
+  // functions of one scalar
   absolute, sign, logical_not, round, ceil, floor, exp, sqrt, log, sin, cos, tan, asin, acos, atan,
   sinh, cosh, tanh, asinh, acosh, atanh, is_finite,
-  // of two scalars
-  divide, power, atan2, modulo,  // modulo: of C, with the sign of the dividend
+  // functions of two scalars
+  divide, power, atan2, modulo,  // modulo as in C, with the sign of the dividend
   floored_modulo, floored_quotient,  // % and // of Python
   minimum, maximum, less, less_equal, greater, greater_equal,
-  // of one or two operands of any shape; equal and not_equal give a scalar
+  // one or two operands of any shape; equal and not_equal give a scalar
   negate, add, subtract, multiply_components, equal, not_equal,
   select,         // IfThenElse(condition, a, b)
   scale,          // scalar * vector or matrix
   dot, norm,      // of vectors
   matrix_vector, vector_matrix, matrix_matrix,
-  element,        // of a vector or matrix: a place, no computation
+  element,  // element of a vector or matrix: an address, without computation
   gather,         // scalars side by side
   replace,        // a vector or matrix with one other component
 };
@@ -49,7 +49,7 @@ struct Expression {
   std::vector<Node> operands;
   std::vector<double> values;  // of leaves
   std::string name;            // of variables; may be empty
-  int index = 0;               // of element and replace: row by row
+  int index = 0;  // index of element and replace: row by row
 };
 
 Node constant(double value);
@@ -58,7 +58,7 @@ Node variable(Shape shape, std::vector<double> values, std::string name);
 // These check the shapes of their operands and throw std::invalid_argument.
 Node apply(Op op, const Node& a);
 Node apply(Op op, const Node& a, const Node& b);
-Node product(const Node& a, const Node& b);  // of scalars, vectors (dot) and matrices
+Node product(const Node& a, const Node& b);  // product of scalars, vectors (dot) and matrices
 Node select(const Node& condition, const Node& a, const Node& b);
 Node element(const Node& a, int index);
 Node gather(Shape shape, std::vector<Node> scalars);

@@ -14,7 +14,7 @@ struct Instruction {
   Op op;
   int result, a, b, c;
   int n;        // components, or rows of the left operand
-  int m, k;     // of products with matrices: the common dimension, and columns of the right operand
+  int m, k;  // products with matrices: the common dimension, and columns of the right operand
 };
 
 class Tape {
@@ -22,9 +22,9 @@ class Tape {
   // `inputs` are variables whose values come with each evaluation. Other variables give the value they have at that time.
   explicit Tape(const Node& root, std::span<const Node> inputs = {});
 
-  // One pointer per input, to as many numbers as its shape says. May be called from several threads.
+  // One pointer per input, to the numbers of its shape. May be called from several threads.
   void evaluate(std::span<const double* const> inputs, std::span<double> results) const;
-  std::vector<double> evaluate() const;  // of a tape without inputs
+  std::vector<double> evaluate() const;  // evaluates a tape without inputs
   // The derivative of a scalar result with respect to a scalar variable that is no input.
   double derivative(const Expression& variable) const;
 

@@ -1,4 +1,4 @@
-// What batches read while a residual or a tangent is evaluated, and where they write.
+// Input and output of batches during the evaluation of a residual or a tangent.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// One state, as the batches see it. Pointers into vectors of the whole system.
+// One state as the batches see it: pointers into vectors of the whole system.
 template <class S>
 struct EvaluationOf {
   const S* q = nullptr;            // ODE2 totals: reference + displacement
@@ -24,9 +24,9 @@ struct EvaluationOf {
   bool rate_level = false;         // constraints as time derivatives of their gaps (index 2)
   bool inertia = true;             // false: static, accelerations and velocities play no part
   bool direct = false;             // explicit integration: forces follow from this state alone, nothing is held from a search
-  bool same_state = false;         // as in the evaluation before
+  bool same_state = false;  // same state as in the previous evaluation
   bool reads_nodes = false;        // terms that can read nodes themselves do so, and add up totals: nobody else looks at these markers
-  bool of_reference = false;       // of the reference configuration, for outputs
+  bool of_reference = false;  // reference configuration, for outputs
 };
 using Evaluation = EvaluationOf<double>;
 

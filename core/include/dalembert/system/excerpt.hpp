@@ -1,4 +1,4 @@
-// One item and all that it stands on, as a system of their own: what an item tells before the whole model is assembled.
+// One item with everything it depends on, as a separate system: outputs before the whole model is assembled.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ struct Excerpt {
   };
 
   std::unique_ptr<System> system;
-  int number = -1;              // of the item in it
-  std::vector<Source> sources;  // what was copied; the item comes first
+  int number = -1;  // number of the item in it
+  std::vector<Source> sources;  // copied items; the requested item comes first
 };
 
 Excerpt excerpt(const Model& model, ItemKind kind, int number);

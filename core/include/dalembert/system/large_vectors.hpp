@@ -13,7 +13,7 @@
 
 namespace dalembert {
 
-// From so many numbers on, threads gain more than it takes to call them.
+// Threads pay off for vectors of at least this length.
 constexpr std::size_t numbers_to_share = 10000;
 
 // Calls f(begin, end) for stretches that make up [0, count), each of which is worth a thread's while.
@@ -23,7 +23,7 @@ template <class F>
   workers != nullptr ? workers->each_stretch(count, f) : f(std::size_t{0}, count);
 }
 
-// As each_number(count, f).
+// See each_number(count, f).
 template <class F>
 DALEMBERT_INLINE inline void each_number(const System& system, std::size_t count, F&& f) {
   if (count <= few_numbers) return each_of_few(count, f);
@@ -37,7 +37,7 @@ inline void copy_numbers(const System& system, const double* from, std::size_t c
   each_number(system, count, [from, to](std::size_t i) { to[i] = from[i]; });
 }
 
-// In parts of one length, whatever the number of threads.
+// Summed in parts of one length, for any number of threads.
 inline double sum_of_squares(const System& system, std::span<const double> x) {
   if (x.size() < numbers_to_share) return sum_of_squares<double>(x);
   constexpr std::size_t parts = 64;

@@ -1,4 +1,4 @@
-// Loads whose user functions read coordinates: what the tangent needs to know of them.
+// Loads whose user functions read coordinates: their contribution to the tangent.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ struct LoadDependency {
   int load = -1;
   std::unique_ptr<Term> term;       // the load alone
   std::vector<int> rows, columns;   // ODE2 coordinates that it acts on, and that its value depends on
-  std::vector<int> slots;           // of the block, by rows; none: it is left out
+  std::vector<int> slots;  // slots of the block, by rows; empty: not in the tangent
 };
 
 // A load with a user function depends on the coordinates that it acts on, until others are added.
@@ -28,8 +28,8 @@ void refresh_load_dependency(SystemParts& parts, int load);
 // No slots: the pattern is older than the dependency and lacks some of its entries.
 void find_slots(LoadDependency& dependency, const Pattern& pattern);
 
-// Adds the derivative of the loads' values, with the frames of their markers held fixed, to the tangent. Differences of what
-// user functions return, who read the current state; by the velocities only if wanted.
+// Adds the derivative of the loads' values, with fixed frames of their markers, to the tangent. It uses finite
+// differences of user functions, which read the current state; derivatives with respect to velocities are optional.
 void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights, bool by_velocities,
                            double* values);
 

@@ -2,10 +2,10 @@
 
 namespace dalembert {
 
-// Where the frame of a marker at a node itself comes from, and where its forces go.
+// Source of the frame of a marker at a node itself, and destination of its forces.
 struct NodeFrame {
-  int dof = -1;            // of the first displacement, which are its position; -1: it is no such marker
-  int rotating_node = -1;  // among those of the ports, which has the rotation and takes the forces; -1: there is none
+  int dof = -1;  // first displacement, where its position is stored; -1: not such a marker
+  int rotating_node = -1;  // index among those of the ports, with the rotation and the forces; -1: no rotation
 };
 
 }  // namespace dalembert

@@ -30,7 +30,7 @@
 
 namespace dalembert {
 
-// A node's stretches in the system vectors; -1: none of that kind.
+// Ranges of a node in the system vectors; -1: no coordinates of that kind.
 struct NodePlace {
   const ItemType* type = nullptr;
   const NodePhysics* physics = nullptr;
@@ -43,7 +43,7 @@ struct NodePlace {
   int first(System::Coordinates kind) const { return std::array{ode2, ode1, ae, data}[static_cast<std::size_t>(kind)]; }
 };
 
-// Where an item went: which batch, and which of its entries.
+// Batch of an item, and its entry there.
 template <class B>
 struct Membership {
   B* batch = nullptr;
@@ -64,7 +64,7 @@ struct ObjectPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
   Membership<Term> member;
-  Stretch nodes, markers;  // of SystemParts::references
+  Stretch nodes, markers;  // ranges of SystemParts::references
   int first_ae = -1, equations = 0;  // algebraic ones, counted in the AE vector
   OutermostNodes outermost{};
 };
@@ -79,8 +79,8 @@ struct MarkerPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
   Membership<MarkerBatch> member;
-  int node = -1, object = -1;  // what it sits on, the first one if there are several
-  Stretch objects;  // of SystemParts::references
+  int node = -1, object = -1;  // carrier of the marker, the first one if there are several
+  Stretch objects;  // range of SystemParts::references
 };
 
 // A marker, and which of the bodies that it sits on is meant.
@@ -103,7 +103,7 @@ struct StateReading {
   explicit operator bool() const { return from != nullptr; }
   void read(const State& state, const State& reference, std::vector<double>& values) const;
 };
-// What a node's point does, in states other than the reference.
+// Translation of a node's point, in states other than the reference.
 StateReading translation_reading(const NodePlace& node, OutputVariableType variable);
 
 struct SensorPlace {
@@ -114,7 +114,7 @@ struct SensorPlace {
 
 // False: no item of this type ever has that output variable.
 bool may_have(const ItemType& type, OutputVariableType variable);
-// Whatever has a position and an orientation has that output variable.
+// Output variables of everything with a position and an orientation.
 bool follows_from_motion(OutputVariableType variable);
 
 // Ranges of numbers, those that follow each other as one.
@@ -138,11 +138,11 @@ class Ranges {
   std::vector<Range> ranges_;
 };
 
-// What an evaluation sets to its start in a region, before anything is added to it: what lies in no smaller one.
+// Numbers that an evaluation resets in a region before summation: those that are not in a smaller region.
 struct RegionNumbers {
-  Ranges coordinates;  // of second order
-  Ranges rows;         // of the residual, and columns of its tangent
-  Ranges forces, node_loads;  // of the ports
+  Ranges coordinates;  // second-order coordinates
+  Ranges rows;  // rows of the residual, and columns of its tangent
+  Ranges forces, node_loads;  // ranges of the ports
 };
 
 // A region, and its batches that an evaluation visits, in this order.
@@ -152,10 +152,10 @@ struct RegionPlan {
   std::vector<const MarkerBatch*> moving;
   std::vector<const MarkerBatch*> differentiated;  // moving ones whose derivatives are used
   std::vector<const MarkerBatch*> pulled;          // moving ones on which forces act that may change
-  std::vector<const MarkerBatch*> needed, needed_pulled;  // of these, where terms read nodes themselves
+  std::vector<const MarkerBatch*> needed, needed_pulled;  // subset that is needed if terms read nodes themselves
   std::vector<const Term*> terms, loads;
   std::vector<const Term*> changing_loads;
-  int entries = 0;  // of these batches
+  int entries = 0;  // sum over these batches
 };
 
 struct RegionsOfOneSize {
@@ -167,7 +167,7 @@ struct RegionsOfOneSize {
 struct ConstantLoads {
   std::vector<const Term*> loads;
   std::vector<const MarkerBatch*> markers;
-  std::vector<double> residual;  // empty if there are none
+  std::vector<double> residual;  // empty if there are no constant loads
 };
 
 // Regions of one size share no coordinates. Markers without coordinates rest: their frames are evaluated once.
@@ -175,7 +175,7 @@ struct EvaluationPlan {
   std::vector<const MarkerBatch*> resting;
   std::vector<RegionPlan> regions;
   std::vector<RegionsOfOneSize> sizes;  // small ones first
-  std::unordered_set<const MarkerBatch*> connected;  // on which objects act
+  std::unordered_set<const MarkerBatch*> connected;  // markers of objects
   ConstantLoads constant;
   bool resting_evaluated = false;  // constant loads as well
 };
@@ -189,32 +189,34 @@ struct SystemParts {
   std::vector<LoadPlace> loads;
   std::vector<SensorPlace> sensors;
   std::vector<int> completed;    // objects with parameters that Assemble finds
-  std::vector<int> references;  // what items refer to
-  std::vector<MarkerSeat> seats;         // by objects, then nodes; listed when they are first asked for
-  std::vector<std::uint32_t> seats_end;  // of each of them
-  std::array<std::unordered_map<int, std::string>, item_kinds> given_names;  // of those that have one
+  std::vector<int> references;  // item numbers that items refer to
+  std::vector<MarkerSeat> seats;  // by objects, then nodes; computed on first use
+  std::vector<std::uint32_t> seats_end;  // end of each of them
+  std::array<std::unordered_map<int, std::string>, item_kinds> given_names;  // names of items that have one
   Model::Titles titles;
 
-  // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
+  // In the order of evaluation. Bodies come first: their order of entries determines the order of sums.
   std::vector<std::unique_ptr<Term>> terms;
-  std::vector<SystemTerm*> system_terms;  // those among them that are no items
+  std::vector<SystemTerm*> system_terms;  // terms among them that are not items
   std::vector<std::unique_ptr<MarkerBatch>> marker_batches;
   std::vector<std::unique_ptr<RotatingNodeBatch>> rotating_nodes;
   std::vector<LoadDependency> load_dependencies;
   EvaluationPlan plan;
   bool leaves_markers_to_terms = false;  // some are not needed, where these read nodes themselves;
   bool needs_totals = true;              // there,
-  bool knows_needed_markers = false;     // as parameters are now
-  bool functions_in_regions = false;  // of the user, which only the thread of the solver may call: it does it all
-  bool loads_call_functions = false, others_take_functions = false;  // of the user: loads as they are, nodes and objects by their types
-  std::unique_ptr<Workers> workers;   // null: one thread does it all
+  bool knows_needed_markers = false;  // for the current parameters
+  // user functions may only be called by the thread of the solver, which then evaluates everything
+  bool functions_in_regions = false;
+  // user functions: of the current loads; of the types of nodes and objects
+  bool loads_call_functions = false, others_take_functions = false;
+  std::unique_ptr<Workers> workers;  // null: one thread only
   std::vector<System::LieBlock> lie_blocks;
   std::vector<UnitVector> unit_vectors;
   Ports ports;
-  std::vector<double> static_signs;  // of the algebraic variables
-  std::vector<char> not_unique;      // whether these are not, as solvers have found; empty: none has looked
-  bool has_history = false;         // of items, and of terms that explicit integration searches for as well
-  bool has_direct_history = false;  // of terms that it does not
+  std::vector<double> static_signs;  // sign of each algebraic variable
+  std::vector<char> not_unique;  // flags of non-unique multipliers, set by solvers; empty: unknown
+  bool has_history = false;  // history of items, and of terms with a search in explicit integration
+  bool has_direct_history = false;  // history of terms without a search in explicit integration
   bool has_switches = false;
 
   using States = std::array<State, 6>;  // by ConfigurationType
@@ -223,7 +225,7 @@ struct SystemParts {
   std::uint64_t structure = 0, equations = 0, values = 0;  // changes of the model, as assembled
 
   std::optional<Pattern> dense_pattern, mass_pattern;  // made when asked for
-  std::vector<const Term*> without_matrix;  // those who have no part in the pattern of masses, as they are
+  std::vector<const Term*> without_matrix;  // terms without a part in the current mass pattern
   std::vector<const MassSolver*> mass_solvers;
   std::vector<int> coordinates_without_matrix;
   std::list<Pattern> sparse_patterns;  // likewise; the last is that of solvers that begin, others may still use those before
@@ -236,7 +238,7 @@ struct SystemParts {
   std::vector<double> work;
   std::vector<double> data_before;   // items switch over
   bool evaluating = false;
-  bool current_moved = false;       // away from what is being evaluated, to see what user functions make of it
+  bool current_moved = false;  // moved away from the evaluated state to differentiate user functions
   bool recording = false;           // outputs are asked for one after the other, in one state:
   const State* recorded = nullptr;  // whose marker frames are in place
 
@@ -257,8 +259,8 @@ struct SystemParts {
   void evaluate_resting(const Evaluation& e);
   void evaluate_constant_loads();
   void update_frames(const RegionPlan& region, const Evaluation& e);
-  // Calls f(region) for all regions, small ones first, those of one size side by side. What `f` captures is best captured by
-  // value: it stays in registers where there is one region.
+  // Calls f(region) for all regions, small ones first, regions of one size side by side. Captures of `f` should be by
+  // value: they stay in registers if there is one region.
   template <class F>
   DALEMBERT_INLINE void each_region(F f) const {
     plan.regions.size() == 1 ? f(plan.regions.front()) : each_of_several_regions(f);
@@ -269,7 +271,7 @@ struct SystemParts {
   void add_sparse_pattern() { sparse_patterns.push_back(make_sparse_pattern()); }
   void bind(const Pattern& pattern);
 
-  // Of an item that has been changed.
+  // Reads the record of an item that has changed.
   template <class Place>
   void look_for_functions(const Place& place) {
     const RegionPlan& whole = plan.regions[Regions::whole];

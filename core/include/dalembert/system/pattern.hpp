@@ -15,7 +15,7 @@
 
 namespace dalembert {
 
-// Which unknowns have entries with which others: what sparse patterns are made from.
+// Couplings between unknowns, from which sparse patterns are made.
 class Couplings {
  public:
   // Each of the rows with each of the columns.
@@ -23,8 +23,8 @@ class Couplings {
   // Best one row after the other.
   void add(int row, int column);
 
-  // Calls f(unknowns, others) with lists that couple each of the unknowns with each of the others, until both directions have
-  // been told.
+  // Calls f(unknowns, others) with lists that couple each unknown with each of `others`, until both directions are
+  // covered.
   template <class F>
   void for_each(F&& f) const {
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -42,7 +42,7 @@ class Couplings {
   }
 
  private:
-  // Where they begin; rows that are the columns as well are stored once.
+  // Starts; rows that equal the columns are stored once.
   struct Block {
     std::size_t rows, columns;
   };
@@ -55,7 +55,8 @@ struct FrontStructure;
 
 // How a pattern is eliminated (linear/elimination_tree.hpp).
 struct EliminationTree {
-  std::vector<bool> made_for;  // which unknowns bring a pivot; where constraints depend on others, then also which neither bring nor need one
+  // unknowns with a pivot; if constraints are redundant, also those that neither have nor need one
+  std::vector<bool> made_for;
   std::shared_ptr<const std::vector<FrontStructure>> fronts;
 };
 
@@ -64,7 +65,7 @@ class Pattern {
   static Pattern dense(int size);
   // Structurally symmetric and with the full diagonal.
   static Pattern sparse(int size, const Couplings& couplings);
-  // The same from what is so already, rows in ascending order.
+  // Makes a pattern from sorted columns, rows in ascending order.
   static Pattern sparse(std::vector<int> column_start, std::vector<int> row_index);
 
   bool is_dense() const { return column_start_.empty(); }
@@ -73,7 +74,7 @@ class Pattern {
   bool contains(int row, int column) const;
   // Index into the values; the entry must be in the pattern. Dense storage is by columns.
   int slot(int row, int column) const;
-  // Where a column begins in the values; at size(), where they end.
+  // First slot of a column in the values; at size(), the end.
   std::size_t first_slot(std::size_t column) const {
     return is_dense() ? column * static_cast<std::size_t>(size_) : static_cast<std::size_t>(column_start_[column]);
   }
@@ -105,7 +106,7 @@ class Pattern {
   std::span<const int> column_start() const { return column_start_; }
   std::span<const int> row_index() const { return row_index_; }
 
-  // Found by one linear solver, kept for the next: as its system, a pattern is at the service of one at a time.
+  // Cache of elimination trees for later linear solvers. Like its system, a pattern has one user at a time.
   std::vector<EliminationTree>& known_trees() const { return known_trees_; }
 
  private:

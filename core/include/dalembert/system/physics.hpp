@@ -1,5 +1,5 @@
-// How items of one type enter a system: the bridge from a record to batches. One object per ready item type, made by the
-// templates in batches/ and named by the generated ItemType.
+// Connection of items of one type with the equations: makes batches from records. One object per ready item type,
+// made by the templates in batches/ and named by the generated ItemType.
 #pragma once
 
 #include <memory>
@@ -23,11 +23,11 @@ struct Physics {
   virtual ~Physics() = default;
   // Refuses parameters that contradict each other; `item` is how errors name it.
   virtual void check_values(const void* /*record*/, const ItemLabel& /*item*/) const {}
-  // What of them no real system has, though it can be computed; empty: nothing.
+  // Warning about parameters that no real system has, although they can be computed; empty if there is none.
   virtual std::string doubt(const void* /*record*/) const { return {}; }
   // Refuses parameters that do not fit the nodes and markers of the item.
   virtual void check(const void* /*record*/, const Placement&, const Ports&, const ItemLabel& /*item*/) const {}
-  // With these parameters the item does not need the data node that its type asks for.
+  // The item does not need its data node with these parameters.
   virtual bool works_without_data(const void* /*record*/) const { return false; }
 };
 
@@ -37,7 +37,7 @@ inline std::vector<int> all_positions(const std::vector<int>& of) {
   return all;
 }
 
-// Which frame a marker passes on.
+// Type of the frame of a marker.
 enum class FrameShape { point, rigid, mass };
 
 // Start values of a node, as its parameters state them.
@@ -80,11 +80,12 @@ struct MeshMean {
   std::vector<double> weights;
   Rotation rotation = Rotation::none;
   bool of_momentum = false;  // the rotation follows from the angular momentum of the nodes, not from squared distances
-  Vec3<double> offset{};     // of the marker in the frame, if it has a rotation
+  Vec3<double> offset{};  // offset of the marker in the frame, if it has a rotation
 };
 using MeshMeanReader = MeshMean (*)(const void* record);
 
-// What is known of a constraint without evaluating it: it is switched off, or keeps linear combinations of coordinates at zero.
+// Properties of a constraint that need no evaluation: it is inactive, or keeps linear combinations of coordinates at
+// zero.
 enum class Holding { unknown, nothing, zero };
 
 struct ObjectPhysics : Physics {
@@ -109,7 +110,7 @@ struct ObjectPhysics : Physics {
 
 // The item and the output variable that a sensor names.
 struct SensorSubject {
-  // Of an object that consists of several; `object` is how errors call such objects.
+  // Part of an object with several parts; `object` is the name of such objects in error texts.
   struct Link {
     int number;
     std::string_view object;
@@ -126,18 +127,18 @@ struct SensorPhysics : Physics {
 };
 
 struct LoadPhysics : Physics {
-  // Follower loads read the rotation of their marker; others are content with markers that have none.
+  // Follower loads read the rotation of their marker; other loads also accept markers without rotation.
   virtual bool body_fixed(const void* /*record*/) const { return false; }
   virtual std::unique_ptr<Term> make_batch(bool body_fixed) const = 0;
   virtual std::vector<double> values(const void* record, double time) const = 0;
 };
 
 struct MarkerPhysics : Physics {
-  // Markers that only pass on a body's or a node's frame name its shape; others make their own batch.
+  // Markers with the frame of a body or node return its shape; other markers make their own batch.
   virtual bool passes_frame(FrameShape&, Vec3<double>& /*local*/, const void* /*record*/) const { return false; }
   // Coordinates of first order have no rate of their own: connectors cannot use their markers.
   virtual bool has_rate() const { return true; }
-  // Which coordinates of its node or object move it, as positions in Placement::dofs; these then make up the dofs.
+  // Coordinates of its node or object that move it, as positions in Placement::dofs; these then become the dofs.
   virtual std::vector<int> coordinates(const void* /*record*/, const Placement& on) const { return all_positions(on.dofs); }
   // `item`: type of the node or object that the marker sits on, `nodes`: types of its nodes.
   virtual std::unique_ptr<MarkerBatch> make_batch(const ItemType& item, std::span<const ItemType* const> nodes) const = 0;

@@ -1,5 +1,5 @@
-// Ports: where markers leave their frames and connectors their forces. No body knows what acts on it, no connector what it acts
-// on; between them lie flat arrays with one stretch per marker, which is evaluated once however many connectors use it.
+// Ports: arrays with the frames of markers and the forces of connectors. Bodies and connectors do not know each other; between
+// them are flat arrays with one range per marker, which is evaluated once for any number of connectors.
 //
 //                   marker 0              marker 1
 //     values        | x  v  R  omega |    | x  v |       the frame, written by MarkerBatch::evaluate, read by connectors
@@ -18,7 +18,7 @@
 
 namespace dalembert {
 
-// One marker's stretch. Frames are `values` scalars; `n` coordinates move it.
+// Range of one marker. Frames are `values` scalars; `n` coordinates move it.
 struct PortLayout {
   int values = 0, first_value = 0;        // frame
   int forces = 0, first_force = 0;        // conjugate of the frame
@@ -28,12 +28,12 @@ struct PortLayout {
   int translations = 0;                   // the first coordinates, if each moves the frame along one axis and nothing else
 };
 
-// What a batch keeps of a port to reach it without the layout.
+// Offsets by which a batch accesses a port without the layout.
 struct PortOffsets {
   int value = 0, force = 0;
 };
 
-// What the ports of all markers look like, whatever is kept in them.
+// Layout of the ports of all markers, independent of the type of data.
 class PortTable {
  public:
   std::vector<PortLayout> ports;  // by marker number
@@ -80,10 +80,10 @@ class PortsOf : public PortTable {
 
 class Ports : public PortsOf<double> {
  public:
-  // By rotating node, for the bodies and markers on it.
+  // One per rotating node, for its bodies and markers.
   std::vector<NodeMotion> node_motions;
   std::vector<NodeLoad> node_loads;
-  std::vector<PointForces> point_forces;  // to be read where loads say so
+  std::vector<PointForces> point_forces;  // read if loads require it
   void add_load(int node, const Vec3<double>& point, const Vec3<double>& force, const Vec3<double>& moment) {
     NodeLoad& load = node_loads[static_cast<std::size_t>(node)];
     load.add_at_node(force, moment);

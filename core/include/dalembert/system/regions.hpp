@@ -1,9 +1,8 @@
-// Large systems are divided into regions, so that threads can work side by side without meeting.
-//
-// Nodes next to each other, in the order of their numbers, make up a region; two regions lie in a larger one, up to the
-// whole system. An item lies in the smallest region that holds all of its coordinates. Regions of one size share no
+// Large systems are divided into regions, which threads evaluate independently.
+// Consecutive nodes, in the order of their numbers, make up a region; two regions form a larger one, up to the whole
+// system. An item belongs to the smallest region that contains all of its coordinates. Regions of one size share no
 // coordinates: their items may be evaluated at the same time, those of the larger regions around them afterwards. The
-// order of the terms of each sum follows, whatever the number of threads.
+// order of the terms of each sum is therefore independent of the number of threads.
 #pragma once
 
 #include <span>
@@ -13,16 +12,17 @@
 
 namespace dalembert {
 
-// How far a system is divided. As it stands here, evaluations gain from it.
+// Granularity of the division. The defaults gave the fastest evaluations.
 struct Division {
-  int coordinates = 2000;  // of a smallest region at least: it is worth a thread's while, and stays in its cache
-  int entries = 2000;      // in regions of one size at least, if threads are to share them: calling them takes as long as some hundred
+  int coordinates = 2000;  // lower bound for a smallest region: large enough for a thread, small enough for its cache
+  // lower bound for regions of one size that threads share: waking threads takes as long as some hundred entries
+  int entries = 2000;
 };
 
 class Regions {
  public:
   static constexpr int whole = 0;   // the region of everything
-  static constexpr int none = -1;   // of what has no coordinates
+  static constexpr int none = -1;  // region of items without coordinates
 
   Regions() = default;
   // Smallest regions have so many ODE2 coordinates at least.

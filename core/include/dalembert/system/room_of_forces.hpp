@@ -3,7 +3,7 @@
 
 namespace dalembert {
 
-// From the forces of one marker to those of the next: a register is added to three.
+// Stride between the forces of successive markers: three numbers are padded to a register.
 constexpr int room_of_forces(int forces) { return forces == 3 ? 4 : forces; }
 
 }  // namespace dalembert

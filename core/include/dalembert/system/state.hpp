@@ -18,7 +18,7 @@ struct State {
   bool waits = false;           // nobody has asked for it since assembling: its vectors take no memory yet
 };
 
-// By configuration, the initial one among them: what has waited begins with the initial values.
+// By configuration, including the initial one: pending changes start with the initial values.
 inline State& state_of(State* states, ConfigurationType configuration) {
   State& state = states[static_cast<std::size_t>(configuration)];
   if (state.waits) [[unlikely]] state = states[static_cast<std::size_t>(ConfigurationType::Initial)];

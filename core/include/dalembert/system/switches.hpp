@@ -1,4 +1,4 @@
-// What items tell of the places where they switch.
+// Switching functions of items.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@ namespace dalembert {
 
 class SystemTerm;
 
-// Where an item switches, from contact to none or from stick to slip: a function of the state that is not negative as long as its data
-// coordinates are right.
+// A switch of an item, from contact to separation or from stick to slip: a function of the state that is not negative
+// as long as its data coordinates are valid.
 struct Switch {
   const char* what;    // "contact"
   double value = 1;
@@ -17,11 +17,11 @@ struct Switch {
   double noise = 0;    // numbers of this size say nothing just after the item has switched
   int direction = 0;   // 1: contact, friction that slides, or the like begins there; -1: it ends
   int item = -1;       // object
-  const SystemTerm* owner = nullptr;  // in its place: a term that is no item,
+  const SystemTerm* owner = nullptr;  // owner of a term that is not an item,
   int part = -1;                      // and which of its parts
 };
 
-// What an item tells of its switches: always as many, in one order.
+// The switches of an item: their number and order are constant.
 class Switches {
  public:
   explicit Switches(std::vector<Switch>& found) : found_(found) {}
@@ -35,10 +35,10 @@ class Switches {
   }
   // `now`: it touches or slides, as long as the value is not negative; or it does not.
   void holds(const char* what, bool now, double value, double noise = 0) { found_.push_back({what, value, false, noise, now ? -1 : 1, item_, owner_, part_}); }
-  // To another one of its kind.
+  // Transition to another state of the same kind.
   void passes(const char* what, double value, double noise = 0) { found_.push_back({what, value, false, noise, 0, item_, owner_, part_}); }
   void kink(const char* what, double value) { found_.push_back({what, value, true, 0, 0, item_, owner_, part_}); }
-  // In the place of those that cannot come.
+  // Placeholders for switches that cannot occur.
   void none(int count = 1) { found_.insert(found_.end(), static_cast<std::size_t>(count), {.what = "", .item = item_}); }
 
  private:

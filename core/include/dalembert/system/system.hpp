@@ -37,7 +37,7 @@ class SystemTerm;
 class Workers;
 struct SystemParts;  // batches and index tables; dalembert/system/parts.hpp
 
-// What decides the level and the load of an evaluation, besides the state.
+// Options of an evaluation besides the state: level of constraints and loads.
 struct Conditions {
   double load_factor = 1;
   double step_size = 0;
@@ -46,8 +46,8 @@ struct Conditions {
   bool loads = true;
   bool direct = false;  // explicit integration: no step is iterated, and nothing has to be held for that
   bool unseen = false;  // nobody asks for anything in the midst of evaluations, as functions of the user may
-  bool holds_contact = false;  // right-hand sides: what touches is what has touched at the start of the step
-  int load_dependencies = 0;      // tangent: of the values of loads on coordinates: 0 none, 1 positions, 2 velocities as well
+  bool holds_contact = false;  // right-hand sides: contacts are those of the start of the step
+  int load_dependencies = 0;  // tangent: dependence of loads on coordinates: 0 none, 1 positions, 2 velocities as well
   bool follows_residual = false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
 };
 
@@ -80,11 +80,11 @@ class System {
   // Counts the assemblings: who keeps anything of a system has to look for it again when it has grown.
   std::uint64_t version() const { return version_; }
 
-  // So many threads share the evaluations from now on, until the next Assemble; fewer if the system is small. Results are
-  // the same, bit for bit.
+  // Sets the number of threads for evaluations until the next Assemble; small systems use fewer. Results are
+  // bit-identical.
   void use_threads(int count);
   int threads() const;
-  Workers* workers() const;  // null: one thread does it all
+  Workers* workers() const;  // null: one thread only
 
   const Sizes& sizes() const { return sizes_; }
   // Current, Initial, Reference (q and y only), StartOfStep, Visualization.
@@ -93,7 +93,8 @@ class System {
     return state_of(states_, configuration);
   }
   const State& state(ConfigurationType configuration) const { return state_of(states_, configuration); }
-  // Holds the vectors of all states where they are, also after the next assembling, which makes others. Whoever does may write to them.
+  // Keeps the vectors of all states at their address, also after the next assembly, which makes new ones. The caller
+  // may write to them.
   std::shared_ptr<const void> hold_states() const;
 
   // r has sizes().total() entries and is overwritten. Not const: markers and work space are kept.
@@ -103,48 +104,52 @@ class System {
                std::span<double> values);
   // The pattern of the tangent, made on first use after Assemble.
   const Pattern& pattern(bool dense);
-  // For a solver that begins: another pattern, if entries of load dependencies were added after the last was made.
+  // Called when a solver starts: makes another pattern if load dependencies were added after the last one was made.
   void complete_pattern();
-  // Of masses alone, as sparse as they are; of the size of the system. Without those of items that find accelerations without a matrix.
+  // Sparse pattern of the mass matrix, of the size of the system; excludes items that compute accelerations without a
+  // matrix.
   const Pattern& mass_pattern();
   std::span<const int> coordinates_without_matrix();  // ascending
-  // At these coordinates, forces become accelerations. Returns one that nothing resists, or -1.
+  // Converts forces to accelerations at these coordinates. Returns a coordinate without mass, or -1.
   int solve_masses(const State& state, std::span<double> x);
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
-  // Adds the mass matrix to a diagonal, if nothing else is in it in this state; false: something is, and what has been added is of no use.
+  // Adds the mass matrix to a diagonal if it is diagonal in this state; otherwise returns false, and the sum is
+  // invalid.
   bool add_diagonal_masses(const State& state, std::span<double> diagonal);
   bool constant_mass_matrix() const;
   NodeFrame node_frame(int marker) const;
-  bool calls_user_functions() const;  // of objects and loads, in evaluations
-  std::uint64_t renewed_objects() const { return renewed_objects_; }  // grown: one has other parameters now
+  bool calls_user_functions() const;  // user functions of objects and loads in evaluations
+  std::uint64_t renewed_objects() const { return renewed_objects_; }  // increased if an object has new parameters
   std::uint64_t renewed_constraints();                                // the same of those with algebraic equations
-  // Generalised forces Q of  M a = Q, without constraint forces; rhs has sizes().ode2 entries. For explicit integrators.
+  // Generalised forces Q of M a = Q, without constraint forces; rhs has sizes().ode2 entries. Used by explicit
+  // integrators.
   void forces(const State& state, const Conditions& conditions, std::span<double> rhs);
   // ODE1 right-hand side only; sizes().ode1 entries.
   void rates(const State& state, const Conditions& conditions, std::span<double> y_t);
-  // Both at once; what has no entries is left out.
+  // Both at once; empty arrays are skipped.
   void right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t);
-  // -Q, without a copy: to be read until the next evaluation.
+  // Returns -Q without a copy, valid until the next evaluation.
   std::span<const double> negative_forces(const State& state, const Conditions& conditions);
   // Constraint equations only; sizes().ae entries.
   void gaps(const State& state, const Conditions& conditions, std::span<double> g);
-  // What each ODE2 coordinate measures: components of positions, the other coordinates of such nodes, or no one knows what.
+  // Unit of each ODE2 coordinate: components of positions, other coordinates of such nodes, or unknown.
   std::vector<CoordinateUnit> coordinate_units() const;
   std::vector<int> nodes_of_coordinates() const;  // ODE2
   // The same number for those of all nodes that bodies connect, such as the elements of a beam.
   std::vector<int> bodies_of_coordinates() const;
   // The diagonal of the box around all markers, nodes and meshes in space, in m, as the last evaluation has left them; 1 if all is one point.
   double extent() const;
-  // The same for what moves with ODE2 coordinates of each group, by the group of each coordinate (-1: none); 0 if all is one point.
+  // Extents of the parts that move with ODE2 coordinates of each group, by the group of each coordinate (-1: none); 0
+  // if all points coincide.
   std::vector<double> extents(std::span<const int> groups, int count) const;
 
   // Coordinates that linear constraints simply keep at zero, for explicit integrators that eliminate them; empty optional: there
   // are other constraints.
   std::optional<std::vector<int>> fixed_coordinates() const;
 
-  // Lie-group nodes: their coordinates do not add up. For those nodes q = q0 o exp(increment), which is the sum of these; all other
-  // entries of q are left alone.
+  // Lie-group nodes: their coordinates are not additive. For those nodes q = q0 o exp(increment), composition on the
+  // group; all other entries of q do not change.
   bool has_lie_nodes() const;
   void compose(std::span<const double> q0, std::span<const WeightedVector> increment, std::span<double> q) const;
   void compose(std::span<const double> q0, std::span<const double> increment, std::span<double> q) const;
@@ -157,28 +162,29 @@ class System {
   // |p|^2 + h^2 |p_t|^2 / 4: the angular velocity then stays right over many steps.
   void restore_unit_lengths(State& state, int power_of_rates) const;
 
-  // One factor per algebraic variable: -1 for multipliers, which static solvers count with the opposite sign, 1 for
-  // coordinates among them.
+  // One factor per algebraic variable: -1 for multipliers, whose sign is opposite in static solvers, 1 for algebraic
+  // coordinates.
   std::span<const double> static_signs() const;
-  // Equations of coordinates say what these are: they constrain no motion.
+  // Equations that define algebraic coordinates do not constrain the motion.
   bool constrains_motion(int equation) const { return static_signs()[static_cast<std::size_t>(equation)] < 0; }
 
   // A contribution that is no item (system/system_term.hpp), to an assembled system; the next Assemble makes a system without it.
   void add(std::unique_ptr<SystemTerm> term);
-  // Lets such terms look for what acts from now on. True: the sparse pattern is another one, and has to be analysed again.
+  // Lets such terms update their contacts. Returns true if the sparse pattern has changed, and has to be analysed
+  // again.
   bool search(const State& state, const Conditions& conditions);
   // The next search begins as that of a system that was assembled just now, and so does its pattern: a solution that goes on from
   // a file has the bytes of one that was not stopped.
   void forget_searches();
   bool searches() const { return searches_; }  // whether there are any
   int pattern_revisions() const { return pattern_revisions_; }
-  // By the order in which the sources of the model make them.
+  // In the order in which the sources of the model make them.
   SystemTerm& term(int number);
   // Generalised forces of one of them alone, in the current state; sizes().ode2 entries.
   void forces_of_term(int number, std::span<double> forces);
   // Frames of markers in the current state, for questions to such terms: they stay as long as nobody can have changed the state.
   const Ports& current_ports();
-  // What is kept of them is good as long as this number stays; 0: nothing is to be kept.
+  // Cached data for the ports is valid while this number does not change; 0: no caching.
   std::uint64_t number_of_current_ports() const;
   // The same in any configuration, as long as `look` runs.
   void with_ports(ConfigurationType configuration, const std::function<void(const Ports&)>& look);
@@ -195,14 +201,14 @@ class System {
   enum class Updates { all, without_switches };
   Discontinuity post_newton(State& state, const Conditions& conditions, Updates updates = Updates::all);
   bool has_discontinuities(const Conditions& conditions = {}) const;
-  // Items that switch: functions of the state that tell where, and their data coordinates after a step.
+  // Items with switches: functions of the state for switching, and data coordinates after a step.
   bool has_switches() const;
   void find_switches(const State& state, const Conditions& conditions, std::vector<Switch>& found);
   void switch_over(State& state, const Conditions& conditions);
-  // What terms that are no items watch is what they find next.
+  // Terms that are not items watch the switches that they find next.
   void forget_switches();
 
-  // Which items act on a row of the system vector, for diagnoses: "object 3 'joint' (JointRevoluteZ), equation 2".
+  // Items that act on a row of the system vector, for diagnoses: "object 3 'joint' (JointRevoluteZ), equation 2".
   std::string describe_row(int row) const;
 
   // The items with constraint equations, in the order of these.
@@ -213,7 +219,7 @@ class System {
   };
   std::vector<EquationOwner> equation_owners() const;
   std::string describe(const EquationOwner& owner) const;  // "object 3 'joint' (JointRevoluteZ)"
-  // What a solver has found, for outputs of the objects: equations whose multipliers are not unique, all others being so.
+  // Stores the equations with non-unique multipliers for outputs of the objects; all other multipliers are unique.
   void reactions_are_known(std::span<const int> not_unique);
   void reactions_are_unknown();  // until a solver has looked
 
@@ -225,18 +231,19 @@ class System {
                    Values& values);
   void super_element_output(int object, OutputVariableType variable, int mesh_node, ConfigurationType configuration,
                             Values& values);
-  // Of a point of a link of a kinematic tree.
+  // Output of a point of a link of a kinematic tree.
   void link_output(int object, OutputVariableType variable, int link, std::array<double, 3> local, ConfigurationType configuration,
                    Values& values);
   void marker_output(int marker, OutputVariableType variable, ConfigurationType configuration, Values& values);
-  // What pictures ask for: where all items of a kind are, the rows of rotation and position (3 x 4) of each, in one go. NaN: an item
-  // has no place, or no orientation. The memory is that of the caller; nothing that solvers use is touched.
+  // Poses of all items of a kind for pictures: the rows of rotation and position (3 x 4) of each. NaN: an item has no
+  // position, or no orientation. The memory belongs to the caller; data of solvers does not change.
   struct Poses {
     LargeVector<double> rows;
     Values totals;
   };
   void poses(ItemKind kind, ConfigurationType configuration, Poses& poses) const;
-  std::array<double, 12> pose(int object, ConfigurationType configuration, Values& totals) const;  // of one of them
+  // pose of one of them
+  std::array<double, 12> pose(int object, ConfigurationType configuration, Values& totals) const;
   // An output variable of all mesh nodes of a super element, one after the other; returns how many nodes, 0: they do not have it.
   int mesh_outputs(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const;
   void load_values(int load, double time, Values& values);
@@ -262,7 +269,7 @@ class System {
   enum class Coordinates { ode2, ode1, ae, data };
   std::vector<int> object_ltg(int object, Coordinates kind) const;
   std::vector<int> node_ltg(int node, Coordinates kind) const;
-  int node_index(int node, Coordinates kind) const;  // -1: the node has none of that kind
+  int node_index(int node, Coordinates kind) const;  // -1: the node has no coordinates of that kind
 
   int evaluations() const { return evaluations_; }
 
@@ -271,7 +278,7 @@ class System {
 
   void find_nodes_of_terms();
   std::unique_ptr<SystemParts> parts_;
-  State* states_;  // of the parts, by ConfigurationType
+  State* states_;  // states of the parts, by ConfigurationType
   Sizes sizes_;
   bool assembled_ = false;
   std::uint64_t version_ = 0;
@@ -283,11 +290,12 @@ class System {
     ++writes_;
   }
   const State* evaluated_ = nullptr;
-  std::uint64_t writes_ = 0, touches_ = 0;  // of the ports; times that somebody got the current state who may have changed it
+  // version of the ports; number of accesses to the current state with write permission
+  std::uint64_t writes_ = 0, touches_ = 0;
   struct Frames {
     std::uint64_t writes = 0, touches = 0, number = 0;
   };
-  Frames frames_;               // of the current state, when they were last evaluated
+  Frames frames_;  // frames at the last evaluation of the current state
   mutable bool lent_ = false;   // who holds the states may have changed them without asking for them
   int evaluations_ = 0;
   int pattern_revisions_ = 0;

@@ -1,4 +1,5 @@
-// What the assembler asks of a batch. A term adds to the equations; a marker batch moves frames out and forces back in.
+// Interface of batches for the assembler. A term adds to the equations; a marker batch distributes frames and
+// collects forces.
 #pragma once
 
 #include <algorithm>
@@ -19,13 +20,13 @@ namespace dalembert {
 
 struct ItemType;
 
-// Told the entries of the tangent that a batch writes, always in the same order: once to collect the pattern, once to
+// Visits the entries of the tangent that a batch writes, always in the same order: once to make the pattern, once to
 // look up the slots. Rows and columns are numbers in the system vector [ODE2, ODE1, AE].
 class BlockVisitor {
  public:
   virtual ~BlockVisitor() = default;
   virtual void entry(int row, int column) = 0;
-  // In the place of an entry that is always zero; its slot is -1.
+  // Replaces an entry that is always zero; its slot is -1.
   virtual void zero() {}
 
   virtual void block(std::span<const int> rows, std::span<const int> columns) {
@@ -56,13 +57,14 @@ using SlotCursor = SlotCursorOf<double>;
 using TracedEvaluation = EvaluationOf<Traced>;
 using TracedPorts = PortsOf<Traced>;
 
-// One of the functions of a batch, to be noted instead of computed (math/traced.hpp): by the same template, with another scalar.
+// One of the functions of a batch, recorded instead of computed (math/traced.hpp): by the same template, with another
+// scalar.
 struct TracedCall {
   enum class Function { residual, tangent, evaluate, evaluate_tangent, pull_back, geometric } function;
   const TracedEvaluation& evaluation;
   const Weights& weights;  // of tangents
   TracedPorts& ports;
-  Traced* sums;  // what is added to: rows of the residual, values of the tangent
+  Traced* sums;  // sums that are added to: rows of the residual, values of the tangent
 };
 
 struct PostNewton {
@@ -97,7 +99,7 @@ struct Placement {
   std::vector<int> dofs;             // its nodes' ODE2 coordinates, one node after the other
   std::vector<double> reference;     // their reference values
   std::vector<int> ode1;             // ODE1 coordinates
-  int selected = 0;                  // coordinate markers: how many coordinates they show; those of ground have no dofs
+  int selected = 0;  // coordinate markers: number of their coordinates; ground coordinates have no dofs
   std::vector<int> nodes;            // node numbers
   std::vector<const void*> node_records;
   std::vector<int> node_sizes;       // ODE2 coordinates per node
@@ -107,8 +109,8 @@ struct Placement {
   int first_data = -1;               // data coordinates, of its data node
   int data_count = 0;
   int first_ae = -1;                 // its algebraic equations, in the AE vector
-  int ae_offset = 0;                 // of the AE vector in the system vector
-  int ode1_offset = 0;               // of the ODE1 vector in the system vector
+  int ae_offset = 0;  // start of the AE vector in the system vector
+  int ode1_offset = 0;  // start of the ODE1 vector in the system vector
 
   void clear() {  // the lists keep their memory
     for (auto* list : {&dofs, &ode1, &nodes, &node_sizes, &markers}) list->clear();
@@ -126,7 +128,7 @@ struct Placement {
 class Batch {
  public:
   virtual ~Batch() = default;
-  // So many items may enter.
+  // Expected number of items.
   virtual void reserve(int /*entries*/) {}
   virtual void add(const void* record, const Placement& placement, const Ports& ports) = 0;
   virtual void refresh(int entry, const void* record) = 0;
@@ -145,36 +147,37 @@ class Term : public Batch {
  public:
   // Adds to r [ODE2, ODE1, AE] and to the forces of the ports.
   virtual void residual(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
-  // The derivative of what `residual` adds, with the ports' forces turned into generalised forces.
+  // Derivative of the contribution of `residual`, with port forces converted to generalised forces.
   virtual void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const = 0;
-  // False: what `residual` adds is constant, and no derivatives of markers are asked for.
+  // False: the contribution of `residual` is constant, and derivatives of markers are not needed.
   virtual bool has_tangent() const { return true; }
-  // False: of the forces of its ports it adds to the first three alone.
+  // False: it adds to the first three port forces only.
   virtual bool has_moments() const { return true; }
   // Adds the mass matrix alone; writes the same blocks as `tangent`.
   virtual void mass(const Evaluation&, Ports&, double*) const {}
   virtual bool has_mass() const { return false; }
-  // False: where inertia plays no part, its residual does not look at the totals of coordinates.
+  // False: its residual does not read total coordinates if inertia is not included.
   virtual bool reads_totals() const { return true; }
-  // Adds its masses by coordinate, if in this state none couples two of them; false: some do, and what it has added is of no use.
+  // Adds its masses by coordinate if they are not coupled in this state; otherwise returns false, and the sum is
+  // invalid.
   virtual bool add_diagonal_masses(const Evaluation&, double* /*diagonal*/) const { return !has_mass(); }
   virtual bool constant_mass() const { return true; }
 
-  // History: new data coordinates after Newton. `start` has the data at the start of the step. What data take over of algebraic
-  // unknowns is taken off there.
+  // History: new data coordinates after Newton. `start` has the data at the start of the step. Algebraic unknowns
+  // that are transferred to data are reset.
   virtual PostNewton post_newton(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/, double* /*lambda*/) {
     return {};
   }
   virtual bool has_history() const { return false; }
-  // Where its items switch, and what follows from it: new data coordinates, from those of before. Solvers that end steps there need no
+  // Switching functions of its items, and the new data coordinates. Solvers that end steps at switches do not need
   // `post_newton`.
   virtual bool has_switches() const { return false; }
   virtual void find_switches(const Evaluation&, const Ports&, Switches&) const {}
   virtual void switch_over(const Evaluation&, const Ports&, const double* /*before*/, double* /*data*/, double* /*lambda*/) {}
-  // What such solvers have to iterate all the same.
+  // Iteration that such solvers still need.
   virtual PostNewton settle(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/, double* /*lambda*/) { return {}; }
 
-  // Outputs. `motion` for bodies; `output` for what only the item knows; false: not an output of this item.
+  // Outputs. `motion` for bodies; `output` for variables of the item; false: not an output of this item.
   virtual bool motion(int /*entry*/, const Evaluation&, const Vec3<double>& /*local*/, Motion<double>&) const { return false; }
   // Position and rotation alone of the origins of so many entries, which follow each other: 3 x 4 numbers each, row by row; NaN: none.
   virtual void poses(int first, int count, const Evaluation& evaluation, double* rows) const;
@@ -189,11 +192,12 @@ class Term : public Batch {
   virtual bool has_nodes_in_frame() const { return false; }
 };
 
-// Nodes whose rotations have derivatives in closed form: what is on them shares their motion, and sums up its forces there.
+// Nodes whose rotations have closed-form derivatives: their bodies and markers share the motion, and sum their forces
+// there.
 class RotatingNodeBatch : public Batch {
  public:
   virtual void evaluate(const Evaluation& evaluation, Ports& ports) const = 0;
-  // False: where terms add up totals by themselves, these nodes do so as well.
+  // False: these nodes compute total coordinates themselves if terms do so.
   virtual bool reads_totals() const { return true; }
   virtual void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const = 0;
   // r -= generalised forces of the loads; values -= their derivatives with the loads held fixed.
@@ -206,7 +210,7 @@ class MarkerBatch : public Batch {
   virtual NodeFrame node_frame(int /*entry*/) const { return {}; }
   // The body or node under a marker has new parameters.
   virtual void refresh_owner(int /*entry*/, const void* /*record*/) {}
-  // The same for markers between bodies; `which` counts Placement::owners.
+  // Variant for markers between bodies; `which` is an index in Placement::owners.
   virtual void refresh_owners(int entry, int which, const void* record) {
     if (which == 0) refresh_owner(entry, record);
   }
@@ -222,16 +226,17 @@ class MarkerBatch : public Batch {
   virtual void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const = 0;
   // r -= J^T force.
   virtual void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
-  // Neither coordinates nor anything else changes J, or its rows of forces; of those of moments nothing is asked where there are none.
+  // J, or its rows of forces, is independent of coordinates and other variables; rows of moments are not queried if
+  // there are no moments.
   virtual bool constant_pull_back(bool /*of_moments*/) const { return false; }
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
-  // Whether `geometric` builds on what `evaluate_tangent` has left.
+  // Whether `geometric` uses results of `evaluate_tangent`.
   virtual bool geometric_follows_tangent() const { return true; }
   // History: new data coordinates after Newton, from the ports.
   virtual void post_newton(const Evaluation&, const Ports&, double* /*data*/) const {}
   virtual bool has_history() const { return false; }
-  // Everything a marker can tell, for outputs.
+  // Full motion of a marker, for outputs.
   virtual bool motion(int /*entry*/, const Evaluation&, Motion<double>&) const { return false; }
 };
 

@@ -1,4 +1,4 @@
-// The equations of a system as lists of operations: what `System` computes with numbers is noted here (math/traced.hpp).
+// The equations of a system as lists of operations: computations of `System` are recorded (math/traced.hpp).
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace dalembert {
 
-// What noted equations depend on; everything else is constant, time among it.
+// Variables of recorded equations; everything else is constant, including time.
 struct TracedState {
   std::vector<Traced> q, v, a, lambda;
 };
@@ -22,7 +22,7 @@ class TracedEquations {
   static std::string obstacle(const System& system);
   explicit TracedEquations(System& system);
 
-  // As the functions of System; the tangent follows the residual of the same state if the conditions say so.
+  // Like the functions of System; the tangent reuses the residual of the same state if the conditions allow it.
   void residual(const TracedState& state, const Conditions& conditions, std::span<Traced> r);
   void tangent(const TracedState& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
                std::span<Traced> values);

@@ -1,4 +1,4 @@
-// What batches of trees can do besides: they know how links move, and accelerations without a mass matrix.
+// Additional functions of batches of trees: motion of links, and accelerations without a mass matrix.
 #pragma once
 
 #include "dalembert/system/term.hpp"
@@ -10,7 +10,7 @@ class LinkedBodies {
  public:
   virtual ~LinkedBodies() = default;
   virtual int links(int entry) const = 0;
-  // From the base to the farthest joint or centre of mass, if links were stretched.
+  // Length from the base to the farthest joint or center of mass of the stretched chain of links.
   virtual double reach(int entry) const = 0;
   virtual Motion<double> link_motion(int entry, int link, const Vec3<double>& local, const Evaluation& evaluation) const = 0;
 };

@@ -6,7 +6,7 @@
 namespace dalembert {
 
 struct UnitVector {
-  int first, size;  // of ODE2 coordinates that follow each other
+  int first, size;  // range of consecutive ODE2 coordinates
 };
 
 struct UnitVectors {

@@ -15,7 +15,7 @@ namespace dalembert {
 
 class Workers {
  public:
-  // So many threads in all, the calling one among them.
+  // Total number of threads, including the calling one.
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;
@@ -23,9 +23,9 @@ class Workers {
 
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
-  // Calls task(i) for all i from 0 to tasks - 1 (at most 65535), on any thread, and returns when all are done. Each thread
-  // begins with the same part of them every time, whose data its cache may still hold, and then helps the others. What the
-  // first task that fails throws is thrown here.
+  // Calls task(i) for all i from 0 to tasks - 1 (at most 65535), on any thread, and returns after the last one. Each
+  // thread starts with the same tasks every time, whose data may still be in its cache, and then helps the other
+  // ones. Rethrows the exception of the first failing task.
   template <class Task>
   void run(int tasks, Task&& task) {
     call_ = [](void* task, int i) { (*static_cast<std::remove_reference_t<Task>*>(task))(i); };
@@ -43,8 +43,8 @@ class Workers {
   }
 
  private:
-  // The tasks that one thread begins with: the round, which is next and where they end, in one number, so that a task is
-  // taken in the round that it belongs to. In a cache line of its own.
+  // The tasks with which one thread starts: the round, the next task and the end, in one number, so that a task is
+  // taken in its round. In a cache line of its own.
   struct alignas(64) Part {
     std::atomic<std::uint64_t> tasks{0};
   };
@@ -54,13 +54,13 @@ class Workers {
   bool take(std::size_t thread, int& task);
   void perform(int task);
 
-  std::vector<Part> parts_;  // by thread, the calling one last
+  std::vector<Part> parts_;  // one per thread, the calling one last
   std::atomic<std::uint32_t> round_{0};
   std::atomic<int> done_{0};
   std::atomic<bool> stop_{false};
   void (*call_)(void*, int) = nullptr;
   void* task_ = nullptr;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the following members
   int failed_ = 0;    // the first task that has failed, if there is an error
   std::exception_ptr error_;
   std::vector<std::jthread> threads_;

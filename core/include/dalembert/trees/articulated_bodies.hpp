@@ -12,7 +12,7 @@ template <class S>
 struct ArticulatedBody {
   Mat3<S> translation, coupling, rotation;  // M, H, J
   LinkWrench<S> along;                      // the answer to a unit acceleration of the joint
-  S inverse{};                              // one by what of that works along the joint
+  S inverse{};  // reciprocal of the inertia along the joint
 };
 
 namespace trees {
@@ -24,7 +24,7 @@ DALEMBERT_INLINE inline void set_free(ArticulatedBody<S>& body, const TreeLink& 
   body.rotation = mass.inertia;
 }
 
-// What remains of it when the joint gives way, about the origin of the parent.
+// Articulated inertia for a free joint, about the origin of the parent.
 template <class S>
 DALEMBERT_INLINE inline void add_to_parent(ArticulatedBody<S>& parent, const ArticulatedBody<S>& body, const Vec3<S>& arm) {
   const Vec3<S>&f = body.along.force, &n = body.along.moment, scaled_f = body.inverse * f, scaled_n = body.inverse * n;
@@ -73,7 +73,7 @@ DALEMBERT_INLINE inline int accelerate(const Tree& tree, std::span<const LinkPla
     wrenches[parent] += shifted(wrenches[i], arm);
     add_to_parent(bodies[parent], body, arm);
   }
-  // From here on: acceleration of the origin, and spin rate.
+  // Acceleration of the origin, and spin rate, in the following sweep.
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     const Vec3<S>&axis = places[i].axis, &arm = places[i].arm;

@@ -20,19 +20,19 @@ struct LinkWrench {
 
 namespace trees {
 
-// At a point from which `arm` leads to where it was.
+// Wrench about a point; `arm` leads from there to the previous point.
 template <class S>
 DALEMBERT_INLINE inline LinkWrench<S> shifted(const LinkWrench<S>& w, const Vec3<S>& arm) {
   return {w.force, w.moment + cross(arm, w.force)};
 }
 
-// What of a wrench works along the joint.
+// Component of a wrench along the joint.
 template <class S>
 DALEMBERT_INLINE inline S along_joint(const TreeLink& link, const Vec3<S>& axis, const LinkWrench<S>& w) {
   return dot(axis, link.slides ? w.force : w.moment);
 }
 
-// What moves the link as it moves.
+// Force that gives the link its motion.
 template <class S>
 DALEMBERT_INLINE inline LinkWrench<S> inertia_force(const TreeLink& link, const LinkMass<S>& mass, const LinkMotion<S>& motion) {
   return {link.mass * motion.acceleration + crosses(motion.spin_rate, mass.moment, motion.spin, cross(motion.spin, mass.moment)),
@@ -43,7 +43,7 @@ DALEMBERT_INLINE inline LinkWrench<S> inertia_force(const TreeLink& link, const 
 template <class S, class F>
 DALEMBERT_INLINE inline void sum_to_base(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkWrench<S>> wrenches,
                                          const F& f) {
-  LinkWrench<S> behind{};  // of the link after, if it is on this one: of chains, what is summed up stays at hand
+  LinkWrench<S> behind{};  // wrench of the next link, if its parent is this one: sums along chains stay in registers
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink& link = tree.links[i];
     LinkWrench<S> sum = wrenches[i];

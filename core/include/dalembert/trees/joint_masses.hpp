@@ -1,8 +1,8 @@
-// Accelerations from joint forces by a mass matrix and its factors: for trees of few links. They wait less for each other there than
-// articulated bodies do (trees/articulated_bodies.hpp), each of which waits for a quotient of the one behind.
-//
-// The matrix is that of composite bodies; its factors L^T D L, from the leaves on, keep the zeros between branches (Featherstone 2008, sections
-// 6.2 and 6.5). A row belongs to a joint: its force, then one entry for each joint, of which those on the way to the base count.
+// Accelerations from joint forces by a mass matrix and its factors, for trees of few links. The operations depend
+// less on each other than those of articulated bodies (trees/articulated_bodies.hpp), which need the quotient of the
+// previous link. The matrix is computed by composite bodies; its factors L^T D L, from the leaves on, keep the zeros
+// between branches (Featherstone 2008, sections 6.2 and 6.5). A row belongs to a joint: its force, then one entry for
+// each joint; entries of joints on the path to the base are used.
 #pragma once
 
 #include <utility>
@@ -12,22 +12,24 @@
 
 namespace dalembert {
 
-// With more links, articulated bodies are faster.
+// Articulated bodies are faster for more links.
 constexpr int few_links = 16;
 // The rows of so few joints stay in registers.
 constexpr std::size_t joints_in_registers = 7;
 
-// Room for one tree, and what is constant of it.
+// Work space and constants of one tree.
 struct JointMasses {
   AlignedVector<CompositeMass<Spread>> bodies;
-  AlignedVector<LinkWrench<Spread>> answers;   // to unit accelerations of joints: forces and moments about a point that all share
-  AlignedVector<Vec3<Spread>> origins, turns, shifts;  // of links; of all that moves with a joint, which is number i + 1, at this point
+  // forces and moments for unit accelerations of joints, about a common point
+  AlignedVector<LinkWrench<Spread>> answers;
+  // data of links, and of the composite body of each joint, with number i + 1, at this point
+  AlignedVector<Vec3<Spread>> origins, turns, shifts;
   AlignedVector<std::array<Pack<4>, 6>> columns;  // the same of four joints: x, y, z of shifts, then of turns
   AlignedVector<double> rows, shares;
-  AlignedVector<double> ways;         // as rows: 1 where an entry counts, otherwise 0; of few joints that branch
-  std::size_t width = 0;              // of a row
+  AlignedVector<double> ways;  // by rows: 1 for used entries, otherwise 0; for few joints with branches
+  std::size_t width = 0;  // length of a row
   int first_turn = -1;                // the first link that turns; -1: none
-  std::vector<int> before, first;     // joints on the way to the base, base first; where those of each link begin
+  std::vector<int> before, first;  // joints on the path to the base, base first; start of those of each link
 
   void make(const Tree& tree) {
     const auto links = static_cast<std::size_t>(tree.count());
@@ -161,7 +163,7 @@ DALEMBERT_INLINE inline int factorize_in_registers(JointMasses& room, std::size_
   return loose;
 }
 
-// As the function of the same name for articulated bodies.
+// See the function of the same name for articulated bodies.
 DALEMBERT_INLINE inline int accelerate(const Tree& tree, std::span<const LinkPlace<Spread>> places, std::span<const LinkMass<Spread>> masses,
                                        JointMasses& room, double* x) {
   const std::size_t links = tree.links.size();

@@ -1,9 +1,8 @@
-// Accelerations of many states of one tree, several side by side: articulated bodies (trees/articulated_bodies.hpp), or for few links the mass
-// matrix of joints (trees/joint_masses.hpp).
-//
-// With numbers of eight states in each entry, lists outgrow the first cache with a few links already. What goes on from link to link therefore stays
-// in registers, only what a later sweep asks for is written down, and matrices that are symmetric have six entries. Instead of inertias there are
-// second moments, the sums of m r r^T, which take fewer products to be shifted and to give the moments of inertia forces.
+// Accelerations of many states of one tree, several side by side: articulated bodies (trees/articulated_bodies.hpp),
+// or for few links the mass matrix of joints (trees/joint_masses.hpp). Eight states per entry make lists larger than
+// the first-level cache even for few links. Quantities that are passed from link to link therefore stay in registers,
+// only quantities for a later sweep are stored, and symmetric matrices have six entries. Second moments, the sums of
+// m r r^T, replace inertias: they need fewer products to be shifted and to give the moments of inertia forces.
 #pragma once
 
 #include "dalembert/math/aligned_vector.hpp"
@@ -22,7 +21,7 @@ struct LaneLink {
   bool slides = false;
   bool follows = false;  // its parent is the link before
   bool forks = false;    // it carries others than the link after
-  Vec3<double> axis{}, second{}, third{};  // of this frame, in that of the parent, at coordinate zero
+  Vec3<double> axis{}, second{}, third{};  // axes of this frame in that of the parent, at coordinate zero
   Vec3<double> offset{};
   double mass = 0, mass_behind = 0;  // alone, and with all that it carries
   Vec3<double> moment{};
@@ -30,22 +29,22 @@ struct LaneLink {
 };
 std::vector<LaneLink> lane_links(const Tree& tree);
 
-// What the way from the base leaves of a link, and the way back.
+// Quantities of a link that are stored in the outward and inward sweeps.
 template <class S>
 struct LaneStation {
   Vec3<S> axis, arm, moment;
   Symmetric<S> second_moment;
   LinkWrench<S> wrench;  // that moves it as it would move without accelerations of joints
   LinkWrench<S> along;   // the answer of all behind the joint to its unit acceleration
-  S inverse;             // one by what of that works along the joint
+  S inverse;  // reciprocal of the inertia along the joint
 };
 
-// What goes on from link to link, and is written down at forks only.
+// Quantities that are passed from link to link, and stored at branches only.
 template <class S>
 struct LaneMotion {
-  std::array<Vec3<S>, 3> axes;  // of its frame
+  std::array<Vec3<S>, 3> axes;  // axes of its frame
   Vec3<S> spin{}, spin_rate{}, acceleration{};
-  Mat3<S> field{};  // times r, what the acceleration at r is more than that of the origin
+  Mat3<S> field{};  // matrix that gives, times r, the acceleration at r minus that of the origin
 };
 // Links that move as one.
 template <class S>
@@ -64,8 +63,8 @@ struct LaneBody {
 template <class S>
 struct LaneFork {
   LaneMotion<S> motion;
-  LaneBody<S> body;  // of all behind whose joints give way
-  LaneMass<S> mass;  // of all behind as one
+  LaneBody<S> body;  // articulated body of all links behind
+  LaneMass<S> mass;  // composite body of all links behind
   LinkWrench<S> answer;  // acceleration of the origin and spin rate, as forces and moments
 };
 
@@ -89,7 +88,7 @@ template <class S>
 DALEMBERT_INLINE inline Symmetric<S> inertia_of(const Symmetric<S>& m) {
   return {m(1, 1) + m(2, 2), -m(0, 1), -m(0, 2), m(0, 0) + m(2, 2), -m(1, 2), m(0, 0) + m(1, 1)};
 }
-// Accelerations about a point that rests: those of the spin, towards its axis, and those of its rate.
+// Accelerations about a fixed point: centripetal ones of the spin, and those of its rate.
 template <class S>
 DALEMBERT_INLINE inline Mat3<S> field_of(const Vec3<S>& spin, const Vec3<S>& rate) {
   const S xx = spin[0] * spin[0], yy = spin[1] * spin[1], zz = spin[2] * spin[2], xy = spin[0] * spin[1], xz = spin[0] * spin[2], yz = spin[1] * spin[2];
@@ -152,7 +151,7 @@ DALEMBERT_INLINE inline void give_way(LaneBody<S>& body, const LaneStation<S>& a
   body.coupling = shifted;
 }
 
-// Sines and cosines, velocities, and where links are and what moves them without accelerations of joints.
+// Sines and cosines, velocities, and positions and accelerations of links without joint accelerations.
 template <class S>
 DALEMBERT_INLINE inline void go_outward(std::span<const LaneLink> links, const S* q, const S* sines, const S* cosines, const S* v, const Vec3<S>& base,
                                         std::span<LaneStation<S>> stations, std::span<LaneFork<S>> forks) {
@@ -162,7 +161,7 @@ DALEMBERT_INLINE inline void go_outward(std::span<const LaneLink> links, const S
     const LaneLink& link = links[i];
     LaneStation<S>& at = stations[i];
     if (!link.follows) own = link.parent < 0 ? rest : forks[static_cast<std::size_t>(link.parent)].motion;
-    // In an order that leaves few numbers waiting in registers.
+    // The order keeps few numbers in registers.
     const Vec3<S> axis = at.axis = combined(own.axes, link.axis);
     Vec3<S> arm = combined(own.axes, link.offset);
     if (link.slides) arm += q[i] * axis;

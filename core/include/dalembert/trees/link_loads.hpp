@@ -1,4 +1,5 @@
-// Forces that keep their direction, at points of links: what joints feel of them, and how that changes with the coordinates.
+// Forces of constant direction at points of links: their joint forces, and the derivatives with respect to
+// coordinates.
 #pragma once
 
 #include "dalembert/trees/inverse_dynamics.hpp"
@@ -15,7 +16,7 @@ struct LinkLoad {
     couple += moment;
     add_arms(r, f);
   }
-  // What acts on a link behind, whose origin is at `arm`.
+  // Adds the load of a child link, whose origin is at `arm`.
   void add(const LinkLoad& behind, const Vec3<double>& arm) {
     force += behind.force;
     couple += behind.couple;
@@ -46,8 +47,8 @@ inline void sum_to_base(const Tree& tree, std::span<const LinkPlace<double>> pla
 
 // How the forces that two joints feel change, each with the coordinate of the other. The sums are those of the loads on all that moves with a joint.
 struct LoadChange {
-  double of_behind = 0;  // of joint k, with the coordinate of joint j on its way to the base
-  double of_before = 0;  // of joint j, with that of k
+  double of_behind = 0;  // derivative of joint force k with respect to coordinate j on its path to the base
+  double of_before = 0;  // derivative of joint force j with respect to coordinate k
 };
 // A turn w takes points along: r changes by w x r, and so the moment of F by (w x r) x F = -arms^T w. Seen from joint k, which turns
 // with them, it is F that turns back.

@@ -1,9 +1,9 @@
-// Trees of rigid links, each on a joint with one coordinate, which turns about or slides along an axis: what is constant of them,
-// and where links are and how they move, found from the base to the leaves.
-//
-// Vectors are in global axes. Moments and inertias of a link are about the origin of its frame, which lies on the axis of its
-// joint: on the way to the parent they are shifted, not turned, and numbers stay as small as the links are. Accelerations are
-// those of points, not spatial ones. The recursions are those of R. Featherstone, Rigid Body Dynamics Algorithms, Springer, 2008.
+// Trees of rigid links, each with a parent joint of one coordinate, which rotates about or slides along an axis:
+// constants, positions and motions, computed from the base to the leaves. Vectors are in global axes. Moments and
+// inertias of a link are about the origin of its frame, which lies on the axis of its joint: on the path to the
+// parent they are shifted, not rotated, and numbers remain of the size of the links. Accelerations are those of
+// points, not spatial ones. The recursions are those of R. Featherstone, Rigid Body Dynamics Algorithms, Springer,
+// 2008.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@ namespace dalembert {
 
 struct TreeLink {
   int parent = -1;                              // -1: the base; parents come before their children
-  bool slides = false;                          // along the axis; otherwise it turns about it
+  bool slides = false;  // prismatic joint; otherwise revolute
   int axis = 0;                                 // x, y or z of its frame
-  Mat3<double> orientation = identity<double>();  // of its frame in that of the parent, at coordinate zero
-  Vec3<double> offset{};                        // of its origin in the frame of the parent, at coordinate zero
+  Mat3<double> orientation = identity<double>();  // orientation of its frame in that of the parent, at coordinate zero
+  Vec3<double> offset{};  // position of its origin in the frame of the parent, at coordinate zero
   double mass = 0;
   Vec3<double> moment{};                        // mass times centre of mass, in the frame of the link
   Mat3<double> inertia{};                       // about the origin of the link
@@ -35,13 +35,13 @@ struct Tree {
   int count() const { return static_cast<int>(links.size()); }
 };
 
-// Where a link is.
+// Pose of a link.
 template <class S>
 struct LinkPlace {
-  S sine, cosine;    // of its coordinate
+  S sine, cosine;  // sine and cosine of its coordinate
   Mat3<S> rotation;  // A_0l, of the frame of the link
-  Vec3<S> axis;      // of its joint
-  Vec3<S> arm;       // from the origin of the parent to that of the link
+  Vec3<S> axis;  // axis of its joint
+  Vec3<S> arm;  // from the origin of the parent to that of the link
 };
 
 // How its mass lies there.
@@ -57,10 +57,11 @@ struct LinkMotion {
   Vec3<S> spin, spin_rate, velocity, acceleration;
 };
 
-// Recursions are inlined into what chooses the registers (math/wide_registers.hpp): called as functions they would use those of any processor.
+// Recursions are inlined into the functions that select the registers (math/wide_registers.hpp): separate functions
+// would use the baseline instruction set.
 namespace trees {
 
-// Of all coordinates; of single states, four at a time.
+// Sines and cosines of all coordinates; single states process four at a time.
 template <class S>
 DALEMBERT_INLINE inline void find_sines(const NumberOf<S>* q, std::span<LinkPlace<S>> places) {
   const auto keep = [](LinkPlace<S>& place, const S& sine, const S& cosine) {
@@ -78,7 +79,7 @@ DALEMBERT_INLINE inline void find_sines(const NumberOf<S>* q, std::span<LinkPlac
   }
 }
 
-// Calls f.operator()<axis>(): what is known in advance stays in registers.
+// Calls f.operator()<axis>(): constants known at compile time stay in registers.
 template <class F>
 DALEMBERT_INLINE inline void with_axis(int axis, const F& f) {
   if (axis == 2) f.template operator()<2>();
@@ -99,7 +100,7 @@ template <class S>
 DALEMBERT_INLINE inline void place_links(const Tree& tree, const NumberOf<S>* q, std::span<LinkPlace<S>> places) {
   find_sines(q, places);
   const Mat3<S> A_00 = diagonal(S(1.0));
-  Mat3<S> A_0l = A_00;  // of chains, at first that of the link before, which is at hand
+  Mat3<S> A_0l = A_00;  // rotation of the previous link; for chains this is the parent
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     LinkPlace<S>& place = places[i];
@@ -123,12 +124,12 @@ DALEMBERT_INLINE inline void place_masses(const Tree& tree, std::span<const Link
   }
 }
 
-// `base`: the acceleration of the base; minus gravity, if that is to act. Without accelerations `a` of the coordinates (null), they are zero.
+// `base`: the acceleration of the base; minus gravity, if it acts. If `a` is null, joint accelerations are zero.
 template <class S>
 DALEMBERT_INLINE inline void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const NumberOf<S>* v, const NumberOf<S>* a,
                                         const Vec3<S>& base, std::span<LinkMotion<S>> motions) {
   const LinkMotion<S> rest{{}, {}, {}, base};
-  LinkMotion<S> own = rest;  // of the link before at first
+  LinkMotion<S> own = rest;  // motion of the previous link at first
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     const Vec3<S>&axis = places[i].axis, &arm = places[i].arm;

@@ -14,14 +14,14 @@ class TreeFunctions {
   const Tree& tree() const { return tree_; }
   const Vec3<double>& gravity() const { return gravity_; }
 
-  // Joint forces that the accelerations need; null: none, which leaves weight and forces of velocities.
+  // Joint forces for the accelerations; null: zero accelerations, which gives weight and velocity-dependent forces.
   void inverse_dynamics(std::size_t states, const double* q, const double* v, const double* a, double* forces) const;
   // Accelerations; returns a joint that nothing resists, or -1.
   int forward_dynamics(std::size_t states, const double* q, const double* v, const double* forces, double* a) const;
   void mass_matrix(std::size_t states, const double* q, double* matrices) const;
-  // Of the joint forces, by coordinates and by velocities: row by row.
+  // Derivatives of the joint forces with respect to coordinates and velocities: row by row.
   void derivatives(std::size_t states, const double* q, const double* v, const double* a, double* by_q, double* by_v) const;
-  // Of each link: its rotation matrix and its origin.
+  // Rotation matrix and origin of each link.
   void frames(std::size_t states, const double* q, double* rotations, double* origins) const;
   // Velocity of a point of a link, and angular velocity, by joint velocities: six rows.
   void jacobian(std::size_t states, const double* q, int link, const Vec3<double>& local, double* matrices) const;

@@ -1,10 +1,10 @@
-// Mass matrix and derivatives of the joint forces of a tree, entry by entry: composite bodies, one for each link and all behind it
-// (Featherstone 2008, chapter 6), and derivatives in closed form as in J. Carpentier, N. Mansard, Analytical Derivatives of Rigid
-// Body Dynamics Algorithms, Robotics: Science and Systems, 2018; here for accelerations of points.
-//
-// Increments of a coordinate and its rates turn and shift everything behind the joint as one body, which alone changes no joint force there. What
-// remains is a field of accelerations, a + b x r, and turns w, which add 2 w x (velocity): two numbers of the composite body, its
-// momentum and the sum of 2 r x (w x velocity) m, answer these.
+// Mass matrix and derivatives of the joint forces of a tree, entry by entry: composite bodies, one for each link with
+// all links behind it (Featherstone 2008, chapter 6), and closed-form derivatives as in J. Carpentier, N. Mansard,
+// Analytical Derivatives of Rigid Body Dynamics Algorithms, Robotics: Science and Systems, 2018; here for
+// accelerations of points. Increments of a coordinate and its rates rotate and shift everything behind the joint as
+// one body, which alone changes no joint force there. The remainder is a field of accelerations, a + b x r, and
+// rotations w, which add 2 w x (velocity). Two quantities of the composite body give their forces: its momentum and
+// the sum of 2 r x (w x velocity) m.
 #pragma once
 
 #include "dalembert/system/evaluation.hpp"
@@ -32,7 +32,7 @@ struct CompositeBody : CompositeMass<S> {
   Mat3<S> momentum_arms{};  // sum of 2 m ((r . v) I - v r^T): times w, the sum of 2 m r x (w x v)
 };
 
-// What an increment of a coordinate adds behind its joint, besides moving it as one body.
+// Effect of an increment of a coordinate behind its joint, besides the motion as one body.
 template <class S>
 struct JointIncrement {
   Vec3<S> acceleration{}, spin_rate{}, spin{};
@@ -48,7 +48,7 @@ template <class S>
 void add_momentum(CompositeBody<S>& body, const LinkMotion<S>& motion) {
   const Vec3<S>& w = motion.spin;
   body.momentum = body.mass * motion.velocity + cross(w, body.moment);
-  // The sum of m v r^T: of the velocity of the origin, and of the spin w x r, with the sum of m r r^T.
+  // The sum of m v r^T: for the velocity of the origin, and for the spin w x r, by the sum of m r r^T.
   const S half = 0.5 * (body.inertia(0, 0) + body.inertia(1, 1) + body.inertia(2, 2));
   Mat3<S> v_r;
   for (int j = 0; j < 3; ++j) {
@@ -75,7 +75,7 @@ void add_momentum(CompositeBody<S>& to, const CompositeBody<S>& b, const Vec3<S>
   for (std::size_t i = 0; i < 9; ++i) to.momentum_arms.x[i] += b.momentum_arms.x[i] + 2.0 * shifted.x[i];
 }
 
-// What moves the body with unit acceleration of the joint before it.
+// Force that gives the body a unit acceleration of its joint.
 template <class S>
 LinkWrench<S> inertia_along(const TreeLink& link, const Vec3<S>& axis, const CompositeMass<S>& body) {
   if (link.slides) return {body.mass * axis, cross(body.moment, axis)};
@@ -85,7 +85,7 @@ LinkWrench<S> inertia_along(const TreeLink& link, const Vec3<S>& axis, const Com
 template <class S, class Bodies>
 void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses, Bodies& bodies) {
   for (std::size_t i = 0; i < tree.links.size(); ++i) static_cast<CompositeMass<S>&>(bodies[i]) = single_mass(tree.links[i], masses[i]);
-  CompositeMass<S> behind{};  // of the link after, as in sum_to_base
+  CompositeMass<S> behind{};  // body of the next link, as in sum_to_base
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const int parent = tree.links[i].parent;
     bodies[i] += behind;
@@ -133,7 +133,7 @@ void mass_matrix(const Tree& tree, std::span<const LinkPlace<S>> places, std::sp
 template <class S>
 JointIncrement<S> increment_of(const TreeLink& link, const Vec3<S>& e, const LinkMotion<S>& m, const Weights& w) {
   const Vec3<S>& spin = m.spin;
-  const Vec3<S> turning = cross(spin, e);  // of the axis
+  const Vec3<S> turning = cross(spin, e);  // rate of the axis
   if (link.slides)
     return {w.q * (cross(m.spin_rate, e) + cross(spin, turning)) + 2.0 * w.v * turning + w.a * e, {}, {}};
   const Vec3<S> added = w.v * e + w.q * turning;
@@ -156,7 +156,7 @@ LinkWrench<S> increment_of_sum(const TreeLink& link, const Vec3<S>& e, const Joi
 template <class S, class F>
 void tangent(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const CompositeBody<S>> bodies, std::span<const LinkWrench<S>> sums,
              std::span<const JointIncrement<S>> increments, const Weights& weights, const F& f) {
-  LinkWrench<S> row, column;  // what joint k answers to accelerations before it, and what its increment adds there
+  LinkWrench<S> row, column;  // force of joint k for accelerations in front of it, and effect of its increment there
   Vec3<S> row_spin;
   int at = -1;
   each_pair(tree, [&](int k, int j) {

@@ -1,4 +1,5 @@
-// MarkerKinematicTreeRigid, specs/markers/kinematic_tree_rigid.toml: points of links. Markers on one tree share what they need of it.
+// MarkerKinematicTreeRigid, specs/markers/kinematic_tree_rigid.toml: points of links. Markers on one tree share their
+// computations.
 #include <algorithm>
 #include <string>
 
@@ -98,7 +99,7 @@ class CarryingLinks {
 
   const void* owner_;
   int first_;  // coordinate of the tree
-  std::vector<int> numbers_, parents_;  // in the tree, and among these links
+  std::vector<int> numbers_, parents_;  // numbers in the tree, and parents among these links
   Tree tree_;
   std::vector<double> q_, v_, a_, placed_at_;
   std::vector<LinkPlace<double>> places_;
@@ -176,7 +177,7 @@ class LinkMarkerBatch final : public MarkerBatch {
   struct Entry {
     int marker = -1;
     std::size_t tree = 0;
-    bool is_first = false;  // of the markers on this tree
+    bool is_first = false;  // first of the markers on this tree
     std::vector<int> path;  // among the carrying links, from the base on
     Vec3<double> local;
   };
@@ -186,7 +187,8 @@ class LinkMarkerBatch final : public MarkerBatch {
     return trees::motion_at(tree.place(link), tree.motion(link), tree.origin(link), e.local);
   }
 
-  // Column i of the derivatives along the weights, and of the Jacobian: what joint i of the path does to the frame.
+  // Column i of the derivatives along the weights, and of the Jacobian: the effect of joint i of the path on the
+  // frame.
   void differentiate(const Entry& e, std::size_t i, const Weights& w, Ports& ports) const {
     const CarryingLinks& tree = tree_of(e);
     const int joint = e.path[i];
@@ -194,7 +196,7 @@ class LinkMarkerBatch final : public MarkerBatch {
     const LinkMotion<double>& before = tree.motion(joint);
     const RigidFrame<double>& frame = read_frame<RigidPort>(ports, e.marker);
     RigidFrame<double> change{};
-    Wrench<double> along{axis, {}};  // what a force and a moment do along the joint
+    Wrench<double> along{axis, {}};  // components of a force and a moment along the joint
     const Vec3<double> turning = cross(before.spin, axis), added = w.v * axis + w.q * turning;
     if (tree.tree().links[static_cast<std::size_t>(joint)].slides) {
       change.position = w.q * axis;
@@ -217,7 +219,7 @@ class LinkMarkerBatch final : public MarkerBatch {
     for (std::size_t k = 0; k < RigidPort::forces; ++k) ports.jacobian(e.marker)[k * n + i] = rows[k];
   }
 
-  // What acts on the links, summed up to the base.
+  // Sums forces on the links from the leaves to the base.
   void collect(const Evaluation& evaluation, const Ports& ports) const {
     for (CarryingLinks& tree : trees_) {
       tree.go_to(evaluation);

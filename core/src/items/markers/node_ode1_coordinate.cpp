@@ -34,7 +34,7 @@ class ODE1CoordinateBatch final : public MarkerBatch {
 
  private:
   struct Entry {
-    int marker = -1, place = -1, row = -1;  // in the vector of ODE1 coordinates, in the system vector
+    int marker = -1, place = -1, row = -1;  // place: in the vector of ODE1 coordinates; row: in the system vector
   };
   std::vector<Entry> entries_;
 };

@@ -1,4 +1,4 @@
-// NodeGenericODE2, NodeGenericODE1, NodeGenericData: as many coordinates as their parameters say.
+// NodeGenericODE2, NodeGenericODE1, NodeGenericData: nodes with a number of coordinates that is a parameter.
 // specs/nodes/generic_ode2.toml, generic_ode1.toml, generic_data.toml
 #include <algorithm>
 

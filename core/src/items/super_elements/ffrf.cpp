@@ -1,4 +1,4 @@
-// ObjectFFRF: what its parameters have to be, and the constants that follow from them.
+// ObjectFFRF: checks of its parameters, and derived constants.
 #include "dalembert/items/super_elements/ffrf.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Triplets = std::vector<MatrixContainer::Triplet>;
 
-// What differs from zero, row by row.
+// Nonzero entries, row by row.
 Triplets entries_of(const MatrixContainer& m) {
   if (!m.dense) return SquareMatrix(m).entries();
   Triplets entries;

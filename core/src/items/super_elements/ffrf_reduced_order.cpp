@@ -1,4 +1,4 @@
-// ObjectFFRFreducedOrder: what its parameters have to be, and the constants that follow from them.
+// ObjectFFRFreducedOrder: checks of its parameters, and derived constants.
 #include "dalembert/items/super_elements/ffrf_reduced_order.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Matrix tilde(const Matrix& of) {
 
 constexpr const char* interface_class = "The class ObjectFFRFreducedOrderInterface of dalembert.FEM computes it from mesh and modes";
 
-// What is given, though it follows from other parameters, must agree with them.
+// Given parameters must agree with the values that follow from other parameters.
 void check_agreement(const char* name, const Matrix& given, const Matrix& made, const std::string& from, const ItemLabel& item) {
   if (given.values.empty()) return;
   check_size(name, given, made.rows, made.columns, item, interface_class);

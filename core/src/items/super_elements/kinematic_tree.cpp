@@ -21,7 +21,7 @@ namespace {
 using Parameters = ObjectKinematicTreeParameters;
 using Record = ObjectKinematicTreeRecord;
 
-// What a controller adds to the force of a joint; forces and user functions are those of any body of run-time size.
+// Controller forces of a joint; forces and user functions are those of any body of run-time size.
 SizedLaw law_of(const Parameters& p) {
   return {.force_vector = &p.jointForceVector, .force_parameter = "jointForceVector", .force = p.forceUserFunction};
 }
@@ -49,7 +49,7 @@ struct Links {
     trees::place_links<S>(tree, q, places);
     trees::place_masses<S>(tree, places, masses);
   }
-  // Without accelerations (null), they are zero.
+  // Null accelerations are zero.
   void find_inertia_forces(const Tree& tree, const double* q, const double* v, const double* a, const Vec3<double>& gravity) {
     place(tree, q);
     trees::move_links<S>(tree, places, v, a, Vec3<S>{} + (-gravity), motions);
@@ -57,10 +57,10 @@ struct Links {
   }
 };
 
-// What the recursions of one tree write, again and again: forces and accelerations have vectors in registers.
+// Work space of the recursions of one tree: forces and accelerations have vectors in registers.
 struct Room {
   Links<Spread> links;
-  AlignedVector<ArticulatedBody<Spread>> articulated;  // of many links
+  AlignedVector<ArticulatedBody<Spread>> articulated;  // used for many links
   JointMasses masses;                                  // of few
   Links<double> single;
   std::vector<CompositeBody<double>> bodies;
@@ -226,9 +226,9 @@ class TreeBody {
 
   Tree tree_;
   LawOfBody law_;
-  int first_ = 0;  // of its coordinates
+  int first_ = 0;  // start of its coordinates
   Vec3<double> gravity_{};
-  std::vector<double> stiffness_, damping_, desired_, desired_rates_;  // of the controllers of joints
+  std::vector<double> stiffness_, damping_, desired_, desired_rates_;  // controllers of joints
   std::vector<LinkLoad> loads_;
 };
 

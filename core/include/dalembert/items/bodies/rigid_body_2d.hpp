@@ -9,7 +9,7 @@ namespace dalembert {
 
 struct ObjectRigidBody2D : NoDoubt {
   using Parameters = ObjectRigidBody2DParameters;
-  // With an eccentric centre of mass, the mass matrix turns with the body.
+  // An eccentric center of mass makes the mass matrix depend on the rotation.
   static constexpr BodyTraits traits{.planar_tangent = true};
 
   static void check(const Parameters& p, const ItemLabel& item) {

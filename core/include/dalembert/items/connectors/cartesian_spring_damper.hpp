@@ -15,7 +15,7 @@ struct ObjectConnectorCartesianSpringDamper : NoPairHistory {
   using Port = PointPort;
   static constexpr ConnectorForms closed_forms{.tangent = true};
 
-  // One spring per global axis.
+  // Each global axis has one spring.
   template <class S>
   static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
     const Vec3<S> f = tension<S>(p, c, elongation(p, m0, m1), m1.velocity - m0.velocity);

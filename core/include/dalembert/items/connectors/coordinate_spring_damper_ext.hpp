@@ -133,7 +133,8 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
     verdict.error += std::abs(held) - std::abs(data[friction]);
   }
 
-  // Slip against its own direction becomes stick: where the step began to stick, or where slip force continues.
+  // Slip against its previous direction becomes stick: at the position where sticking would have begun in the step,
+  // or with continuous force.
   static void update_slipping(const Parameters& p, const Difference<double>& d, const double* start, double* data,
                               PostNewton& verdict) {
     const double slipping = curve(p)(d.rate);

@@ -72,7 +72,7 @@ struct ObjectConnectorHydraulicActuatorSimple : AllMarkersAct, NoAlgebraicEquati
   }
 
   struct Chamber {
-    double area, sign, hose_volume, valve;  // sign: of its volume against the stroke
+    double area, sign, hose_volume, valve;  // sign: change of its volume with the stroke
 
     Chamber(const Parameters& p, int k)
         : area(k == 0 ? p.chamberCrossSection0 : p.chamberCrossSection1),

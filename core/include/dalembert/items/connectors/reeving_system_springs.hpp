@@ -41,8 +41,9 @@ struct Contact {
   }
 };
 
-// The common tangent of two circles: where it touches them, from their centres. Both contact vectors are measured by the
-// sine between the first axis and the line of centres: the second radius is exact for axes at the same angle to that line.
+// The common tangent of two circles: its contact points relative to their centers. Both contact vectors are
+// determined by the sine between the first axis and the line of centers: the second radius is exact for axes at the
+// same angle to that line.
 template <class S>
 struct Tangent {
   Vec3<S> first{}, second{};
@@ -55,7 +56,7 @@ struct Tangent {
     const S scale = 1.0 / norm(normal);
     const Contact<S> on_a(a, scale * normal), on_b(b, scale * cross(b.axis, centres));
     found = solve(Contact<double>(on_a), Contact<double>(on_b), value_of(centres), {a.radius, b.radius});
-    // One more step of Newton's method, with the derivatives of the residual: those of the angles follow.
+    // One more step of Newton's method, with the derivatives of the residual, gives the derivatives of the angles.
     const Vec3<S> r0 = on_a.at(S(angle_[0])), r1 = on_b.at(S(angle_[1]));
     const S f0 = dot(centres + r1, r0) - a.radius * a.radius, f1 = dot(centres - r0, r1) + b.radius * b.radius;
     first = on_a.at(angle_[0] - (inverse_[0] * f0 + inverse_[1] * f1));
@@ -87,13 +88,13 @@ struct Tangent {
 
   static constexpr double right = std::numbers::pi / 2;
   std::array<double, 2> angle_{right, right};
-  std::array<double, 4> inverse_{1, 0, 0, 1};  // of the Jacobian, row by row
+  std::array<double, 4> inverse_{1, 0, 0, 1};  // inverse of the Jacobian, row by row
 };
 
-// One free span: unit direction, length, and what it adds to the rate of the rope's length.
+// One free span: unit direction, length, and its contribution to the rate of the rope's length.
 template <class S>
 struct Span {
-  Vec3<S> direction{}, velocity{};  // of its end against its start
+  Vec3<S> direction{}, velocity{};  // velocity of its end relative to its start
   S length{}, rate{};
 
   Span(const RigidFrame<S>& a, const RigidFrame<S>& b, const Tangent<S>& touch) {

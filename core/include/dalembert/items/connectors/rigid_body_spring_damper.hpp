@@ -11,7 +11,7 @@ namespace dalembert {
 struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, NoSwitches, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectConnectorRigidBodySpringDamperParameters;
   using Port = RigidPort;
-  static constexpr int data_coordinates = any_data_coordinates;  // those that its user function wants
+  static constexpr int data_coordinates = any_data_coordinates;  // data coordinates of its user function
 
   // Force and moment in the joint frame; the intrinsic formulation measures them in the middle between the markers.
   template <class S>

@@ -99,7 +99,7 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
 
  private:
   template <class S>
-  using Slip = Vec<S, 2>;  // in the plane: lateral, forward
+  using Slip = Vec<S, 2>;  // components in the plane: lateral, forward
 
   template <class S>
   static Slip<S> slip_of(const RollingContact<S>& contact) {

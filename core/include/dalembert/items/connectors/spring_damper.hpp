@@ -16,7 +16,7 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
   using Port = PointPort;
   static constexpr ConnectorForms closed_forms{.tangent = true, .law = true};
 
-  // Force along the line between the points, or along their relative velocity while they coincide; without either, none.
+  // Force along the line between the points, or along their relative velocity if they coincide; zero if both vanish.
   template <class S>
   static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
     const Line<S> line(m0, m1);
@@ -47,8 +47,8 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
   static SpanTangent<3, S> tangent(const Parameters& p, const PointFrame<S>& m0, const PointFrame<S>& m1) {
     return tangent(law(p), Vec3<S>(m1.position - m0.position), Vec3<S>(m1.velocity - m0.velocity));
   }
-  // The tension changes along the line, the line turns with what moves across it. Where the points coincide, it is the relative
-  // velocity that turns it; that the line jumps once they part has no derivative.
+  // The tension changes along the line, and the line rotates with the transverse motion. If the points coincide, the
+  // relative velocity defines the direction; the jump of the direction when they separate has no derivative.
   template <class L, class S>
   static SpanTangent<3, S> tangent(const Law<L>& law, const Vec3<S>& span, const Vec3<S>& rate) {
     const Line<S> line(span, rate);
@@ -123,7 +123,8 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
   DALEMBERT_INLINE static bool any_zero(const Pack<N>& square) {
     return !Pack<N>::is_none(equal(square, Pack<N>()));
   }
-  // The first value where `number` is zero, else the second. Of a single number, callers know that it is.
+  // Returns the first value if `number` is zero, otherwise the second. Callers with a single number have already
+  // tested it.
   template <OneNumber S, class V>
   static V where_zero(const S&, const V& first, const V&) {
     return first;

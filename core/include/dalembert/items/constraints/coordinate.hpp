@@ -16,7 +16,7 @@ struct ObjectConnectorCoordinate : ConstrainsAll, Holonomic, VaryingDirections {
   static constexpr ConstraintForms closed_forms{.gap_rate = true, .reaction = true, .linear = true};
   static constexpr int equations = 1;
 
-  // factor q1 - q0 - offset; at velocity level the offset is a velocity.
+  // The gap is factor q1 - q0 - offset; at velocity level the offset is a velocity.
   template <class S>
   static Vec<S, 1> gap(const Parameters& p, const Context& c, const ScalarFrame<S>& m0, const ScalarFrame<S>& m1) {
     const double offset = p.offsetUserFunction ? call_scalar(p.offsetUserFunction, c, p.offset) : p.offset;

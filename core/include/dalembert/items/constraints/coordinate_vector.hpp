@@ -79,7 +79,7 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
  private:
   using Matrix = DynamicMatrix<double>;
 
-  // What one marker gives: n coordinates and their rates.
+  // Data of one marker: n coordinates and their rates.
   template <class S>
   struct Coordinates {
     int n;
@@ -113,7 +113,8 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
   static void evaluate_functions(const Parameters& p, const Context& c, Exchange<S>& x) {
     const bool rate = x.rate_level || p.velocityLevel;
     std::vector<double> gaps(x.equations.size());
-    if constexpr (std::is_same_v<S, double>) gaps = call(p.constraintUserFunction, c, x, rate, gaps.size());  // derivatives need none
+    // not called for derivatives
+    if constexpr (std::is_same_v<S, double>) gaps = call(p.constraintUserFunction, c, x, rate, gaps.size());
     const std::vector<double> gradient = call(p.jacobianUserFunction, c, x, p.velocityLevel, gaps.size() * columns(x));
     auto g = gradient.begin();
     for (std::size_t k = 0; k < gaps.size(); ++k) {

@@ -1,4 +1,4 @@
-// Where a segment of a planar cable is nearest to a circle: what contacts of circles and cables share.
+// Nearest point of a segment of a planar cable to a circle: shared by contacts of circles and cables.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,12 @@ class CablePoints {
  public:
   CablePoints(std::span<const S> values) : values_(values) {}
   Vec<S, 2> position(int i) const { return pair(2 * i); }
-  Vec<S, 2> velocity(int i) const { return pair(way_at() + 1 + 2 * i); }  // of the axis
-  // Of the material, in the reference configuration.
+  Vec<S, 2> velocity(int i) const { return pair(way_at() + 1 + 2 * i); }  // velocity of the axis
+  // Length of the material in the reference configuration.
   const S& segment_length() const { return values_[values_.size() - 1]; }
   const S& way() const { return values_[static_cast<std::size_t>(way_at())]; }
-  // Of the material against the axis, and the change of its position by its way.
+  // Velocity of the material relative to the axis, and the derivative of its position with respect to its
+  // displacement.
   const S& way_rate() const { return values_[static_cast<std::size_t>(2 * way_at() + 1)]; }
   Vec<S, 2> along(int i) const { return pair(2 * (way_at() + 1) + 2 * i); }
   // Place of the way among the forces.
@@ -33,8 +34,9 @@ class CablePoints {
 
 template <class S>
 struct CircleOnCable {
-  S place{}, gap{};                   // place: from 0 to 1 along the segment
-  Vec<S, 2> direction{}, velocity{};  // from the centre to the segment, zero if they coincide; of the segment against the centre
+  S place{}, gap{};  // place: from 0 to 1 along the segment
+  // direction: from the center to the segment, zero if they coincide; velocity: of the segment relative to the center
+  Vec<S, 2> direction{}, velocity{};
 
   // The gap is the distance to the centre of the circle less a radius.
   CircleOnCable(const PointFrame<S>& centre, const CablePoints<S>& cable, int segment, double radius) {
@@ -52,7 +54,7 @@ struct CircleOnCable {
 
 inline void check_circle_on_cable(const Connections& on, int cable, int segments) {
   on.require(on.type(cable).name == "MarkerBodyCable2DShape", cable, "markerNumbers", "a MarkerBodyCable2DShape for the cable");
-  const int given = (on.coordinates(cable) - 1) / 2 - 1;  // of positions, and the way
+  const int given = (on.coordinates(cable) - 1) / 2 - 1;  // number of positions; the rest are displacements
   if (given != segments) on.refuse("numberOfContactSegments", std::to_string(segments), std::to_string(given) + ", as marker m1 has");
 }
 

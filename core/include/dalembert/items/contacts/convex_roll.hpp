@@ -80,7 +80,7 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
 
  private:
   enum Marker { ground = 0, roll = 1 };
-  enum Data { gap = 0, slip_x = 1, slip_y = 2 };  // of the last update; slip in the axes of the ground
+  enum Data { gap = 0, slip_x = 1, slip_y = 2 };  // values of the last update; slip in the axes of the ground
 
   // Radius and its derivatives along the axis.
   template <class S>
@@ -95,11 +95,12 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
     }
   };
 
-  // Where the profile has a slope: decreasing along the roll, so that halving intervals is safe where Newton's method is not.
+  // Position at which the profile has a slope. The slope decreases along the roll, so that bisection is safe if
+  // Newton's method fails.
   static double place_of_slope(const Parameters& p, double slope) {
     double low = -0.5 * p.rollLength, high = -low;
     const double steepest = Profile<double>(p, low).slope, flattest = Profile<double>(p, high).slope;
-    if (slope == steepest && slope == flattest) return 0;  // along a cone
+    if (slope == steepest && slope == flattest) return 0;  // constant along a cone
     if (!(slope < steepest)) return low;
     if (!(slope > flattest)) return high;
     double x = 0;

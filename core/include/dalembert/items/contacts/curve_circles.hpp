@@ -29,7 +29,8 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     }
   }
 
-  // A segment touches the circle that has entered it deepest, as long as they are pressed together. What opens or closes is an error.
+  // A segment contacts the circle with the largest penetration, as long as they are in contact. Opening or closing
+  // counts as an error.
   static constexpr bool has_history = true;
   static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
     PostNewton verdict;
@@ -53,7 +54,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     return verdict;
   }
 
-  // What a segment touches ends where nothing is pressed, or where another circle is deeper.
+  // The contact of a segment ends if the normal force vanishes, or if another circle has a larger penetration.
   static int switch_count(const Parameters& p) { return 3 * segments(p); }
   static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
     for (int segment = 0; segment < segments(p); ++segment) {
@@ -123,7 +124,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     return std::string(m.dense ? "a matrix" : "a sparse matrix") + " of " + std::to_string(m.rows) + " x " + std::to_string(m.columns);
   }
 
-  // Of one segment, of the last update.
+  // Data of one segment, from the last update.
   struct Data {
     enum { which = 0, distance = 1, slip = 2 };
     const double* values;
@@ -152,9 +153,9 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
   template <class S>
   struct Meeting {
     Mat3<S> axes;
-    Vec3<S> span;               // from the marker of the curve to the centre of the circle
-    Vec<S, 2> normal{}, arm{};  // from the segment to the circle; from its centre to the point of contact
-    S gap, rate, slip;          // rate: of penetration; slip: of the circle against the curve, along the tangent
+    Vec3<S> span;  // from the marker of the curve to the center of the circle
+    Vec<S, 2> normal{}, arm{};  // normal: from the segment to the circle; arm: from its center to the contact point
+    S gap, rate, slip;  // rate: of penetration; slip: of the circle relative to the curve, along the tangent
     S extent{}, extent_rate{};  // length times penetration, or the area that both share
 
     Meeting(const Parameters& p, const Exchange<S>& x, int segment, int circle) {
@@ -198,7 +199,8 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       const S square = dot(v, v);
       return value_of(square) > 0 ? sqrt(square) : S(0);
     }
-    // The area between the circle and the segment, seen from the centre: at `height` above the line, which goes from `begin` to `end`.
+    // The area between the circle and the segment: the line is at `height` from the center, and goes from `begin` to
+    // `end`.
     void share(double radius, const S& height, S begin, S end) {
       using std::atan2;
       using std::sqrt;

@@ -56,8 +56,8 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     return verdict;
   }
 
-  // A segment has four: contact; where damping begins to pull; friction that slides, or does not go on in its direction; and a normal force that has
-  // grown so much that springs hold what slides.
+  // A segment has four switches: contact; tensile damping force; sliding that ends or reverses; and a normal force
+  // that is large enough for springs to hold a sliding point.
   static int switch_count(const Parameters& p) { return 4 * p.numberOfContactSegments; }
   static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
     for (int i = 0; i < p.numberOfContactSegments; ++i) {
@@ -73,7 +73,7 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
       find_friction_switches(p, c.data, i, touch, switches);
     }
   }
-  // What no longer slides is held where it is, with the same force.
+  // A point that stops sliding sticks at its position, with the same force.
   static void switch_over(const Parameters& p, const Context& c, const Exchange<double>& x, const History& h) {
     update(p, c, x, h);
     const int segments = p.numberOfContactSegments;
@@ -123,7 +123,7 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
   template <class S>
   struct Touching : CircleOnCable<S> {
     S away, along;  // velocities of the segment against the surface of the circle
-    S way;          // of the circumference and of the material that meet
+    S way;  // displacement of circumference and material
 
     Touching(const Parameters& p, const Exchange<S>& x, int segment)
         : CircleOnCable<S>(PointFrame<S>{frame(x).position, frame(x).velocity}, CablePoints<S>(x.values(cable)), segment, p.circleRadius) {
@@ -161,7 +161,7 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     else switches.holds("grip", false, state * held - limit, noise);
   }
 
-  // From the last sticking position, less whole turns.
+  // Displacement since the last sticking position, modulo whole turns.
   template <class S>
   static S way_from(const Parameters& p, const Touching<S>& touch, double last) {
     const double turn = 2 * std::numbers::pi * p.circleRadius;
@@ -184,7 +184,8 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     return law(p).holding_force(way_from(p, touch, data[2 * p.numberOfContactSegments + i]), touch.along);
   }
 
-  // Sticking holds until the force of spring and damper passes the bound; in sliding, the sticking position follows at the bound.
+  // Sticking ends when the force of spring and damper exceeds the limit; during sliding, the sticking position
+  // follows at the limit.
   static double update_friction(const Parameters& p, const Touching<double>& touch, bool begins, double last, double& state, double& position) {
     if (begins && p.frictionStiffness != 0) last = touch.way;
     const double displacement = p.frictionStiffness != 0 ? way_from(p, touch, last) : touch.along;

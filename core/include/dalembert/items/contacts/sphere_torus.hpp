@@ -56,7 +56,7 @@ struct ObjectContactSphereTorus : HasPairHistory, SwitchesByUpdate, AlwaysNeedsD
   // The normal leads from the centre line of the torus to the sphere.
   template <class S>
   struct InTube : Touch<S> {
-    Vec3<S> radial;  // from the centre of the torus to its centre line
+    Vec3<S> radial;  // from the center of the torus to its center line
 
     InTube(const Parameters& p, const Context& c, const RigidFrame<S>& sphere, const RigidFrame<S>& torus) {
       const Vec3<S> axis = torus.rotation * p.torusAxis, span = sphere.position - torus.position;

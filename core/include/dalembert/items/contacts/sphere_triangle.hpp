@@ -70,8 +70,8 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
   template <class S>
   struct Nearest : Touch<S> {
     TriangleFeature feature;
-    Vec3<S> span;      // from the centre of the sphere to the nearest point
-    double share = 1;  // of the force: above edges that are left out, all triangles around them carry a part; 0: none there
+    Vec3<S> span;  // from the center of the sphere to the nearest point
+    double share = 1;  // fraction of the force: triangles share it at common edges; 0: no contact there
 
     Nearest(const Parameters& p, const RigidFrame<S>& sphere, const RigidFrame<S>& carrier) {
       const Triangle triangle = corners(p);

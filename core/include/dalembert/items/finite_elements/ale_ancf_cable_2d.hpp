@@ -22,11 +22,11 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
       refuse(ErrorKind::value, {item, "physicsMovingMassFactor", "", std::to_string(p.physicsMovingMassFactor), "0 to 1, a share of the mass", ""});
   }
 
-  // Of r0, r0', r1, r1' in one direction.
+  // Products of r0, r0', r1, r1' in one direction.
   using Products = std::array<std::array<double, 4>, 4>;
   struct Prepared {
     Axis::Constants cable;
-    double moving_mass = 0;  // of the whole element
+    double moving_mass = 0;  // mass of the whole element
     // Times the moving mass per length: integrals of r times r' and of r' times r'; products of these at the end minus those at the begin.
     Products value_slope{}, slope_slope{}, end_value_slope{}, end_slope_slope{};
     std::array<Vec<double, 1>, QuadratureRule::most> free_stretch{}, free_bend{};
@@ -69,7 +69,7 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
     return joined(r, Vec<S, 1>{along});
   }
 
-  // Of the axis, which does not move with the material.
+  // Motion of the axis, which does not move with the material.
   template <class S>
   static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
     return Cable::section(p.physicsLength, cable_of(x), local);
@@ -139,7 +139,7 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
     if (F::damping(k) != 0) stress += F::damping(k) * strain_rate<F>(k, at.fields, at.rates);
     return stress;
   }
-  // On the local vectors of the cable, and on the way of the material.
+  // Forces on the local vectors of the cable, and on the displacement of the material.
   template <class S>
   struct Elastic {
     Vectors<S, 2, 3> forces{};
@@ -177,7 +177,7 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
         }
   }
 
-  // What outputs of the cable read.
+  // Data for outputs of the cable.
   struct Section {
     const Parameters& p;
     const Coordinates<double, size>& x;

@@ -15,7 +15,7 @@ struct ObjectANCFBeam : NoDoubt {
 
   static void check(const Parameters& p, const ItemLabel& item) { check_element_length(p.physicsLength, item); }
 
-  // Masses per direction: of the axis, of both slopes, and between these.
+  // Masses per direction: of the axis, of both slopes, and their coupling.
   struct SectionMass {
     double axis = 0, slope_y = 0, slope_z = 0, between = 0;
     bool operator==(const SectionMass&) const = default;
@@ -67,7 +67,7 @@ struct ObjectANCFBeam : NoDoubt {
     }
 
    private:
-    // Of r, r_y, r_z at the first node, then at the second.
+    // Vectors r, r_y, r_z at the first node, then at the second.
     static constexpr int vector(int i) { return i % 3 == 0 ? 0 : i < 3 ? i : i - 1; }
     static constexpr double share(int i, double length) { return i == 0 ? -1 / length : i == 3 ? 1 / length : 1.0; }
     template <class S>
@@ -77,7 +77,7 @@ struct ObjectANCFBeam : NoDoubt {
     }
   };
 
-  // Strains and curvatures in the axes of the section: of r', r_y, r_z, L r_y', L r_z'.
+  // Strains and curvatures in section axes, from r', r_y, r_z, L r_y', L r_z'.
   struct Bending {
     static constexpr int fields = 5, strains = 6, stresses = 6;
     using Shape = ShapeNumbers<5, 5>;
@@ -99,7 +99,8 @@ struct ObjectANCFBeam : NoDoubt {
       const Mat3<S> rotation = Axes::rotation(frame);
       return joined(transposed_times(rotation, at[0]), transposed_times(rotation, Vec3<S>((1 / k.length) * Axes::spin(frame, at[3], at[4]))));
     }
-    // The moment acts on the frame along the axis, and so on slopes and on their derivatives; so does the force, which turns with it.
+    // The moment acts on the frame along the axis, and so on slopes and their derivatives; so does the force, which
+    // rotates with it.
     template <class S>
     static Vectors<S, 3, 5> pull_back(const Constants& k, const Vectors<S, 3, 5>& at, const Vec<S, 6>& stress) {
       const auto frame = Axes::frame(at[1], at[2]);
@@ -184,7 +185,7 @@ struct ObjectANCFBeam : NoDoubt {
   }
 
  private:
-  // Between vectors i and j of r, r_y, r_z at both nodes, which are linear along the axis.
+  // Mass between vectors i and j of r, r_y, r_z at both nodes, which are linear along the axis.
   static double mass(const SectionMass& m, int i, int j) {
     const int a = i % 3, b = j % 3;
     const double share = i / 3 == j / 3 ? 1. / 3 : 1. / 6;

@@ -35,7 +35,7 @@ struct ObjectANCFCable : AncfCableAxis<3> {
   using CallingFamilies = Families;
   static bool calls(const Parameters&) { return false; }
 
-  // The axis at local[0]: there is no orientation, and points beside the axis have no position.
+  // Motion of the axis at local[0]: there is no orientation, and points away from the axis have no position.
   template <class S>
   static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
     const auto shape = hermite::values(local[0] / p.physicsLength, p.physicsLength);

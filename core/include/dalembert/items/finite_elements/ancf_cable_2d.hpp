@@ -11,7 +11,7 @@ struct ObjectANCFCable2D : AncfCableAxis<2> {
   using Parameters = ObjectANCFCable2DParameters;
   static constexpr bool constant_jacobian = false, oriented = true;
 
-  // Arguments of both user functions: what belongs to the own strain, then the other strain.
+  // Arguments of both user functions: data of the respective strain, then the other strain.
   template <class S>
   static Vec<S, 1> called(const UserFunction& f, const Context& c, double position, const Vec<S, 1>& e, const Vec<S, 1>& e_t,
                           const Vec<double, 1>& e_0, double stiffness, double damping, const Vec<S, 1>& other, const Vec<S, 1>& other_t,

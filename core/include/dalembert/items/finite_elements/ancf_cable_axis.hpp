@@ -1,6 +1,6 @@
-// What ObjectANCFCable and ObjectANCFCable2D share, specs/finite_elements/ancf_cable.toml and ancf_cable_2d.toml: a cubic axis on
-// two nodes with position and slope, in D dimensions. Strains are those of r' and r'', which depend on three vectors only: the
-// chord (r1 - r0) / L and both nodal slopes.
+// Common part of ObjectANCFCable and ObjectANCFCable2D, specs/finite_elements/ancf_cable.toml and ancf_cable_2d.toml:
+// a cubic axis on two nodes with position and slope, in D dimensions. Strains depend on r' and r'', that is on three
+// vectors only: the chord (r1 - r0) / L and both nodal slopes.
 #pragma once
 
 #include "dalembert/contracts/strain_points.hpp"
@@ -13,12 +13,12 @@ struct AncfCableAxis : NoDoubt {
   static constexpr int size = 4 * D, node_size = 2 * D;
   static constexpr bool constant_mass = true;
 
-  using Shape = ShapeNumbers<2, 3>;  // of r' and L r''
+  using Shape = ShapeNumbers<2, 3>;  // factors for r' and L r''
   static constexpr Shape hermite_shape(double xi) { return {hermite::slope(xi), hermite::bend(xi)}; }
   struct Rule {
     StrainPoints<Shape> stretching, bending;
   };
-  // By the parameter useReducedOrderIntegration.
+  // Indexed by the parameter useReducedOrderIntegration.
   static constexpr std::array<Rule, 3> rules{{{tabulated(gauss_5, hermite_shape), tabulated(gauss_3, hermite_shape)},
                                               {tabulated(gauss_4, hermite_shape), tabulated(gauss_2, hermite_shape)},
                                               {tabulated(lobatto_3, hermite_shape), tabulated(gauss_2, hermite_shape)}}};
@@ -78,7 +78,7 @@ struct AncfCableAxis : NoDoubt {
     }
 
    private:
-    // Which vector r0, r0', r1, r1' belong to, and with what factor.
+    // Assigns r0, r0', r1, r1' to a vector, with a factor.
     static constexpr int vector(int i) { return i == 1 ? 1 : i == 3 ? 2 : 0; }
     static constexpr double share(int i, double length) { return i == 0 ? -1 / length : i == 2 ? 1 / length : 1.0; }
     template <class S>

@@ -35,7 +35,7 @@ struct ObjectANCFThinPlate : NoDoubt {
   using Place = Vec<double, 2>;
   static Place along(const auto&, const Vec3<double>& local) { return {local[0], local[1]}; }
 
-  // Of a unit slope in x and y at each node, in halves.
+  // Scales of a unit slope in x and y at each node, in halves.
   struct Scales {
     std::array<double, 4> x, y;
     bool operator==(const Scales&) const = default;
@@ -62,7 +62,7 @@ struct ObjectANCFThinPlate : NoDoubt {
     for (int i = 0; i < 12; ++i) sum += shape[i] * segment<3>(q, 3 * i);
     return sum;
   }
-  // Of values at the nodes, or of the same value everywhere.
+  // Interpolates nodal values, or a constant.
   template <class V>
   static auto at_place(const std::vector<V>& values, const Place& at) {
     if (values.size() == 1) return values[0];
@@ -102,7 +102,7 @@ struct ObjectANCFThinPlate : NoDoubt {
     return k;
   }
   static bool calls(const Parameters&) { return false; }
-  static bool damped(const Constants&) { return false; }  // by strain rates
+  static bool damped(const Constants&) { return false; }  // argument: strain rates
 
   // All vectors of all nodes, as they are.
   struct Map : NoLieRotations {
@@ -137,7 +137,8 @@ struct ObjectANCFThinPlate : NoDoubt {
     }
   };
 
-  // Of r_x, r_y, r_xx, r_yy, r_xy: strains and shear of the mid-surface, curvatures and twice the twist, with engineering's factors.
+  // Strains and shear of the mid-surface, curvatures and twice the twist, with engineering factors, from r_x, r_y,
+  // r_xx, r_yy, r_xy.
   struct Surface {
     static constexpr int fields = 5, strains = 6, stresses = 6;
     static constexpr bool uses(int, int) { return true; }
@@ -203,7 +204,7 @@ struct ObjectANCFThinPlate : NoDoubt {
   template <class S>
   static Vec<S, size> mass_load(const Parameters& p, const Coordinates<S, size>&, const Vec3<S>& g) {
     const Constants k = constants(p);
-    return vector_of<size>([&](int i) {  // positions of all nodes move alike when the plate does
+    return vector_of<size>([&](int i) {  // positions of all nodes move equally with the plate
       return S((k.mass[i / 3][0] + k.mass[i / 3][3] + k.mass[i / 3][6] + k.mass[i / 3][9]) * g[i % 3]);
     });
   }
@@ -272,7 +273,7 @@ struct ObjectANCFThinPlate : NoDoubt {
   }
 
  private:
-  // Of the reference configuration: area by unit of the local coordinates, and their derivatives in the tangent plane.
+  // Reference configuration: area per unit of the local coordinates, and their derivatives in the tangent plane.
   struct Tangents {
     double area, xi_x, xi_y, eta_y;
 

@@ -24,7 +24,7 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
     return {p.physicsLength, half * s.massPerLength, half * s.inertia, s.stiffnessMatrix, s.dampingMatrix};
   }
 
-  // One node seen from the other, d and phi, as a screw: the axis is a helix, along which strains are constant.
+  // One node relative to the other, d and phi, as a screw: the axis is a helix with constant strains.
   struct Screw {
     static constexpr int fields = 2, strains = 6, stresses = 6;
     using Shape = ShapeNumbers<2, 2>;
@@ -84,7 +84,7 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
       }
       return Map::pull_back(x, w);
     }
-    // On the group, where rates are spins.
+    // Derivative on the group, where rates are spins.
     template <class T>
     static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>& x, const Weights& w, Mat<T, size, size>& r) {
       for (int n = 0; n < nodes; ++n) {
@@ -103,7 +103,7 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
       return Map::pull_back(x, w);
     }
 
-    // Velocities are derivatives by time, along which both nodes move; so are accelerations, which only outputs ask for.
+    // Velocities are time derivatives with motion of both nodes; so are accelerations, which only outputs use.
     template <class S>
     static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
       constexpr bool twice = std::is_same_v<S, double>;
@@ -145,7 +145,7 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
               .angular_velocity = axis_of(of_axes(1) * back),
               .angular_acceleration = axis_of(of_axes(2) * back)};
     }
-    // The wrench acts on the first node as if all were rigid, and on d and phi by what these move.
+    // The wrench acts on the first node as on a rigid body, and on d and phi by their variations.
     template <class S>
     static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local, const Vec3<S>& force,
                                   const Vec3<S>& moment) {
@@ -176,7 +176,7 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
     }
 
    private:
-    // Of the skew part.
+    // Axial vector of the skew-symmetric part.
     template <class S>
     static Vec3<S> axis_of(const Mat3<S>& m) {
       return {0.5 * (m(2, 1) - m(1, 2)), 0.5 * (m(0, 2) - m(2, 0)), 0.5 * (m(1, 0) - m(0, 1))};

@@ -32,7 +32,8 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
     else return {4 * xi - 3, 4 - 8 * xi, 4 * xi - 1};
   }
 
-  // Position and angle interpolated alike. One point less than there are nodes: shear does not lock.
+  // Position and angle have the same interpolation. The number of points is one less than that of nodes, which avoids
+  // shear locking.
   template <int nodes>
   struct On {
     static constexpr int size = 3 * nodes, node_size = 3, points = nodes - 1;
@@ -42,7 +43,7 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
     struct Constants {
       double length = 1, mass = 0, inertia = 0;
       Mat3<double> stiffness, damping;
-      // What the angles of the nodes lack to the angle of the section, at each point.
+      // Difference between the section angle and the interpolated nodal angles, at each point.
       std::array<double, points> offset{};
       bool operator==(const Constants&) const = default;
     };
@@ -237,7 +238,7 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
 
     static Mat3<double> diagonal(double a, double b, double c) { return {a, 0, 0, 0, b, 0, 0, 0, c}; }
 
-    // Without the reference angles of the nodes, sections are normal to the reference axis.
+    // Reference angles of the nodes are optional: by default, sections are normal to the reference axis.
     static double offset(const Parameters& p, double xi) {
       if (p.includeReferenceRotations) return 0;
       const auto slope = slopes<nodes>(xi);

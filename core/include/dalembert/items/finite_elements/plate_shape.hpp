@@ -8,9 +8,9 @@
 
 namespace dalembert {
 
-// On the square from -1 to 1, with corners in the order (-1, -1), (1, -1), (1, 1), (-1, 1).
+// Shape functions on the square from -1 to 1, with corners in the order (-1, -1), (1, -1), (1, 1), (-1, 1).
 struct PlateShape {
-  using Shares = std::array<double, 12>;  // of position, slope in x and slope in y, node by node
+  using Shares = std::array<double, 12>;  // shares of position, slope in x and slope in y, node by node
 
   static constexpr std::array<double, 4> bilinear(double xi, double eta) {
     const auto x = linear(xi, 0), y = linear(eta, 0);
@@ -37,7 +37,7 @@ struct PlateShape {
     if (derivative == 1) return {-0.5, 0.5};
     return {0, 0};
   }
-  // Of value and slope at both ends, of a side of unit length.
+  // Cubic polynomials for value and slope at both ends of a side of unit length.
   static constexpr std::array<double, 4> cubic(double t, int derivative) {
     const double s = 0.5 * (1 + t);
     if (derivative == 0) return hermite::values(s, 1);

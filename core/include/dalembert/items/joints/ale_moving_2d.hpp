@@ -30,7 +30,8 @@ struct ObjectJointALEMoving2D : AlongCable<ObjectJointALEMoving2DParameters> {
         if (p.usePenaltyFormulation) x.equations[i] -= (1 / p.penaltyStiffness) * x.unknowns[i];
       }
     }
-    const Vec<S, 2> force{-x.unknowns[0], -x.unknowns[1]};  // on the material of the cable; the body feels the opposite
+    // force on the material of the cable; the body receives the opposite
+    const Vec<S, 2> force{-x.unknowns[0], -x.unknowns[1]};
     const std::span<S> on_cable = x.forces(cable);
     for (int i = 0; i < 2; ++i) {
       x.forces(body)[i] -= force[i];

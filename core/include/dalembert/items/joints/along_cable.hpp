@@ -1,4 +1,4 @@
-// What joints share that stand on a chain of cable elements, one of which acts at a time.
+// Common part of joints on a chain of cable elements, one of which acts at a time.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace dalembert {
 
 template <class P>
 struct AlongCable : SwitchesAndSettles {
-  enum Marker { body = 0, cable = 1 };  // of those that act
+  enum Marker { body = 0, cable = 1 };  // index among the acting markers
   enum Data { current_element = 0, start_of_step = 1 };
-  static constexpr double round_off = 1e-12;  // of places, relative to an element
+  static constexpr double round_off = 1e-12;  // tolerance of positions, relative to an element
 
   // The body, the cable that it was put on (the data coordinate says where it is now), and all cables.
   static ActingMarkers acting(const P&, int markers) {

@@ -110,7 +110,7 @@ struct ObjectJointGeneric : Holonomic, VaryingDirections {
     return evaluate<6>(f, c, arguments);
   }
 
-  // Which axis a of the first frame has to be normal to which axis b of the second, and in which equation.
+  // Pairs of orthogonal axes: axis a of the first frame, axis b of the second, and the number of the equation.
   template <class F>
   static void for_each_product(const Parameters& p, F&& f) {
     constexpr int x = 0, y = 1, z = 2;

@@ -13,7 +13,7 @@ struct ObjectJointRevoluteZ : JointOfTable<ObjectJointRevoluteZ>, ConstrainsAll,
   using Port = RigidPort;
   static constexpr ConstraintForms closed_forms{.reaction = true, .table = true};
   static constexpr int equations = 5;
-  static constexpr bool fixed_directions = true;  // of the translations
+  static constexpr bool fixed_directions = true;  // directions of the translations
 
   static constexpr std::array<JointRow, 5> rows{JointRow{JointEquation::Kind::displacement, 0},
                                                 {JointEquation::Kind::displacement, 1},

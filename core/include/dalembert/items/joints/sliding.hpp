@@ -15,7 +15,7 @@ struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
     const Cable<S> here(p, c, x, x.unknowns[way]);
-    Vec3<S> force, couple;  // on position and slope of the cable; the body feels the opposite of the first
+    Vec3<S> force, couple;  // on position and slope of the cable; the body receives the opposite of the force
     for (int i = 0; i < 3; ++i)
       if (p.constrainTranslations[static_cast<std::size_t>(i)]) force[i] = -x.unknowns[static_cast<std::size_t>(first_force + i)];
     each_axis(p, x, [&](const Vec3<S>& axis, const S& multiplier, int) { couple -= multiplier * axis; });
@@ -63,7 +63,7 @@ struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0
 
   template <class S>
   static void set_equations(const Parameters& p, const Context& c, Exchange<S>& x, const Cable<S>& here, const Vec3<S>& force) {
-    for (std::size_t i = turns(p) ? 7 : 4; i-- > 1;) x.equations[i] = x.unknowns[i];  // of what is free
+    for (std::size_t i = turns(p) ? 7 : 4; i-- > 1;) x.equations[i] = x.unknowns[i];  // inactive equations
     x.equations[way] = -dot(force, here.slope);
     if (p.axialForce != 0) x.equations[way] -= p.axialForce * norm(here.slope);
     each_axis(p, x, [&](const Vec3<S>& axis, const S& multiplier, int row) {

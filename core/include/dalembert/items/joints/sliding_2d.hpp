@@ -17,7 +17,7 @@ struct ObjectJointSliding2D : SlidingAlongCable<ObjectJointSliding2DParameters, 
     const Cable<S> here(p, c, x, x.unknowns[way]);
     const Vec<S, 2> normal = across(here.slope);
     const Vec<S, 2> multipliers{x.unknowns[0], x.unknowns[1]};
-    // Of the position and the slope of the cable; the body feels the opposite of the first.
+    // Forces on the position and the slope of the cable; the body receives the opposite of the force.
     Vec<S, 2> force, couple{};
     if (p.classicalFormulation) {
       force = -multipliers;
@@ -58,8 +58,8 @@ struct ObjectJointSliding2D : SlidingAlongCable<ObjectJointSliding2DParameters, 
     return {v[0], v[1]};
   }
 
-  // The y axis of the body is normal to the slope: t n = 0. As the body turns when it slides along a curved cable, the moment
-  // comes with a force along the cable: the joint does no work.
+  // The y axis of the body is normal to the slope: t n = 0. The body rotates when it slides along a curved cable, so
+  // the moment is accompanied by a force along the cable: the joint does no work.
   template <class S>
   static void add_rotation(const Parameters& p, Exchange<S>& x, const Cable<S>& here, Vec<S, 2>& force, Vec<S, 2>& couple) {
     const S& multiplier = x.unknowns[rotation];

@@ -1,4 +1,5 @@
-// What joints share that slide along a chain of cable elements: the place of a body on the cable, its rates, and how it passes on.
+// Common part of joints that slide along a chain of cable elements: the position of a body on the cable, its rates,
+// and its passage between elements.
 #pragma once
 
 #include <vector>

@@ -50,7 +50,7 @@ struct MarkerBodyCable2DShape {
     if (cable.moves_along) generalised[8] += force[2 * points(p)];
     for (int i = 0; i < points(p); ++i, force += 2) {
       const CubicHermite<double> at = place(p, cable, i);
-      Vec<S, 2> couple{};  // on the slope, by the lever arm of the offset
+      Vec<S, 2> couple{};  // on the slope, from the lever arm of the offset
       if (p.verticalOffset != 0) {
         const Vec<S, 2> slope = curve<2>(at.slope, q);
         const S square = dot(slope, slope), moment = -p.verticalOffset / norm(slope) * (slope[0] * force[0] + slope[1] * force[1]);

@@ -16,7 +16,7 @@ namespace dalembert {
 // Position and slope of its axis at both ends are its coordinates, and perhaps the way of the material along the axis.
 template <int D>
 struct CableBody {
-  double length = 1;  // of the axis, in the reference configuration without strain
+  double length = 1;  // length of the unstrained axis in the reference configuration
   bool moves_along = false;
   double way_in_reference = 0;
 
@@ -33,7 +33,7 @@ struct CableBody {
     refuse(ErrorKind::value, {marker, "bodyNumber", "", "an " + std::string(body.name),
                               D == 2 ? "a planar cable, ObjectANCFCable2D or ObjectALEANCFCable2D" : "a spatial cable, ObjectANCFCable", ""});
   }
-  // Of its first point.
+  // Motion of its first point.
   static Motion<double> begin(const double* q, const double* v, const double* a) {
     const auto point = [](const double* x) { return Vec3<double>{x[0], x[1], D == 2 ? 0 : x[2]}; };
     return {.position = point(q), .velocity = point(v), .acceleration = point(a)};

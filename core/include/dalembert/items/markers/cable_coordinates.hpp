@@ -1,5 +1,5 @@
-// What MarkerBodyCable2DCoordinates and MarkerBodyBeamShape share: all coordinates of a cable, their rates and its length; the way of the
-// material along the axis counts from the reference configuration.
+// Common part of MarkerBodyCable2DCoordinates and MarkerBodyBeamShape: all coordinates of a cable, their rates and
+// its length; the displacement of the material along the axis is relative to the reference configuration.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Node1D, specs/nodes/one_d.toml: one coordinate, with a meaning that the body on it gives.
+// Node1D, specs/nodes/one_d.toml: one coordinate, whose meaning depends on the body.
 #pragma once
 
 #include "dalembert/contracts/element.hpp"

@@ -1,4 +1,5 @@
-// NodePointSlope1, specs/nodes/point_slope1.toml: position and slope vector; one vector is no orientation.
+// NodePointSlope1, specs/nodes/point_slope1.toml: position and slope vector; one vector does not define an
+// orientation.
 #pragma once
 
 #include "dalembert/contracts/element.hpp"

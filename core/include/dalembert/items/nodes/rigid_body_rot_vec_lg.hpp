@@ -44,7 +44,7 @@ struct NodeRigidBodyRotVecLG : NoCheck, NoNodeOutputs {
     return moment;
   }
 
-  // By increments on the group: rotation exp(increment).
+  // Derivatives with respect to increments on the group: rotation exp(increment).
   static RotationTangent<3> rotation_tangent(const Coordinates<double, size>& x, const Weights& w) {
     const Vec3<double> spin = segment<3>(x.v, 3);
     RotationTangent<3> t{.rotation = rotation(x), .spin = spin, .spin_map = identity()};

@@ -1,5 +1,5 @@
-// What NodePointSlope12 and NodePointSlope23 share, specs/nodes/point_slope12.toml and point_slope23.toml: position and two slope
-// vectors, which span the frame of the node.
+// Common part of NodePointSlope12 and NodePointSlope23, specs/nodes/point_slope12.toml and point_slope23.toml:
+// position and two slope vectors, which define the frame of the node.
 #pragma once
 
 #include <string>

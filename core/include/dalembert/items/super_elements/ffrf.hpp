@@ -1,6 +1,6 @@
 // ObjectFFRF, specs/super_elements/ffrf.toml: a body frame F, in whose axes all nodes of a mesh move.
 //
-// With w and w_t, the spin of F and its rate, and a, the acceleration of its origin, all in the axes of F, mesh node i, at y_i = x_i + q_i,
+// Let w and w_t be the spin of F and its rate, and a the acceleration of its origin, all in the axes of F. Mesh node i, at y_i = x_i + q_i,
 // accelerates by
 //
 //      a + w_t x y + w x (w x y) + 2 w x q_t + q_tt .
@@ -14,18 +14,18 @@
 
 namespace dalembert {
 
-// The mass matrix row by row, and what follows from it.
+// The mass matrix row by row, and derived data.
 struct MeshInertia {
   struct Entry {
     int column;
     double mass;
   };
   int coordinates = 0;
-  std::vector<std::size_t> begins = {};       // of the rows among the entries, and the end
+  std::vector<std::size_t> begins = {};  // starts of the rows among the entries, and the end
   std::vector<Entry> entries = {};
   std::vector<Mat3<double>> whole = {};       // by node: its forces of an acceleration of all
   std::vector<double> rest = {};              // reference positions of the nodes
-  std::vector<double> force = {};             // on frame and nodes, in global axes
+  std::vector<double> force = {};  // on frame and nodes, in global axes
 };
 
 struct ObjectFFRF {
@@ -56,7 +56,7 @@ struct ObjectFFRF {
   struct On;
 };
 
-// On the node that is its frame.
+// Coordinates of the node that is its frame.
 template <class Node>
 struct ObjectFFRF::On : ObjectFFRF {
   using Frame = Node;
@@ -113,7 +113,7 @@ struct ObjectFFRF::On : ObjectFFRF {
     }
     return sum;
   }
-  // Those on the nodes are turned into the frame.
+  // Forces on the nodes are transformed to the frame.
   template <class S>
   static void subtract_force(const MeshInertia& k, const Mat3<S>& A_0F, std::span<S> r) {
     if (k.force.empty()) return;

@@ -1,6 +1,6 @@
 // ObjectFFRFreducedOrder, specs/super_elements/ffrf_reduced_order.toml: a body frame F, in whose axes the mesh deforms by modes.
 //
-// With w and w_t, the spin of F and its rate, and a, the acceleration of its origin, all in the axes of F, a point of the mesh that
+// Let w and w_t be the spin of F and its rate, and a the acceleration of its origin, all in the axes of F. A point of the mesh that
 // is at y = x + Psi zeta accelerates by
 //
 //      a + w_t x y + w x (w x y) + 2 w x (Psi zeta_t) + Psi zeta_tt .
@@ -18,16 +18,16 @@
 
 namespace dalembert {
 
-// The integrals, such that what is multiplied by modal coordinates lies side by side.
+// The integrals, ordered such that products with modal coordinates read contiguous memory.
 struct ModalInertia {
   bool acts = false;
   int modes = 0;
   double mass = 0;
   Vec3<double> moment{};   // mass times centre of mass
-  Mat3<double> inertia{};  // of the undeformed body, about the origin of the frame
-  std::vector<Vec3<double>> moments, arms;  // by mode, mPhitTPsi and mXRefTildePsi
-  std::vector<Mat3<double>> inertias;       // by mode, mXRefTildePsiTilde
-  std::vector<double> crossed, products;    // by mode, 3 and 9 rows of modes: mPsiTildePsi, mPsiTildePsiTilde
+  Mat3<double> inertia{};  // inertia of the undeformed body, about the origin of the frame
+  std::vector<Vec3<double>> moments, arms;  // per mode, mPhitTPsi and mXRefTildePsi
+  std::vector<Mat3<double>> inertias;  // per mode, mXRefTildePsiTilde
+  std::vector<double> crossed, products;  // per mode, 3 and 9 rows of modes: mPsiTildePsi, mPsiTildePsiTilde
 
   std::span<const double> rows(const std::vector<double>& of, int first, int count) const {
     return {of.data() + static_cast<std::size_t>(first * modes), static_cast<std::size_t>(count * modes)};
@@ -66,7 +66,7 @@ struct ObjectFFRFreducedOrder {
   struct On;
 };
 
-// On the node that is its frame.
+// Coordinates of the node that is its frame.
 template <class Node>
 struct ObjectFFRFreducedOrder::On : ObjectFFRFreducedOrder {
   using Frame = Node;
@@ -110,7 +110,8 @@ struct ObjectFFRFreducedOrder::On : ObjectFFRFreducedOrder {
   }
 
  private:
-  // -int (x + Psi zeta)~ Psi_j~, whose symmetric part is half of what mode j does to the inertia.
+  // The integral -int (x + Psi zeta)~ Psi_j~, whose symmetric part is half of the derivative of the inertia with
+  // respect to mode j.
   template <class S>
   static Mat3<S> inertia_by(const ModalInertia& k, int j, const SizedVector<S>& zeta) {
     Mat3<S> n = Mat3<S>{} + k.inertias[j];
