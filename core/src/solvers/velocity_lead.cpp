@@ -95,8 +95,11 @@ bool SecondOrderSolver::accelerations_alternate() {
   const State& now = current();
   const std::vector<double>& accelerations = newmark() ? now.a : algorithmic_;
   const double h = it.currentStepSize;
-  if (lead_.step_size != h) lead_.equal_steps = 0;
-  lead_.step_size = h;
+  if (lead_.step_size != h) {
+    lead_.equal_steps = 0;
+    lead_.step_size = h;
+    lead_.negligible_speed = negligible_way * system().extent() / h;
+  }
   lead_.change.resize(now.a.size());
   lead_.accelerations.resize(now.a.size());
   double difference = 0, velocity = 0, acceleration = 0;
@@ -108,7 +111,7 @@ bool SecondOrderSolver::accelerations_alternate() {
     velocity += now.v[i] * now.v[i];
     acceleration += now.a[i] * now.a[i];
   }
-  lead_.largest_speed = std::max({lead_.largest_speed, negligible_way * system().extent() / h, std::sqrt(velocity), scale_of_rest * h * std::sqrt(acceleration)});
+  lead_.largest_speed = std::max({lead_.largest_speed, lead_.negligible_speed, std::sqrt(velocity), scale_of_rest * h * std::sqrt(acceleration)});
   const double tolerated = tolerated_velocity(spectral_radius, left_out()) * lead_.largest_speed;
   return ++lead_.equal_steps > 2 && 0.25 * h * std::sqrt(difference) > tolerated;
 }

@@ -158,6 +158,7 @@ class SecondOrderSolver : public NewtonSolver {
     double coarse_since = 0, not_led_since = 0;
     std::optional<bool> begins_open;    // initial values contradict the constraints
     double step_size = 0;               // of the last steps
+    double negligible_speed = 0;        // for this size
     int equal_steps = 0;                // in a row
     int steps_to_wait = 0;              // until velocities across constraints are evaluated again
     std::vector<double> accelerations, change;  // algorithmic ones at the end of the last step, and their change in it
