@@ -95,7 +95,7 @@ class ExplicitSolver : public Solver {
   double scaled_error(double second, double first, double old) const;
   void diagnose_error_control() override;
   void tell_of_switches();
-  // ---- stiffness (stiffness.cpp) -------------------------------------------------------------------------------------
+  // ---- stiffness (explicit_stiffness.cpp) ------------------------------------------------------------------------------
   double eigenvalue_along_error();
   double stability_limit() const;
   bool at_stability_limit(double step_size);

@@ -1,0 +1,168 @@
+// Mechanisms that pass positions in which they could go on in more ways than one, such as a four-bar that lies flat.
+//
+// Velocities decide where they go, and do not jump. Accelerations and multipliers have noise there, which grows as steps become smaller:
+// estimated errors are made of it, and a step that ends in the very place does not know where to go on. So steps stay large.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "dalembert/solvers/constrained_motion.hpp"
+#include "dalembert/solvers/redundant_constraints.hpp"
+#include "dalembert/solvers/solver.hpp"
+#include "dalembert/system/large_vectors.hpp"
+#include "diagnosis/diagnosis.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// A singular position takes the weakest constraint to zero; elsewhere it changes by less than this. Where it has begun in one, nothing is usual,
+// and only what is much closer to it counts.
+constexpr double weaker_by = 100, smallest_growth = 100, growth_beside_start = 1e4, singular_growth = 1e14;
+constexpr double largest_relative_turn = 0.1;  // of the velocities in a step, relative to their size
+constexpr double most_noise = 1e4;       // in units of the tolerances
+constexpr double not_to_be_trusted = 100;
+
+}  // namespace
+
+void Solver::compare_constraints_with(const State& state) {
+  compared_with_ = sizes_.ae > 0 ? state : State();
+  usual_growth_ = 0;
+}
+
+[[gnu::noinline]] bool Solver::near_singular_position() {
+  if (sizes_.ae == 0 || redundant_constraints().in_use()) return false;
+  if (usual_growth_ == 0) {
+    const double growth = growth_of_multipliers(system(), compared_with_, conditions_);
+    usual_growth_ = growth < singular_growth ? std::max(growth, smallest_growth) : growth_beside_start;
+    compared_with_ = State();
+  }
+  return growth_of_multipliers(system(), current(), conditions_) > weaker_by * usual_growth_;
+}
+
+[[gnu::noinline]] bool Solver::has_weak_constraints() {
+  return sizes_.ae > 0 && growth_of_multipliers(system(), current(), conditions_) > weaker_by * smallest_growth;
+}
+
+[[gnu::noinline]] bool Solver::passes_singular_position(double error) {
+  if (sizes_.ae == 0 || !(error <= most_noise)) return false;
+  const State &now = current(), &start = start_of_step();
+  double turn = 0, speed = 0;
+  for (std::size_t i = 0; i < now.v.size(); ++i) {
+    turn += (now.v[i] - start.v[i]) * (now.v[i] - start.v[i]);
+    speed += start.v[i] * start.v[i];
+  }
+  const bool turns = !(turn <= largest_relative_turn * largest_relative_turn * speed);
+  if ((turns && warned_of_rest_) || !near_singular_position()) return false;
+  if (turns) {
+    warn_of_rest();
+    return false;
+  }
+  passing_singular_position();
+  if (error > not_to_be_trusted) ++it.stepsAboveTolerance;
+  return true;
+}
+
+[[gnu::noinline]] bool Solver::steps_aside() {
+  constexpr int most_times = 6;
+  if (std::exchange(aside_step_, it.currentStepIndex) != it.currentStepIndex) times_aside_ = 0;
+  return times_aside_ < most_times && near_singular_position() && ++times_aside_ > 0;
+}
+
+[[gnu::noinline]] bool Solver::stays_in_singular_position() {
+  constexpr int most_steps = 1000;
+  if (passing_steps_ < most_steps) return false;
+  passing_steps_ = 0;
+  diagnose_singular_position();
+  return true;
+}
+
+void Solver::diagnose_singular_position() {
+  diagnose(FailureReason::singular_position).advice = advice_on_singular_position();
+}
+
+std::vector<std::string> Solver::advice_on_singular_position() const {
+  std::vector<std::string> advice = {"use larger steps, which lead beyond it: larger tolerances, or equal steps (timeIntegration.automaticStepSize=False)"};
+  if (!keeps_positions())
+    advice.emplace_back("keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can go");
+  advice.emplace_back("where the motion starts there, start further from this position, or faster: forces that turn slow velocities within 1e-3 of the size "
+                      "of the model decide by round-off how it goes on");
+  return advice;
+}
+
+namespace {
+
+// Combinations of which less is left than the square of this are those of a position that is not further away, relative to the size of the model;
+// they are none of those that are there at the larger distance as well.
+constexpr double close_to_position = 1e-4, away_from_position = 1e-2;
+constexpr int most_equations = 1000;  // thousands of combinations would take longer to name than the solution has taken
+
+}  // namespace
+
+std::vector<std::string> Solver::items_in_singular_position() {
+  Conditions conditions = conditions_;
+  conditions.rate_level = false;
+  const double eps = close_to_position * close_to_position, moment_length = settings_->redundantConstraints.momentLength;
+  const RedundantConstraints here = dalembert::redundant_constraints(*system_, current(), conditions, moment_length, eps);
+  if (here.count() == 0) return {};
+  ConstrainedMotion motion;
+  prepare(motion);
+  const State away = motion.moved_by(away_from_position, *system_, current(), conditions);
+  const RedundantConstraints there = dalembert::redundant_constraints(*system_, away, conditions, moment_length, eps);
+  system_->reactions_are_known(here.equations());
+  const bool has_left = redundant_constraints().in_use() && there.count() < redundant_constraints().count();  // what always follows from others
+  if (has_left || !(there.count() < here.count())) return {};
+  // Items that could leave out as many elsewhere may take part all the same, where all do.
+  const std::vector<RedundantConstraints::Item> always = there.items(*system_);
+  std::vector<std::string> more, all;
+  for (const RedundantConstraints::Item& item : here.items(*system_)) {
+    const auto same = std::ranges::find(always, item.object, &RedundantConstraints::Item::object);
+    all.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " follow from others in this position");
+    if (same == always.end() || same->removable < item.removable) more.push_back(all.back());
+  }
+  return more.empty() ? all : more;
+}
+
+[[gnu::noinline]] void Solver::name_singular_position() {
+  const FailureReason reason = diagnosis_.reason;
+  const bool may_be = reason == FailureReason::newton || reason == FailureReason::open_constraints || reason == FailureReason::error_control;
+  if (is_static() || sizes_.ae == 0 || sizes_.ae > most_equations || !settings_->redundantConstraints.treat) return;
+  if (!may_be && reason != FailureReason::singular_position && reason != FailureReason::round_off) return;
+  std::vector<std::string> items = items_in_singular_position();
+  if (items.empty()) return;
+  shorten(items);
+  diagnosis_.dependent = std::move(items);
+  if (!may_be) return;
+  diagnosis_.reason = FailureReason::singular_position;
+  diagnosis_.advice = advice_on_singular_position();
+}
+
+// Velocities that vanish do not decide where a mechanism goes.
+[[gnu::noinline]] void Solver::warn_of_rest() {
+  warned_of_rest_ = true;
+  std::vector<std::string> items = sizes_.ae <= most_equations ? items_in_singular_position() : std::vector<std::string>();
+  system_->reactions_are_known({});
+  warn(name() + ": the motion comes nearly to rest beside a singular position, where the mechanism could go on in more ways than one" + position_text() +
+       "; which one it takes may follow from errors within the tolerances. Compare with smaller ones, or with equal steps of half the size" +
+       (items.empty() ? "" : ":" + indented(std::move(items))));
+}
+
+[[gnu::noinline]] void Solver::warn_of_undecided_start() {
+  if (std::exchange(warned_of_undecided_start_, true)) return;
+  warn(name() + ": the motion starts in a singular position, where the mechanism could go on in more ways than one; "
+       "which one it takes could not be told, and the accelerations and reactions at the start are those of the way that its velocities point to, or the "
+       "smallest that constraints allow. Start a little beside this position, or with smaller forces and stiffness");
+}
+
+[[gnu::noinline]] void Solver::passing_singular_position() {
+  const StepCount last = std::exchange(singular_position_step_, it.currentStepIndex);
+  if (last == it.currentStepIndex) return;
+  constexpr StepCount few = 10;
+  passing_steps_ = last + few < it.currentStepIndex ? 1 : passing_steps_ + 1;
+  ++it.singularPositionSteps;
+  if (verbose(1) && last + 1 != it.currentStepIndex)
+    say(1, "  passing a singular position, where the mechanism could go on in more ways than one" + position_text() + "\n");
+}
+
+}  // namespace dalembert

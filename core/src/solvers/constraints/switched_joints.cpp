@@ -1,0 +1,34 @@
+// Constraints that functions of the user have switched on or off between steps, as they may at any time.
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "constraints/constraint_states.hpp"
+#include "dalembert/solvers/solver.hpp"
+
+namespace dalembert {
+
+// Equations that are off say what their multipliers are. What they were before the first change is not known, as functions of the user would have
+// to be asked for it in each solution.
+[[gnu::noinline]] void Solver::look_for_switched_joints() {
+  renewed_constraints_ = system_->renewed_constraints();
+  State with = without_multipliers(current());
+  std::vector<double> without(with.lambda.size()), gaps(without.size());
+  system_->gaps(with, conditions_, without);
+  std::ranges::fill(with.lambda, 1.0);
+  system_->gaps(with, conditions_, gaps);
+  std::vector<char> off(without.size());
+  std::ranges::transform(gaps, without, off.begin(), std::not_equal_to());
+  if (off == equations_off_) return;
+  equations_off_ = std::move(off);
+  conv.jacobianUpdateRequested = true;
+  examine_constraints_anew();
+}
+
+// What is known of them already is what they are now.
+void Solver::joints_are_examined() {
+  renewed_constraints_ = system_->renewed_constraints();
+  equations_off_.clear();
+}
+
+}  // namespace dalembert

@@ -1,0 +1,493 @@
+// Steps that end where functions of the user change their sign, where items switch, or at times that are known beforehand.
+//
+// The place is found first on the Hermite polynomial through both ends of the step, then by steps that end there: the method of
+// Dowell and Jarratt (Illinois), BIT 11 (1971).
+#include "control/events.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "constraints/constraint_states.hpp"
+#include "dalembert/model/errors.hpp"
+#include "dalembert/model/model.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
+#include "dalembert/solvers/open_constraints.hpp"
+#include "dalembert/solvers/solver.hpp"
+#include "dalembert/system/system_term.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr int most_solutions = 40;    // for one event; each takes as much as a step
+constexpr int most_in_a_row = 20;     // events of one function, close to each other
+constexpr double close_of_user = 1, close_of_item = 2;  // in steps; a contact that is shorter than a step takes little more
+constexpr int most_rounds = 10;       // in which items settle at the start
+constexpr int inner_points = 3;       // of a step, where functions may have changed their sign twice
+constexpr double leaves_zero = 10;    // times what was left at the event
+constexpr double on_zero = 1e-10;     // of the value at the start: the end of the step is where the function of a user vanishes, but for round-off
+
+int sign(double x) { return (x > 0) - (x < 0); }
+
+// A place between two values of different sign.
+struct Bracket {
+  double a = 0, b = 1, at_a = 0, at_b = 0;
+  int moved = 0;  // last, to the right or to the left
+  // A function that begins at zero has no place to be found before.
+  double estimate() const { return at_a == 0 ? b : at_a == at_b ? 0.5 * (a + b) : b - at_b * (b - a) / (at_b - at_a); }
+  // The value of the end that stays is halved when it stays a second time.
+  void take(double x, double value, bool beyond) {
+    if (beyond) {
+      if (moved > 0) at_a *= 0.5;
+      b = x;
+      at_b = value;
+    } else {
+      if (moved < 0) at_b *= 0.5;
+      a = x;
+      at_a = value;
+    }
+    moved = beyond ? 1 : -1;
+  }
+};
+
+}  // namespace
+
+// ---- what is known at the start of a step ------------------------------------------------------------------------------
+
+void EventWatch::begin(std::vector<WatchedValue> values) {
+  start_ = std::move(values);
+  dead_band_.assign(start_.size(), -1);
+  last_time_.assign(start_.size(), -std::numeric_limits<double>::infinity());
+  in_a_row_.assign(start_.size(), 0);
+  events_over(std::vector(start_));
+}
+
+bool EventWatch::just_after_event() const {
+  return std::ranges::any_of(dead_band_, [](double band) { return band >= 0; });
+}
+
+bool EventWatch::counts(int event, double value) const { return std::abs(value) > dead_band_[static_cast<std::size_t>(event)]; }
+
+// The sign of zero is that of the next value.
+void EventWatch::go_on(const std::vector<WatchedValue>& values) {
+  for (std::size_t i = 0; i < start_.size(); ++i) {
+    if (values[i].value == 0 || !counts(static_cast<int>(i), values[i].value)) continue;
+    start_[i] = values[i];
+    dead_band_[i] = -1;
+  }
+}
+
+void EventWatch::events_over(const std::vector<WatchedValue>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i].holds) continue;
+    const double size = std::abs(values[i].value);
+    if (values[i].value > values[i].noise) continue;
+    start_[i].value = 0;
+    dead_band_[i] = std::max(leaves_zero * size, values[i].noise);
+  }
+  for (const Event& event : events) {
+    const auto i = static_cast<std::size_t>(event.number);
+    if (values[i].holds) continue;
+    start_[i].value = 0;
+    dead_band_[i] = leaves_zero * std::abs(event.left);
+  }
+  events.clear();
+  go_on(values);
+}
+
+int EventWatch::count_repeated(double time) {
+  int repeated = -1;
+  for (const Event& event : events) {
+    const auto i = static_cast<std::size_t>(event.number);
+    const double steps = i < users.value_or(0) ? close_of_user : close_of_item;
+    in_a_row_[i] = time - last_time_[i] <= steps * regular_step_size ? in_a_row_[i] + 1 : 0;
+    last_time_[i] = time;
+    if (in_a_row_[i] >= most_in_a_row) repeated = event.number;
+  }
+  return repeated;
+}
+
+std::vector<EventWatch::Event> EventWatch::changed(std::span<const WatchedValue> values) const {
+  std::vector<Event> found;
+  for (std::size_t i = 0; i < start_.size(); ++i) {
+    if (values[i].holds) {
+      if (values[i].value < 0 && counts(static_cast<int>(i), values[i].value)) found.push_back({static_cast<int>(i), -1, values[i].value});
+      continue;
+    }
+    const bool lands = i < users.value_or(0) && std::abs(values[i].value) <= on_zero * std::abs(start_[i].value);
+    const int before = sign(start_[i].value), direction = (lands ? -before : sign(values[i].value)) - before;
+    if (before == 0 || direction == 0 || values[i].direction * direction < 0) continue;
+    found.push_back({static_cast<int>(i), sign(direction), values[i].value});
+  }
+  return found;
+}
+
+std::vector<double> EventWatch::numbers() const {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < start_.size(); ++i)
+    numbers.insert(numbers.end(), {start_[i].value, dead_band_[i], last_time_[i], static_cast<double>(in_a_row_[i])});
+  return numbers;
+}
+
+void EventWatch::take_numbers(std::span<const double> numbers, const std::string& file) {
+  if (numbers.size() != numbers_per_function * start_.size()) {
+    throw ModelError(ErrorKind::value, "restart file '" + file + "': received " + std::to_string(numbers.size() / numbers_per_function) +
+                                           " event functions; expected " + std::to_string(start_.size()) + ". Go on with the model and settings of before");
+  }
+  for (std::size_t i = 0; i < start_.size(); ++i) {
+    const double* own = &numbers[numbers_per_function * i];
+    start_[i].value = own[0];
+    dead_band_[i] = own[1];
+    last_time_[i] = own[2];
+    in_a_row_[i] = static_cast<int>(own[3]);
+  }
+}
+
+// ---- steps -------------------------------------------------------------------------------------------------------------
+
+// Of the user, then those of items; until they are asked for again.
+const std::vector<WatchedValue>& Solver::event_values(std::vector<Switch>& of_items) {
+  std::vector<WatchedValue>& values = look_->values;
+  values.clear();
+  if (hooks().events) {
+    const TimedPart time(timer, timer.python);
+    const Told told(*this);
+    for (const EventValue& value : hooks().events(current().time)) values.push_back({value});
+  }
+  std::optional<std::size_t>& users = watch_->users;
+  if (!users) users = values.size();
+  if (values.size() != *users) {
+    throw ModelError(ErrorKind::value, "mbs.EventsUserFunction: received " + std::to_string(values.size()) + " values; expected " +
+                                           std::to_string(*users) + ", as at the start. Return one value per event, always");
+  }
+  if (!locates_switches()) return values;
+  of_items.clear();
+  system_->find_switches(current(), conditions_, of_items);
+  for (const Switch& at : of_items) values.push_back({{at.value, at.kink ? 0 : -1}, !at.kink, at.noise});
+  return values;
+}
+
+void Solver::warn_of_missing_switches(bool located) {
+  const bool wanted = settings_->events.ofItems;
+  if (located || !(wanted || hooks().item_event_action)) return;
+  const std::string who = hooks().item_event_action ? "mbs.ItemEventActionUserFunction" : "events.ofItems";
+  warn(who + " has no effect: " + (!wanted ? "events of items are not looked for (simulationSettings.events.ofItems=False)"
+                                  : is_static() ? "static solvers have no events" : "no item of this model has events of its own"));
+}
+
+void Solver::begin_to_watch_events() {
+  watch_.reset();
+  const bool locates = settings_->events.ofItems && !is_static() && system_->has_switches();
+  warn_of_missing_switches(locates);
+  iterates_without_ = locates ? System::Updates::without_switches : System::Updates::all;
+  if (!hooks().events && !hooks().schedule && !locates) return;
+  watch_ = std::make_unique<EventWatch>();
+  look_ = std::make_unique<EventLook>();
+  system_->forget_switches();
+  const auto wrong = [](const WatchedValue& value) { return value.holds && value.value < 0; };
+  if (locates && !continues() && std::ranges::any_of(event_values(), wrong)) {  // data coordinates are not those of the initial state
+    settle_switches();
+    renew_accelerations();
+  }
+  watch_->begin(event_values());
+  if (!hooks().schedule) return;
+  hooks().schedule->begin(current(), is_static());
+  if (continues()) return;
+  hooks().schedule->act(current());
+  renew_accelerations();  // those that are known may be under forces of the last solution
+}
+
+// ---- times that are known beforehand -----------------------------------------------------------------------------------
+
+namespace {
+
+double round_off_of(double time) { return 8 * std::numeric_limits<double>::epsilon() * std::abs(time); }
+
+}  // namespace
+
+void Solver::end_as_scheduled() {
+  if (!watch_) throw ModelError(ErrorKind::state, name() + ": sampled controllers act while solver.SolveSteps(...) solves the steps, not in single parts of it");
+  constexpr double last_stretch = 1e-6;  // of a step, which no step is made for
+  const double end = hooks().schedule->next(), start = start_of_step().time;
+  if (end > it.endTime || it.currentTime < end - std::max(round_off_of(end), last_stretch * it.currentStepSize)) return;
+  if (std::abs(it.currentTime - end) > round_off_of(end)) {
+    watch_->unscheduled_step_size = std::max(watch_->unscheduled_step_size, it.currentStepSize);
+    steps_.use(conditions_.step_size = end - start);
+  }
+  it.currentTime = current().time = end;
+}
+
+// What it changes are forces: accelerations jump.
+void Solver::act_as_scheduled() {
+  steps_.use(std::max(it.currentStepSize, std::exchange(watch_->unscheduled_step_size, 0.0)));
+  if (hooks().schedule->act(current()) || step_was_cut()) renew_accelerations();
+}
+
+bool Solver::step_was_cut() const { return !it.automaticStepSize && it.currentStepSize > largest_growth * conditions_.step_size; }
+
+// ---- switches of items ---------------------------------------------------------------------------------------------------
+
+// One item that switches may make others do so.
+void Solver::settle_switches() {
+  const auto unsettled = [](const WatchedValue& value) { return value.holds && value.value < -value.noise; };
+  int rounds = 0;
+  do switch_over();
+  while (++rounds < most_rounds && std::ranges::any_of(event_values(), unsettled));
+  if (system_->searches()) search();
+}
+
+// At the end of a step: items go on with what they have come to, those that switch and those that do not.
+[[gnu::noinline]] void Solver::switch_over() {
+  if (locates_switches()) system_->switch_over(current(), conditions_);
+}
+
+// Another end for the step that has just been solved; false: it fails.
+bool Solver::solve_again(double step_size) {
+  reset_to_start_of_step();
+  current().data = start_of_step().data;
+  if (system_->searches()) system_->restore_history();
+  it.currentTime = current().time = start_of_step().time;
+  steps_.use(step_size);
+  ++it.eventSolutions;
+  return try_step();
+}
+
+namespace {
+
+// Places of the step, as parts of it, where functions are looked at. One that was zero at an event may be so again very soon.
+std::span<const double> places_to_look(bool after_event) {
+  static constexpr std::array places{1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.25, 0.5, 0.75, 1.0};
+  return std::span(places).last(after_event ? places.size() : inner_points + 1);
+}
+
+}  // namespace
+
+// Part of the step after which functions have changed their sign, as far as the Hermite polynomial tells; negative: none. `seen` becomes
+// what is known of them at the last place before, at part `before`.
+double Solver::look_into_step(double& before) {
+  const State& end = look_->end;
+  EventWatch& seen = look_->seen;
+  StepInterpolation& between = look_->between;
+  between.prepare(*system_, start_of_step(), end, false, false);
+  const double start = start_of_step().time, h = end.time - start;
+  const auto values_at = [&](double part) -> const std::vector<WatchedValue>& {
+    if (part == 1) current() = end;
+    else between.evaluate(start + part * h, current());
+    return event_values();
+  };
+  double found = -1;
+  before = 0;
+  for (const double part : places_to_look(seen.just_after_event())) {
+    const std::vector<WatchedValue>& values = values_at(part);
+    const auto changed = seen.changed(values);
+    if (changed.empty()) {
+      seen.go_on(values);
+      before = part;
+      continue;
+    }
+    const int event = changed.front().number;
+    const int sign_before = sign(seen.at_start(event));
+    if (sign_before == 0) {
+      found = part;
+      break;
+    }
+    Bracket bracket{.a = before, .b = part, .at_a = seen.at_start(event), .at_b = changed.front().left};
+    for (int k = 0; k < most_solutions && bracket.b - bracket.a > 1e-12; ++k) {
+      const double x = std::clamp(bracket.estimate() + 1e-12, bracket.a, bracket.b);
+      const double value = values_at(x)[static_cast<std::size_t>(event)].value;
+      bracket.take(x, value, sign(value) != sign_before);
+      if (std::abs(bracket.estimate() - x) < 1e-12) break;
+    }
+    found = bracket.b;
+    break;
+  }
+  current() = end;
+  return found;
+}
+
+// After a step has been solved: it ends with the first event, on its far side. False: a step on the way has failed.
+bool Solver::end_with_event() {
+  if (!hooks().events && !locates_switches()) return true;
+  EventWatch& watch = *watch_;
+  watch.events.clear();
+  std::vector<WatchedValue>& values = look_->at_end;
+  EventWatch& seen = look_->seen;
+  values = event_values();
+  look_->end = current();
+  seen = watch;
+  const double end = current().time, whole = end - start_of_step().time, next = it.currentStepSize;
+  double before = 0;
+  const double guess = look_into_step(before);
+  if (guess < 0) {
+    std::swap(watch, seen);
+    return true;
+  }
+  watch.regular_step_size = it.automaticStepSize ? std::min(next, std::max(whole, it.minStepSize)) : next;
+  const double close = std::max(1e-11 * whole, 8 * std::numeric_limits<double>::epsilon() * std::abs(end));
+  double a = before * whole, b = whole, x = std::clamp(guess * whole + close, close, whole);
+  std::vector<Bracket> brackets;
+  for (std::size_t i = 0; i < values.size(); ++i) brackets.push_back({.a = a, .b = b, .at_a = seen.at_start(static_cast<int>(i)), .at_b = values[i].value});
+  watch.events = seen.changed(values);
+  bool beyond = !watch.events.empty(), before_is_known = a == 0;  // or the polynomial has told it
+  for (int i = 0; i < most_solutions; ++i) {
+    if (x < b || watch.events.empty()) {
+      if (!solve_again(x)) return false;
+      values = event_values();
+      const auto changed = seen.changed(values);
+      beyond = !changed.empty();
+      if (beyond) watch.events = changed;
+      (beyond ? b : a) = x;
+      before_is_known |= !beyond;
+      for (std::size_t k = 0; k < brackets.size(); ++k) brackets[k].take(x, values[k].value, beyond);
+    }
+    if (watch.events.empty()) {  // the polynomial was wrong
+      if (!solve_again(whole)) return false;
+      steps_.use(next);
+      watch.go_on(event_values());
+      return true;
+    }
+    double root = b;
+    for (const EventWatch::Event& event : watch.events) root = std::min(root, brackets[static_cast<std::size_t>(event.number)].estimate());
+    if (b - std::max(root, a) <= 2 * close || b - a <= 2 * close) {
+      if (std::exchange(before_is_known, true)) break;
+      a = root = 0;
+      for (Bracket& bracket : brackets) bracket = {.a = 0, .b = b, .at_a = bracket.at_a, .at_b = bracket.at_b};
+      x = 0.5 * b;
+      continue;
+    }
+    x = std::clamp(root + close, a + close, b - close);
+  }
+  if (!beyond) {
+    if (!solve_again(b)) return false;
+    watch.events = seen.changed(event_values());
+  }
+  steps_.use(watch.regular_step_size);
+  return true;
+}
+
+bool Solver::event_reached() const {
+  return !watch_->events.empty() || (hooks().schedule && it.currentTime >= hooks().schedule->next());
+}
+
+namespace {
+
+// Whether items have to switch because of what an action has done, in which their functions do not pass zero.
+bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedValue>& before) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i].holds && values[i].value < std::min(before[i].value, -values[i].noise)) return true;
+  return false;
+}
+
+}  // namespace
+
+// At the end of a step, which has been written: actions of the user, and a new start from the state that they leave.
+[[gnu::noinline]] void Solver::act_on_events() {
+  EventWatch& watch = *watch_;
+  const double time = current().time;
+  if (hooks().schedule && time >= hooks().schedule->next()) act_as_scheduled();
+  if (watch.events.empty()) return;
+  it.eventsCount += static_cast<StepCount>(watch.events.size());
+  const int repeated = watch.count_repeated(time);
+  const bool acts = hooks().event_action || hooks().item_event_action, settles = acts && locates_switches();
+  const std::vector<double> gaps = acts ? gaps_and_rates() : std::vector<double>();
+  const std::vector<double> positions = acts ? current().q : std::vector<double>();
+  std::vector<Switch> at_end;  // those of the events are as they were when it happened
+  const std::vector<WatchedValue> before = settles ? event_values(at_end) : std::vector<WatchedValue>();
+  for (const EventWatch::Event& event : watch.events) {
+    if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + position_text() + "\n");
+    if (!let_user_act(event.number, event.direction)) stop_ = output.simulationStoppedByUserFunction = true;
+  }
+  const bool changed = acts || locates_switches();
+  if (changed) {
+    conv.jacobianUpdateRequested = true;
+    if (system_->searches()) search();
+    if (acts) {
+      joints_are_examined();
+      examine_constraints_anew();
+    }
+    if (acts && gaps_and_rates() != gaps) end_velocities_against_constraints(current().q == positions);
+    if (settles && jumps(event_values(), before)) {
+      start_of_step() = current();
+      settle_switches();
+    }
+  }
+  if (changed || step_was_cut()) renew_accelerations();
+  if (repeated >= 0) diagnose_chatter(repeated);
+  watch.events_over(event_values());
+}
+
+// False: the solver stops.
+bool Solver::let_user_act(int event, int direction) {
+  const bool of_user = event < static_cast<int>(*watch_->users);
+  if (of_user ? !hooks().event_action : !hooks().item_event_action) return true;
+  const TimedPart part(timer, timer.python);
+  const Told told(*this);
+  bool goes_on = true;
+  if (of_user) {
+    goes_on = hooks().event_action(current().time, event, direction);
+  } else {
+    const Switch& at = switches_[static_cast<std::size_t>(event) - *watch_->users];
+    goes_on = hooks().item_event_action(current().time, {at.item, at.owner == nullptr ? "" : at.owner->name_of_part(at.part), at.what, at.kink ? direction : at.direction});
+  }
+  if (!goes_on) say(1, std::string(of_user ? "EventAction" : "ItemEventAction") + "UserFunction returned False: the solver stops\n");
+  return goes_on;
+}
+
+std::vector<double> Solver::gaps_and_rates() {
+  const auto n = static_cast<std::size_t>(sizes_.ae);
+  std::vector<double> gaps(2 * n);
+  if (n == 0) return gaps;
+  const State still = without_multipliers(current());
+  for (const bool of_rates : {false, true}) system_->gaps(still, at_level(conditions_, of_rates), std::span(gaps).subspan(of_rates ? n : 0, n));
+  return gaps;
+}
+
+// That an action has left, as a plastic impact of the joints does: by the smallest change in the metric of the masses.
+[[gnu::noinline]] void Solver::end_velocities_against_constraints(bool keeps_positions) {
+  if (sizes_.ae == 0 || is_static() || !enforces_constraints()) return;
+  State moved = current();
+  ConstrainedMotion own, *motion = motion_under_constraints();
+  if (motion == nullptr) {
+    prepare(own);
+    motion = &own;
+  } else if (motion->is_examined()) {
+    motion->examine(*system_, moved, conditions_);  // actions switch constraints on and off
+  }
+  const int row = motion->factorize(*system_, moved, conditions_);
+  if (row == LinearSolver::success && motion->project(*system_, moved, conditions_)) {
+    std::ranges::copy(moved.v, current().v.begin());  // in place: there are views of them
+    if (!keeps_positions) std::ranges::copy(moved.q, current().q.begin());
+  }
+  warn_of_actions_against_constraints(row);
+}
+
+std::string Solver::describe_event(int event) const {
+  const auto users = static_cast<int>(*watch_->users);
+  if (event < users) return "event " + std::to_string(event) + " of mbs.EventsUserFunction";
+  return describe_switch(switches_[static_cast<std::size_t>(event - users)]);
+}
+
+std::string Solver::describe_switch(const Switch& at) const {
+  if (at.owner != nullptr) return std::string("event '") + at.what + "' of " + at.owner->name_of_part(at.part);
+  const std::string item = environment_->model == nullptr ? "object " + std::to_string(at.item) : environment_->model->describe(ItemKind::object, at.item);
+  return std::string("event '") + at.what + "' of " + item;
+}
+
+[[gnu::noinline]] void Solver::diagnose_chatter(int event) {
+  conv.stepReductionFailed = true;
+  const std::string what = describe_event(event) + " has come " + std::to_string(most_in_a_row) + " times, each within " + (event < static_cast<int>(*watch_->users) ? "a step" : "two steps") + " of the one before: ";
+  Diagnosis& d = diagnose(FailureReason::event_chatter);
+  if (event < static_cast<int>(*watch_->users)) {
+    d.advice = {what + "let its action end what repeats ever faster, for example bring the body to rest below a small velocity",
+                "check that the action does not leave the value of the event function at zero"};
+  } else {
+    d.advice = {what + "give the item damping that ends what repeats, or less stiffness",
+                "use smaller steps (timeIntegration.numberOfSteps), or settle many changes at once, in the step that they lie in (events.ofItems=False)"};
+  }
+}
+
+}  // namespace dalembert

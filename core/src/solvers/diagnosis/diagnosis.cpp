@@ -1,0 +1,374 @@
+// What a solver can tell about its failure.
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <numeric>
+#include <utility>
+
+#include "constraints/constraint_states.hpp"
+#include "dalembert/model/model.hpp"
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
+#include "dalembert/solvers/redundant_constraints.hpp"
+#include "dalembert/solvers/solver.hpp"
+#include "constraints/dependent_equations.hpp"
+#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/finite.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr std::size_t most_named = 5, most_items = 10;
+
+struct Part {
+  const char* name;  // as methods of systemData are named
+  std::vector<double> State::*vector;
+};
+// Causes come before what follows from them.
+constexpr Part parts[] = {{"Data", &State::data},    {"ODE2", &State::q},     {"ODE2_t", &State::v}, {"ODE1", &State::y},
+                          {"AE", &State::lambda},    {"ODE2_tt", &State::a},  {"ODE1_t", &State::y_t}};
+
+int first_row_of(const Sizes& sizes, std::vector<double> State::*vector) {
+  if (vector == &State::y || vector == &State::y_t) return sizes.ode2;
+  return vector == &State::lambda ? sizes.first_ae() : 0;
+}
+
+// Outputs that say what a connector or joint does to its markers.
+constexpr OutputVariableType efforts[] = {OutputVariableType::Force, OutputVariableType::Torque, OutputVariableType::ForceLocal,
+                                          OutputVariableType::TorqueLocal};
+
+// Whether `read(values)` gives a number that is not finite; what cannot be read is not to blame.
+template <class Read>
+bool gives_not_finite(Read&& read) {
+  std::vector<double> values;
+  try {
+    read(values);
+  } catch (const std::exception&) {
+    return false;
+  }
+  return !all_finite(values);
+}
+
+// One line per item, with its equations: their descriptions differ in what follows the last blank.
+std::vector<std::string> describe_equations(const System& system, std::span<const int> rows) {
+  std::vector<std::string> lines;
+  std::string item, numbers, text;
+  const auto finish = [&] {
+    if (!numbers.empty()) lines.push_back("rows " + numbers + ": " + text);
+  };
+  for (const int row : rows) {
+    const std::string described = system.describe_row(row);
+    const auto blank = described.rfind(' ');
+    if (const std::string owner = described.substr(0, blank); owner == item) {
+      numbers += ", " + std::to_string(row);
+      text += "," + described.substr(blank);
+    } else {
+      finish();
+      item = owner;
+      numbers = std::to_string(row);
+      text = described;
+    }
+  }
+  finish();
+  return lines;
+}
+
+}  // namespace
+
+std::string indented(std::vector<std::string> lines) {
+  shorten(lines);
+  std::string text;
+  for (const std::string& line : lines) text += "\n  " + line;
+  return text;
+}
+
+void shorten(std::vector<std::string>& lines) {
+  if (lines.size() <= most_items) return;
+  const std::size_t more = lines.size() - most_items;
+  lines.resize(most_items);
+  lines.push_back("and " + std::to_string(more) + " more");
+}
+
+Diagnosis& Solver::diagnose(FailureReason reason) {
+  diagnosis_ = Diagnosis();
+  Diagnosis& d = diagnosis_;
+  d.reason = reason;
+  d.solver = name();
+  d.step = it.currentStepIndex;
+  d.newton_iteration = it.newtonSteps;
+  d.time = it.currentTime;
+  d.step_size = it.currentStepSize;
+  d.load_factor = is_static() ? load_factor() : 1;
+  d.residual = conv.residual;
+  d.relative_residual = initial_residual_ > 0 ? conv.residual / initial_residual_ : 0;
+  d.tolerance_relative = newton_settings.relativeTolerance;
+  d.tolerance_absolute = newton_settings.absoluteTolerance;
+  if (conv.linearSolverFailed && conv.linearSolverCausingRow >= 0) {
+    d.singular_row = conv.linearSolverCausingRow;
+    if (settings_->linearSolverSettings.showCausingItems) d.singular_items = system_->describe_row(d.singular_row);
+    d.advice = {"look for redundant constraints, coordinates without mass or stiffness, and zero parameters at these items",
+                settings_->redundantConstraints.treat
+                    ? "hold what can move without inertia or stiffness, by a constraint or a weak spring: redundant constraints alone are no obstacle"
+                    : "use redundantConstraints.treat=True to go on with redundant constraints"};
+  }
+  return d;
+}
+
+void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
+  Diagnosis& d = diagnose(reason);
+  if (reason == FailureReason::discontinuous) {
+    d.residual = conv.discontinuousIterationError;
+    d.newton_iteration = it.discontinuousIteration;
+    d.relative_residual = d.tolerance_relative = 0;
+    d.tolerance_absolute = discontinuous.iterationTolerance;
+  }
+  add_largest(d.values, residual, "equation", 0);
+  d.advice.push_back(is_static() ? "use more load steps (staticSolver.numberOfLoadSteps)"
+                                 : "use smaller steps (timeIntegration.numberOfSteps)");
+  d.advice.push_back("check initial values, and parameters of the items named above for wrong units");
+  if (newton_settings.useModifiedNewton) d.advice.push_back("use full Newton (newton.useModifiedNewton=False)");
+  if (reason == FailureReason::discontinuous) d.advice.push_back("allow more discontinuous.maxIterations");
+}
+
+[[gnu::noinline]] void Solver::diagnose_singular_matrix(const Pattern& pattern, std::span<const double> values) {
+  std::vector<int> free = free_unknowns(pattern, values);
+  std::erase_if(free, [this](int row) { return row >= sizes_.first_ae(); });
+  diagnose(free.empty() ? FailureReason::singular_matrix : FailureReason::free_direction);
+  if (!settings().linearSolverSettings.showCausingItems) return;
+  diagnosis_.free = describe_equations(system(), free);
+  diagnosis_.dependent = describe_equations(system(), dependent_equations(pattern, values));
+}
+
+[[gnu::noinline]] void Solver::warn_of_free_motion(std::span<const int> rows) {
+  warn(name() + ": other states are in balance as well, as nothing resists a motion of:" + indented(describe_equations(system(), rows)) +
+       "\n  Hold it by a constraint or a weak spring, unless any of these states will do.");
+}
+
+[[gnu::noinline]] void Solver::warn_of_velocities(std::span<const int> rows, double largest_force) {
+  warn(name() + ": velocities are not zero, and what answers them (damping, inertia) is part of this balance, with up to " +
+       number(largest_force) + " in:" + indented(describe_equations(system(), rows)) +
+       "\n  For an equilibrium at rest, begin without velocities (initialVelocities, mbs.systemData.SetODE2Coordinates_t).");
+}
+
+[[gnu::noinline]] void Solver::diagnose_open_gaps() {
+  std::vector<double> gaps(static_cast<std::size_t>(sizes_.ae));
+  system().gaps(current(), conditions_, gaps);
+  const RedundantConstraints& constraints = redundant_constraints();
+  if (constraints.in_use() && constraints.count() > 0) {
+    const std::vector<double> misfit = constraints.misfit(gaps);
+    if (2 * constraints.largest(misfit) > constraints.largest(gaps)) return diagnose_contradiction(misfit);
+  }
+  if (has_weak_constraints()) return diagnose_singular_position();
+  Diagnosis& d = diagnose(FailureReason::open_constraints);
+  add_largest(d.values, gaps, "equation", sizes_.first_ae());
+  d.advice = {"use smaller steps (timeIntegration.numberOfSteps, minimumStepSize)",
+              "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
+}
+
+// Joints that fit at the start do so in any motion that they allow, unless something drives them apart: what opens then is the motion's. Where
+// rates are constrained, what is left of them tells nothing of the gaps that there are. Static solutions close gaps of the start.
+bool Solver::has_left_constraints(std::span<const double> misfit) {
+  return have_fitted(is_static() ? start_of_step() : initial(), misfit) &&
+         std::ranges::none_of(driven_equations(system(), initial(), conditions_, last_time()), [](char d) { return d != 0; });
+}
+
+bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
+  constexpr double none = 1e-3;
+  const RedundantConstraints& constraints = redundant_constraints();
+  const auto apart = [&](const State& state) { return constraints.largest_apart(gaps_of_positions(system(), state, conditions_)); };
+  return apart(at) < none * (conditions_.rate_level ? apart(current()) : constraints.largest_apart(misfit));
+}
+
+[[gnu::noinline]] void Solver::diagnose_contradiction(std::span<const double> misfit) {
+  // Actions may have closed a joint that does not fit.
+  const bool begun_before = largest_misfit_ > RedundantConstraints::silent_misfit || have_fitted(start_of_step(), misfit);
+  if (begun_before && has_left_constraints(misfit)) {
+    Diagnosis& d = diagnose(FailureReason::open_constraints);
+    add_largest(d.values, misfit, "equation", sizes_.first_ae());
+    if (is_static()) {
+      d.advice = {"joints have fitted together before this step; Newton's method has gone to where they do not: use more load steps "
+                  "(staticSolver.numberOfLoadSteps), which may become as small as staticSolver.minimumStepSize says",
+                  "where the mechanism is to snap through, or has to swing far, find the equilibrium by a dynamic solution with damping"};
+      return;
+    }
+    d.advice = {"joints have fitted together at the start; the motion has left what they allow, more with each step: use smaller steps "
+                "(timeIntegration.numberOfSteps), or numerical damping (generalizedAlpha.spectralRadius below 1)",
+                "let steps end on the constraints (exu.DynamicSolverType.ESDIRK43, DOPRI5)", "see how far the energy has drifted (mbs.Report())"};
+    return;
+  }
+  Diagnosis& d = diagnose(FailureReason::contradiction);
+  add_largest(d.values, misfit, "equation", sizes_.first_ae());
+  d.dependent = redundant_constraints().contradictions(misfit, system());
+  d.advice = {"move or turn the markers of the joints named above until they fit, or free equations that others state as well",
+              "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the mechanism)"};
+}
+
+// One line per item, the worst equation of each.
+[[gnu::noinline]] void Solver::warn_of_contradiction(std::span<const double> misfit) {
+  if (!told_contradiction_.empty() || (is_static() && has_left_constraints(misfit))) return;
+  const RedundantConstraints& constraints = redundant_constraints();
+  std::vector<std::string> lines;
+  for (const System::EquationOwner& owner : system().equation_owners()) {
+    int worst = -1;
+    double largest = RedundantConstraints::silent_misfit;
+    for (int k = owner.first; k < owner.first + owner.count; ++k) {
+      const double size = std::abs(misfit[static_cast<std::size_t>(k)]) / constraints.unit(k);
+      if (size > largest) {
+        largest = size;
+        worst = k;
+      }
+    }
+    if (worst >= 0)
+      lines.push_back(system().describe(owner) + ", equation " + std::to_string(worst - owner.first) + ": " +
+                      format_number(misfit[static_cast<std::size_t>(worst)]));
+  }
+  const char* text = has_left_constraints(misfit) ? "the motion leaves what redundant constraints allow, although they have fitted together at the start; by now by:"
+                                                  : "redundant constraints contradict each other; what the closest fit leaves open:";
+  told_contradiction_ = text + indented(std::move(lines));
+  warn(name() + ": " + told_contradiction_);
+}
+
+// Where round-off has hidden which constraints are redundant, it is what has grown; gaps may hide it as well, and are told by themselves.
+[[gnu::noinline]] void Solver::advise_on_weak_constraints() {
+  const RedundantConstraints& constraints = redundant_constraints();
+  if (constraints.certain() || constraints.allows_for_gaps()) return;
+  Diagnosis& d = diagnosis_;
+  if (d.dependent.empty()) {
+    for (const auto& item : constraints.items(system()))
+      d.dependent.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out");
+    shorten(d.dependent);
+  }
+  d.advice.insert(d.advice.begin(),
+                  "some constraint equations are hardly independent of others (by " + number(constraints.weakest()) +
+                      "), so that round-off may hide which are redundant: free equations that others state as well "
+                      "(mbs.ComputeSystemDegreeOfFreedom() lists them by object), or make one body of those that cannot move against each other");
+}
+
+void Solver::add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const {
+  const auto larger = [](double x, double y) {  // in size; what is not a number comes first
+    if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && !std::isnan(y);
+    return std::abs(x) > std::abs(y);
+  };
+  std::vector<int> order(numbers.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto count = std::min(order.size(), most_named);
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](int i, int j) { return larger(numbers[i], numbers[j]); });
+  for (const int i : std::span(order).first(count)) {
+    if (numbers[i] != 0) list.push_back({i, numbers[i], vector, system_->describe_row(first_row + i)});
+  }
+  std::ranges::stable_sort(list, larger, &NamedValue::value);
+  list.resize(std::min(list.size(), most_named));
+}
+
+std::vector<NamedValue> Solver::not_finite(const State& state) const {
+  std::vector<NamedValue> found;
+  for (const Part& part : parts) {
+    const std::vector<double>& numbers = state.*part.vector;
+    if (all_finite(numbers)) continue;
+    for (std::size_t i = 0; i < numbers.size() && found.size() < most_named; ++i) {
+      if (std::isfinite(numbers[i])) continue;
+      const int index = static_cast<int>(i);
+      found.push_back({index, numbers[i], part.name,
+                       part.vector == &State::data ? describe_data(index)
+                                                   : system_->describe_row(first_row_of(sizes_, part.vector) + index)});
+    }
+  }
+  return found;
+}
+
+std::string Solver::describe_data(int index) const {
+  if (environment_->model == nullptr) return "";
+  for (int node = 0; node < environment_->model->count(ItemKind::node); ++node) {
+    const std::vector<int> own = system_->node_ltg(node, System::Coordinates::data);
+    if (const auto at = std::ranges::find(own, index); at != own.end())
+      return environment_->model->describe(ItemKind::node, node) + ", data coordinate " + std::to_string(at - own.begin());
+  }
+  return "";
+}
+
+void Solver::diagnose_not_finite(std::span<const double> residual) {
+  std::vector<NamedValue> values = not_finite(current());
+  const bool follows = values.empty() || values.front().vector == "ODE2_tt" || values.front().vector == "ODE1_t";
+  std::vector<std::string> sources;
+  if (follows) sources = sources_of_not_finite();
+  if (values.empty()) add_largest(values, residual, "equation", 0);
+  const bool finite = std::ranges::all_of(values, [](const NamedValue& v) { return std::isfinite(v.value); });
+  Diagnosis& d = diagnose(finite ? FailureReason::unbounded : FailureReason::not_finite);
+  d.values = std::move(values);
+  d.sources = std::move(sources);
+  d.singular_row = -1;
+  d.advice.clear();
+  if (it.currentStepIndex > 0) advise_on_growth();
+  d.advice.push_back("check initial values, parameters and user functions of the items named above: divisions by zero, roots of negative "
+                     "numbers, wrong units");
+}
+
+void Solver::advise_on_growth() {
+  diagnosis_.advice.push_back(is_static() ? "use more load steps (staticSolver.numberOfLoadSteps)"
+                                          : "use smaller steps (timeIntegration.numberOfSteps)");
+}
+
+// Loads and connectors whose values are not finite in the current state, although its coordinates are.
+std::vector<std::string> Solver::sources_of_not_finite() {
+  std::vector<std::string> found;
+  if (environment_->model == nullptr) return found;
+  const Model& model = *environment_->model;
+  const auto ask = [&](ItemKind kind, int number, auto&& read) {
+    if (found.size() < most_named && gives_not_finite(read)) found.push_back(model.describe(kind, number));
+    return found.size() < most_named;
+  };
+  for (int i = 0; i < model.count(ItemKind::load); ++i) {
+    if (!ask(ItemKind::load, i, [&](std::vector<double>& x) { system_->load_values(i, current().time, x); })) return found;
+  }
+  for (int i = 0; i < model.count(ItemKind::object); ++i) {
+    const auto outputs = model.item(ItemKind::object, i).type->outputs;
+    const auto effort = std::ranges::find_first_of(outputs, efforts);
+    if (effort == outputs.end()) continue;
+    if (!ask(ItemKind::object, i, [&](std::vector<double>& x) { system_->object_output(i, *effort, ConfigurationType::Current, x); })) break;
+  }
+  return found;
+}
+
+bool Solver::starts_finite() {
+  const State& first = system_->state(ConfigurationType::Initial);
+  std::vector<NamedValue> values = not_finite(first);
+  if (values.empty()) return true;
+  it.currentTime = is_static() ? settings_->staticSolver.loadStepStart : settings_->timeIntegration.startTime;
+  Diagnosis& d = diagnose(FailureReason::not_finite);
+  d.values = std::move(values);
+  d.advice = {"set finite initial values: initialCoordinates and initialVelocities of the nodes named above, or "
+              "mbs.systemData.SetODE2Coordinates(..., exu.ConfigurationType.Initial) and its siblings"};
+  return false;
+}
+
+[[gnu::noinline]] void Solver::time_is_over() {
+  stop_ = output.simulationTimeout = true;
+  const std::string limit = format_number(hooks().timeout) + " seconds";
+  diagnose(FailureReason::time_limit).advice = {"raise exu.special.solver.timeout (" + limit + "), or set it to -1 for no limit",
+                                                "go on from the state that was reached: updateInitialValues and timeIntegration.startTime"};
+  warn(name() + ": the time limit of " + limit + " (exu.special.solver.timeout) is reached at time " + format_number(it.currentTime) +
+       ", before the end of the simulation: the solver stops");
+}
+
+std::string Solver::error_string() const {
+  if (output.finishedSuccessfully) return "";
+  if (diagnosis_.failed()) return diagnosis_.headline();
+  if (unwritten_) return unwritten_text();
+  if (!output.initializationSuccessful) return "initialization not successful";
+  std::string text;
+  const auto add = [&text](bool flag, const char* words) {
+    if (flag) text += (text.empty() ? "" : "; ") + std::string(words);
+  };
+  add(conv.linearSolverFailed, "linear solver failed (Jacobian singular)");
+  add(conv.massMatrixNotInvertible, "mass matrix was not invertible");
+  add(conv.stepReductionFailed, "reduction of step size reached minimum step size");
+  add(conv.stopNewton, "Newton has been stopped");
+  add(!conv.newtonConverged && !conv.linearSolverFailed, "Newton did not converge");
+  add(conv.newtonSolutionDiverged, "solution diverged");
+  add(!conv.discontinuousIterationSuccessful, "discontinuous iteration was not successful");
+  return text.empty() ? "error in a user function or in an item" : text;
+}
+
+}  // namespace dalembert

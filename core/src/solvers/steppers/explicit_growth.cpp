@@ -1,0 +1,161 @@
+// Explicit solvers: steps that lead to numbers that are not finite, or out of all bounds.
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/explicit.hpp"
+#include "dalembert/system/large_vectors.hpp"
+#include "diagnosis/finite.hpp"
+#include "diagnosis/stability.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// When the sum of squares of coordinates and velocities has grown by so much, and by the last factor again and again, theory is asked whether
+// the steps are the reason: where velocities change within a step by as much as they are, or at the latest when the sum has grown enormously.
+constexpr double noticeable_growth = 100, enormous_growth = 1e20, further_growth = 4;
+// They are if it predicts at least so much for the numbers themselves.
+constexpr double predicted_growth = 1e5;
+
+double size_of_motion(const System& system, const State& state) { return sum_of_squares(system, state.q) + sum_of_squares(system, state.v); }
+
+}  // namespace
+
+void ExplicitSolver::begin_to_watch() {
+  fastest_.reset();
+  growth_limit_ = std::min(newton_settings.maximumSolutionNorm, unbounded * unbounded);
+  watches_coordinates_ = newton_settings.maximumSolutionNorm < NewtonSettings{}.maximumSolutionNorm;
+  if (it.automaticStepSize) return;  // keeps to stable steps
+  growth_limit_ = std::min(growth_limit_, noticeable_growth * size_at_start());
+}
+
+double ExplicitSolver::size_at_start() { return std::max(1.0, size_of_motion(system(), initial())); }
+
+// Whether the state is lost, not only larger than was to be expected at the start.
+[[gnu::noinline]] bool ExplicitSolver::outgrown() {
+  const State& now = current();
+  const double largest = std::min(newton_settings.maximumSolutionNorm, unbounded * unbounded);
+  if (!all_finite(now) || !(size_of_motion(system(), now) < largest && sum_of_squares(system(), now.y) < unbounded * unbounded)) return true;
+  const double size = size_of_motion(system(), now), enormous = enormous_growth * size_at_start(), h = it.currentStepSize;
+  growth_limit_ = std::min(largest, size < enormous ? std::min(further_growth * size, enormous) : largest);
+  const bool is_rough = h * h * sum_of_squares(system(), now.a) > sum_of_squares(system(), now.v);
+  return (is_rough || size >= enormous) && theory_explains_growth();
+}
+
+bool ExplicitSolver::theory_explains_growth() {
+  return std::pow(amplification_of(fastest_at_start(), it.currentStepSize), it.currentStepIndex) > predicted_growth;
+}
+
+double ExplicitSolver::amplification_of(const Vibration& vibration, double step_size) const {
+  return verlet_ ? verlet_amplification(vibration, step_size) : amplification(method_, vibration, step_size);
+}
+
+// User functions may raise what they like: then nothing is known.
+const Vibration& ExplicitSolver::fastest_at_start() {
+  if (fastest_) return *fastest_;
+  fastest_.emplace();
+  State still = initial();
+  std::ranges::fill(still.a, 0.0);
+  std::ranges::fill(still.lambda, 0.0);
+  if (still.q.empty()) return *fastest_;
+  try {
+    if (constrained_) *fastest_ = fastest_with_constraints(still);
+    else if (mass_.update(system(), still) == LinearSolver::success)
+      *fastest_ = fastest_vibration(system(), still, conditions_, [&](Vector& x) { return mass_.solve(system(), still, x) == LinearSolver::success; }, eliminated_);
+  } catch (const std::exception&) {
+  }
+  return *fastest_;
+}
+
+Vibration ExplicitSolver::fastest_with_constraints(const State& still) {
+  ConstrainedMotion motion;
+  prepare(motion);
+  const bool regular = motion.factorize(system(), still, conditions_) == LinearSolver::success;
+  system().reactions_are_known(motion_.redundant().equations());
+  if (!regular) return {};
+  Vector all(static_cast<std::size_t>(sizes_.total()));
+  const auto accelerate = [&](Vector& x) {
+    std::fill(std::ranges::copy(x, all.begin()).out, all.end(), 0.0);
+    motion.solve(all);
+    std::copy_n(all.begin(), x.size(), x.begin());
+    return true;
+  };
+  return fastest_vibration(system(), still, conditions_, accelerate, {});
+}
+
+// False, always: with error control, a much smaller step may do; otherwise the solver gives up.
+[[gnu::noinline]] bool ExplicitSolver::lose_step() {
+  conv.newtonConverged = conv.linearSolverFailed = conv.massMatrixNotInvertible = false;
+  if (it.automaticStepSize && !steps_.at_minimum()) {
+    steps_.shrink_by_error(0.1);
+    return false;
+  }
+  conv.stopNewton = true;
+  diagnose_growth();
+  return false;
+}
+
+void ExplicitSolver::diagnose_growth() {
+  if (find_bad_evaluation() || !all_finite(current())) return diagnose_not_finite();
+  Diagnosis& d = diagnose(FailureReason::unbounded);
+  add_largest(d.values, current().q, "ODE2", 0);
+  add_largest(d.values, current().v, "ODE2_t", 0);
+  add_largest(d.values, current().y, "ODE1", sizes_.ode2);
+  advise_on_growth();
+  d.advice.push_back("check parameters and loads of the items named above for wrong units and signs");
+  d.advice.push_back("if numbers of this size are meant, raise timeIntegration.newton.maximumSolutionNorm, with which the squared norms of "
+                     "coordinates and velocities are compared");
+}
+
+// Repeats the step up to the first evaluation that is not finite; the current state is that of this evaluation.
+bool ExplicitSolver::find_bad_evaluation() {
+  const State after = current();
+  current() = start_of_step();
+  searching_ = true;
+  first_stage_known_ = false;
+  compute_step();
+  searching_ = false;
+  const bool found = conv.linearSolverFailed;
+  conv.linearSolverFailed = conv.massMatrixNotInvertible = false;
+  if (!found) current() = after;
+  return found;
+}
+
+[[gnu::noinline]] bool ExplicitSolver::is_good(const Vector& a, std::span<const double> y_t) {
+  if (all_finite(a) && all_finite(y_t)) return true;
+  State& now = current();
+  if (&a != &now.a) now.a = a;
+  std::copy(y_t.begin(), y_t.end(), now.y_t.begin());
+  conv.linearSolverFailed = true;
+  return false;
+}
+
+void ExplicitSolver::advise_on_growth() {
+  const Vibration& fastest = fastest_at_start();
+  const double h = it.currentStepSize;
+  const auto amplified = [&](double step_size) { return amplification_of(fastest, step_size); };
+  if (const double stable = largest_stable_step(fastest, h, amplified); stable < h) {
+    const std::string what = fastest.creeps() ? "what is damped fastest at the start, by a rate of " + format_number(fastest.rate()) + " 1/s at "
+                                              : "the fastest vibration at the start, " + format_number(fastest.frequency) + " rad/s at ";
+    std::string text = what + system().describe_row(fastest.coordinate) + ", grows with these steps; ";
+    text += stable > 0 ? "this method is stable with steps up to " + format_number(stable, 3) + " s, timeIntegration.numberOfSteps=" +
+                             format_number(std::ceil((it.endTime - it.startTime) / stable), 10)
+                       : "this method amplifies it with all steps";
+    diagnosis_.advice.push_back(std::move(text));
+  } else {
+    Solver::advise_on_growth();
+  }
+  diagnosis_.advice.push_back("use an implicit solver (exu.DynamicSolverType.GeneralizedAlpha), which stays stable with larger steps");
+}
+
+[[gnu::noinline]] void ExplicitSolver::mass_failed(int row) {
+  conv.linearSolverFailed = conv.massMatrixNotInvertible = true;
+  conv.linearSolverCausingRow = row;
+  diagnose(FailureReason::mass_matrix).advice = {
+      "give every coordinate of these items mass or inertia: explicit solvers divide by it",
+      "use an implicit solver (exu.DynamicSolverType.GeneralizedAlpha), which needs no mass"};
+}
+
+}  // namespace dalembert

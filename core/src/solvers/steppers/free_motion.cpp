@@ -1,0 +1,100 @@
+// Motions of a static equilibrium that nothing resists: states along them are in balance as well, and rounding has chosen one.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/solvers/static.hpp"
+#include "constraints/dependent_equations.hpp"
+#include "steppers/nearest_modes.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Of the terms that cancel in the stiffness of a motion, what rounding leaves ...
+constexpr double rounding_errors = 100 * std::numeric_limits<double>::epsilon();
+// ... and what errors of a motion leave of it, which have been found with the factors of an earlier iteration.
+constexpr double suspicious = 1e4 * rounding_errors;
+constexpr double much_softer = 0.3;
+constexpr int sweeps = 3;
+constexpr double negligible_share = 1e-4;  // of a coordinate in a motion
+
+struct Stiffness {
+  double sum = 0, terms = 0;  // x_i K_ij x_j, and their magnitudes
+};
+Stiffness stiffness_along(std::span<const double> x, const Pattern& pattern, std::span<const double> matrix) {
+  Stiffness s;
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (std::max(row, column) >= static_cast<int>(x.size())) return;
+    const double term = x[static_cast<std::size_t>(row)] * matrix[slot] * x[static_cast<std::size_t>(column)];
+    s.sum += term;
+    s.terms += std::abs(term);
+  });
+  return s;
+}
+
+// The direction in which the matrix of these factors is softest, by inverse iteration.
+std::vector<double> softest_direction(std::size_t ode2, std::size_t total, const NearestModes::Solve& solve) {
+  std::vector<double> x(ode2);
+  for (std::size_t i = 0; i < ode2; ++i) x[i] = std::sin(1.0 + 2.7 * static_cast<double>(i));  // no direction is left out
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    x.resize(total, 0.0);
+    solve(x);
+    x.resize(ode2);
+    const double size = std::sqrt(dot(x, x));
+    for (double& number : x) number /= size;
+  }
+  return x;
+}
+
+}  // namespace
+
+void StaticSolver::look_back() {
+  look_for_motion();
+  if (sizes_.ode2 > 0 && it.newtonJacobiCount > 0) {
+    const std::vector<double> last = jacobian_;  // which users may ask for
+    if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) warn_of_free_motion(rows);
+    jacobian_ = last;
+  }
+  NewtonSolver::look_back();
+}
+
+// Where the matrix has no factors.
+std::vector<int> StaticSolver::free_of_resistance() const {
+  std::vector<int> rows = free_unknowns(pattern(), jacobian_);
+  std::erase_if(rows, [this](int row) { return row >= sizes_.first_ae(); });
+  return rows;
+}
+
+// The last factors belong to an iteration before the end, without the loads: forces that turn bodies there may cancel at the end.
+std::vector<int> StaticSolver::free_coordinates(std::span<const double> last) {
+  const auto ode2 = static_cast<std::size_t>(sizes_.ode2), total = static_cast<std::size_t>(sizes_.total());
+  const auto solve = [this](std::span<double> x) { linear_->solve(x); };
+  const auto factorize_now = [this] {
+    const bool regular = factorize();
+    conv.linearSolverFailed = false;  // the state itself was found
+    return regular;
+  };
+  compute_jacobian(1);
+  const bool unknown = !factorized_;
+  if (unknown && !factorize_now()) return free_of_resistance();
+  const std::vector<double> softest = softest_direction(ode2, total, solve);
+  const double before = stiffness_along(softest, pattern(), last).sum;
+  const Stiffness now = stiffness_along(softest, pattern(), jacobian_);
+  std::vector<int> rows;
+  if (std::abs(now.sum) > std::max(suspicious * now.terms, much_softer * std::abs(before))) return rows;
+  if (!unknown && !factorize_now()) return free_of_resistance();
+  NearestModes nearest;
+  nearest.find(solve, ode2, total);
+  std::vector<double> shares(ode2);
+  for (const NearestModes::Mode& mode : nearest.modes()) {
+    if (std::abs(mode.eigenvalue) > rounding_errors * stiffness_along(mode.vector, pattern(), jacobian_).terms) continue;
+    for (std::size_t i = 0; i < ode2; ++i) shares[i] = std::max(shares[i], std::abs(mode.vector[i]));
+  }
+  for (std::size_t i = 0; i < ode2; ++i)
+    if (shares[i] > negligible_share) rows.push_back(static_cast<int>(i));
+  return rows;
+}
+
+}  // namespace dalembert

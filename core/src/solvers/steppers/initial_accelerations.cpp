@@ -1,0 +1,62 @@
+// Accelerations and multipliers at the start of a time integration.
+#include <algorithm>
+#include <cmath>
+
+#include "constraints/constraint_states.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/solvers/second_order.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Which equations constrain velocities, if the velocities at the start do not fulfil them within the digits that people type: then the
+// first step jumps, and nothing is known of derivatives along these velocities.
+std::vector<char> jumping_equations(System& system, const State& state, const Conditions& conditions, const Pattern& pattern) {
+  constexpr double typed = 1e-3;
+  const Sizes& s = system.sizes();
+  const std::vector<char> none(static_cast<std::size_t>(s.ae), 0);
+  if (s.ae == 0 || std::ranges::all_of(state.v, [](double v) { return v == 0; })) return none;
+  std::vector<double> gradients(static_cast<std::size_t>(pattern.values()));
+  std::vector<char> of_velocities = none;
+  std::vector<double> speeds(none.size(), 0.0), gaps(none.size());  // speeds: sizes of the terms of each equation
+  system.tangent(state, conditions, along_velocities, pattern, gradients);
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (row < s.first_ae() || column >= s.ode2) return;
+    const int k = row - s.first_ae();
+    of_velocities[k] |= gradients[slot] != 0;
+    speeds[k] += std::abs(gradients[slot] * state.v[column]);
+  });
+  system.gaps(state, conditions, gaps);
+  for (std::size_t k = 0; k < speeds.size(); ++k)
+    if (speeds[k] > 0 && std::abs(gaps[k]) > typed * speeds[k]) return of_velocities;
+  return none;
+}
+
+}  // namespace
+
+InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions) {
+  const Sizes& s = system.sizes();
+  std::vector<double> x(static_cast<std::size_t>(s.total()), 0.0);
+  const State still = without_multipliers(state);
+  const Conditions position = at_level(conditions, false);
+  InitialAccelerations result;
+  const std::vector<char> jumping = jumping_equations(system, still, position, motion.pattern());
+  system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
+  const std::vector<double> gap = ConstrainedMotion::gap_acceleration(system, still, position);
+  std::vector<double> now(gap.size());  // asked for only if it is needed: user functions are called once more
+  if (!std::ranges::all_of(system.static_signs(), [](double sign) { return sign < 0; })) system.gaps(still, position, now);
+  for (int i = 0; i < s.ae; ++i) x[s.first_ae() + i] = !system.constrains_motion(i) ? -now[i] : jumping[i] ? 0.0 : -gap[i];
+  motion.solve(x);
+  result.a.assign(x.begin(), x.begin() + s.ode2);
+  result.lambda.assign(x.begin() + s.first_ae(), x.end());
+  if (std::ranges::none_of(jumping, [](char jumps) { return jumps != 0; }))
+    result.decided = motion.leave_singular_position(system, still, position, result.a, result.lambda);
+  result.redundant = motion.redundant();
+  for (int i = 0; i < s.ae; ++i)
+    if (!system.constrains_motion(i)) result.lambda[i] = 0;  // what has moved within the step
+  return result;
+}
+
+}  // namespace dalembert

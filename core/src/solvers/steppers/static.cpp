@@ -1,0 +1,182 @@
+#include "dalembert/solvers/static.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "steppers/arc_length.hpp"
+#include "constraints/constraint_states.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
+
+namespace dalembert {
+
+// Differences of times below this part of the whole duration are round-off.
+constexpr double time_tolerance = 1e-10;
+constexpr double negligible_share = 1e-3;  // of the largest force of velocities
+
+double StaticSolver::load_factor() const {
+  return (it.currentTime - it.startTime) / settings().staticSolver.loadStepDuration;
+}
+
+void StaticSolver::pre_initialize() { conditions_ = {.load_factor = 1, .rate_level = false, .inertia = false}; }
+
+void StaticSolver::initial_conditions() {
+  Solver::initial_conditions();
+  const auto& s = settings().staticSolver;
+  if (s.loadStepGeometric && it.numberOfSteps <= 1) {
+    warn("staticSolver.loadStepGeometric needs at least 2 load steps; 2 are computed");
+    it.numberOfSteps = 2;
+  }
+  geometric_factor_ = it.numberOfSteps > 1 ? std::pow(s.loadStepGeometricRange, 1.0 / static_cast<double>(it.numberOfSteps - 1)) : 1.0;
+  begin_path();
+}
+
+// Load steps of equal size, or such that each load is a multiple of the last.
+void StaticSolver::update_current_time() {
+  if (path_) return begin_path_step();
+  const auto& s = settings().staticSolver;
+  const double duration = s.loadStepDuration, tolerance = time_tolerance * duration;
+  double time = it.currentTime - it.startTime;
+  if (!s.loadStepGeometric) {
+    time += it.currentStepSize;
+  } else {
+    time = time <= tolerance ? duration / s.loadStepGeometricRange : time * geometric_factor_;
+    steps_.use(0);
+  }
+  if (time + tolerance >= duration) time = duration;
+  it.currentTime = time + it.startTime;
+  conditions_.load_factor = s.useLoadFactor ? load_factor() : 1.0;
+}
+
+void StaticSolver::set_quasi_time(double time) {
+  it.currentTime = current().time = time;
+  conditions_.load_factor = settings().staticSolver.useLoadFactor ? load_factor() : 1.0;
+}
+
+void StaticSolver::increase_step_size() {
+  if (!path_) steps_.recover();  // a path has chosen the length of the next step already
+}
+
+StepFactors StaticSolver::step_factors() const {
+  const auto& s = settings().staticSolver;
+  return {.decrease = s.adaptiveStepDecrease, .increase = s.adaptiveStepIncrease, .recovery_steps = s.adaptiveStepRecoverySteps,
+          .recovery_iterations = s.adaptiveStepRecoveryIterations};
+}
+
+// Fades out until the full load is reached.
+double StaticSolver::stabilizer() const {
+  const double factor = load_factor();
+  return (1 - factor * factor) * settings().staticSolver.stabilizerODE2term;
+}
+
+void StaticSolver::compute_mass_matrix() {
+  const TimedPart time(timer, timer.massMatrix);
+  mass_.resize(jacobian_.size());
+  system().mass_matrix(current(), pattern(), mass_);
+}
+
+// Velocities stay as they are: where damping or inertia answers them, this is the balance of a moving system.
+void StaticSolver::look_for_motion() {
+  State& now = current();
+  if (std::ranges::all_of(now.v, [](double rate) { return rate == 0; })) return;
+  compute_residual();
+  const std::vector<double> moving = residual_;
+  std::vector<double> velocities(now.v.size());
+  velocities.swap(now.v);
+  compute_residual();
+  velocities.swap(now.v);
+  std::vector<double> forces = std::exchange(residual_, moving);
+  double largest = 0;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    forces[i] = moving[i] - forces[i];
+    largest = std::max(largest, std::abs(forces[i]));
+  }
+  if (norm_of(forces) <= std::max(newton_settings.relativeTolerance * initial_residual_, newton_settings.absoluteTolerance)) return;
+  std::vector<int> rows;
+  for (int i = 0; i < sizes_.first_ae(); ++i)
+    if (std::abs(forces[static_cast<std::size_t>(i)]) > negligible_share * largest) rows.push_back(i);
+  warn_of_velocities(rows, largest);
+}
+
+// In statics, multipliers count with the opposite sign: applied forces + G^T lambda = 0.
+void StaticSolver::turn_multipliers() {
+  const std::span<const double> signs = system().static_signs();
+  std::vector<double>& lambda = current().lambda;
+  for (std::size_t i = 0; i < lambda.size(); ++i) lambda[i] *= signs[i];
+}
+
+double StaticSolver::compute_residual() {
+  const TimedPart time(timer, timer.ODE2RHS);
+  turn_multipliers();
+  system().residual(current(), conditions_, residual_);
+  turn_multipliers();
+  const State& now = current();
+  if (settings().staticSolver.constrainODE1coordinates) {
+    for (std::size_t i = 0; i < now.y.size(); ++i) {
+      residual_[static_cast<std::size_t>(sizes_.ode2) + i] = now.y[i] - initial().y[i];
+    }
+  }
+  if (settings().staticSolver.stabilizerODE2term != 0) {
+    compute_mass_matrix();
+    const double factor = stabilizer();
+    const State& start = start_of_step();
+    for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
+      if (row >= sizes_.ode2 || column >= sizes_.ode2) return;
+      const auto i = static_cast<std::size_t>(column);
+      residual_[static_cast<std::size_t>(row)] += factor * mass_[slot] * (now.q[i] - start.q[i]);
+    });
+  }
+  return norm_of(residual_);
+}
+
+void StaticSolver::compute_update(bool initial) {
+  if (path_ && initial) return predict_on_path();
+  if (path_ && !path_->end_known) return correct_on_path();
+  if (initial) return;
+  for (double& number : increment_) number = -number;
+  move(increment_);
+  for (double& number : increment_) number = -number;
+}
+
+void StaticSolver::move(std::span<const double> step) {
+  State& now = current();
+  const auto ode2 = static_cast<std::size_t>(sizes_.ode2);
+  if (system().has_lie_nodes()) {
+    const std::vector<double> before = now.q, own(step.begin(), step.begin() + sizes_.ode2);
+    for (std::size_t i = 0; i < ode2; ++i) now.q[i] += own[i];
+    system().compose(before, own, now.q);
+  } else {
+    for (std::size_t i = 0; i < ode2; ++i) now.q[i] += step[i];
+  }
+  for (std::size_t i = 0; i < now.y.size(); ++i) now.y[i] += step[ode2 + i];
+  const std::span<const double> signs = system().static_signs();
+  for (std::size_t i = 0; i < now.lambda.size(); ++i) now.lambda[i] += signs[i] * step[static_cast<std::size_t>(sizes_.first_ae()) + i];
+}
+
+void StaticSolver::compute_jacobian() { compute_jacobian(settings().staticSolver.computeLoadsJacobian ? 1 : 0); }
+
+void StaticSolver::compute_jacobian(double load_dependencies) {
+  turn_multipliers();
+  Conditions conditions = conditions_;
+  conditions.load_dependencies = load_dependencies;
+  if (wants_differences(newton_settings.numericalDifferentiation)) {
+    numerical_tangent(system(), current(), conditions, along_positions, newton_settings.numericalDifferentiation, pattern(), jacobian_);
+  } else {
+    system().tangent(current(), conditions, along_positions, pattern(), jacobian_);
+  }
+  turn_multipliers();
+  const bool constrain = settings().staticSolver.constrainODE1coordinates && sizes_.ode1 > 0;
+  const double factor = settings().staticSolver.stabilizerODE2term != 0 ? stabilizer() : 0.0;
+  if (factor != 0) {
+    compute_mass_matrix();
+    for (std::size_t k = 0; k < jacobian_.size(); ++k) jacobian_[k] += factor * mass_[k];
+  }
+  if (constrain) {
+    for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
+      if (row >= sizes_.ode2 && row < sizes_.first_ae()) jacobian_[slot] = row == column ? 1.0 : 0.0;
+    });
+  }
+  add_user_jacobian(pattern(), jacobian_, {-1, 0, -1});
+}
+
+}  // namespace dalembert

@@ -1,0 +1,251 @@
+// Generalized alpha with constraints of positions: velocities across the constraints.
+//
+// The scheme determines positions across a constraint, and leaves the velocities there to a recursion with the triple root -rho. When the free
+// directions turn by th radians per step, the root splits into -rho and -rho (1 +- sqrt(3) th): for th above about (1/rho - 1)/sqrt(3) the velocities grow with
+// alternating signs. Setting them in each step removes the triple root. The value to set is not G v = 0 but the lead G v = -C h^2 G da/dt, with
+// which steps of equal size are of second order in the reactions as well: Arnold, Bruels, Cardona: Error analysis of generalized-alpha Lie group
+// time integration methods for constrained mechanical systems, Numerische Mathematik 129 (2015). docs/theory/constrained_steps.rst has the derivation.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "constraints/constraint_states.hpp"
+#include "dalembert/math/sum_of_squares.hpp"
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/open_constraints.hpp"
+#include "dalembert/solvers/second_order.hpp"
+#include "dalembert/system/large_vectors.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr double scale_of_rest = 10;    // motions that start from rest: speeds are compared with at least this many times h |a|
+constexpr double fastest_growth = 1.7, most_steps_to_wait = 50;  // of oscillations, per step: rho (1 + sqrt(3) th) with half a radian
+constexpr double negligible_way = 1e-6; // within a step, relative to the size of the model
+constexpr double coarse_part = 0.02;    // of the largest velocity, in the norm of the matrix of the step; the error of the energy is then a few percent
+constexpr StepCount first_judged = 4;   // steps with lead until its size is judged
+
+// The largest velocity across constraints, relative to the largest velocity, that a stable smooth motion has: C th^2 at the limit of stability, with a
+// margin of 5.
+double tolerated_velocity(double spectral_radius, double left_out) {
+  const double limit = (1 / std::max(spectral_radius, 1e-3) - 1) / std::sqrt(3.0);
+  return std::clamp(5 * left_out * limit * limit, 1e-4, 0.04);
+}
+
+// A jump of accelerations leaves velocities across the constraints that rise and fall as n^2 rho^n: steps until a hundredth of the largest value is left.
+int steps_to_decay(double spectral_radius) {
+  constexpr int most = 200;
+  double largest = 0;
+  for (int n = 1; n < most; ++n) {
+    const double size = n * n * std::pow(spectral_radius, n);
+    if (size < 0.01 * largest) return n;
+    largest = std::max(largest, size);
+  }
+  return most;
+}
+
+}  // namespace
+
+// Called after each step of equal size.
+void SecondOrderSolver::watch_velocities() {
+  if (!lead_.active && !velocities_oscillate()) return;
+  const std::uint64_t renewed = system().renewed_constraints();
+  const bool prescribed_by_parameters = std::exchange(lead_.constraints_renewed, renewed) != renewed;
+  if (!prescribed_by_parameters) {
+    lead_.active = true;
+    lead_and_judge();
+  } else if (!lead_.active) {
+    count_doubt(lead_.not_led, lead_.not_led_since);
+  }
+}
+
+// Differences of accelerations raise the suspicion at the cost of two vectors; then the velocities across the constraints decide. Stiff vibrations along the constraints are
+// suspicious in each step: velocities that are far below the tolerance are not evaluated again before they could have grown to it.
+bool SecondOrderSolver::velocities_oscillate() {
+  const bool suspicious = accelerations_alternate();
+  if (lead_.steps_to_wait > 0) {
+    --lead_.steps_to_wait;
+    return false;
+  }
+  if (!suspicious || !has_factors()) {
+    lead_.across.clear();
+    return false;
+  }
+  const double tolerated = tolerated_velocity(spectral_radius, left_out()) * lead_.largest_speed;
+  const auto size_of_across = [&](bool as_driven) {
+    lead_.across = velocities_across(it.currentStepSize, as_driven);
+    return std::sqrt(sum_of_squares<double>(lead_.across));
+  };
+  const std::vector<double> before = lead_.across;
+  double size = size_of_across(false);
+  if (size > tolerated) size = closes_gaps_of_start() ? 0 : size_of_across(true);
+  if (!(size > tolerated)) {
+    lead_.across.clear();
+    lead_.steps_to_wait = static_cast<int>(std::min(most_steps_to_wait, std::log(tolerated / std::max(size, 1e-300)) / std::log(fastest_growth)));
+    return false;
+  }
+  return !before.empty() && std::inner_product(before.begin(), before.end(), lead_.across.begin(), 0.0) < 0;
+}
+
+// Compares changes of accelerations in this step and in the one before: h |change - change before| / 4 is the velocity of an oscillation from step to step.
+bool SecondOrderSolver::accelerations_alternate() {
+  const State& now = current();
+  const std::vector<double>& accelerations = newmark() ? now.a : algorithmic_;
+  const double h = it.currentStepSize;
+  if (lead_.step_size != h) {
+    lead_.equal_steps = 0;
+    lead_.step_size = h;
+    lead_.negligible_speed = negligible_way * system().extent() / h;
+  }
+  lead_.change.resize(now.a.size());
+  lead_.accelerations.resize(now.a.size());
+  double difference = 0, velocity = 0, acceleration = 0;
+  for (std::size_t i = 0; i < now.a.size(); ++i) {
+    const double change = accelerations[i] - lead_.accelerations[i], d = change - lead_.change[i];
+    lead_.accelerations[i] = accelerations[i];
+    lead_.change[i] = change;
+    difference += d * d;
+    velocity += now.v[i] * now.v[i];
+    acceleration += now.a[i] * now.a[i];
+  }
+  lead_.largest_speed = std::max({lead_.largest_speed, lead_.negligible_speed, std::sqrt(velocity), scale_of_rest * h * std::sqrt(acceleration)});
+  const double tolerated = tolerated_velocity(spectral_radius, left_out()) * lead_.largest_speed;
+  return ++lead_.equal_steps > 2 && 0.25 * h * std::sqrt(difference) > tolerated;
+}
+
+// Gaps and rates of the initial values close in the first step, which leaves decaying velocities across the constraints.
+bool SecondOrderSolver::closes_gaps_of_start() {
+  if (it.currentStepIndex >= steps_to_decay(spectral_radius)) return false;
+  if (!lead_.begins_open) {
+    const auto& s = settings().initialConditions;
+    lead_.begins_open = !open_constraints(system(), initial(), conditions_, {s.positionTolerance, s.velocityTolerance, true}).empty();
+  }
+  return *lead_.begins_open;
+}
+
+// A lead that is large in the norm of the matrix of the step, which is close to that of the masses, shows that the step is too coarse.
+void SecondOrderSolver::lead_and_judge() {
+  const bool smooth = it.discontinuousIteration <= 1;  // accelerations have not jumped within the step
+  const double across = lead_velocities(it.currentStepSize, it.currentStepSize, smooth);
+  lead_.largest_energy = std::max(lead_.largest_energy, step_energy(current().v));
+  if (++lead_.steps > first_judged && smooth && across > coarse_part * coarse_part * lead_.largest_energy) count_doubt(lead_.coarse, lead_.coarse_since);
+}
+
+void SecondOrderSolver::count_doubt(StepCount& steps, double& since) const {
+  if (steps++ == 0) since = it.currentTime;
+}
+
+// Replaces the velocities across constraints by the lead for the step size `next`; by zero if accelerations have jumped in the step. Returns the square of the
+// change in the norm of the matrix of the step.
+double SecondOrderSolver::lead_velocities(double step_size, double next, bool smooth) {
+  State& now = current();
+  const double factor = smooth ? left_out() * next * next / step_size : 0;
+  std::vector<double> change(now.v.size());
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] = change_of_accelerations(i, step_size);
+  const std::vector<double> rates = rates_with_lead(factor, change);
+  const std::span<const double> across = move_across(rates);
+  for (std::size_t i = 0; i < now.v.size(); ++i) now.v[i] -= across[i];
+  belong_to_.velocities = smooth ? next : 0;
+  double energy = 0;
+  for (std::size_t k = 0; k < rates.size(); ++k) energy -= rates[k] * increment_[static_cast<std::size_t>(sizes_.first_ae()) + k];
+  return energy;
+}
+
+// The part of the velocities across constraints that exceeds the lead, by the factors at hand; `as_driven`: with rates that are prescribed in time, which cost more.
+std::vector<double> SecondOrderSolver::velocities_across(double step_size, bool as_driven) {
+  std::vector<double> rates;
+  if (as_driven) {
+    rates = rates_with_lead(left_out() * step_size, lead_.change);
+  } else {
+    State moved = current();
+    for (std::size_t i = 0; i < moved.v.size(); ++i) moved.v[i] += left_out() * step_size * lead_.change[i];
+    rates.resize(moved.lambda.size());
+    system().gaps(moved, at_level(conditions_, true), rates);
+  }
+  const std::span<const double> across = move_across(rates);
+  return {across.begin(), across.end()};
+}
+
+// Rates of the constraints at the velocities plus `factor` times the change of accelerations. Equations of velocities hold at the end of each step and need no lead.
+std::vector<double> SecondOrderSolver::rates_with_lead(double factor, std::span<const double> change) {
+  State moved = current();
+  for (std::size_t i = 0; i < moved.v.size(); ++i) moved.v[i] += factor * change[i];
+  std::vector<double> rates = rates_at(moved);
+  const std::vector<char>& of_velocities = row_kinds().of_velocities;
+  if (factor == 0 || std::ranges::none_of(of_velocities, [](char k) { return k != 0; })) return rates;
+  const std::vector<double> without_lead = rates_at(current());
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    if (of_velocities[k]) rates[k] = without_lead[k];
+  return rates;
+}
+
+// User functions that prescribe positions in time need not state their rates, which are then found by differences.
+std::vector<double> SecondOrderSolver::rates_at(const State& state) {
+  if (std::ranges::any_of(row_kinds().driven, [](char d) { return d != 0; }))
+    return constraint_rates(system(), state, conditions_, last_time()).rates;
+  std::vector<double> rates(state.lambda.size());
+  system().gaps(state, at_level(conditions_, true), rates);
+  return rates;
+}
+
+const SecondOrderSolver::RowKinds& SecondOrderSolver::row_kinds() {
+  if (row_kinds_.driven.size() != static_cast<std::size_t>(sizes_.ae)) {
+    row_kinds_.driven = driven_equations(system(), current(), conditions_, last_time());
+    row_kinds_.of_velocities = constraint_rates(system(), current(), conditions_, last_time()).of_velocities;
+  }
+  return row_kinds_;
+}
+
+// The motion with these rates of the constraints that is smallest in the norm of the matrix of the step, by the factors at hand.
+std::span<const double> SecondOrderSolver::move_across(std::span<const double> rates) {
+  const auto first = static_cast<std::size_t>(sizes_.first_ae());
+  const double factor = conditions_.rate_level ? rate_factor() : 1;  // of rows
+  std::ranges::fill(increment_, 0.0);
+  if (has_factors()) {
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      if (system().constrains_motion(static_cast<int>(k))) increment_[first + k] = factor * rates[k];
+    linear_->solve(increment_);
+  }
+  return std::span<const double>(increment_).first(current().v.size());
+}
+
+// v^T J v with the ODE2 block of the matrix of the step: about twice the kinetic energy, times (1 - alpha_m)/(1 - alpha_f).
+double SecondOrderSolver::step_energy(std::span<const double> v) const {
+  double energy = 0;
+  for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
+    if (row < sizes_.ode2 && column < sizes_.ode2) energy += v[static_cast<std::size_t>(row)] * jacobian_[slot] * v[static_cast<std::size_t>(column)];
+  });
+  return energy;
+}
+
+void SecondOrderSolver::continue_lead() {
+  lead_.active = continued_number(4) != 0;
+  lead_.largest_speed = continued_number(5);
+  lead_.largest_energy = continued_number(6);
+  lead_.steps = static_cast<StepCount>(continued_number(7));
+  lead_.coarse = static_cast<StepCount>(continued_number(8));
+  lead_.coarse_since = continued_number(9);
+  lead_.not_led = static_cast<StepCount>(continued_number(10));
+  lead_.not_led_since = continued_number(11);
+}
+
+void SecondOrderSolver::look_back() {
+  const auto steps = [](StepCount n, double since) {
+    return "in " + std::to_string(n) + (n == 1 ? " step, at time " : " steps, the first at time ") + format_number(since);
+  };
+  if (lead_.coarse > 0) {
+    doubts_.push_back("constraints turn too far " + steps(lead_.coarse, lead_.coarse_since) +
+                      ": the velocities there have large errors; use smaller steps (now " + format_number(it.currentStepSize) + " s)");
+  }
+  if (lead_.not_led > 0) {
+    doubts_.push_back("velocities across constraints oscillate " + steps(lead_.not_led, lead_.not_led_since) +
+                      ", and cannot be corrected because a function changes parameters of constraints in each step: use smaller steps, a smaller "
+                      "timeIntegration.generalizedAlpha.spectralRadius, or exu.DynamicSolverType.TrapezoidalIndex2");
+  }
+  NewtonSolver::look_back();
+}
+
+}  // namespace dalembert
