@@ -37,7 +37,7 @@ class _AliasFinder(MetaPathFinder):
         self.name = name
 
     def target(self, fullname: str) -> str | None:
-        """Return the module that an alias stands for, or None if the name is no alias."""
+        """Return the module of an alias, or None if the name is not an alias."""
         if fullname == self.name:
             return _PACKAGE
         if not fullname.startswith(self.name + "."):
@@ -60,7 +60,7 @@ def _finder(name: str) -> _AliasFinder | None:
 
 
 def install(name: str = "exudyn") -> None:
-    """Let `import name`, and of all its submodules, give dalembert and its submodules; again is no harm.
+    """Make `import name`, including submodules, import dalembert and its submodules; may be called again.
 
     RuntimeError if another package of that name has been imported before: its objects and ours must not be mixed.
     """
@@ -78,7 +78,7 @@ def install(name: str = "exudyn") -> None:
 
 
 def uninstall(name: str = "exudyn") -> None:
-    """Take the alias back: later imports of `name` find what is installed under it."""
+    """Remove the alias: later imports of `name` find the installed package."""
     finder = _finder(name)
     if finder is None:
         return

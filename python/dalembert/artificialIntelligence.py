@@ -1,4 +1,4 @@
-"""Environments for reinforcement learning: one system, or a thousand of them that step together.
+"""Environments for reinforcement learning: one system, or a thousand systems that step together.
 
 gymnasium is an extra: pip install 'dalembert[learning]'.
 """
@@ -60,7 +60,7 @@ class OpenAIGymInterfaceEnv(Env):  # type: ignore[misc,unused-ignore]  # gymnasi
         self.SetupSpaces()
         self.PreInitializeSolver()
 
-    # ---- what derived classes write ----------------------------------------------------------------------------------
+    # ---- implemented by derived classes ------------------------------------------------------------------------------
 
     def CreateMBS(self, SC: Any, mbs: Any, simulationSettings: Any, **kwargs: Any) -> int:
         """Build and assemble the system, adjust the settings, and return the number of states."""
@@ -240,7 +240,7 @@ class VariationsVectorEnv(VectorEnv):  # type: ignore[misc,unused-ignore]
         self._others: dict[str, Any] = {}  # coordinates of first order, and the history of friction and contact
         self._ended = np.zeros(self.num_envs, dtype=bool)
 
-    # ---- what derived classes write ----------------------------------------------------------------------------------
+    # ---- implemented by derived classes ------------------------------------------------------------------------------
 
     def CreateMBS(self, SC: Any, mbs: Any, simulationSettings: Any, **kwargs: Any) -> None:
         """Build and assemble the system, and set steps of the solver (numberOfSteps is that of one step here)."""
@@ -251,7 +251,7 @@ class VariationsVectorEnv(VectorEnv):  # type: ignore[misc,unused-ignore]
         raise _missing(self, "SetupSpaces", "sets self.single_action_space and self.single_observation_space")
 
     def MapActions(self, actions: Any) -> Mapping[tuple[Any, str], Any]:
-        """Return parameters for SolveVariations: for (item, parameter), an array with a row per environment."""
+        """Return parameters for SolveVariations: (item, parameter) and an array with a row per environment."""
         raise _missing(self, "MapActions", "returns arrays of parameters, by (item, parameter)")
 
     def InitialStates(self, number: int) -> tuple[Any, Any]:
@@ -279,7 +279,8 @@ class VariationsVectorEnv(VectorEnv):  # type: ignore[misc,unused-ignore]
         return self._observed()[0], {}
 
     def step(self, actions: Any) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
-        """Step all environments; one that cannot be solved is truncated, its message is in info['messages']."""
+        """Step all environments; an environment that cannot be solved is truncated, its message is in
+        info['messages']."""
         if not self._q.size:
             raise RuntimeError(f"{type(self).__name__}.step(...): call reset() first")
         found = self.mbs.SolveVariations(

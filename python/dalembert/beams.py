@@ -86,7 +86,7 @@ def _fix(mbs: Any, ground: Any, node: Any, flags: Sequence[float], chain: Chain,
 
 
 def _given_node(mbs: Any, node: Any, where: str) -> Any:
-    """Return the index of a node that is given by its index, number or name; None if none is given."""
+    """Return the index of a node given by index, number or name; None if it is not given."""
     return None if node is None or node == -1 else index_of(mbs, "Node", node, where)
 
 
@@ -157,7 +157,8 @@ def GenerateStraightBeam(
     nodes, positions = chain[0], chain[3]
     nodes.append(add_node(positionOfNode0) if first is None else first)
     beamTemplate.physicsLength = length / numberOfElements
-    intervals = 2 if is_exact and len(beamTemplate.nodeNumbers) == 3 else 1  # between the ends of an element
+    # number of intervals between the ends of an element
+    intervals = 2 if is_exact and len(beamTemplate.nodeNumbers) == 3 else 1
     for i in range(int(numberOfElements)):
         for j in range(1, intervals + 1):
             positions.append((start + line * ((i + j / intervals) / numberOfElements)).tolist())

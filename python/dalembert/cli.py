@@ -47,7 +47,7 @@ def _run_python(model: Path, arguments: Sequence[str] = ()) -> dict[str, Any]:
 
 
 def _loaded(model: Path, allowCode: bool = False) -> tuple[Any, Any]:
-    """Return the system and the settings of a model file; SystemExit tells what is wrong with it."""
+    """Return the system and the settings of a model file; errors are raised as SystemExit."""
     import dalembert as exu
 
     mbs: Any = exu.SystemContainer().AddSystem()
@@ -102,7 +102,7 @@ def _system_of(model: Path) -> Any:
 
 
 def _check(arguments: argparse.Namespace) -> int:
-    """Assemble a model and tell what looks wrong; return 1 if something does."""
+    """Assemble a model and report likely mistakes; return 1 if there are any."""
     from dalembert._tools.model_check import figures, findings
 
     model = _existing("check", arguments.model)
@@ -119,7 +119,7 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _info(arguments: argparse.Namespace) -> int:
-    """Print what a model file holds; without one versions, the location of the package and the number of items."""
+    """Print the contents of a model file; by default versions, the location of the package and the number of items."""
     if arguments.model is not None:
         from dalembert._tools.model_check import figures
 
@@ -174,7 +174,7 @@ def _count(names: Sequence[str]) -> str:
 
 
 def _items(arguments: argparse.Namespace) -> int:
-    """List all items, or what one item is: parameters with type, default, unit and meaning, and output variables."""
+    """List all items, or describe one item: parameters with type, default, unit and meaning, and output variables."""
     from dalembert import itemInterface
     from dalembert._planned_table import ITEMS
 
@@ -207,14 +207,14 @@ def _items(arguments: argparse.Namespace) -> int:
 
 
 def _near(name: str, names: Iterable[str]) -> str:
-    """Return where to look for what is no item: at those with a similar name, or at help() of a method."""
+    """Return a hint for an unknown item: items with a similar name, or help() of a method."""
     import dalembert
 
     if hasattr(dalembert.MainSystem, name):
         return f"it is a method: help(exu.MainSystem.{name}) in Python"
     if hasattr(dalembert, name):
         return f"help(exu.{name}) in Python tells what it is"
-    shown = [each for each in names if not each.startswith("V")]  # how items are drawn is told with them
+    shown = [each for each in names if not each.startswith("V")]  # visualization is listed with the items
     near = difflib.get_close_matches(name, shown, 3)
     return f"did you mean {', '.join(near)}?" if near else "'dalembert items' lists all"
 
@@ -310,7 +310,7 @@ def _slider_crank(endTime: float) -> tuple[Any, list[Any], Any]:
 
 
 def _demo(arguments: argparse.Namespace) -> int:
-    """Simulate a slider-crank; write a picture of it, beside plots of its motion, and show a page in which it moves."""
+    """Simulate a slider-crank; write a picture of it with plots of its motion, and show the motion in the browser."""
     import webbrowser
 
     import matplotlib
@@ -397,6 +397,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = _parser().parse_args(arguments)
     try:
         return int(options.function(options))
-    except BrokenPipeError:  # of a reader that has seen enough, as head has
+    except BrokenPipeError:  # the reader has closed the pipe, for example head
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1

@@ -1,10 +1,11 @@
-"""User functions that are compiled: C functions made by numba or by another compiler in place of Python functions.
+"""Compiled user functions: C functions made by numba or by another compiler instead of Python functions.
 
 A user function of an item may be a callback of numba (``numba.cfunc``), a function pointer of ctypes, or a
 ``scipy.LowLevelCallable``. It is called without Python, so its arguments are those of the Python function without
 ``mbs``, in C types: a number is a ``double``, an integer or a truth value an ``int64_t``, a vector or a matrix, row by
-row, a ``const double*``. Where the length of a vector or matrix depends on the model, an ``int64_t`` with the number of
-its entries follows. One number is returned; vectors and matrices are written to a last argument, ``double* result``.
+row, a ``const double*``. If the length of a vector or matrix depends on the model, an ``int64_t`` with the number of
+its entries follows. A single number is returned; vectors and matrices are written to a last argument, ``double*
+result``.
 The page of each item shows its functions in this form.
 """
 
@@ -67,10 +68,10 @@ def numba_signature(item: type | str, userFunction: str) -> Any:
 
 
 def ctypes_signature(item: type | str, userFunction: str) -> Any:
-    """The function pointer type of ctypes: makes a C function of an address, or of a Python function for a trial.
+    """The function pointer type of ctypes: makes a C function from an address, or from a Python function for tests.
 
     item, userFunction: as in c_signature
-    returns: what ctypes.CFUNCTYPE(...) gives
+    returns: the type of ctypes.CFUNCTYPE(...)
     """
     result, arguments = _types(c_signature(item, userFunction))
     return ctypes.CFUNCTYPE(_CTYPES[result], *(_CTYPES[argument] for argument in arguments))

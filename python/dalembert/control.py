@@ -1,13 +1,14 @@
-"""Controllers that run without Python: PD, computed torque, laws of one's own in C, each continuous or sampled.
+"""Controllers that run without Python: PD, computed torque, user-defined laws in C, each continuous or sampled.
 
 A controller takes the place of forceUserFunction of an ObjectKinematicTree or an ObjectGenericODE2, also in
 CreateKinematicTree and CreateRobot. It gives one force per coordinate (N for coordinates in m, Nm for those in rad),
-from total coordinates, which include the reference values. In implicit solvers, derivatives of continuous controllers
-are those of other compiled user functions; what is held between samples has none.
+from total coordinates, which include the reference values. Implicit solvers differentiate continuous controllers like
+other compiled user functions; outputs that are held between samples have no derivatives.
 
-What coordinates are to do (desired) is said by numbers, at which they are to rest, by a Trajectory of
-dalembert.robotics.motion (where accelerations jump, those that follow count), or by a C function with the signature
-compiled.numba_signature("Controller", "desired"): it gets the time, the number of coordinates, and three arrays to
+The desired motion of the coordinates is given by constant numbers, by a Trajectory of dalembert.robotics.motion (at
+jumps
+of accelerations, the later ones are used), or by a C function with the signature
+compiled.numba_signature("Controller", "desired"): it receives the time, the number of coordinates, and three arrays to
 write to, for coordinates, velocities and accelerations.
 """
 
@@ -28,29 +29,29 @@ if TYPE_CHECKING:
 
 
 class Controller(_Controller):
-    """What all controllers are; make one of those below."""
+    """Base class of all controllers."""
 
     def Forces(self, t: float, q: npt.ArrayLike, q_t: npt.ArrayLike) -> FloatArray:
-        """Return what the law gives for a time (s), total coordinates and velocities: one force per coordinate."""
+        """Return the forces of the law for a time (s), total coordinates and velocities: one per coordinate."""
         where = f"{type(self).__name__}.Forces"
         coordinates = as_vector(f"{where}: q", q, self._count or None)
         velocities = as_vector(f"{where}: q_t", q_t, len(coordinates))
         return np.array(self._forces(as_number(f"{where}: t", t), coordinates, velocities))
 
     def __call__(self, mbs: Any, t: float, itemNumber: int, q: npt.ArrayLike, q_t: npt.ArrayLike) -> FloatArray:
-        """As Forces, with the arguments of a user function of forces."""
+        """Same as Forces, with the arguments of a force user function."""
         return self.Forces(t, q, q_t)
 
     _count = 0  # of coordinates; 0: any
 
 
 class PDController(Controller):
-    """forces + stiffness * (q_d - q) + damping * (v_d - v), each coordinate by itself.
+    """Law forces + stiffness * (q_d - q) + damping * (v_d - v), independently for each coordinate.
 
-    desired: what the coordinates q are to do, see the begin of this page; n coordinates
+    desired: desired motion of the coordinates q, see the start of this page; n coordinates
     stiffness: Nm/rad or N/m, one number for all or n
     damping: Nm s/rad or Ns/m, one number for all or n
-    forces: what acts besides (Nm or N), one number for all or n; such as the weight where the coordinates are to rest
+    forces: feed-forward (Nm or N), one number for all or n; for example the weight at the desired position
     raises ValueError for values of other shapes or that are not finite
     """
 
@@ -68,17 +69,17 @@ class PDController(Controller):
             _per_coordinate("PDController: damping", damping, n),
             _per_coordinate("PDController: forces", forces, n),
         )
-        self._count, self._desired = n, desired  # which may be a function that has to live as long
+        self._count, self._desired = n, desired  # kept alive, because it may be a function
 
 
 class ComputedTorque(Controller):
-    """What the accelerations a_d + damping * (v_d - v) + stiffness * (q_d - q) need by inverse dynamics.
+    """Inverse dynamics for the accelerations a_d + damping * (v_d - v) + stiffness * (q_d - q).
 
-    Where tree is the tree that is controlled, each error e follows e_tt + damping e_t + stiffness e = 0. Drives,
-    friction and loads of which the tree does not know are errors of the model, as in a machine.
+    If tree is the controlled tree, each error e follows e_tt + damping e_t + stiffness e = 0. Drives,
+    friction and loads that tree does not contain are model errors, as in a machine.
 
-    tree: TreeDynamics of the controlled tree, or of what the controller takes it for; n coordinates
-    desired: what the coordinates q are to do, see the begin of this page
+    tree: TreeDynamics of the controlled tree, or of the controller's model of it; n coordinates
+    desired: desired motion of the coordinates q, see the start of this page
     stiffness: 1/s^2, one number for all or n
     damping: 1/s, one number for all or n
     raises ValueError for values of other shapes or that are not finite
@@ -113,13 +114,13 @@ class CompiledController(Controller):
 
 
 class SampledController(Controller):
-    """A controller that measures at equal intervals, and holds what it has found until the next takes its place.
+    """A controller that samples at equal intervals, and holds its output until the next sample.
 
-    It measures at the start of a solution and then once per period. What its law finds acts deadTime later, which may
-    be longer than a period; before the first acts, forces are zero. Steps of dynamic solvers end where it measures or
-    where forces change, whatever their size is otherwise. Static solutions are refused, as are SolveVariations. Each
-    solution begins anew, but for those that go on from a file (simulationSettings.continuation): it has what is on its
-    way.
+    It measures at the start of a solution and then once per period. Its output acts deadTime later, which may be
+    longer than a period; initially, forces are zero. Steps of dynamic solvers end at measurements and
+    changes of forces, for any step size. Static solutions and SolveVariations are rejected. Each
+    solution starts anew, except continued ones (simulationSettings.continuation): restart files contain pending
+    outputs.
 
     law: PDController, ComputedTorque or CompiledController
     period: s, between measurements

@@ -1,4 +1,4 @@
-"""Dialogs that let users drive a simulation or look through a solution; without a window, they run without one."""
+"""Dialogs that let users drive a simulation or browse a solution; they also run without a viewer."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _notice_once(what: str) -> None:
         Print(f"{what}: there is no window to open, going on without it")
 
 
-MOST_IMAGES = 10_000  # of one oscillation
+MOST_IMAGES = 10_000  # images of one oscillation
 
 
 class LabelText:
@@ -50,9 +50,9 @@ def _check_function(name: str, value: Any) -> None:
 class InteractiveDialog:
     """A simulation in periods of real time, with values that dialog items set in mbs.variables (or mbs.sys).
 
-    With a page (SC.renderer.Start), it is shown there, until a reader closes the page or presses Q. Without one,
-    all dialog items keep their initial values; with runOnStart, the simulation then runs from startTime to endTime of
-    the settings (without time integration: simulationFunction is called once).
+    The live viewer (SC.renderer.Start) shows the dialog until it is closed or Q is pressed. If there is no viewer,
+    all dialog items keep their initial values; runOnStart then runs the simulation from startTime to endTime of the
+    settings (if there is no time integration, simulationFunction is called once).
     """
 
     def __init__(
@@ -76,7 +76,7 @@ class InteractiveDialog:
         userOnChange: Callable[[Any, Any], Any] | None = None,
         useSysVariables: bool = False,
     ) -> None:
-        """Store what the dialog needs, initialize the solver and, with runOnStart, run; period in s."""
+        """Store the arguments, initialize the solver and, if runOnStart is set, run; period in s."""
         check_given(InteractiveDialog.__init__, locals().items())
         here = "InteractiveDialog:"
         check_type(f"{here} mbs", mbs, _core.MainSystem)
@@ -121,7 +121,7 @@ class InteractiveDialog:
         self.FinalizeSolver()
 
     def _has_readers(self) -> bool:
-        """Return whether there is a page, and what its reader does is heard."""
+        """Return whether a viewer is open and its messages are received."""
         if not self.SC.renderer.IsActive():
             return False
         from dalembert._live import viewer
@@ -214,9 +214,9 @@ def AnimateModes(
 ) -> None:
     """Show the modes of a node with modal coordinates, or eigenvectors (columns) of the system if nodeNumber is None.
 
-    Notebooks, browsers where there is a display, and otherwise the live page that is open show all modes one after the
-    other, each for one oscillation of stepsPerPeriod images, `period` seconds apart. Elsewhere the first mode, with a
-    small amplitude, becomes the visualized state. ValueError without modes.
+    Notebooks, browsers on a display, or the open live viewer show all modes one after the other, each for one
+    oscillation of stepsPerPeriod images, `period` seconds apart. Otherwise the first mode, with a small amplitude,
+    becomes the visualization state. ValueError without modes.
     """
     check_type("AnimateModes: systemContainer", systemContainer, _core.SystemContainer)
     check_type("AnimateModes: mainSystem", mainSystem, _core.MainSystem)
@@ -271,7 +271,7 @@ def _modes(mbs: Any, nodeNumber: Any, eigenvectors: Any) -> tuple[Any, Any]:
 
 
 def solution_of_last_simulation(mbs: Any, caller: str) -> dict[str, Any]:
-    """Return the solution that the last simulation has written; ValueError if it has written none."""
+    """Return the solution file of the last simulation; ValueError if it has not written one."""
     if "simulationSettings" not in mbs.sys:
         raise ValueError(f"{caller}: no simulation has been run yet; solve first or pass a solution")
     settings = mbs.sys["simulationSettings"].solutionSettings
@@ -294,11 +294,11 @@ def SolutionViewer(
     title: str = "",
     checkRenderEngineStopFlag: bool = True,
 ) -> None:
-    """Look through a solution (of LoadSolutionFile), or through that of the last simulation if solution is None.
+    """Browse a solution (from LoadSolutionFile), or that of the last simulation if solution is None.
 
-    Notebooks show it as a page that plays; elsewhere, where there is a display, the browser does, and without one, the
-    live page, if it is open. Otherwise the first row becomes the visualized state. `rowIncrement` leaves rows out,
-    `timeout` is the time (s) between those that are shown, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2
+    Notebooks play it in the cell; on a display, the browser plays it, otherwise the open live viewer. If there is
+    no viewer, the first row becomes the visualization state. `rowIncrement` skips rows,
+    `timeout` is the time (s) between shown rows, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2
     again and again. ValueError if there is no solution.
     """
     check_given(SolutionViewer, locals().items())

@@ -72,7 +72,7 @@ def CheckForValidNumpyArray(value: Any) -> Any:
 
 
 def CopyDictLevel1(originalDict: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a copy of a dictionary whose dictionaries and lists are copies too, but not what is inside of these."""
+    """Return a copy of a dictionary with copied dictionaries and lists, but not deeper levels."""
     return {key: copy.copy(value) if isinstance(value, dict | list) else value for key, value in originalDict.items()}
 
 

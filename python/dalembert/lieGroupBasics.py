@@ -251,7 +251,7 @@ def CompositionRuleForRotationVectors(v0: npt.ArrayLike, Omega: npt.ArrayLike) -
 def CompositionRuleRotXYZAnglesRotationVector(alpha0: npt.ArrayLike, Omega: npt.ArrayLike) -> FloatArray:
     """Return the Tait-Bryan angles of alpha0 followed by the local rotation vector Omega, within pi of alpha0.
 
-    Where the first and last axis coincide, the first angle keeps its value.
+    If the first and last axis coincide, the first angle keeps its value.
     """
     a = as_vector("CompositionRuleRotXYZAnglesRotationVector: alpha0", alpha0, 3)
     R = RotXYZ2RotationMatrix(a) @ ExpSO3(Omega)

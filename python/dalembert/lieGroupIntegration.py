@@ -12,7 +12,7 @@ from dalembert._checks import FloatArray, shape_error
 from dalembert._core import ConfigurationType, Print
 from dalembert.lieGroupBasics import CompositionRuleForRotationVectors, TExpSO3Inv
 
-Acceleration = Callable[[FloatArray, FloatArray], npt.ArrayLike]  # of rotation vector and angular velocity
+Acceleration = Callable[[FloatArray, FloatArray], npt.ArrayLike]  # arguments: rotation vector and angular velocity
 State = list[FloatArray]  # [rotation vector, angular velocity]
 
 

@@ -208,7 +208,7 @@ def GetBallBearingData(
     innerEdgeChamfer: float | None = None,
     outerEdgeChamfer: float | None = None,
 ) -> dict[str, Any]:
-    """Return the dimensions of a ball bearing, with usual proportions for what is None, and the ball positions.
+    """Return the dimensions of a ball bearing, with usual proportions for values of None, and the ball positions.
 
     ballPositions are in the frame of the bearing, turned by ballsAngleOffset about the axis, which is normalized; the
     grooves are parts of tori with innerGrooveTorusRadius and outerGrooveTorusRadius as larger radius.

@@ -33,7 +33,7 @@ def CreateParticlesInBox(
     lower = as_vector("CreateParticlesInBox: minPointBox", minPointBox, 3)
     size = as_vector("CreateParticlesInBox: maxPointBox", maxPointBox, 3) - lower
     spacing = r * np.array([2.0, sqrt(3.0), sqrt(8.0 / 3.0)])
-    shift = r * np.array([1.0, 1.0 / sqrt(3.0), 0.0])  # of every second row (x) and layer (y)
+    shift = r * np.array([1.0, 1.0 / sqrt(3.0), 0.0])  # shift of every second row (x) and layer (y)
     counts = np.floor((size - 2 * r - shift) / spacing).astype(int) + 1
     if counts.min() < 1:
         raise ValueError(f"CreateParticlesInBox: no sphere of radius {r} fits in a box of size {size.tolist()}")

@@ -183,7 +183,7 @@ def PlotSensor(
 ) -> list[Any]:
     """Plot values of sensors over time or over each other; return [pyplot, figure, axes, lines].
 
-    What is plotted:
+    Data:
         sensorNumbers: sensors (indices or names), names of sensor or solution files, or arrays with rows [time,
             values]; one or a list. Sensors need storeInternal=True or a file.
         components: number of the value per curve; -1: time, `componentNorm`: norm of all values. One component for
@@ -191,11 +191,11 @@ def PlotSensor(
         componentsX: likewise for the x-axis; default: time.
         factors, offsets: y = factor * (value + offset); one for all or a list. An offset may be an array like the
             data of its sensor, e.g. to plot differences.
-    How it looks:
+    Style:
         xLabel, yLabel, title, labels, fontSize, legendArgs: texts; legendArgs is a location or a dict of arguments.
-            Without it, the legend stands beside the axes if it would hide a curve wherever it is within.
+            By default, the legend is outside of the axes if it would hide a curve within.
         colors, lineStyles, lineWidths, markerStyles, markerSizes: matplotlib's codes, one for all or a list; a blank
-            in a marker style makes it empty. Without colors, PlotLineCode(curve + colorCodeOffset) decides.
+            in a marker style makes it empty. PlotLineCode(curve + colorCodeOffset) selects default colors.
         markerDensity: number of markers (int), distance relative to the diagonal (float) or one per point (None).
         rangeX, rangeY: [minimum, maximum]; majorTicksX, majorTicksY: largest number of ticks.
         useXYZcomponents: write X, Y, Z instead of 0, 1, 2 where it applies.
@@ -204,8 +204,8 @@ def PlotSensor(
         kwargs: minorTicksXon, minorTicksYon, logScaleX, logScaleY (bool), fileCommentChar, fileDelimiterChar (of
             files; default '#' and ','), continuousAngles (True: rotations go on beyond pi instead of jumping).
 
-    Several systems are compared if mbs is a list: PlotSensor([mbs, other], 'tip'). The axes show the units of what
-    sensors measure, unless factors change that of y.
+    Several systems are compared if mbs is a list: PlotSensor([mbs, other], 'tip'). The axes show the units of
+    sensors, unless factors change that of y.
     """
     import matplotlib.pyplot as plt
 
@@ -271,7 +271,7 @@ def PlotSensor(
     across = ", ".join(dict.fromkeys(curve.title_x for curve in curves))
     ax.set_xlabel(across if style["xLabel"] == TIME else style["xLabel"])
     scaled = any(np.ndim(factor) or factor != 1 for factor in scales)  # then the unit is another one
-    with_units = {curve.variable for curve in curves if curve.unit}  # files tell none
+    with_units = {curve.variable for curve in curves if curve.unit}  # files have no units
     variables = [
         curve.variable if scaled else curve.title for curve in curves if curve.unit or curve.variable not in with_units
     ]

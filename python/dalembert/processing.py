@@ -62,7 +62,7 @@ def SingleIndex2SubIndices(i: int, subIndexRanges: Sequence[int]) -> list[int]:
 
 
 def _values_of(name: str, given: Any, useLogSpace: bool) -> tuple[np.ndarray, Callable[[Any], Any]]:
-    """Return the values of one parameter, and what they are converted to in parameter sets: int, float or as given."""
+    """Return the values of one parameter, and their conversion in parameter sets: to int, float or unchanged."""
 
     def integer(value: Any) -> bool:
         return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
@@ -112,7 +112,7 @@ def ParameterVariation(
 ) -> list[Any]:
     """Evaluate a function for all combinations of parameters; return [parameters, values].
 
-    parameterFunction: gets a dictionary with a value per name; what it returns is collected in the list of values.
+    parameterFunction: gets a dictionary with a value per name; its results are collected in the list of values.
     parameters: (begin, end, number of values) or a list of values per name; useLogSpace spaces ranges evenly on a
         logarithmic scale. Integers stay integers, others are float. The first result is a dictionary with an array
         per name, as long as the list of values; the last name varies fastest.
@@ -121,8 +121,8 @@ def ParameterVariation(
     useMultiProcessing, clusterHostNames, showProgress, numberOfThreads, resultsFile, useMPI, restart, keepFailures: see
         ProcessParameterList.
 
-    The function may do anything, so it is called for every combination. Where only numbers of one model vary, it may
-    be a VariedModel, which solves many combinations at once without Python in between.
+    The function may do anything, so it is called for every combination. If only numbers of one model vary, it may be
+    a VariedModel, which solves many combinations at once in compiled code.
     """
     check_names(ParameterVariation, kwargs, {"useMPI", "useDispyWebMonitor", "restart", "keepFailures"})
     resultsFile = results_file("ParameterVariation", {"resultsFile": resultsFile})

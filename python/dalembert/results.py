@@ -49,7 +49,7 @@ def _extra(name: str, where: str) -> ModuleType:
 
 
 def _measured(mbs: Any, sensors: Any, continuousAngles: bool, where: str) -> Iterator[_Measured]:
-    """Return what sensors have stored; None: all that have stored something."""
+    """Return the stored values of sensors; None selects all sensors with stored values."""
     if not isinstance(mbs, MainSystem):
         raise TypeError(str(shape_error(f"{where}: mbs", "a system, such as SC.AddSystem() returns", mbs)))
     single = isinstance(sensors, (str, SensorIndex, int))
@@ -96,8 +96,8 @@ def SensorsToPandas(mbs: Any, sensors: Any = None, continuousAngles: bool = Fals
 def SensorsToXarray(mbs: Any, sensors: Any = None, continuousAngles: bool = False) -> Any:
     """Return the stored values of sensors as an xarray.Dataset with a variable per sensor, over time and component.
 
-    Variables carry 'units' and 'long_name', as plots of xarray and packages for units read them. sensors and
-    continuousAngles: as of SensorsToPandas.
+    Variables have the attributes 'units' and 'long_name' for plots of xarray and packages for units. sensors and
+    continuousAngles: see SensorsToPandas.
     """
     xarray = _extra("xarray", "SensorsToXarray")
     parts = []
@@ -149,7 +149,8 @@ def SolutionToPandas(fileName: str | os.PathLike[str]) -> Any:
 
 
 def SolutionToXarray(fileName: str | os.PathLike[str]) -> Any:
-    """Return a solution file as an xarray.Dataset: ODE2Coordinates and what else it has, over time and coordinate."""
+    """Return a solution file as an xarray.Dataset: ODE2Coordinates and further coordinates, over time and
+    coordinate."""
     xarray = _extra("xarray", "SolutionToXarray")
     time, kinds = _solution(fileName, "SolutionToXarray")
     variables = {
@@ -184,11 +185,11 @@ def SaveHDF5(
     solutionFile: str | os.PathLike[str] | None = None,
     continuousAngles: bool = False,
 ) -> None:
-    """Write what sensors have stored, and perhaps a solution file, into an HDF5 file, with units, settings and version.
+    """Write stored sensor values, and optionally a solution file, to an HDF5 file, with units, settings and version.
 
     /sensors/NAME has the datasets time and values; attributes are variable, unit and components. /solution has a
-    dataset per kind of coordinates. The settings, where none are given those of the last simulation, stand as JSON in
-    the attribute settings of the file.
+    dataset per kind of coordinates. The settings, by default those of the last simulation, are stored as JSON in the
+    attribute settings of the file.
     """
     h5py = _extra("h5py", "SaveHDF5")
     fileName = file_to_write("SaveHDF5: fileName", fileName)
@@ -214,7 +215,7 @@ def SaveHDF5(
 
 
 def LoadHDF5(fileName: str | os.PathLike[str]) -> dict[str, Any]:
-    """Return what SaveHDF5 has written: version, settings (a dictionary), sensors and solution, with units.
+    """Read a file of SaveHDF5: version, settings (a dictionary), sensors and solution, with units.
 
     result['sensors']['tip'] has time, values, variable, unit and components; SetDictionary(result['settings']) of
     settings makes them those of the simulation.

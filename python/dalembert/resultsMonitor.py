@@ -1,6 +1,6 @@
 """A window, or a page in the browser, that shows a sensor, solution or study file while it is written.
 
-In a terminal: dalembert monitor FILE, or python -m dalembert.resultsMonitor FILE. Columns are plotted over each other,
+Call it by: dalembert monitor FILE, or python -m dalembert.resultsMonitor FILE. Columns are plotted over each other,
 and again whenever the file has grown, until the window is closed.
 """
 
@@ -22,13 +22,13 @@ from dalembert._io.growing_files import GrowingFile
 
 __all__ = ["Monitor", "main"]
 
-POINTS = 2000  # of a curve on a page
+POINTS = 2000  # points of a curve on a page
 STYLES = ("-", "--", "-.", ":")
 
 
 @dataclass
 class Curve:
-    """What is plotted: a name, "" if there is nothing to distinguish it from, and points."""
+    """Plotted data: a name, "" for a single curve, and points."""
 
     name: str
     x: FloatArray
@@ -64,11 +64,11 @@ class Plots:
 
     @property
     def state(self) -> str:
-        """Return what is to be said of the file."""
+        """Return a message on the state of the file."""
         return self._file.state
 
     def look(self) -> bool:
-        """Read what is new; return whether something is. A file that has become another one says so by its state."""
+        """Read new rows; return whether there are any. The state reports that the file has been replaced."""
         try:
             return self._look()
         except ValueError as error:
@@ -111,10 +111,10 @@ class Plots:
 
 
 class Monitor:
-    """A figure with a subplot per pair of columns, which update() brings up to date.
+    """A figure with a subplot per pair of columns, updated by update().
 
-    With colorVariations, the file of a parameter variation has a curve over its first parameter for each combination of
-    the others; `variations` (begin, end) chooses some. With `wait`, the file need not be there yet.
+    colorVariations: the file of a parameter variation has a curve over its first parameter for each combination of
+    the other ones; `variations` (begin, end) selects some. `wait`: the file need not exist yet.
     """
 
     def __init__(
@@ -216,7 +216,8 @@ class PageMonitor:
 
 
 def thinned(x: FloatArray, y: FloatArray, most: int = POINTS) -> tuple[list[float | None], list[float | None]]:
-    """Return some of many points, the lowest and the highest of each group among them; None for what is not finite."""
+    """Return some of many points, including the lowest and the highest of each group; None for values that are not
+    finite."""
     if len(x) > most:
         groups = np.array_split(np.arange(len(x)), most // 4)
         finite = np.where(np.isfinite(y), y, np.nan)
@@ -246,7 +247,7 @@ def _range(text: str) -> tuple[int, int]:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Give a parser what the monitor can be told."""
+    """Add the options of the monitor to a parser."""
     parser.add_argument("file", help="of a sensor, a solution, or a study")
     parser.add_argument("-xcols", type=_columns, default=[0], help="columns on the x-axes: 0,1")
     parser.add_argument("-ycols", type=_columns, default=[1], help="columns on the y-axes: 2,3")
@@ -274,7 +275,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def show(given: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
-    """Show what the arguments say."""
+    """Show the monitor according to the arguments."""
     import matplotlib
 
     from dalembert._pictures.showing import where_pages_open

@@ -194,7 +194,7 @@ def GetRigidBodyNode(
 
     Position, velocity and angular velocity are in the global frame; the reference rotation is given either by a 3x3
     rotationMatrix or by the rotationParameters of the node type (default: no rotation). Raises ValueError if both are
-    given, or if the node type is none of a rigid body.
+    given, or if the node type is not that of a rigid body.
     """
     from dalembert import itemInterface as eii
 

@@ -189,7 +189,7 @@ def _unit(tangent: FloatArray, position: FloatArray) -> FloatArray:
 
 
 def _mapped(mapping: Callable[[Any], Any], position: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Where a point goes, and derivatives by x and y as columns."""
+    """Return the mapped point, and derivatives with respect to x and y as columns."""
 
     def value(point: FloatArray) -> FloatArray:
         return as_vector("ShellMesh: vertexMapping", [float(v) for v in mapping(point.tolist())], 3)

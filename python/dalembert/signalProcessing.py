@@ -13,7 +13,7 @@ from scipy.signal import savgol_filter
 from dalembert._checks import FloatArray, as_array, as_vector, shape_error
 
 _EVEN = 1e-6  # relative differences of time steps that do not count
-_ENTRIES = 1_000_000  # of matrices of local polynomials at a time
+_ENTRIES = 1_000_000  # entries of matrices of local polynomials processed at a time
 
 
 def _is_even(t: FloatArray) -> bool:
@@ -55,7 +55,7 @@ def _differences(where: str, x: FloatArray, t: FloatArray, derivative: int, cent
 def _local_polynomials(x: FloatArray, t: FloatArray, window: int, order: int, derivative: int) -> FloatArray:
     """Return values or derivatives of the polynomials that fit the samples around each time best.
 
-    At equidistant times this is the filter of Savitzky and Golay, with the outermost polynomials up to the ends.
+    This is the filter of Savitzky and Golay for equidistant times, with the outermost polynomials up to the ends.
     """
     result = np.zeros(len(x))
     if derivative > order:
@@ -87,7 +87,7 @@ def _filtered(
         return x.copy()
     if filterWindow % 2 != 1 or filterWindow < 1:
         raise shape_error(f"{where}: filterWindow", "0 or an odd number", filterWindow)
-    if _is_even(t) or not polyOrder < filterWindow <= len(x):  # what SciPy refuses
+    if _is_even(t) or not polyOrder < filterWindow <= len(x):  # SciPy rejects the other case
         smooth = savgol_filter(x, window_length=filterWindow, polyorder=polyOrder, deriv=derivative)
         return np.asarray(smooth / ((t[-1] - t[0]) / (len(t) - 1)) ** derivative)
     return _local_polynomials(x, t, filterWindow, polyOrder, derivative)
@@ -103,8 +103,9 @@ def FilterSensorOutput(
     """Return a matrix like signal (time in column 0) with filtered or differentiated further columns.
 
     A Savitzky-Golay filter of odd window length and polyOrder is used; filterWindow = 0 takes finite differences for
-    the first (central or forward) and second derivative. Both use the times of the samples, which may be uneven; of
-    samples with the same time, the first counts. At the ends, differences are one-sided.
+    the first (central or forward) and second derivative. Both use the times of the samples, which may be uneven; if
+    samples have the same time, the first is used. Differences
+    are one-sided at the ends.
     """
     data = as_array("FilterSensorOutput: signal", signal).copy()
     if data.ndim != 2 or data.shape[1] < 2:

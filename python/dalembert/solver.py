@@ -75,7 +75,7 @@ def _keep_as_initial_values(mbs: Any, accelerations: bool) -> None:
 
 
 def _knows_settings(solve: Callable[..., Finished]) -> Callable[..., Finished]:
-    """Let a function tell where settings belong that are given as its arguments."""
+    """Make a function explain the right place of settings that are passed as its arguments."""
     signature = inspect.signature(solve)
     names = set(signature.parameters)
 
@@ -144,7 +144,7 @@ def SolveDynamic(
     its advice is there whether or not showHints is set. False, with a warning, if exu.special.solver.timeout has
     ended it early: the system is in the state of the last completed step, and initial values stay. A simulation that is
     ended by a user function (PreStep, PostStep), by mbs.SetRenderEngineStopFlag(True) or in the render window returns
-    True; mbs.sys['dynamicSolver'].output tells which it was.
+    True; mbs.sys['dynamicSolver'].output has the cause.
     """
     settings = given_or_default("SolveDynamic", simulationSettings)
     kind = kind_of("SolveDynamic", solverType)
@@ -178,5 +178,5 @@ def SolverSuccess(solverStructure: Any) -> list[Any]:
     return [solverStructure.output.finishedSuccessfully, solverStructure.GetErrorString()]
 
 
-if not TYPE_CHECKING:  # which finds misspelt arguments by itself
+if not TYPE_CHECKING:  # type checkers find misspelt arguments themselves
     SolveStatic, SolveDynamic = _knows_settings(SolveStatic), _knows_settings(SolveDynamic)

@@ -30,10 +30,10 @@ def _assembled(tree: Any) -> tuple[Any, Any]:
 class TreeDynamics:
     """Functions of the joint coordinates q, velocities v and accelerations a (or forces) of one kinematic tree.
 
-    TreeDynamics(mbs, objectNumber) takes the tree from an assembled system, as its parameters are now;
-    TreeDynamics(ObjectKinematicTree(...)) needs no system. Coordinates are total ones: rad or m. Of the tree's forces,
-    gravity acts; controllers, user functions, jointForceVector, linkForces and linkTorques do not. linkNumbers has the
-    names that stand for numbers of links: those of the tree, or of the robot (Robot.Dynamics).
+    TreeDynamics(mbs, objectNumber) uses the tree of an assembled system, with its current parameters;
+    TreeDynamics(ObjectKinematicTree(...)) needs no system. Coordinates are total ones: rad or m. Gravity is the only
+    applied force; controllers, user functions, jointForceVector, linkForces and linkTorques are
+    ignored. linkNumbers maps names to numbers of links: those of the tree, or of the robot (Robot.Dynamics).
     """
 
     def __init__(self, tree: Any, objectNumber: Any = None) -> None:
@@ -45,7 +45,8 @@ class TreeDynamics:
         )
         self.linkNumbers: dict[str, int] = {
             name: i
-            for parameter in ("jointNames", "linkNames")  # where a link and another joint have one name: the link
+            # if a link and another joint have the same name, the link is used
+            for parameter in ("jointNames", "linkNames")
             for i, name in enumerate(mbs.GetObjectParameter(number, parameter))
             if name
         }
@@ -116,9 +117,10 @@ class TreeDynamics:
     def InverseDynamicsDerivatives(
         self, q: npt.ArrayLike, v: npt.ArrayLike, a: npt.ArrayLike
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the derivatives of the joint forces by q and by v, n x n each; that by a is the mass matrix.
+        """Return the derivatives of the joint forces with respect to q and v, n x n each; that for a is the mass
+        matrix.
 
-        Without accelerations, they are those of BiasForces.
+        If accelerations are not given, they are those of BiasForces.
         """
         (q, v, a), shape = self._states(q=q, v=v, a=a)
         by_q, by_v = self._functions.derivatives(q, v, a)
@@ -157,7 +159,7 @@ class TreeDynamics:
         """Return the derivatives of the Jacobian by q, 6 x n x n: the last axis counts the coordinate."""
         J = self.Jacobian(q, linkNumber, localPosition)
         velocity, spin = np.swapaxes(J[..., :3, :], -1, -2), np.swapaxes(J[..., 3:, :], -1, -2)
-        # A joint turns all columns of joints behind it, and itself; where it is behind, it moves the point.
+        # A joint rotates all columns of joints behind it, and itself; it moves the point if it is behind.
         turned = [np.cross(spin[..., None, :, :], of[..., :, None, :]) for of in (velocity, spin)]
         moved = np.cross(spin[..., :, None, :], velocity[..., None, :, :])
         behind = np.triu(np.ones((self.numberOfLinks, self.numberOfLinks)), 1)[:, :, None]

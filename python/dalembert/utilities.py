@@ -1,4 +1,4 @@
-"""What models usually need, for `from dalembert.utilities import *`: items, rotations, graphics helpers, and the
+"""Names for models, imported by `from dalembert.utilities import *`: items, rotations, graphics helpers, and the
 functions of this module around joints, sensors, solution files and connections to other programs."""
 
 # ruff: noqa: F401, I001  what is imported here is what users import from here: `as` says so to type checkers
@@ -134,7 +134,7 @@ def GetJointArgs(
     return {"markerNumbers": markers, "rotationMarker0": rotations[0], "rotationMarker1": rotations[1]}
 
 
-# ---- what is drawn --------------------------------------------------------------------------------------------------
+# ---- drawing ---------------------------------------------------------------------------------------------------------
 
 
 def ShowOnlyObjects(mbs: Any, objectNumbers: Any = [], showOthers: bool = False) -> None:
@@ -208,7 +208,7 @@ def AddSensorRecorder(
     )
 
 
-# Names of other modules' insides that are no part of what users get.
+# Internal names of other modules that users do not import.
 _HIDDEN = {
     *("Any", "FloatArray", "GraphicsData", "IntArray", "ItemType", "Print", "Sequence", "TYPE_CHECKING", "annotations"),
     *("Lines", "index_of", "as_matrix", "as_points", "as_vector", "color", "colorList", "npt", "reference_position"),

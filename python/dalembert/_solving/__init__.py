@@ -1,1 +1,1 @@
-"""What stands around solvers: consistent starts, linearized systems, diagnosis of failures."""
+"""Functions around solvers: consistent initial conditions, linearized systems, diagnosis of failures."""

@@ -23,11 +23,11 @@ _REAL = 1e-4  # imaginary parts, relative, that come from multiplicity and round
 
 @dataclass(frozen=True)
 class BucklingLoads:
-    """What ComputeBucklingLoads found.
+    """Results of ComputeBucklingLoads.
 
     factors: factors of all loads at which a neighbouring equilibrium exists, the smallest magnitude first; negative
-        ones belong to loads that are turned around.
-    modes: the way to that equilibrium, one column of ODE2 coordinates for each factor; its largest entry is 1.
+        ones belong to reversed loads.
+    modes: displacements to that equilibrium, one column of ODE2 coordinates for each factor; its largest entry is 1.
     displacements: ODE2 coordinates, linear in the loads, for factor 1.
     """
 
@@ -79,8 +79,8 @@ def ComputeBucklingLoads(mbs: Any, numberOfLoads: int = 1, autoAssemble: bool = 
 
     The initial state has to be an equilibrium without loads. Stiffness, geometric terms of forces in bodies, connectors
     and constraints, and those of loads are taken as linear in the factor, in the displacements that loads cause by
-    linear theory. Constraints may be redundant. Where bodies move much before they buckle, SolveStatic with a small
-    imperfection follows the path.
+    linear theory. Constraints may be redundant. If bodies move much before they buckle, follow the path by
+    SolveStatic with a small imperfection.
     """
     if numberOfLoads < 1:
         raise ValueError(f"{_NAME}: numberOfLoads: expected a positive number, received {numberOfLoads}")

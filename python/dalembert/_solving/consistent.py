@@ -20,20 +20,20 @@ from dalembert._solving.quiet import assemble_if_needed, given_or_default
 _NAME = "ComputeConsistentInitialConditions"
 _ROUND_OFF = 1e-10  # gaps of this size, relative to that of mechanisms, are accepted where nothing makes them smaller
 _LARGEST_TURN = 1.0  # rad in one step
-_CONTRADICTING_SHARE = 0.5  # of gaps that no motion closes
+_CONTRADICTING_SHARE = 0.5  # relative size of a gap that no motion closes
 _LEFT_BY_GAPS, _NOTICEABLE = 1e5, 1e-3  # eps for steps, relative to the square of gaps, and at most
 _CLOSE_JOINTS = 10  # the size of mechanisms, in distances of joints that turn each other when they do not fit
 
 
 @dataclass(frozen=True)
 class ConsistentInitialConditions:
-    """What ComputeConsistentInitialConditions found and changed.
+    """Results of ComputeConsistentInitialConditions.
 
     positionGaps, velocityGaps: the largest gap (m, rad) and rate of a gap (m/s, rad/s) before and after.
-    contradictions: what the initial values contradicted before, one text per equation, the worst first.
+    contradictions: violated constraints of the initial values, one text per equation, the worst first.
     iterations: steps that closed the gaps of positions.
-    equations: number of constraint equations; redundantEquations: how many of them follow from others at the positions
-        found; None: too many to be counted.
+    equations: number of constraint equations; redundantEquations: number of redundant ones at the new positions;
+        None: too many to be counted.
     displacements, velocityChanges: the largest change of a coordinate of each node that was changed, by node number.
     """
 
@@ -62,7 +62,7 @@ class ConsistentInitialConditions:
 
 
 class _Nodes:
-    """Which coordinates are rotations that do not simply add up, and which stay."""
+    """Masks of rotation coordinates that are not additive, and of fixed coordinates."""
 
     def __init__(self, mbs: Any, fixedCoordinates: Sequence[int], fixedNodes: Sequence[Any]) -> None:
         self.coordinates: dict[int, list[int]] = {}
@@ -135,9 +135,9 @@ class _Projection:
         self.state.lam = np.zeros_like(self.state.lam)
         self.state.t = data.GetTime(initial) if time is None else time
         self.of_velocities = testing.constraint_rates(mbs, self.state)[2] == 1
-        self.misfit = misfit  # what joints that contradict each other may leave open, relative to the size of the model
+        self.misfit = misfit  # tolerated inconsistency of redundant joints, relative to the size of the model
         self.contradicts = False  # whether some do
-        self.apart = 0.0  # what they do leave
+        self.apart = 0.0  # remaining inconsistency
         self.units = testing.constraint_metric(mbs, self.state)[1]  # of gaps: sizes of mechanisms, radians
         self.tolerance = tolerance
         self.round_off = max(tolerance, _ROUND_OFF)
@@ -171,7 +171,7 @@ class _Projection:
         gradient = coo_array((values[wanted], (rows[wanted] - first, columns[wanted])), shape=(equations, size))
         rows, columns, values = testing.mass_entries(self.mbs, state)
         mass = coo_array((values, (rows, columns)), shape=(size, size))
-        # Joints that contradict each other share what is left open, as in solvers.
+        # Inconsistent redundant joints share the remaining gap, as in solvers.
         shares = testing.constraint_metric(self.mbs, state)[0] if self.contradicts else np.zeros(equations)
         return LinearizedConstraints(weights(mass), gradient.tocsr(), self.nodes.held if held is None else held, shares)
 
@@ -197,7 +197,7 @@ class _Projection:
             if self.size(gaps) <= self.tolerance:
                 return iteration, False
             constraints = self.linearized(rate_level=False)
-            if scale is None:  # of all steps: they are compared
+            if scale is None:  # scale of all steps, which are compared
                 scale = np.ones_like(gaps)
                 scale[constraints.rows] = constraints.row_scale
             moved = self._better(constraints, self._closable(constraints, gaps), scale, damping)
@@ -207,7 +207,8 @@ class _Projection:
         return maxIterations, False
 
     def _contradict_each_other_a_little(self) -> bool:
-        """Return whether gaps are as small as solvers tolerate, and no motion closes them, whatever is held."""
+        """Return whether gaps are within the tolerance of solvers and no motion closes them, for any fixed
+        coordinates."""
         of_all = self.linearized(rate_level=False, held=np.zeros_like(self.nodes.held))
         return self._is_small() and of_all.left_open(self.gaps())[1] > _CONTRADICTING_SHARE
 
@@ -224,7 +225,8 @@ class _Projection:
     def _better(
         self, constraints: LinearizedConstraints, gaps: FloatArray, scale: FloatArray, damping: float
     ) -> tuple[FloatArray, FloatArray, float] | None:
-        """Return positions with smaller gaps, their gaps, and the damping of the next step; None: none were found."""
+        """Return positions with smaller gaps, their gaps, and the damping of the next step; None if no such positions
+        were found."""
         merit = np.linalg.norm(scale * self.gaps())
 
         def moved(eps: float) -> tuple[float, FloatArray, FloatArray]:
@@ -247,15 +249,15 @@ class _Projection:
     def _left_by_gaps(self, gap: float) -> float:
         """Return eps for joints that are apart.
 
-        Equations that follow from others where joints fit are independent by the square of gaps: what contradicts them
-        would go far along the motion.
+        Gaps make redundant equations independent, in proportion to their square: inconsistent ones would cause large
+        displacements along the motion.
         """
         if not self.contradicts:
             return 0.0
         return float(min(_LEFT_BY_GAPS * gap**2, _NOTICEABLE))
 
     def project_velocities(self) -> None:
-        """Change velocities such that gaps stay as they are; passes after the first remove what it leaves."""
+        """Change velocities such that gaps remain constant; later passes remove the remaining error."""
         rates = self.rates()
         if self.size(rates) <= self.tolerance:
             return
@@ -270,7 +272,7 @@ class _Projection:
             raise ValueError(self._refusal("velocities", rates=True))
 
     def _passes(self, solve: Callable[[FloatArray], FloatArray], rates: FloatArray) -> FloatArray:
-        """Change velocities as long as rates become much smaller; return what is left of them."""
+        """Change velocities as long as rates become much smaller; return the remaining rates."""
         while True:
             before = self.state.v
             v = before + solve(-rates)
@@ -328,23 +330,25 @@ def ComputeConsistentInitialConditions(
     storeInNodes: bool = True,
     autoAssemble: bool = True,
 ) -> ConsistentInitialConditions:
-    """Change initial positions and velocities such that all constraints are fulfilled, and return what was changed.
+    """Change initial positions and velocities such that all constraints are fulfilled, and return the changes.
 
-    Positions go onto the constraints in steps of which each is the smallest in the metric of the mass matrix: heavy
-    bodies move less than light ones. Velocities change once, by as little as a plastic impact would change them.
-    Coordinates without mass count as if they had one of 1. Constraints may be redundant; those that contradict each
+    Positions are projected onto the constraints in steps, each of which is the smallest in the metric of the mass
+    matrix:
+    heavy bodies move less than light ones. Velocities change once, as in a plastic impact.
+    Coordinates without mass are treated as if their mass were 1. Constraints may be redundant; those that contradict
+    each
     other by no more than solvers tolerate (simulationSettings.redundantConstraints.largestMisfit) are fitted as closely
     as possible, with a warning that names them. Initial and current
     configuration hold the result; accelerations and multipliers follow when a solver starts.
 
     simulationSettings: constraints that change with time are taken at timeIntegration.startTime.
-    positions, velocities: what may be changed.
-    fixedCoordinates, fixedNodes: ODE2 coordinates (global indices) and nodes that stay as they are, bit for bit.
+    positions, velocities: flags of the quantities that may change.
+    fixedCoordinates, fixedNodes: ODE2 coordinates (global indices) and nodes that keep their exact values.
     tolerance: of the gaps, relative to the size of their mechanism, or in rad.
     storeInNodes: write the result to initialCoordinates and initialVelocities of the nodes; otherwise the next
-        mbs.Assemble() returns to the values of before.
+        mbs.Assemble() restores the previous values.
 
-    ValueError names the constraints that cannot be fulfilled, and what is left of their gaps; the system is as before.
+    ValueError names the constraints that cannot be fulfilled, and their remaining gaps; the system does not change.
     """
     assemble_if_needed(_NAME, mbs, autoAssemble)
     nodes = _Nodes(mbs, fixedCoordinates, fixedNodes)

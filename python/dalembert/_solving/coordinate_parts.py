@@ -72,7 +72,7 @@ class CoordinateParts:
         """Return, for the group of each coordinate, how far it moves in sizes of the model, and turns in rad."""
         squares = np.bincount(self.group, (change * self._factors) ** 2, len(change))
         lengths = np.sqrt(squares)[self.group]
-        chords = self._is_turn & (self._factors == 2.0)  # between Euler parameters
+        chords = self._is_turn & (self._factors == 2.0)  # chords of Euler parameters
         turns = np.where(chords, np.where(lengths < 4, 4 * np.arcsin(np.minimum(lengths / 4, 1)), lengths), lengths)
         return np.where(self._is_length, lengths / self.extent, 0.0), np.where(self._is_turn, turns, 0.0)
 

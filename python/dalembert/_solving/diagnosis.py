@@ -1,4 +1,4 @@
-"""Why a solver gave up: the state in which it stopped, the items behind it, and what to try."""
+"""Diagnosis of a failed solver: its last state, the items involved, and remedies."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from dalembert import _core
 _ALLOCATION_THRESHOLD = 10000  # fewer allocations than this are of no concern
 _COUNTED = (0, 2, 4)  # entries of InfoStat: new arrays, vectors, matrices
 
-# Static solutions that are singular at the start, as those of what hangs on hinges are.
+# Static solutions that are singular at the start, such as those of pendulums.
 _NEEDS_STABILIZER = ("freeDirection", "singularMatrix")
 _STABILIZER = (
     "if weight or another load holds it, as a pendulum, set staticSolver.numberOfLoadSteps = 20 and "
@@ -26,21 +26,21 @@ _ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|rows [\d, ]+|equation \d+
 
 
 class SolverError(ValueError):
-    """A solver that gave up. Its text is the whole diagnosis with advice; its parts are attributes.
+    """Error of a solver. Its text is the whole diagnosis with advice; its parts are attributes.
 
     reason: 'newton', 'openConstraints', 'singularMatrix', 'freeDirection', 'contradictoryConstraints', 'massMatrix',
         'discontinuousIteration', 'eventChatter', 'errorControl', 'stiffForMethod', 'singularPosition',
         'toleranceBelowRoundOff', 'notFinite', 'unbounded', 'pathTooLong' or 'timeLimit'.
     solverName, stepIndex, time (s), stepSize (s), loadFactor: where it happened; step 0 is the start.
-    newtonSteps, residual, relativeResidual, relativeTolerance, absoluteTolerance: the last iteration, and what it is
-        compared with; of discontinuous iterations if they did not settle.
+    newtonSteps, residual, relativeResidual, relativeTolerance, absoluteTolerance: the last iteration, and its
+        tolerances; those of discontinuous iterations if they did not converge.
     values: the worst ones (residuals, errors or numbers that are not finite), each a dict with vector, index, value,
         items.
     sources: items that give values that are not finite.
-    causingRow (-1: none), causingItems, dependentEquations: the unknown without a pivot, and equations of which a
-        combination vanishes; of contradictory constraints, how far each item is apart if all others are fulfilled.
+    causingRow (-1: none), causingItems, dependentEquations: the unknown without a pivot, and linearly dependent
+        equations; for contradictory constraints, the gap of each item when all other constraints are fulfilled.
     freeDirections: coordinates that can move together without inertia, stiffness or constraint, item by item.
-    advice: what to try, one sentence each.
+    advice: remedies, one sentence each.
     message, diagnosis: the parts of the text. solver: the compiled solver, None after copying or pickling.
     """
 
@@ -100,13 +100,13 @@ class SolverError(ValueError):
         return self
 
 
-SolverError.__module__ = "dalembert"  # where users find it
+SolverError.__module__ = "dalembert"  # shown as dalembert.SolverError to users
 
 
 class FinishedNotTrusted(int):
-    """What SolveDynamic and SolveStatic return instead of True if something speaks against the result.
+    """Return value of SolveDynamic and SolveStatic instead of True if a check of the result failed.
 
-    It is true and equals True, as the solution has finished; doubts: what speaks against it, one sentence each.
+    It is true and equals True, because the solution has finished; doubts: the reasons, one sentence each.
     """
 
     doubts: tuple[str, ...]
@@ -137,9 +137,9 @@ def SolverErrorMessage(
     showCausingNodes: bool = True,
     showHints: bool = True,
 ) -> str:
-    """Return the diagnosis of a failed solver: where it stopped, which items are involved and, on request, what to try.
+    """Return the diagnosis of a failed solver: where it stopped, the items involved and, on request, remedies.
 
-    Without showCausingObjects and showCausingNodes, the equations are named by their numbers alone.
+    If showCausingObjects and showCausingNodes are False, equations are given by their numbers only.
     """
     lines = [f"{'static' if isStatic else 'dynamic'} solver failed"]
     text, _, advice = solver.GetDiagnosis().partition(_ADVICE)

@@ -1,7 +1,7 @@
 """Kinetic and potential energy of a system, and the power that goes in and out of it.
 
 Potential energy is the work of all forces but those of velocities, on a path from the reference configuration:
-rotations turn about fixed axes, everything else moves straight. Where forces have a potential, the path is all one.
+rotations are about fixed axes, all other coordinates are linear. If forces have a potential, the path does not matter.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from dalembert._solving.consistent import _Nodes
 from dalembert._solving.quiet import assemble_if_needed
 
 _NAME = "ComputeEnergies"
-_POINTS = 6  # of Gauss per part of the path
+_POINTS = 6  # Gauss points per part of the path
 _MOST_PARTS = 64
-_TOLERANCE = 1e-12  # of the work, relative to the sum of its magnitudes
+_TOLERANCE = 1e-12  # tolerance of the work, relative to the sum of its magnitudes
 
 
 class Energies(NamedTuple):
@@ -28,7 +28,7 @@ class Energies(NamedTuple):
     potential: work that weight, loads, springs and bodies have stored since the reference configuration.
     total: kinetic + potential; constant as long as no power goes in or out.
     dissipatedPower: taken out by forces that depend on velocities, such as those of dampers.
-    potentialError: by how much the last two refinements of the path differ; large where forces jump.
+    potentialError: difference between the last two refinements of the path; large if forces jump.
     """
 
     kinetic: float
@@ -40,7 +40,7 @@ class Energies(NamedTuple):
 
 
 class _Path:
-    """From the reference configuration to a state: coordinates and their derivatives at s in [0, 1]."""
+    """Path from the reference configuration to a state: coordinates and their derivatives at s in [0, 1]."""
 
     def __init__(self, mbs: Any, q: FloatArray) -> None:
         nodes = _Nodes(mbs, [], [])
@@ -120,7 +120,7 @@ class MovingSystem:
         return np.asarray(np.bincount(rows, weights=values * v[columns], minlength=len(q)), dtype=float)
 
     def work(self, path: _Path) -> tuple[float, float]:
-        """Return the work of forces along the path and what is not sure of it."""
+        """Return the work of forces along the path and its error."""
         points, weights = np.polynomial.legendre.leggauss(_POINTS)
         at_rest, parts, before = np.zeros(len(path.q)), 2, np.nan
         while True:
@@ -155,8 +155,8 @@ def ComputeEnergies(
     """Return kinetic and potential energy of the system, and the power that it dissipates, in a configuration.
 
     Potential energy is the work since the reference configuration against weight, loads and all forces of connectors
-    and bodies, as they are at the time of the configuration: items need no formula of their own. Where a force has no
-    potential, as that of friction or of a load that turns with its body, the result depends on the path.
+    and bodies, as they are at the time of the configuration: items need no formula of their own. If a force has no
+    potential, such as friction or a follower load, the result depends on the path.
     """
     assemble_if_needed(_NAME, mbs, autoAssemble)
     return energies_of(MovingSystem(mbs, configuration))

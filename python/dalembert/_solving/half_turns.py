@@ -57,7 +57,7 @@ def turned_joints(mbs: Any, configuration: ConfigurationType) -> list[str]:
 
 
 def warn_of_half_turns(function: str, mbs: Any, configuration: ConfigurationType, when: str) -> None:
-    """Warn of welds that hold, or find, half a turn in the place of none."""
+    """Warn of fixed joints that are, or may be, assembled with a rotation of 180 degrees."""
     if mbs.systemData.AEsize() == 0:
         return
     if found := turned_joints(mbs, configuration):

@@ -1,4 +1,4 @@
-"""What became of constraints and energies in the course of a solution."""
+"""Constraints and energies in the course of a solution."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from dalembert._solving.energies import MovingSystem, energies_of
 from dalembert._solving.quiet import assemble_if_needed
 
 _NAME = "InspectSolution"
-_GROUPS = ("q", "v", "a", "y", "y_t", "lam", "data")  # of a row of a solution
+_GROUPS = ("q", "v", "a", "y", "y_t", "lam", "data")  # groups of a row of a solution
 
 
 class Drift(NamedTuple):
@@ -27,9 +27,9 @@ class Drift(NamedTuple):
 
 
 class SolutionInspection(NamedTuple):
-    """What has been found in the states of a solution.
+    """Results of mbs.InspectSolution.
 
-    times: of these states (s).
+    times: times of the states (s).
     gaps, gapRates: the largest gap (m or rad) and its largest rate, by the text that names item and type.
     kinetic, potential: energies (J) in these states; potential counts from the reference configuration.
     dissipated: work (J) that forces of velocities have taken out since the first state, by the trapezoidal rule.
@@ -91,8 +91,8 @@ def InspectSolution(
 ) -> SolutionInspection:
     """Return the largest gaps of all items in a solution, and its energies; print it for a table.
 
-    solution is a file, or what LoadSolutionFile has read from it; every: so many states further each time. Velocities
-    have to be in it (solutionSettings.exportVelocities). The state of the system stays as it is.
+    solution is a file, or the result of LoadSolutionFile; every: increment of states. It must contain velocities
+    (solutionSettings.exportVelocities). The state of the system does not change.
     """
     assemble_if_needed(_NAME, mbs, autoAssemble)
     if not isinstance(solution, dict):

@@ -1,4 +1,4 @@
-"""Which compiled solver a DynamicSolverType stands for, and what it needs in the settings."""
+"""Compiled solvers of DynamicSolverType, and their required settings."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Kind = Literal["implicit", "diagonally implicit", "explicit"]
 
 
 def kind_of(function: str, solverType: Any) -> Kind:
-    """Return what kind of method it is; ValueError, naming `function`, if it is no method at all."""
+    """Return the kind of method; ValueError, naming `function`, if it is unknown."""
     everything = IMPLICIT | DIAGONALLY_IMPLICIT | EXPLICIT
     if solverType not in everything:
         known = ", ".join(sorted(str(kind) for kind in everything))

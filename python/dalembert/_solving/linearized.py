@@ -49,7 +49,7 @@ def _linearize(
         solver.ComputeJacobianODE2RHS(mbs, scalarFactor_ODE2=0, scalarFactor_ODE2_t=-1, scalarFactor_ODE1=0)
         D = _dense(solver.GetSystemJacobian())[:n2, :n2]
     first, K, state = n2 + n1, jacobian[:n2, :n2], _initial_state(mbs)
-    if counts_only:  # of constraints and coordinates, whatever the stiffness is
+    if counts_only:  # scales of constraints and coordinates, independent of the stiffness
         return _Matrices(M, K, D, jacobian[:n2, first:], jacobian[first:, first:])
     warn_of_turning(function, mbs, state)
     if (more := stiffness_of_reactions(function, mbs, state)) is not None:
@@ -59,11 +59,13 @@ def _linearize(
 
 # Equations that are so much smaller than others act by round-off alone.
 _ROUND_OFF_OF_EQUATIONS = 1e-12
-# Of gaps: so many times their size, up to this, may be left of equations that follow from others where joints fit.
+# Redundant equations with gaps have singular values of up to this multiple of the gaps, at most the second value.
 _MULTIPLE_OF_GAPS, _HIDES_MOST = 10.0, 1e-3
 _LIKELY_CAUSE = 1e-2  # gap, relative to the size of its mechanism, or in rad, after which solutions may go astray
 _LARGE_GAP = (
-    1e-4  # relative to the size of the mechanism, or in rad: it hides what follows from others, here as for solvers
+    # relative to the size of the mechanism, or in rad: gaps of this size hide redundant constraints, here and in
+    # solvers
+    1e-4
 )
 
 
@@ -88,7 +90,7 @@ def _initial_state(mbs: Any) -> Any:
 
 
 def gaps_at_start(mbs: Any) -> list[str]:
-    """Return texts on constraints that the initial state leaves open by what is large for its mechanism."""
+    """Return texts on constraints with gaps in the initial state that are large for their mechanism."""
     if mbs.systemData.AEsize() == 0:
         return []
     gaps = testing.open_constraints(mbs, _initial_state(mbs), _LIKELY_CAUSE, _LIKELY_CAUSE, False)
@@ -107,7 +109,7 @@ def _joints_apart(mbs: Any, state: Any, tolerance: float) -> tuple[float, str]:
 
 
 def _allow_for_gaps(name: str, mbs: Any, singularValues: Any, tolerance: float) -> float:
-    """Return below what singular values count as zero: gaps leave as much of constraints that follow from others."""
+    """Return the threshold of zero singular values: gaps increase those of redundant constraints."""
     largest = singularValues.max(initial=0.0)
     doubtful = singularValues[(singularValues > tolerance * largest) & (singularValues <= _HIDES_MOST * largest)]
     gap, lines = _joints_apart(mbs, _initial_state(mbs), tolerance) if len(doubtful) else (0.0, "")
@@ -142,10 +144,10 @@ def ComputeLinearizedSystem(
 ) -> list[Any]:
     """Return [M, K, D]: mass, stiffness and damping matrix of the system linearized about the initial state.
 
-    In an equilibrium, forces of constraints add to the stiffness; in other states, a warning says that these are left
-    out. Bodies that turn give a warning: ComputeVibrationModes has gyroscopic modes in a rotating frame.
+    Constraint forces add to the stiffness in an equilibrium; in other states they are neglected, with a warning.
+    Rotating bodies give a warning: ComputeVibrationModes has gyroscopic modes in a rotating frame.
     The ODE2 coordinates count (n x n), or the motions that the constraints permit if projectIntoConstraintNullspace.
-    With constraints and returnConstraintJacobian or -Nullspace, the list goes on with C (n x constraints, or []) and
+    If there are constraints, returnConstraintJacobian or -Nullspace append C (n x constraints, or []) and
     the nullspace N (motions x n, or []); N C = 0. Singular values of the equations, scaled to size one, are taken for
     zero below singularValuesTolerance times the largest.
     """
@@ -331,7 +333,7 @@ def _may_be(redundant: int, n2: int, first: int, constraints: int, rows: Any, co
     equations = np.zeros((first + constraints, constraints))
     held = (columns >= first) & ((rows < n2) | (rows >= first))
     equations[rows[held], columns[held] - first] = values[held]
-    largest = np.abs(equations).max(axis=1, keepdims=True)  # of coordinates, whose units do not matter either
+    largest = np.abs(equations).max(axis=1, keepdims=True)  # largest entries of coordinates, whose units do not matter
     sizes = np.linalg.svd(_scaled(equations / np.where(largest > 0, largest, 1)), compute_uv=False)
     fewest, most = (constraints - _rank(sizes, tolerance) for tolerance in (_CERTAINLY_ZERO, _CERTAINLY_NOT))
     return fewest <= redundant <= most
@@ -388,11 +390,12 @@ def ComputeSystemDegreeOfFreedom(
     """Count the degrees of freedom and the redundant constraints of the system in its initial state.
 
     The dict has degreeOfFreedom, redundantConstraints, nODE2, nODE1, nAE (all constraints) and nPureAE (constraints on
-    multipliers only). Redundant are those that do not raise the rank of the constraint Jacobian, counted by block
+    multipliers only). Redundant constraints do not increase the rank of the constraint Jacobian. They are counted by
+    block
     inverse iteration, which takes about as long as a step of a simulation; removableEquations then has [removable,
-    all] equations by object number: so many could be left out in this object alone. A warning tells where equations
-    are hardly independent, as in large nets of loops. With useSVD, redundant are singular values below `threshold`,
-    for small systems. verbose prints the counts, with useSVD also the values.
+    all] equations by object number: the number that could be removed in this object alone. A warning reports equations
+    that are hardly independent, as in large nets of loops. useSVD counts singular values below `threshold`,
+    for small systems. verbose prints the counts, and the singular values if useSVD is set.
     """
     name = "ComputeSystemDegreeOfFreedom"
     counts = (

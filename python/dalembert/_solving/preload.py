@@ -1,4 +1,4 @@
-"""Forces of constraints at rest, and what linearizations about the initial state cannot know of it."""
+"""Constraint forces at rest, and limits of linearizations about the initial state."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from dalembert._solving.coordinate_parts import CoordinateParts
 
 _BALANCED = 1e-5  # forces that constraints do not balance, relative to all others
 _ROUND_OFF = 1e3 * np.finfo(float).eps
-_TURNS = 1e-5  # rad/s, above what solvers leave of bodies at rest
+_TURNS = 1e-5  # rad/s, above the residual velocities of bodies at rest
 _PRELOAD = 1e-3  # share of forces that constraints carry
 
 
@@ -25,9 +25,9 @@ def _dense(entries: Any, size: int) -> FloatArray:
 
 
 def stiffness_of_reactions(function: str, mbs: Any, state: Any) -> FloatArray | None:
-    """Return what forces of constraints add to the stiffness matrix in the state at rest; None without such forces.
+    """Return the contribution of constraint forces to the stiffness matrix at rest; None without such forces.
 
-    They are known where constraints balance all other forces. Else, a warning names what to call.
+    They are known if constraints balance all other forces. Otherwise, a warning names the function to call.
     """
     n, at_rest = len(state.q), state.copy()
     if len(state.lam) == 0:

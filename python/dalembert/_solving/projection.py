@@ -1,7 +1,7 @@
 """Smallest changes, in the metric of the mass matrix, that fulfil linearized constraints, redundant ones among them.
 
-In scaled unknowns and equations the step solves [[M, G^T], [G, -eps I]] (x, y) = (0, b), which has a solution whatever
-the rank of G. In directions that constraints hold well, x is that of eps = 0; the rest is left to the next step.
+In scaled unknowns and equations the step solves [[M, G^T], [G, -eps I]] (x, y) = (0, b), which has a solution for any
+rank of G. In well-conditioned directions, x is that of eps = 0; the next step corrects the rest.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ import numpy as np
 
 from dalembert._checks import FloatArray, IntArray
 
-REGULAR, SMALLER, SMALLEST = 1e-10, 1e-12, 1e-14  # eps where nothing speaks against it; where that converges slowly
+REGULAR, SMALLER, SMALLEST = 1e-10, 1e-12, 1e-14  # default eps; values for slow convergence
 _RANK = 1e-12  # eps for counting
-_LEFT_BY_JOINTS_APART = 1e2  # the same, relative to the square of what joints are apart
+_LEFT_BY_JOINTS_APART = 1e2  # eps relative to the squared gap of the joints
 _LARGEST_BLOCK = 12  # coordinates of a mass matrix block that is searched for motions without inertia
 _MASSLESS = 1e-10  # share of the largest inertia in a block
 _MOST_REDUNDANT = 400  # equations, that are counted
@@ -39,7 +39,8 @@ def _without_inertia(blocks: FloatArray) -> tuple[IntArray, FloatArray]:
 
 
 def weights(mass: Any) -> Any:
-    """Return the mass matrix with weights for what has none: 1 for coordinates, the largest of the body for motions."""
+    """Return the mass matrix with weights for massless coordinates: 1 for coordinates, the largest of the body for
+    motions."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
@@ -49,10 +50,10 @@ def weights(mass: Any) -> Any:
     labels = connected_components(mass, directed=False)[1]
     counts = np.bincount(labels)
     order = np.argsort(labels, kind="stable")
-    place = np.empty(size, dtype=int)  # of each coordinate in its block
+    place = np.empty(size, dtype=int)  # position of each coordinate in its block
     place[order] = np.arange(size) - np.repeat(np.cumsum(counts) - counts, counts)
     for count in range(2, _LARGEST_BLOCK + 1):
-        numbers = np.cumsum(counts == count) - 1  # of the blocks of this size
+        numbers = np.cumsum(counts == count) - 1  # numbers of the blocks of this size
         members = order[counts[labels[order]] == count].reshape(-1, count)
         inside = counts[labels[entries.row]] == count
         blocks = np.zeros((len(members), count, count))
@@ -69,9 +70,9 @@ def weights(mass: Any) -> Any:
 
 
 class LinearizedConstraints:
-    """G x = b at one state; `held` coordinates do not move. Rows that nothing moves are left out.
+    """Equations G x = b at one state; `held` coordinates are fixed. Rows without a free coordinate are ignored.
 
-    Where no x fulfils all rows, `shares` weighs what each is left with; rows whose share is zero have their own.
+    If no x fulfils all rows, `shares` weights the remaining error of each; rows with zero share keep their own error.
     """
 
     def __init__(self, mass: Any, gradient: Any, held: FloatArray, shares: FloatArray) -> None:
@@ -110,18 +111,18 @@ class LinearizedConstraints:
         return solve
 
     def left_open(self, right: FloatArray) -> tuple[FloatArray, float]:
-        """Return what no x fulfils of b, and its share, of scaled equations."""
+        """Return the part of b that no x fulfils, and its relative size, for scaled equations."""
         left = np.zeros_like(right)
         left[self.rows] = right[self.rows] - self._gradient @ self.solver(REGULAR)(right)
         sizes = [float(np.linalg.norm(self.row_scale * b[self.rows])) for b in (left, right)]
         return left, sizes[0] / max(sizes[1], 1e-300)
 
     def redundant(self, apart: float = 0) -> int | None:
-        """Count the equations that follow from others; None: very many.
+        """Count the redundant equations; None: very many.
 
         eps (S + eps)^-1 with S = G M^-1 G^T has eigenvalues of one for combinations of rows that vanish, and small ones
-        otherwise. Subspace iteration finds the former, eight at a time. Joints that are apart, relative to the size of
-        their mechanism, leave the square of that of what vanishes where they fit.
+        otherwise. Subspace iteration finds the former, eight at a time. Gaps of joints, relative to the size of their
+        mechanism, increase zero eigenvalues by the square of the gap.
         """
         eps = max(_RANK, _LEFT_BY_JOINTS_APART * apart**2)
         size, count = len(self._scale), len(self.rows)

@@ -12,7 +12,7 @@ from dalembert._solving.diagnosis import SolverError
 
 
 def require_system(function: str, mbs: Any) -> None:
-    """Refuse what is no system."""
+    """Raise an error if mbs is not a system."""
     if not isinstance(mbs, _core.MainSystem):
         raise TypeError(f"{function}: mbs: received {mbs!r}, but expected a MainSystem; SC.AddSystem() makes one")
 
@@ -27,7 +27,7 @@ def assemble_if_needed(function: str, mbs: Any, autoAssemble: bool) -> None:
 
 
 def given_or_default(function: str, simulationSettings: Any) -> SimulationSettings:
-    """Return the settings, the default ones for None; TypeError for anything else."""
+    """Return the settings, by default new ones; TypeError for other types."""
     if simulationSettings is None:
         return SimulationSettings()
     if isinstance(simulationSettings, SimulationSettings):
@@ -38,7 +38,7 @@ def given_or_default(function: str, simulationSettings: Any) -> SimulationSettin
 
 
 def DeactivateWritingOfSolvers(simulationSettings: Any) -> dict[str, Any]:
-    """Switch off text, solution and sensor files in the settings; return what RestoreSimulationSettings needs."""
+    """Switch off text, solution and sensor files in the settings; return the data for RestoreSimulationSettings."""
     static, solution = simulationSettings.staticSolver, simulationSettings.solutionSettings
     store = {
         "verboseModeOld": static.verboseMode,

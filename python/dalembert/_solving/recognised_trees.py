@@ -1,11 +1,13 @@
 """Open chains and trees of rigid bodies as kinematic trees: treeDynamics.RecogniseTrees.
 
-Bodies that revolute, prismatic, spherical and fixed joints carry, one after the other, become links; what acts on the
-bodies then acts on the links. Items keep their numbers: in the place of bodies, their nodes and joints are ground items
-that nobody sees. Joints that close loops, and all that has no counterpart among links, stay as they are.
+Chains of bodies with revolute, prismatic, spherical and fixed joints become links; connectors and loads on the bodies
+then
+act on the links. Items keep their numbers: bodies, their nodes and joints are replaced by invisible ground items.
+Joints
+that close loops, and items without a counterpart among links, remain.
 
-Joints of trees have one coordinate. Spherical joints are three of them, one after the other, and bodies that nothing
-holds stand on six; links between these have no mass.
+Joints of trees have one coordinate. Spherical joints are three of them in series, and floating bodies have six;
+intermediate links have no mass.
 """
 
 from __future__ import annotations
@@ -190,7 +192,7 @@ def _inertia(item: dict[str, Any], seat: Seat) -> RigidBodyInertia:
 
 
 def _weights(model: Model, tree: Tree) -> FloatArray:
-    """Return gravity of all links; none if it is not the same for all."""
+    """Return gravity of all links; zero if it differs between links."""
     all_weights = np.array([model.gravity(seat.body) for seat in tree.seats])
     return (
         all_weights[0]
@@ -200,7 +202,8 @@ def _weights(model: Model, tree: Tree) -> FloatArray:
 
 
 def _locking(model: Model, tree: Tree, node: NodeIndex) -> Iterator[tuple[str, int, int]]:
-    """Yield what solvers watch: the name of what turns about three axes, the node, and its first coordinate there."""
+    """Yield data of gimbal lock for solvers: the name of the joint or body with three angles, the node, and its first
+    coordinate."""
     for seat in tree.seats:
         if seat.joint.free in (ROTATIONS, ALL_AXES):
             number, kind = (seat.body, "body") if seat.joint.free == ALL_AXES else (seat.joint.number, "joint")
@@ -209,7 +212,7 @@ def _locking(model: Model, tree: Tree, node: NodeIndex) -> Iterator[tuple[str, i
 
 
 def _names(model: Model, tree: Tree) -> dict[str, list[str]]:
-    """Return names of links and joints: those of the body that a joint moves, and of the joint."""
+    """Return names of links and joints: the name of the body that a joint moves, and the name of the joint."""
     links, joints = ([""] * len(tree.links) for _ in range(2))
     for seat in tree.seats:
         links[seat.link] = links[seat.link] or model.items("object")[seat.body]["name"]
@@ -248,7 +251,7 @@ def _parameters(model: Model, tree: Tree, node: NodeIndex) -> dict[str, Any]:
 
 
 def _turn_user(user: dict[str, Any], marker: int, turn: FloatArray) -> None:
-    """Give what uses a marker in the axes of the link."""
+    """Transform the data of an item that uses a marker to the axes of the link."""
     at = [int(number) for number in user.get("markerNumbers", [])]
     if user.get("bodyFixed"):
         user["loadVector"] = turn.T @ user["loadVector"]
@@ -261,7 +264,7 @@ def _hidden(item: dict[str, Any], **values: Any) -> dict[str, Any]:
 
 
 def _on_link(seat: Seat, number: ObjectIndex, user: dict[str, Any], item_type: str) -> dict[str, Any]:
-    """Return what tells a sensor or marker of a body, or of its node, where it is on the link."""
+    """Return the parameters with the position on the link for a sensor or marker of a body, or of its node."""
     local = seat.turn.T @ (np.asarray(user.get("localPosition", np.zeros(3))) - seat.origin)
     return {item_type: "KinematicTree", "objectNumber": number, "linkNumber": seat.link, "localPosition": local}
 

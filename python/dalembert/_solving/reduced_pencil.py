@@ -1,4 +1,4 @@
-"""Eigenvalues of small systems with constraints: of the motions that constraints permit, without infinite ones."""
+"""Eigenvalues of small systems with constraints: for the motions that constraints permit, without infinite ones."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class ReducedPencil:
     """lambda^2 M + lambda G + K on the motions that constraints permit.
 
     Infinite eigenvalues of constraints come in chains, whose rounding looks like fast motions: these have none.
-    apart: what no motion closes of the gaps of joints; equations that are as dependent as that are redundant.
+    apart: part of the gaps of joints that no motion closes; equations with this degree of dependence are redundant.
     """
 
     def __init__(self, M: Any, G: Any, K: Any, apart: float) -> None:
@@ -82,7 +82,7 @@ class ReducedPencil:
         """Return a pair after steps of Newton's method; rigid motions, which are next to the shift, cost it digits."""
         first: tuple[complex, Any] = value, x
         if value.imag == 0:
-            value, x = value.real, np.asarray(x.real, dtype=x.dtype)  # with round-off, it would look like one of a pair
+            value, x = value.real, np.asarray(x.real, dtype=x.dtype)  # round-off would make it look like one of a pair
         for _ in range(_CORRECTIONS):
             matrix = value**2 * self.M + value * self.G + self.K
             slope = 2 * value * (self.M @ x) + self.G @ x

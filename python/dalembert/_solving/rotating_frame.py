@@ -26,7 +26,7 @@ class RotatingFrame:
     """Velocities V and accelerations A of all coordinates if everything rotates; they change with the coordinates.
 
     A state seen from the rotating frame moves by x: rates are V + V' x + x_t, accelerations A + A' x + 2 V' x_t + x_tt.
-    On Lie-group rotations, which are increments in the axes of the node, accelerations are x_tt + V' x_t.
+    Lie-group rotations, which are increments in the axes of the node, have the accelerations x_tt + V' x_t.
     """
 
     def __init__(self, mbs: Any, speed: FloatArray, center: FloatArray) -> None:
@@ -90,7 +90,7 @@ class RotatingFrame:
                 yield numbers[3:], local, _cross(local), np.zeros(3), np.zeros((3, 3)), 1
 
     def apply(self, state: Any) -> tuple[Any, Any, Any]:
-        """Give the state V and A; return V', A', and what x_t is multiplied by in accelerations."""
+        """Set V and A of the state; return V', A', and the factor of x_t in accelerations."""
         from scipy.sparse import csr_array
 
         n = len(state.q)

@@ -10,13 +10,13 @@ import numpy as np
 from dalembert._checks import FloatArray
 from dalembert._core import testing
 
-# Takes the place of zeros of multipliers where constraints follow from others, relative to what these state.
+# Replaces the zeros of redundant multipliers, relative to the size of their equations.
 _IDLE = 1e-11
-# Joints that are apart state the square of that more, against motions that they leave free where they fit. Beside this
-# multiple of it, within limits, that has no effect, as in solvers.
+# Gaps of joints make redundant equations independent by the square of the gap. This multiple of it, within limits,
+# makes their effect negligible, as in solvers.
 _MISALIGNED, _LEAST_APART, _MOST_APART = 1e6, 1e-8, 1e-7
 _FITS = 1e-11
-_REFINEMENTS, _SETTLED = 5, 1e-8  # solutions for what that has left, and the change that is the last one
+_REFINEMENTS, _SETTLED = 5, 1e-8  # corrections of the regularization error, and the change after which they end
 
 Solve = Callable[[FloatArray], FloatArray]
 
@@ -24,7 +24,7 @@ Solve = Callable[[FloatArray], FloatArray]
 def sparse_solver(matrix: Any) -> Solve:
     """Return the function that solves with this square matrix, for vectors or columns; LinAlgError: it is singular.
 
-    By the factors of the solvers: SuperLU does not always refuse a singular matrix, it may end the process.
+    Uses the factors of the solvers: SuperLU does not always reject a singular matrix, and may crash the process.
     """
     columns = matrix.tocsc()
     factors = testing.LinearSolver(columns.indptr, columns.indices)
@@ -43,10 +43,10 @@ def sparse_solver(matrix: Any) -> Solve:
 class ConstrainedSolver:
     """Solutions with a matrix of n coordinates and of constraints, perhaps redundant ones; LinAlgError: it is singular.
 
-    Springs against what constraints hold, as stiff as their bodies, change no solution; beside them, the same small
-    number takes the place of the zeros of all multipliers.
+    Springs along the constraints, as stiff as their bodies, do not change the solution; in addition, the same small
+    number replaces the zeros of all multipliers.
 
-    apart: what no motion closes of the gaps of joints, relative to the size of their mechanism, or in rad.
+    apart: part of the gaps of joints that no motion closes, relative to the size of their mechanism, or in rad.
     """
 
     def __init__(self, matrix: Any, n: int, apart: float = 0.0) -> None:
@@ -76,14 +76,14 @@ class ConstrainedSolver:
         return self._solve(np.concatenate([right[:n] + self._stiffer @ right[n:], right[n:]]))
 
     def left_open(self, right: FloatArray) -> FloatArray:
-        """Return what no motion fulfils of the constraints."""
+        """Return the part of the constraints that no motion fulfils."""
         n = self._n
         if len(right) == n:
             return right[n:]
         return np.asarray((right - self._matrix @ self._step(right))[n:])
 
     def solve(self, right: FloatArray) -> FloatArray:
-        """Return the solution; what the small number has left of the equations is solved for again."""
+        """Return the solution; the regularization error is corrected iteratively."""
         n = self._n
         if len(right) == n:
             return self._solve(right)

@@ -1,7 +1,7 @@
-"""Which rigid bodies of a system make open chains and trees, and how they lie in them.
+"""Search for open chains and trees of rigid bodies in a system, and the poses of bodies in them.
 
-Bodies are in a tree that revolute, prismatic, spherical and fixed joints carry, one after the other, if all that refers
-to them has a counterpart among links.
+A body belongs to a tree if it is connected by revolute, prismatic, spherical or fixed joints, and all items that refer
+to it have a counterpart among links.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ GROUND = -1
 _LISTS = {"node": NodeIndex, "object": ObjectIndex, "marker": MarkerIndex}
 ROTATIONS, ALL_AXES = (3, 4, 5), (0, 1, 2, 3, 4, 5)  # of joints: three translations, then three rotations
 _FREE_AXES = {"JointRevoluteZ": (5,), "JointPrismaticX": (0,), "JointSpherical": ROTATIONS}
-# What links tell of themselves, and which of it does not depend on the axes of the link.
+# Outputs of links, and whether they depend on the axes of the link.
 _OUTPUTS = {
     getattr(OutputVariableType, name): name
     in {"Position", "Displacement", "Velocity", "Acceleration", "AngularVelocity"}
@@ -44,8 +44,8 @@ _OF_GROUND = {"Position", "Displacement", "Velocity", "Rotation", "RotationMatri
 class Joint:
     """A joint from a body (or GROUND) to another; ends are places and axes in their frames."""
 
-    number: int  # of the object; -1: nothing holds the body
-    free: tuple[int, ...]  # of its six axes: one, ROTATIONS, ALL_AXES, or none
+    number: int  # number of the object; -1: a floating body
+    free: tuple[int, ...]  # free axes among its six axes: one, ROTATIONS, ALL_AXES, or empty
     bodies: tuple[int, int]
     places: tuple[FloatArray, FloatArray]
     axes: tuple[FloatArray, FloatArray]
@@ -62,13 +62,13 @@ class Joint:
 
 @dataclass
 class Seat:
-    """Where a body is in a tree: on the frame of a link, which is told in the frame of the body."""
+    """Pose of a body in a tree: the frame of its link, given in the frame of the body."""
 
     body: int
     joint: Joint
     origin: FloatArray  # on the joint that moves the link
     turn: FloatArray  # axes of the link, in those of the body
-    sign: float = 1.0  # of the coordinate, as the axis may point backwards
+    sign: float = 1.0  # sign of the coordinate, because the axis may point backwards
     link: int = GROUND
 
     @property
@@ -130,7 +130,7 @@ class Model:
         return [(what, self.items(what)[k], k) for what, k in self.users.get((kind, i), [])]
 
     def body_of(self, marker: int) -> int | None:
-        """Return the rigid body that a marker is on, GROUND, or None for any other place."""
+        """Return the rigid body of a marker, GROUND, or None for other carriers."""
         item = self.items("marker")[marker]
         if item["markerType"] in {"NodeRigid", "NodePosition"}:
             return next((k for kind, body, k in self.users_of("node", int(item["nodeNumber"])) if _is_body(body)), None)
@@ -142,7 +142,7 @@ class Model:
         return int(item["bodyNumber"]) if _is_body(body) else None
 
     def place_of(self, marker: int) -> tuple[FloatArray, FloatArray]:
-        """Return place and axes of a marker in the frame of its body; on ground, in the global frame."""
+        """Return position and axes of a marker in the frame of its body; markers on ground use the global frame."""
         item = self.items("marker")[marker]
         local = np.asarray(item.get("localPosition", np.zeros(3)))
         if self.body_of(marker) != GROUND:
@@ -169,7 +169,7 @@ def _is_body(item: dict[str, Any]) -> bool:
     return item.get("objectType") == "RigidBody"
 
 
-# ---- what can be part of a tree --------------------------------------------------------------------------------------
+# ---- items that can be part of a tree --------------------------------------------------------------------------------
 
 
 def _is_weight(load: dict[str, Any]) -> bool:
@@ -177,7 +177,7 @@ def _is_weight(load: dict[str, Any]) -> bool:
 
 
 def _turns(kind: str, user: dict[str, Any], i: int) -> bool:
-    """Return whether what uses a marker can be given in other axes of the body."""
+    """Return whether an item that uses a marker can be transformed to other axes of the body."""
     if kind == "load":
         return not user.get("bodyFixed") or not user["loadVectorUserFunction"]
     at = [int(marker) for marker in user.get("markerNumbers", [])]
@@ -215,7 +215,7 @@ def _has_counterpart(model: Model, body: int, turned: bool, grounded: bool = Fal
 
 
 def _free_axes(item: dict[str, Any]) -> tuple[int, ...] | None:
-    """Return the axes along and about which an ideal joint moves; None if trees have no such joint."""
+    """Return the free axes of an ideal joint; None if trees have no such joint."""
     kind = item["objectType"]
     if kind == "JointGeneric" and not item["offsetUserFunction"]:
         free = tuple(axis for axis in ALL_AXES if not item["constrainedAxes"][axis])
@@ -266,7 +266,7 @@ def _seat(joint: Joint, carrier: Seat) -> Seat:
 
 
 class _Search:
-    """Finds trees: of each body the shortest way to the ground, or to a body that floats."""
+    """Finds trees: the shortest path of each body to the ground, or to a floating body."""
 
     def __init__(self, model: Model) -> None:
         self.model, self.joints, self.taken = model, _joints(model), set[int]()
@@ -274,7 +274,7 @@ class _Search:
     def carried_by(self, seat: Seat, on_ground: bool = False, fixed: bool = True) -> Iterator[Seat]:
         """Yield the bodies on a body (or on ground) that are not in a tree yet, which they are from now on.
 
-        On what does not move: those that are fixed there, or those that are not.
+        On fixed carriers: either fixed bodies, or moving ones.
         """
         for joint in self.joints:
             ends = joint.bodies

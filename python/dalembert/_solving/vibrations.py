@@ -19,34 +19,37 @@ from dalembert._solving.sparse_factors import ConstrainedSolver
 
 _NAME = "ComputeVibrationModes"
 _DENSE = 250  # numbers of the first order system up to which all eigenvalues are computed
-_SHIFT = 1e-5  # of the largest frequency: rigid motions are no singularity, and the lowest frequencies come first
-_LEAST_SHIFT = 1e-7  # the square of this is above round-off, so that they still are none
+# relative to the largest frequency: rigid-body modes are not singular, and the lowest frequencies come first
+_SHIFT = 1e-5
+_LEAST_SHIFT = 1e-7  # its square is above round-off, so that rigid-body modes remain regular
 _ITERATIONS = 50
-_LARGEST_TURN, _LARGEST_MOVE = 0.5, 1.0  # of one step of Newton's method: rad, and sizes of the model
-_FAR_TURN, _FAR_MOVE = 1.5, 2.0  # of an equilibrium that is not next to the initial state
+_LARGEST_TURN, _LARGEST_MOVE = 0.5, 1.0  # limits of one step of Newton's method: rad, and sizes of the model
+_FAR_TURN, _FAR_MOVE = 1.5, 2.0  # limits beyond which an equilibrium counts as far from the initial state
 _SHORTER_STEPS = 8  # tries with more inertia until a step is short enough
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
 _CLOSED, _NOTICEABLE = 1e-11, 1e-10  # gaps of joints, relative to the size of their mechanism, or in rad
 _ROUND_OFF = 1e3 * np.finfo(float).eps
 _MORE = 4  # eigenvalues that are computed besides those asked for
-_BASIS = 4  # vectors of Arnoldi's method per eigenvalue: two do not always tell pairs of equal size apart
-_RESTARTS = 30  # of Arnoldi's method, which takes a few where the shift is good
-_LAST_DIGITS = 8  # by sums in elements, and by factors
+_BASIS = 4  # vectors of Arnoldi's method per eigenvalue: two may not separate pairs of equal size
+_RESTARTS = 30  # of Arnoldi's method, which needs a few for a good shift
+_LAST_DIGITS = 8  # lost in sums of elements, and in factors
 _DROWNED, _RIGID = 0.1, 0.01  # uncertainties, relative to eigenvalues of their own, and to the smallest elastic one
-_LONGEST_CHAIN = 3  # of infinite eigenvalues of constraints
+_LONGEST_CHAIN = 3  # length of chains of infinite eigenvalues of constraints
 
 
 @dataclass(frozen=True)
 class VibrationModes:
-    """What ComputeVibrationModes found, the lowest frequencies first.
+    """Results of ComputeVibrationModes, the lowest frequencies first.
 
     eigenvalues: complex lambda (1/s) of motions exp(lambda t), one of each conjugate pair, with imaginary part >= 0.
     frequencies: imaginary parts in Hz, in the rotating frame.
     dampingRatios: - Re(lambda) / |lambda|; negative ones grow. 0 for lambda = 0.
-    uncertainties: how far rounding of the stiffnesses may have moved each eigenvalue (1/s). It grows with the stiffest
-        against the softest motion and with the square of the number of elements; rigid motions have no larger values.
-    modes: complex ODE2 motions, one column per eigenvalue; the entry of largest magnitude is 1. Of Lie-group nodes,
-        rotations are small rotation vectors in the axes of the node.
+    uncertainties: bound of the effect of round-off of the stiffnesses on each eigenvalue (1/s). It grows with the
+    ratio of
+        the largest to the smallest stiffness and with the square of the number of elements; those of rigid-body modes
+        are not larger.
+    modes: complex ODE2 motions, one column per eigenvalue; the entry of largest magnitude is 1. Rotations of Lie-group
+        nodes are small rotation vectors in the axes of the node.
     coordinates: ODE2 coordinates of the state about which the system vibrates.
     """
 
@@ -123,9 +126,9 @@ def _shift_of(M: Any, K: Any, parts: CoordinateParts) -> float:
 def _step(
     matrices: tuple[Any, Any, Any], residual: FloatArray, parts: CoordinateParts, gap: float, is_closed: bool
 ) -> FloatArray:
-    """Return the increment of Newton's method; where it is too long, that with inertia against it, which goes downhill.
+    """Return the increment of Newton's method; if it is too long, a mass term regularizes it to a descent direction.
 
-    Rigid motions, which nothing resists, stay as they are.
+    Rigid-body modes are not changed.
     """
     M, G, K = matrices
     n, shift = M.shape[0], _shift_of(M, K, parts)
@@ -147,7 +150,7 @@ def _step(
 def _find_balance(mbs: Any, state: Any, rotation: RotatingFrame, parts: CoordinateParts) -> float:
     """Move the state to where all forces, those of the rotation among them, are in balance, and joints fit.
 
-    Return what joints that contradict each other leave open, relative to the size of their mechanism, or in rad.
+    Return the remaining gap of inconsistent joints, relative to the size of their mechanism, or in rad.
     """
     n, largest, before, open_before = len(state.q), 0.0, np.inf, np.inf
     units = testing.constraint_metric(mbs, state)[1]
@@ -209,7 +212,7 @@ def _warn_if_far(mbs: Any, state: Any, parts: CoordinateParts) -> None:
 
 
 def _check_that_joints_fit(mbs: Any, state: Any) -> None:
-    """Refuse what solvers do not tolerate, and warn of what they do."""
+    """Raise an error for gaps beyond the tolerance of solvers, and warn of smaller ones."""
 
     def left_open(tolerance: float) -> list[str]:
         return listed([text for *_, text in testing.open_constraints(mbs, state, tolerance, tolerance, False)])
@@ -240,13 +243,13 @@ def _eigenpairs(
         if shift <= least:
             advice = "make the model less stiff, or its elements longer: motions of interest are lost in rounding"
             raise _error("newton", "no modes were found", advice)
-        shift = max(shift / 10, smallest / 2, least)  # far from a shift, low frequencies look alike
+        shift = max(shift / 10, smallest / 2, least)  # low frequencies are not separated far from a shift
 
 
 def _nearest(
     M: Any, G: Any, K: Any, count: int, shift: float, apart: float
 ) -> tuple[ComplexArray, ComplexArray] | None:
-    """Return eigenvalues next to the shift, and their vectors; None if they are too much alike.
+    """Return eigenvalues next to the shift, and their vectors; None if they are not separated.
 
     Constraints have infinite eigenvalues in chains, whose rounding looks like fast motions: small systems are reduced
     to the motions that constraints permit, and pairs that do not solve the equations of motion are dropped.
@@ -266,7 +269,7 @@ def _nearest(
 
     wanted = 2 * count + _MORE
     operator = LinearOperator((2 * n, 2 * n), matvec=lambda y: inverse(y).ravel(), dtype=float)
-    # what starts in the range of the operator fulfils the constraints
+    # vectors in the range of the operator fulfil the constraints
     first = np.random.default_rng(1).normal(size=2 * n)
     for _ in range(_LONGEST_CHAIN):
         first = inverse(first).ravel()
@@ -290,7 +293,7 @@ def _dense(M: Any, G: Any, K: Any, shift: float, apart: float) -> tuple[ComplexA
 
 
 def _uncertainties(M: Any, G: Any, K: Any, values: ComplexArray, vectors: ComplexArray) -> FloatArray:
-    """Return what changes of the last digits of all entries of K do to eigenvalues, to first order of their squares."""
+    """Return the effect of round-off in all entries of K on the eigenvalues, to first order of their squares."""
     n = M.shape[0]
     magnitudes = np.abs(vectors)
     rounding = _LAST_DIGITS * np.finfo(float).eps * np.sum(magnitudes * (abs(K[:n, :n]) @ magnitudes), axis=0)
@@ -328,8 +331,9 @@ def ComputeVibrationModes(
 
     There are fewer if the system has fewer degrees of freedom. A warning reports an equilibrium that is far away.
     All forces count at their full values: preloads, gyroscopic and centrifugal forces, damping, and geometric terms of
-    forces in bodies, connectors and constraints. With an angularVelocity (rad/s, global axes) about center (m), the
-    whole model, with ground and the directions of loads, is seen from a frame that rotates: its steady state is found
+    forces in bodies, connectors and constraints. If an angularVelocity (rad/s, global axes) about center (m) is
+    given, the motion of the whole model, including ground
+    and the directions of loads, is described in a rotating frame: its steady state is found
     by Newton's method from the initial state, and motions are those relative to the frame. Bodies with a floating frame
     turn with that; ObjectGenericODE2 rotates if its nodes are points or rigid bodies. Dampers between bodies and
     ground see the speed of the rotation. Constraints may be redundant. updateInitialValues makes that state the initial

@@ -1,1 +1,1 @@
-"""Many computations of one model: variations, optimization, sensitivities, and what runs them side by side."""
+"""Many computations of one model: variations, optimization, sensitivities, and parallel execution."""

@@ -65,7 +65,7 @@ def number_of_threads(given: int | None) -> int:
 
 
 def GetVersionPlatformString() -> str:
-    """Return versions of package and Python, and the platform: where results come from."""
+    """Return versions of package and Python, and the platform, for the documentation of results."""
     package = sys.modules.get("dalembert")
     config = getattr(package, "config", None)
     version = config.Version(True) if config is not None else "(no core) Python" + platform.python_version()
@@ -88,7 +88,7 @@ def AddComputationIndexAndFunctionData(
 
 
 def check_sets(name: str, sets: Any) -> None:
-    """Refuse what is no list of parameter sets."""
+    """Raise an error if the value is not a list of parameter sets."""
     if not hasattr(sets, "__len__") or not all(isinstance(each, Mapping) for each in sets):
         raise shape_error(name, "a list of dictionaries", sets)
 
@@ -127,8 +127,7 @@ def WriteToFile(
 ) -> int:
     """Append one row [number, value, parameters] per parameter set to a file; return the next number.
 
-    `parameters` are the ranges that the header shows; with `writeHeader`, the file starts anew. Nothing happens
-    without a file name.
+    `parameters` are the ranges in the header; `writeHeader` starts a new file. An empty file name has no effect.
     """
     if resultsFile in ("", None):
         return globalCnt
@@ -150,7 +149,7 @@ def WriteToFile(
 
 
 def results_file(function: str, arguments: Mapping[str, Any]) -> str:
-    """Return the argument resultsFile of a study; "" if there is none."""
+    """Return the argument resultsFile of a study; "" if it is not given."""
     given = arguments.get("resultsFile", "")
     return "" if given in ("", None) else file_to_write(f"{function}: resultsFile", given, newFolder=True)
 
@@ -183,9 +182,9 @@ class _KeepingFailures:
 
 
 def known_values(resultsFile: str, sets: Sequence[ParameterSet], first: int = 0) -> list[float]:
-    """Return values that a results file has for the first sets, from its row `first` on.
+    """Return the values in a results file for the first sets, from its row `first` on.
 
-    What comes behind them, such as a last line that is not complete, is removed from the file.
+    The rest of the file, such as an incomplete last line, is removed.
     """
     if not resultsFile:
         raise ValueError("restart needs the resultsFile of the study to go on with")
@@ -221,7 +220,7 @@ def _checked_values(resultsFile: str, lines: list[str], sets: Sequence[Parameter
 class _Raised(NamedTuple):
     """Stands in place of a value if the function has raised an exception."""
 
-    error: Any  # with the traceback of its process
+    error: Any  # includes the traceback of its process
 
 
 def _outcomes(function: Function, sets: Sequence[ParameterSet]) -> list[Any]:
@@ -239,7 +238,8 @@ def _outcomes(function: Function, sets: Sequence[ParameterSet]) -> list[Any]:
 
 
 def _require_passable(function: Function, sets: Sequence[ParameterSet]) -> None:
-    """Refuse what processes cannot receive: a pool of Python 3.11 that fails to pass it on may never end."""
+    """Raise an error for arguments that cannot be pickled: a pool of Python 3.11 may wait for ever after such an
+    error."""
     from multiprocessing.reduction import ForkingPickler
 
     ForkingPickler.dumps((function, list(sets)))
@@ -256,8 +256,8 @@ def _on_executor(executor: Any, function: Function, sets: Sequence[ParameterSet]
 def _in_processes(function: Function, sets: Sequence[ParameterSet], threads: int) -> Iterator[Any]:
     """Yield results in order. Processes take portions: passing one on may take as long as to evaluate a function.
 
-    After an exception, those that are at work end their portion by themselves: to kill one that is sending its results
-    would leave others waiting for ever.
+    After an exception, running processes finish their portion: killing one that sends results would block the other
+    ones.
     """
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
@@ -414,7 +414,7 @@ def ProcessParameterList(
 ) -> list[Any]:
     """Evaluate a function for each parameter set of a list; return the results in the same order.
 
-    With `useMultiProcessing`, True or 'processes', processes of this machine work in parallel; the function must be
+    If `useMultiProcessing` is True or 'processes', processes of this machine work in parallel; the function must be
     importable by them and must not write files of the same name. `clusterHostNames` makes it a Dask cluster: the
     address of a scheduler, several hosts that ssh reaches, or a dask.distributed.Client. Further arguments:
     showProgress, numberOfThreads (default: all), resultsFile (written row by row), parameters (ranges, for the header
@@ -493,7 +493,7 @@ def _cut_to_rows(resultsFile: str, rows: int) -> None:
 def scalar_objective(where: str, value: Any) -> float:
     """Return a number to be minimized: the value itself, or the norm of several values."""
     name, expected = f"{where}: result of objectiveFunction", "a number, or several whose norm counts"
-    if value is None:  # of which numpy makes nan
+    if value is None:  # numpy would convert it to nan
         raise shape_error(name, expected, value)
     array = as_array(name, value, expected)
     return float(array) if array.ndim == 0 else float(np.linalg.norm(array.ravel()))

@@ -83,7 +83,7 @@ class _Breeding:
 
 
 def _survivors(generation: list[ParameterSet], order: list[int], n: int, distance: float, ranges: Ranges) -> list[int]:
-    """Return the indices of the best n; with a distance, each is at least so far (relative) from all better ones."""
+    """Return the indices of the best n; a distance is the minimum relative distance from all better ones."""
     if distance == 0:
         return order[:n]
     names, widths = list(ranges), np.array([limits[1] - limits[0] for limits in ranges.values()])
@@ -150,7 +150,7 @@ def GeneticOptimization(
     populationSize, numberOfGenerations: sizes; initialPopulationSize (kwargs) is the size of the first generation.
     elitistRatio: part of a generation that survives; children are drawn around the survivors, in ranges that shrink
         by rangeReductionFactor per generation; childDistribution is 'uniform' or 'normal'.
-    crossoverProbability: how often a pair of random survivors takes the place of one; the children of
+    crossoverProbability: probability that a pair of random survivors replaces a single one; the children of
         a pair are drawn around both. crossoverAmount is accepted and has no effect.
     distanceFactor: survivors keep this distance, relative to the ranges, so that several minima are searched; 0: no
         distance. It is dropped from generation distanceFactorGenerations on (-1: never).
@@ -159,7 +159,7 @@ def GeneticOptimization(
     kwargs: randomizerInitialization (int: reproducible results), resultsFile (written after each generation), restart
         (goes on with the resultsFile of the same search, which needs randomizerInitialization), and those named above.
 
-    What fails, if keepFailures, never survives.
+    Failed evaluations (keepFailures) never survive.
     """
     known = {
         "initialPopulationSize", "keepFailures", "numberOfThreads", "numberOfChildren", "randomizerInitialization",

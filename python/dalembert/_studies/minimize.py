@@ -26,7 +26,7 @@ from dalembert._studies.execution import (
 from dalembert._tools.missing_names import nearest
 
 _GLOBAL = "differential_evolution"
-# Of scipy.optimize.minimize: those that follow gradients, and the steps of differences that each takes.
+# Methods of scipy.optimize.minimize that use gradients, with their finite-difference steps.
 _SMALL = float(np.sqrt(np.finfo(float).eps))
 _DIFFERENCES = {
     "bfgs": _SMALL, "cg": _SMALL, "l-bfgs-b": 1e-8, "newton-cg": _SMALL, "slsqp": _SMALL, "tnc": 1e-8,
@@ -71,7 +71,7 @@ class _Objective:
         return self._known[key] if key in self._known else self(x)
 
     def values(self, points: Iterable[Any]) -> list[Any]:
-        """Return the values at many points; those that are not known are evaluated together."""
+        """Return the values at many points; new points are evaluated together."""
         points = list(points)
         unknown = {self.inside(x).tobytes(): x for x in points if self.inside(x).tobytes() not in self._known}
         sets = [self.named(x) for x in unknown.values()]
@@ -87,7 +87,7 @@ class _Objective:
         steps = np.where(x + step > limits[1], -step, step)
         points = x + np.diag(steps)
         here, *there = self.values([x, *points])
-        taken = np.diag(points) - x  # what is left of the steps after rounding
+        taken = np.diag(points) - x  # steps after rounding
         return (np.array(there, dtype=float) - here) / taken
 
 
@@ -100,7 +100,7 @@ def _bounds(parameters: Mapping[str, Any]) -> NDArray[np.float64]:
 
 
 class _Report:
-    """What is told of iterations: lists of points and values, rows of the results file, lines of progress."""
+    """Record of iterations: lists of points and values, rows of the results file, progress output."""
 
     def __init__(
         self, objective: _Objective, parameters: Mapping[str, Any], method: str, iterations: int, file: str,
@@ -159,10 +159,10 @@ def Minimize(
     kwargs: resultsFile (a row per iteration), useScipyBounds; useMultiProcessing, clusterHostNames, numberOfThreads and
         useMPI: see ProcessParameterList.
 
-    Evaluations go together, on these workers or by a VariedModel, where a method asks for several: a generation of
+    Evaluations run together, on these workers or by a VariedModel, if a method requests several: a generation of
     differential_evolution, and the differences for gradients, which CG, BFGS, L-BFGS-B, TNC, SLSQP, Newton-CG and
-    trust-constr follow; options={'eps': ...} is the step of differences, 1e-8 as in scipy, which solutions are seldom
-    smooth enough for: 1e-4 is a better one for parameters of the size 1. The others, such as Nelder-Mead,
+    trust-constr use; options={'eps': ...} is the step of differences. Its default of 1e-8 (scipy) is too small for most
+    solutions: use 1e-4 for parameters of the size 1. Other methods, such as Nelder-Mead,
     Powell and COBYLA, choose each point by the value of the last one.
     """
     check_names(Minimize, kwargs, {"resultsFile", "useScipyBounds", *_WORKERS})
@@ -221,7 +221,7 @@ def _follow(
     function: Any = objective
     gradient: Any = None
     name = method.lower()
-    makes_it = together or name == "newton-cg"  # for which scipy has no differences
+    makes_it = together or name == "newton-cg"  # scipy has no finite differences for it
     if makes_it and name in _DIFFERENCES and "finite_diff_rel_step" not in options:
         step = options.get("eps", _DIFFERENCES[name])
         inside = limits if limits is not None else objective.bounds
@@ -232,7 +232,7 @@ def _follow(
             return objective.gradient(x, step, inside)
 
         def value_and_slope(x: NDArray[np.float64]) -> tuple[Any, NDArray[np.float64]]:
-            found = slope(x)  # the value among what it evaluates
+            found = slope(x)  # includes the value at x
             return objective.value(x), found
 
         function, gradient = (objective.value, slope) if name in _VALUE_FIRST else (value_and_slope, True)

@@ -82,7 +82,7 @@ def ComputeSensitivities(
         1 x m) per name; sensitivities (row: parameter, column: value).
     addComputationIndex, parameterFunctionData: adds 'computationIndex' and 'functionData' to parameter sets.
     useMultiProcessing, showProgress, kwargs (clusterHostNames, keepFailures, numberOfThreads, restart, resultsFile,
-        useMPI): see ProcessParameterList. What fails, if keepFailures, is NaN.
+        useMPI): see ProcessParameterList. Failed evaluations (keepFailures) are NaN.
     """
     check_names(ComputeSensitivities, kwargs, _ARGUMENTS)
     check_study(ComputeSensitivities, parameterFunction, parameters)

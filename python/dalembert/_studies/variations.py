@@ -23,17 +23,18 @@ _Parameters = Mapping[tuple[Any, str], ArrayLike]
 
 @dataclass(frozen=True, repr=False)
 class VariationResults:
-    """What SolveVariations found: arrays with a row per variation, NaN where a variation has no value.
+    """Results of SolveVariations: arrays with a row per variation, NaN if a variation has no value.
 
-    success: whether each variation was solved, K x bool; messages: why not, '' if it was.
-    warnings: what the solver would have warned of on the console, K texts, '' if there is nothing.
-    alone: why it was not solved together with others in the lanes of registers, K texts, '' if it was.
+    success: whether each variation was solved, K x bool; messages: error messages, '' if solved.
+    warnings: warnings of the solver, K texts, '' if there are none.
+    alone: reasons why a variation was solved separately, not in vector registers, K texts, '' if side by side.
     sideBySide: whether it was, K x bool.
     endTimes: time that was reached, K, in s.
     sensorValues: values of all sensors at the end, side by side, K x n.
-    sensorHistories: with storeHistories, time and these values at every time of writing, K x rows x (1 + n); a history
+    sensorHistories (storeHistories=True): time and these values at every time of writing, K x rows x (1 + n); a history
         that ends early has historyRows rows, and NaN behind.
-    coordinates: with storeCoordinates, the state at the end: an array K x size for each of 'ODE2', 'ODE2_t', 'ODE2_tt',
+    coordinates (storeCoordinates=True): the state at the end: an array K x size for each of 'ODE2', 'ODE2_t',
+    'ODE2_tt',
         'ODE1', 'ODE1_t', 'AE', 'Data'.
     """
 
@@ -55,7 +56,7 @@ class VariationResults:
         return np.array([not reason for reason in self.alone], dtype=bool)
 
     def __repr__(self) -> str:
-        """How many variations, how many were solved, what is stored; with the first message if one failed."""
+        """Number of variations, number of solved ones, stored data; and the first message if one failed."""
         solved, count = int(self.success.sum()), len(self.success)
         reason = next((f" (in the way: {text})" for text in self.alone if text), "")
         parts = [
@@ -152,20 +153,21 @@ def SolveVariations(
     numberOfThreads: int | None = None,
     autoAssemble: bool = True,
 ) -> VariationResults:
-    """Solve K variations of this system on all processors, without Python in between; the system stays as it is.
+    """Solve K variations of this system on all processors, in compiled code; the system does not change.
 
-    parameters: an array per (index or name of an item, parameter name), whose row k is what SetObjectParameter or its
-        siblings would get in variation k: K numbers, or K x shape for vectors and matrices.
+    parameters: an array per (index or name of an item, parameter name), whose row k is the value for SetObjectParameter
+        or a similar function in variation k: K numbers, or K x shape for vectors and matrices.
     initialCoordinates: arrays K x size for 'ODE2' (displacements from the reference), 'ODE2_t', 'ODE2_tt', 'ODE1',
         'ODE1_t', 'AE' or 'Data'. Otherwise a variation starts from the initial state of the system or, if parameters of
         nodes vary, from the initial values of the nodes, as after Assemble().
     settings: K numbers for a path in simulationSettings, e.g. 'timeIntegration.endTime'.
-    solverType: as of SolveDynamic, or 'static' for SolveStatic.
+    solverType: see SolveDynamic, or 'static' for SolveStatic.
     sensors: indices or names of the sensors whose values are wanted; None: all. storeHistories: values over time (see
         solutionSettings.sensorsWritePeriod); storeCoordinates: the state at the end.
     numberOfThreads: None: all processors. Results do not depend on it, bit for bit.
 
-    A variation that cannot be solved has success False and a message; the others go on. Nothing is printed or written
+    A variation that cannot be solved has success False and a message; the other ones continue. Nothing is printed or
+    written
     to files. Refused: unknown items and parameters, values that Set...Parameter refuses (the text names the variation),
     arrays of different lengths, and models with Python functions (RuntimeError), which would need the interpreter.
     """

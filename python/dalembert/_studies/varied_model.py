@@ -18,11 +18,11 @@ from dalembert._tools.found_items import find_item, index_of
 
 _KINDS = ("Object", "Node", "Load", "Marker")
 _PORTIONS = 50  # that a study is divided into, for its progress
-_TOGETHER = 64  # variations in a portion, at least: for each thread some lanes of registers
+_TOGETHER = 64  # minimum number of variations in a portion: some vector lanes for each thread
 
 
 class _Target(NamedTuple):
-    """What a name stands for: a parameter of an item, one entry of it, or a setting."""
+    """Target of a name: a parameter of an item, one entry of it, or a setting."""
 
     item: Any  # None: a setting
     parameter: str
@@ -38,12 +38,13 @@ class FailedVariation(ValueError):
 class VariedModel:
     """One assembled model as a function of some of its parameters, which solves many parameter sets at once.
 
-    mbs: the model; it has no Python functions in it, and stays as it is.
-    parameters: by names of your own, (item, parameter), (item, parameter, entry) for one entry of a vector, or the path
+    mbs: the model; it may not contain Python functions, and does not change.
+    parameters: keys are user-defined names, values are (item, parameter), (item, parameter, entry) for one entry of a
+    vector, or the path
         of a setting, such as 'timeIntegration.endTime'; items are indices or names. A list of these gets one value.
     result: the name or index of a sensor, whose values at the end are returned, or a function that gets all
-        VariationResults and the number of one variation, and returns what is wanted of it.
-    simulationSettings, solverType, and options such as storeHistories: as of mbs.SolveVariations.
+        VariationResults and the number of one variation, and returns the desired result.
+    simulationSettings, solverType, and options such as storeHistories: see mbs.SolveVariations.
 
     Called with a dictionary, as objective functions are, it solves one variation. ParameterVariation,
     GeneticOptimization and ComputeSensitivities give it all sets that they know, and no processes are needed. Values
@@ -95,7 +96,7 @@ class VariedModel:
         return found
 
     def outcomes(self, sets: Sequence[ParameterSet]) -> list[Any]:
-        """Return results of all sets; what could not be solved is a FailedEvaluation."""
+        """Return results of all sets; a set that could not be solved is a FailedEvaluation."""
         results = self._solve({name: np.array([each[name] for each in sets]) for name in self._given(sets[0])})
         return [
             self.result(results, k) if results.success[k] else FailedEvaluation(results.messages[k])

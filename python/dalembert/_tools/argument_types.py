@@ -11,7 +11,7 @@ from dalembert._checks import shape_error
 
 
 def IsListOrArray(data: Any, checkIfNoneEmpty: bool = False) -> bool:
-    """Return True for a list or numpy array; with checkIfNoneEmpty only if it has entries."""
+    """Return True for a list or numpy array; if checkIfNoneEmpty is set, only if it has entries."""
     return isinstance(data, list | np.ndarray) and not (checkIfNoneEmpty and len(data) == 0)
 
 

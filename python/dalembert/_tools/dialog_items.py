@@ -1,4 +1,4 @@
-"""What dialogs of interactive.InteractiveDialog consist of: refused before anything runs if no page can show it."""
+"""Items of dialogs of interactive.InteractiveDialog: invalid ones are rejected before the simulation starts."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from dalembert._checks import as_number, check_integer, shape_error
 from dalembert._tools.found_items import index_of
 
-NEEDED = {  # by items of dialogs, besides their type
+NEEDED = {  # required entries of dialog items, besides their type
     "label": ("text",),
     "button": ("callFunction",),
     "entry": ("variable",),
@@ -22,7 +22,7 @@ CURVE = "[(sensor, component), (sensor, component), text, text], of what is on b
 
 
 def check_items(where: str, items: Any) -> None:
-    """Refuse items of another type, without what it needs, or with values that are none of its."""
+    """Raise an error for items with an unknown type, missing entries, or invalid values."""
     if not isinstance(items, (list, tuple)) or not all(isinstance(item, dict) for item in items):
         raise shape_error(where, "a list of dictionaries", items)
     for number, item in enumerate(items):
@@ -97,7 +97,7 @@ def _is_plain(value: Any) -> bool:
 def initial_value(item: dict[str, Any]) -> Any:
     """Return the value with which an item starts; sliders start in the middle if theirs is out of range."""
     value = item.get("value", 0.5 if item["type"] == "slider" else 0)
-    value = value.item() if isinstance(value, (np.generic, np.ndarray)) else value  # as messages can have it
+    value = value.item() if isinstance(value, (np.generic, np.ndarray)) else value  # converted for messages
     if item["type"] != "slider":
         return value
     low, high = item.get("range", (0, 1))
@@ -105,7 +105,7 @@ def initial_value(item: dict[str, Any]) -> Any:
 
 
 def check_plots(where: str, mbs: Any, plots: Any) -> None:
-    """Refuse plots of what is no sensor, or no component."""
+    """Raise an error for plots of unknown sensors or components."""
     if plots is None or (isinstance(plots, list) and not plots):
         return
     if not isinstance(plots, dict):

@@ -24,7 +24,7 @@ def index_of(mbs: Any, kind: str, item: Any, where: str) -> Any:
     if isinstance(item, str):
         return find_item(mbs, item, (kind,), where)
     try:
-        getattr(mbs, f"Get{kind}Parameter")(item, "name")  # refuses what is no item of this kind
+        getattr(mbs, f"Get{kind}Parameter")(item, "name")  # raises an error if there is no such item
     except (IndexError, TypeError, ValueError) as error:
         told = str(error).removeprefix(f"mbs.Get{kind}Parameter(...): ")
         raise type(error)(f"{where}: {told}") from None

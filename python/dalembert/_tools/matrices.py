@@ -32,7 +32,7 @@ def IndexFromValue(
 ) -> int:
     """Return the index of the entry of data that is closest to value, e.g. of a time in the vector of times.
 
-    With assumeConstantSampleRate the index is computed from the first two entries, rounded down and limited to the
+    assumeConstantSampleRate computes the index from the first two entries, rounded down and limited to the
     range of data (with a warning). Otherwise ValueError is raised if no entry is closer than tolerance.
     """
     samples = as_vector("IndexFromValue: data", data)

@@ -1,4 +1,4 @@
-"""What to say of a name that an object does not have: the nearest one, or where it belongs."""
+"""Error texts for missing names: the nearest one, or the object that has it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from dalembert._core import MainSystem, Renderer, SystemContainer, SystemData
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
-    """Return '. Did you mean ...?' for the nearest known name; nothing if none is near."""
+    """Return '. Did you mean ...?' for the nearest known name; '' if no name is near."""
     import difflib
 
     public = [each for each in known if not each.startswith("_")]
@@ -23,7 +23,7 @@ def nearest(name: str, known: Iterable[str]) -> str:
 
 
 def missing(text: str, hint: str, name: str, owner: object) -> AttributeError:
-    """Return the error of an attribute that is not there. Where there is a hint, Python is not to add its own."""
+    """Return the error of a missing attribute. If there is a hint, Python must not add its own."""
     return AttributeError(text + hint, name=name, obj=None if hint else owner)
 
 
@@ -37,7 +37,7 @@ _IN_WORDS = {
 }
 
 
-# Where others have what users look for in a system.
+# Objects that have names which users look for in a system.
 _ELSEWHERE = {
     "gravity": "; weight acts on bodies, by gravity=[0, 0, -9.81] of mbs.CreateRigidBody(...) and the like",
     "time": "; it belongs to the data of a system: mbs.systemData.GetTime()",
@@ -63,7 +63,7 @@ def _explaining(cls: type) -> Callable[[Any, str], NoReturn]:
 
 
 class _ExplainingEnum(enum.EnumType):
-    """Type of enumerations; of a value that is not there, it tells the nearest."""
+    """Type of enumerations whose errors for missing values suggest the nearest one."""
 
     def __getattr__(cls, name: str) -> NoReturn:
         hint = "" if name.startswith("_") else nearest(name, cls.__members__)
@@ -112,7 +112,7 @@ def _module_with(name: str) -> str:
     for each in sorted(sys.modules["dalembert"]._submodules):
         try:
             module = import_module(f"dalembert.{each}")
-        except ImportError:  # it needs what is not installed
+        except ImportError:  # the module needs a package that is not installed
             continue
         if _offers(module, name):
             return f"; it belongs to {module.__name__}"
@@ -134,11 +134,11 @@ def _hint(module: ModuleType, name: str) -> str:
     return nearest(name, _names_in(module)) or _module_with(name)
 
 
-_FEW = 60  # names: all of them are told
+_FEW = 60  # up to this number, all names are listed
 
 
 def missing_in(module: ModuleType, name: str) -> AttributeError:
-    """Return the error of a name that a module has not: for its __getattr__, which raises it."""
+    """Return the error of a name missing in a module, for its __getattr__."""
     known, hint = _names_in(module), _hint(module, name)
     if not hint and len(known) <= _FEW and not name.startswith("_"):
         hint = f"; known are: {', '.join(known)}"
@@ -146,7 +146,7 @@ def missing_in(module: ModuleType, name: str) -> AttributeError:
 
 
 def refuse_import(module: ModuleType, name: str) -> None:
-    """Raise the ImportError of a name that a module has not, if there is anything to tell."""
+    """Raise the ImportError of a name missing in a module, if there is a hint."""
     where = module.__name__
     if where == "dalembert" and not name.startswith("_") and (near := nearest(name, sys.modules[where]._submodules)):
         raise ModuleNotFoundError(f"No module named '{where}.{name}'{near}", name=where)
@@ -155,7 +155,7 @@ def refuse_import(module: ModuleType, name: str) -> None:
 
 
 class ExplainingPackage(ModuleType):
-    """A package whose modules tell the nearest name of one that they have not."""
+    """A package whose modules suggest the nearest name for a missing one."""
 
     def __setattr__(self, name: str, value: Any) -> None:
         if isinstance(value, ModuleType) and value.__name__ == f"{self.__name__}.{name}" and not name.startswith("_"):
@@ -165,7 +165,7 @@ class ExplainingPackage(ModuleType):
     def __reduce__(self) -> Any:
         from importlib import import_module
 
-        return import_module, (self.__name__,)  # as cloudpickle does it for plain modules
+        return import_module, (self.__name__,)  # same method as in cloudpickle for plain modules
 
 
 # Python finds names of modules with a __getattr__ in ten times as long, and of this one many.
@@ -173,7 +173,7 @@ _QUICK = ("dalembert.itemInterface",)
 
 
 def explain_module(module: ModuleType) -> None:
-    """Let a module explain names that it has not; of a package, also the modules in it, now and later."""
+    """Make a module explain missing names; for a package, this includes its current and future modules."""
     if "__getattr__" not in vars(module) and module.__name__ not in _QUICK:
 
         def __getattr__(name: str) -> NoReturn:
@@ -181,7 +181,7 @@ def explain_module(module: ModuleType) -> None:
 
         module.__getattr__ = __getattr__  # type: ignore[method-assign]
     if "__path__" not in vars(module):
-        module.__path__ = []  # `from module import name` asks the finders of _planned.py for what it has not
+        module.__path__ = []  # `from module import name` asks the finders of _planned.py for missing names
     elif not isinstance(module, ExplainingPackage):
         module.__class__ = ExplainingPackage
         for name, part in list(vars(module).items()):

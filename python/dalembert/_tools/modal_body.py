@@ -39,7 +39,7 @@ KEPT = (
 
 
 def without_noise(matrix: FloatArray, relative: float) -> FloatArray:
-    """Entries that are small beside the largest one are zero."""
+    """Set entries that are small compared with the largest one to zero."""
     return np.where(np.abs(matrix) < relative * np.abs(matrix).max(initial=0), 0.0, matrix)
 
 
@@ -49,7 +49,7 @@ def blocks_of(coordinates: Any) -> FloatArray:
 
 
 def triangles_of(femInterface: Any) -> list[Any]:
-    """Those of the surface; none if the mesh has matrices only."""
+    """Triangles of the surface; an empty list if the mesh has matrices only."""
     try:
         return list(femInterface.GetSurfaceTriangles())
     except (AttributeError, NotImplementedError):
@@ -60,7 +60,7 @@ class ObjectFFRFreducedOrderInterface:
     """Constant matrices of a flexible body with modes, and the body itself.
 
     `femInterface` has the attributes modeBasis and postProcessingModes and the methods GetNodePositionsAsArray,
-    GetMassMatrix and GetStiffnessMatrix of FEMinterface; without it, LoadFromFile or SetWithDictionary give the data.
+    GetMassMatrix and GetStiffnessMatrix of FEMinterface; otherwise, LoadFromFile or SetWithDictionary provide the data.
     """
 
     def __init__(
@@ -140,7 +140,7 @@ class ObjectFFRFreducedOrderInterface:
                 np.savez(written, **data)
 
     def LoadFromFile(self, fileName: str, mode: str | None = None) -> int:
-        """Load what SaveToFile has saved; returns the version of the file."""
+        """Load a file of SaveToFile; returns its version."""
         where = "ObjectFFRFreducedOrderInterface.LoadFromFile: fileName"
         stem, ending, mode = self._file(file_name(where, fileName), mode)
         file_to_read(where, stem + ending)
@@ -212,7 +212,7 @@ class ObjectFFRFreducedOrderInterface:
         eulerParametersRef: npt.ArrayLike = (),
         name: str = "",
     ) -> dict[str, Any]:
-        """The same; if both functions are given, they are all that acts, and otherwise what they give is added."""
+        """Variant with user functions: two functions replace all forces, a single one is added."""
         turned, euler = np.asarray(rotationMatrixRef, dtype=float), list(np.asarray(eulerParametersRef, dtype=float))
         if turned.size and euler:
             raise ValueError("AddObjectFFRFreducedOrder: give either rotationMatrixRef or eulerParametersRef")
@@ -337,7 +337,7 @@ class ObjectFFRFreducedOrderInterface:
 def CMSObjectComputeNorm(
     mbs: Any, objectNumber: Any, outputVariableType: Any, norm: str = "max", nodeNumberList: Sequence[int] = ()
 ) -> Any:
-    """Norm of an output variable over mesh nodes of a flexible body with modes, all of them if none are listed.
+    """Norm of an output variable over mesh nodes of a flexible body with modes, by default all of them.
 
     The variable is one of GetObjectOutputSuperElement. 'max' and 'min': of each component; 'maxNorm': the largest
     length of the vectors; 'Mises': the largest equivalent stress.

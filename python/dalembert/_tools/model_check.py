@@ -1,4 +1,4 @@
-"""What looks wrong with a model before it is solved, and a few figures about it."""
+"""Check of a model for likely mistakes before it is solved, and some statistics."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ def findings(mbs: Any) -> list[str]:
     """Return a sentence on each thing that looks wrong. An error of Assemble() is one, and then the only one."""
     try:
         mbs.Assemble()
-    except Exception as error:  # whatever a kernel or a user function says
+    except Exception as error:  # any error of a kernel or a user function
         return [f"Assemble(): {error}"]
     return [*_gaps(mbs), *_redundancy(mbs), *_magnitudes(mbs), *_loads(mbs), *_self_connections(mbs), *_unused(mbs)]
 
 
 def _gaps(mbs: Any) -> Iterator[str]:
-    """What solvers tell when they start."""
+    """Warnings of solvers at the start."""
     trial, tolerated = copy.copy(mbs), SimulationSettings().initialConditions
     trial.Assemble()
     state = testing.State(trial)
@@ -136,7 +136,7 @@ def _loads(mbs: Any) -> Iterator[str]:
 
 
 def _all_of(titles: list[str]) -> str:
-    """Return the beginning of a sentence on items that are alike."""
+    """Return the beginning of a sentence on similar items."""
     if len(titles) == 1:
         return f"{titles[0]} is"
     return f"{titles[0]} and {len(titles) - 1} other{'s' if len(titles) > 2 else ''} are"

@@ -1,4 +1,4 @@
-"""What a sensor measures: output variable, unit, names of its components; and angles that go on beyond a turn."""
+"""Properties of a sensor: output variable, unit, names of its components; and continuous angles."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ _XYZ_VARIABLES = {
     "Position", "Displacement", "Velocity", "Acceleration", "Rotation", "AngularVelocity", "AngularAcceleration",
     "Force", "Torque",
 }  # fmt: skip
-_ABOUT_Z = {"Rotation", "AngularVelocity", "AngularAcceleration"}  # of planar items: one value
+_ABOUT_Z = {"Rotation", "AngularVelocity", "AngularAcceleration"}  # planar items have one value
 _TENSOR_VARIABLES = {"Strain", "Stress"}
 ANGLES = {"Rotation"}
 
 
 def variable_of(mbs: Any, sensor: Mapping[str, Any]) -> str:
-    """Return the name of what a sensor measures."""
+    """Return the name of the quantity that a sensor measures."""
     if "outputVariableType" in sensor:
         return str(sensor["outputVariableType"]).removeprefix("OutputVariableType.")
     if sensor.get("sensorType") != "Load":
@@ -43,7 +43,7 @@ def component_name(variable: str, component: int, size: int) -> str:
 
 
 def unit_of(mbs: Any, sensor: Mapping[str, Any]) -> str:
-    """Return the unit of what a sensor measures; '' if it depends on the component, or nobody knows."""
+    """Return the unit of a sensor; '' if it depends on the component, or is unknown."""
     variable = variable_of(mbs, sensor)
     unit = "various"
     for kind in ("Node", "Object", "Body", "Marker", "Load"):

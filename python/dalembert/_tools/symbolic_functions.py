@@ -51,10 +51,10 @@ def ConvertFunctionToSymbolic(
     itemTypeName: str | None = None,
     verbose: int = 0,
 ) -> dict[str, Any]:
-    """Call a Python user function once with symbolic arguments and record what it computes.
+    """Call a Python user function once with symbolic arguments and record its operations.
 
     userFunctionName is the parameter of the item, e.g. 'springForceUserFunction'. Either itemIndex or itemTypeName
-    (e.g. 'ObjectConnectorSpringDamper' or 'MainSystem') says which item. The result is a dictionary with functionName,
+    (e.g. 'ObjectConnectorSpringDamper' or 'MainSystem') selects the item. The result is a dictionary with functionName,
     argList, argTypeList, returnValue and returnType, as UserFunction.SetUserFunctionFromDict(...) takes it.
     The function must be made of operators and of functions of exu.symbolic; 'if' cannot be recorded, use
     exu.symbolic.IfThenElse.

@@ -1,4 +1,4 @@
-"""What to say of a call of a compiled function whose arguments do not fit."""
+"""Error texts for calls of compiled functions with wrong arguments."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SPELT = {
     "SimulationSettings": ("settings", "settings = exu.SimulationSettings()"),
     "VisualizationSettings": ("SC.visualizationSettings", "SC = exu.SystemContainer()"),
 }
-# What pybind11 calls types, in words and as Python checks them.
+# Names of pybind11 for types, in words, and their Python types.
 _TYPES: dict[str, tuple[str, tuple[type, ...]]] = {
     "typing.SupportsFloat | typing.SupportsIndex": ("a number", (int, float)),
     "float": ("a number", (int, float)),
@@ -86,12 +86,12 @@ def _property(value: Any, record: Any) -> str:
 
 
 def in_words(text: str, values: Sequence[Any], names: Sequence[str], record: Any = None) -> str:
-    """Return what is wrong with a call, and how it is written.
+    """Return the error of a call, and the correct signature.
 
-    text: what pybind11 says of it, with the name of the function and its signatures
-    values: arguments by position, and behind them those by name
+    text: message of pybind11, with the name of the function and its signatures
+    values: positional arguments, followed by keyword arguments
     names: the names of the latter
-    record: what pybind11 keeps of the function
+    record: the record of pybind11 on the function
     """
     name = text.partition("(")[0]
     signatures = re.findall(r"^    \d+\. (.+)$", text, re.MULTILINE)

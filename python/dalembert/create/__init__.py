@@ -12,7 +12,7 @@ from dalembert.create._mirrors import checks_of, documentation, of_module
 
 
 def checks(function: Callable[..., Any]) -> dict[str, Check]:
-    """Return what the arguments of a Create function are checked for, by name."""
+    """Return the checks of the arguments of a Create function, by name."""
     return checks_of(function) | COMMON | of_module(function, "CHECKS")
 
 
@@ -24,7 +24,7 @@ def _made(function: FunctionType) -> Callable[..., Any]:
     return made
 
 
-# What MainSystem gets, by the name of the method.
+# Methods of MainSystem, by name.
 functions: dict[str, Callable[..., Any]] = {
     name: _made(function)
     for module in (bodies, connectors, contacts, flexible, joints, loads, trees, sensors, robots)

@@ -1,4 +1,4 @@
-"""Argument checks of the Create functions: one table of checks per function, one place where errors are worded."""
+"""Argument checks of the Create functions: one table of checks per function, and common error texts."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ ZERO3 = [0.0, 0.0, 0.0]
 NO_PAIR: list[Any] = [None, None]
 DEFAULT_COLOR = [-1.0, -1.0, -1.0, -1.0]
 
-# What callers may give; the checks below say the rest.
+# Types for callers; the checks below are stricter.
 Vector = Sequence[float] | npt.NDArray[Any]
 Matrix = Sequence[Vector] | npt.NDArray[Any]
 Connected = ObjectIndex | NodeIndex | MarkerIndex | int | str  # bodies, nodes or markers by number or name
@@ -40,9 +40,9 @@ UserFunction = Callable[..., Any] | Literal[0]
 
 
 class Check(NamedTuple):
-    """What an argument must be: a test and the words for it, perhaps a function that says what is wrong.
+    """Requirement on an argument: a test with its description, optionally a function that describes the fault.
 
-    quick: a compiled function that accepts most of what the test does.
+    quick: a compiled function that accepts most valid values.
     """
 
     test: Callable[[Any], bool]
@@ -65,7 +65,7 @@ def _has_shape(value: Any, shape: tuple[int, ...]) -> bool:
     if isinstance(value, (str, bytes, dict)) or not hasattr(value, "__len__"):
         return False
     try:
-        array = as_array("", value)  # which refuses texts of numbers
+        array = as_array("", value)  # rejects texts of numbers
     except ValueError:
         return False
     return array.shape == shape and bool(np.isfinite(array).all())
@@ -182,7 +182,7 @@ REFERENCES = {"bodyNumber", "bodyNumbers", "bodyOrNodeList", "bodyList"}
 
 
 def argument_error(function: str, argument: str, expected: str, received: Any) -> ValueError:
-    """Return the error that names function, argument, expectation and what was received."""
+    """Return the error with function, argument, expected and received value."""
     return shape_error(f"MainSystem.{function}(...): argument '{argument}'", expected, received)
 
 
@@ -208,9 +208,9 @@ def checked(function: FunctionType, checks: dict[str, Check]) -> Callable[..., A
             error = argument_error(function.__name__, name, check.expected, value)
             raise ValueError(f"{error}. {problem}") if problem else error
         hint = nearest(name, names[1:]) or f"; known are: {', '.join(names[1:])}"
-        if "inertia" in names and name.lower().endswith("mass"):  # as items have it
+        if "inertia" in names and name.lower().endswith("mass"):  # name of the parameter in items
             hint = ". Pass mass and inertia as inertia=InertiaCuboid(...) or another of the Inertia... functions"
-        if name.startswith("markerNumber"):  # as items have it
+        if name.startswith("markerNumber"):  # name of the parameter in items
             hint = (
                 "".join(f". Pass markers as '{each}'" for each in names if each in ("bodyNumber", "bodyNumbers"))
                 or hint
@@ -260,7 +260,7 @@ def _has_names(value: Any) -> bool:
 
 
 def with_indices(mbs: Any, function: str, argument: str, value: Any) -> Any:
-    """Return the argument with indices in place of names: of a body, or else of a marker or node."""
+    """Return the argument with indices instead of names of bodies, markers or nodes."""
     if not _has_names(value):
         return value
     if not isinstance(value, str):

@@ -1,4 +1,4 @@
-"""What Create functions return: an index that also tells what belongs to its item."""
+"""Result of Create functions: an index with the related items."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from dalembert._core import LoadIndex, MarkerIndex, NodeIndex, ObjectIndex, _cre
 
 
 class CreatedObject(ObjectIndex):
-    """An ObjectIndex that a Create function has returned. It counts as the plain one everywhere.
+    """An ObjectIndex returned by a Create function. It can be used like a plain ObjectIndex.
 
-    nodes: those that have the coordinates of the body.
-    markers: those that a connector or joint acts on, or that are attached to a body or to its nodes.
-    loads: those on these markers of a body, its weight among them.
+    nodes: nodes with the coordinates of the body.
+    markers: markers of a connector or joint, or markers on a body or on its nodes.
+    loads: loads on these markers of a body, including its weight.
     """
 
     __slots__ = ("_mbs",)  # many are made: no dictionary each
@@ -55,7 +55,7 @@ def _items(mbs: Any, kind: str) -> Iterator[tuple[int, dict[str, Any]]]:
 
 
 def _numbers(item: dict[str, Any], key: str) -> list[Any]:
-    """Return what an item refers to by `key` or its plural, without invalid indices."""
+    """Return the references of an item by `key` or its plural, without invalid indices."""
     single = [item[key]] if key in item else []
     return [index for index in [*single, *item.get(f"{key}s", [])] if int(index) >= 0]
 

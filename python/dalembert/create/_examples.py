@@ -1,4 +1,4 @@
-"""An example of each Create function, for its docstring and its page; before it, `mbs` is an empty system.
+"""An example of each Create function, for its docstring and its page; `mbs` is initially an empty system.
 
 Tests run, assemble and solve each of them.
 """

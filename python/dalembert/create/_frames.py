@@ -1,4 +1,4 @@
-"""Where items are in the reference configuration, and the markers by which connectors and joints attach to them."""
+"""Poses of items in the reference configuration, and the markers of connectors and joints on them."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def reference_rotation(mbs: Any, item: Any) -> FloatArray:
     return reference_output(mbs, item, OutputVariableType.RotationMatrix).reshape(3, 3)
 
 
-# By the type of the number: what it counts, and the method of SystemData that tells how many there are.
+# By the type of the index: the name of the kind, and the method of SystemData that returns its count.
 _COUNTERS = {
     ObjectIndex: ("an object", "NumberOfObjects"),
     NodeIndex: ("a node", "NumberOfNodes"),
@@ -52,7 +52,7 @@ _COUNTERS = {
 
 
 def require_items(mbs: Any, function: str, argument: str, numbers: Sequence[Any]) -> None:
-    """Raise the ValueError that names function and argument if an item does not exist; None may stand."""
+    """Raise a ValueError with function and argument if an item does not exist; None is allowed."""
     for i, number in enumerate(numbers):
         if number is None:
             continue
@@ -87,7 +87,7 @@ def connector_ends(
     bodyOrNodeList: Sequence[Any],
     bodyList: Sequence[Any],
 ) -> Ends:
-    """Return what a connector joins, by one of the three arguments; the others are [None, None].
+    """Return the ends of a connector from one of the three arguments; the other two are [None, None].
 
     Bodies take a local position, nodes and markers must not have one. ValueError otherwise.
     """
@@ -142,11 +142,11 @@ def end_distance(mbs: Any, function: str, ends: Ends) -> float:
 
 
 class JointPlace(NamedTuple):
-    """Where a joint sits on its two bodies (or markers)."""
+    """Pose of a joint on its two bodies (or markers)."""
 
     numbers: list[Any]
-    localPositions: list[FloatArray]  # of the joint, in the frame of each body
-    rotations: list[FloatArray]  # of the bodies, local to global
+    localPositions: list[FloatArray]  # position of the joint in the frame of each body
+    rotations: list[FloatArray]  # rotations of the bodies, local to global
 
     def to_global(self, vector: Vector, useGlobalFrame: bool) -> FloatArray:
         """Return a direction in the global frame; it is given there or, if not useGlobalFrame, in body 0's frame."""

@@ -1,4 +1,4 @@
-"""What Create functions are made of, by the names that users know who write Create functions of their own."""
+"""Building blocks of Create functions, for users who write their own Create functions."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def GetMarkersPosRot(
 ) -> list[Any]:
     """Add markers at two bodies or nodes; return [marker0, marker1, p0, p1, A0, A1].
 
-    Markers among the numbers are taken as they are. Positions (m) and rotation matrices in the reference configuration
+    Given markers are used directly. Positions (m) and rotation matrices in the reference configuration
     are None unless asked for.
     """
     numbers = list(with_indices(mbs, "GetMarkersPosRot", "internBodyNodeMarkerList", internBodyNodeMarkerList))

@@ -1,8 +1,9 @@
-"""What Create functions take from the items whose parameters they pass on: checks, types, units and texts.
+"""Data that Create functions inherit from the items of their parameters: checks, types, units and texts.
 
-A Create function mirrors the parameters of items, and of their visualization, by their names; which items, and what
-their parameters are, is said in specs/ alone. What an item does not have is described here, or by TEXTS of the
-function's own module if it has this meaning there alone.
+A Create function mirrors the parameters of items, and of their visualization, by their names; specs/ defines the items
+and their parameters. Other arguments are described here, or by TEXTS of the function's module if the meaning is
+specific
+to it.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ class Row(NamedTuple):
 
 # Arguments that have another name than the parameter.
 RENAMED = {"axisVector": "discAxis", "graphicsDataList": "graphicsData"}
-# What no item has as a parameter.
+# Arguments that are not parameters of an item.
 TEXTS = {
     "referencePosition": "position in the reference configuration, in the global frame (m)",
     "referenceRotationMatrix": "rotation in the reference configuration, from local to global axes",
@@ -95,7 +96,7 @@ TEXTS = {
     "dataInitialCoordinates": "data at the start: gap, tangential speed, impact velocity and plastic overlap",
     "planePosition": "point of the plane in the frame of its body (m)",
 }
-# What arguments must be that neither an item nor a check says.
+# Requirements on arguments that neither an item nor a check defines.
 TYPES = {
     "bodyNumber": "ObjectIndex, MarkerIndex or name",
     "position": "3 numbers",
@@ -129,7 +130,7 @@ def parameters(function: Callable[..., Any]) -> dict[str, inspect.Parameter]:
 
 
 def of_module(function: Callable[..., Any], table: str) -> dict[str, Any]:
-    """Return what a table of the function's own module, such as CHECKS, has for its arguments."""
+    """Return the entries of a table of the function's module, such as CHECKS, for its arguments."""
     found: dict[str, Any] = getattr(sys.modules[function.__module__], table, {}).get(function.__name__, {})
     return found
 
@@ -151,7 +152,7 @@ def mirrored(function: Callable[..., Any]) -> dict[str, Row]:
 
 
 def check_of(row: Row) -> Check:
-    """Return the check for values of a parameter; those without a simple one are left to the item."""
+    """Return the check for values of a parameter; the item checks parameters without a simple check."""
     if row.type == "float":
         return _NUMBERS[row.check]
     if row.type == "bool":
@@ -166,7 +167,7 @@ def check_of(row: Row) -> Check:
 
 
 def checks_of(function: Callable[..., Any]) -> dict[str, Check]:
-    """Return the checks of the arguments that stand for parameters; None is accepted where it is the default."""
+    """Return the checks of the arguments that are parameters; None is accepted if it is the default."""
     known = parameters(function)
     checks = {name: check_of(row) for name, row in mirrored(function).items()}
     return {name: check.optional() if known[name].default is None else check for name, check in checks.items()}
@@ -185,7 +186,7 @@ def _literal(value: Any) -> str:
 
 
 def _type_of(parameter: inspect.Parameter, check: Check | None) -> str:
-    """Return what an argument that no item has must be, in words."""
+    """Return the description of an argument that is not an item parameter."""
     if check is not None:
         return check.expected.removesuffix(" or None")
     if parameter.name in TYPES:
@@ -206,7 +207,7 @@ class Argument(NamedTuple):
 
 
 def arguments(function: Callable[..., Any], checks: dict[str, Check]) -> list[Argument]:
-    """Return what is to be said of the arguments of a Create function, after mbs."""
+    """Return the descriptions of the arguments of a Create function, after mbs."""
     rows, described, found = mirrored(function), texts(function), []
     for name, parameter in list(parameters(function).items())[1:]:
         row = rows.get(name)

@@ -72,7 +72,7 @@ def _node_view(show: bool, drawSize: float, color: Vector) -> dict[str, Any]:
 
 
 def _add_gravity(mbs: Any, node: Any, body: Any, gravity: Vector, returnDict: bool) -> Any:
-    """Add the weight of a body, if there is gravity, and return what a Create function of a body returns."""
+    """Add the weight of a body, if there is gravity, and return the result of its Create function."""
     if not any(gravity):
         return {"nodeNumber": node, "bodyNumber": body} if returnDict else body
     marker = mbs.AddMarker(items.MarkerBodyMass(bodyNumber=body))
@@ -109,8 +109,9 @@ def CreateMassPoint(
 ) -> Any:
     """Add a mass point with its node, and its weight if there is gravity; return the body's ObjectIndex.
 
-    In 2D only x and y of vectors count. With returnDict, a dict with nodeNumber, bodyNumber and, if there is gravity,
-    markerBodyMass and loadNumber is returned.
+    Planar points use only x and y of vectors. returnDict=True returns a dict with nodeNumber, bodyNumber and, if
+    there is
+    gravity, markerBodyMass and loadNumber.
     """
     node_type: Any = items.NodePoint
     body_type: Any = items.ObjectMassPoint
@@ -141,7 +142,7 @@ class _RotationParameters(NamedTuple):
     of_matrix: Callable[[FloatArray], FloatArray]
     rates: Callable[
         [FloatArray, FloatArray, FloatArray], FloatArray
-    ]  # of the global omega, initial parameters and matrix
+    ]  # arguments: global omega, initial parameters and matrix
 
 
 _ROTATION_PARAMETERS = {
@@ -259,8 +260,8 @@ def CreateRigidBody(
 ) -> Any:
     """Add a rigid body with its node, and its weight if there is gravity; return the body's ObjectIndex.
 
-    Without graphicsDataList, the body is drawn in the shape of its inertia, and its node if drawSize is given. With
-    returnDict, a dict with nodeNumber, bodyNumber and, if there is gravity, markerBodyMass and loadNumber is returned.
+    If graphicsDataList is not given, the body is drawn in the shape of its inertia, and its node if drawSize is given.
+    returnDict=True returns a dict with nodeNumber, bodyNumber and, if there is gravity, markerBodyMass and loadNumber.
     """
     if not isinstance(inertia, RigidBodyInertia):
         raise argument_error("CreateRigidBody", "inertia", "a RigidBodyInertia, e.g. InertiaCuboid(...)", inertia)
@@ -302,7 +303,7 @@ def CreateRigidBody(
     return _add_gravity(mbs, node, body, gravity, returnDict)
 
 
-# What arguments must be, besides what parameters of the mirrored item and COMMON say.
+# Requirements on arguments besides those of the mirrored item and COMMON.
 CHECKS: dict[str, dict[str, Check]] = {
     "CreateGround": {
         "referencePosition": vector(3),

@@ -62,7 +62,7 @@ def CreateSpringDamper(
 ) -> ObjectIndex:
     """Add a spring-damper along the line between two points of bodies, nodes or markers; return its ObjectIndex.
 
-    Without referenceLength, the distance in the reference configuration is the unstretched length.
+    The default of referenceLength is the distance in the reference configuration.
     """
     ends = connector_ends("CreateSpringDamper", bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, bodyList)
     if referenceLength is None:
@@ -234,7 +234,7 @@ def CreateDistanceConstraint(
 ) -> ObjectIndex:
     """Keep the distance (m) of two points of bodies, nodes or markers constant; return the constraint's ObjectIndex.
 
-    Without `distance`, that of the reference configuration is kept. A distance of zero has no direction: a spherical
+    The default of `distance` is that of the reference configuration. A distance of zero has no direction: a spherical
     joint is added instead, in the xy plane if one of the bodies is planar.
     """
     ends = connector_ends(
@@ -305,8 +305,9 @@ def CreateCoordinateConstraint(
 ) -> ObjectIndex:
     """Constrain a coordinate of one body to that of another, or to ground; return the constraint's ObjectIndex.
 
-    A body number of None, or of a ground object, means ground: its coordinate does not count. Names of joints stand for
-    coordinates of kinematic trees. The constraint reads factorValue1*q1 - q0 - offset = 0, or its rate if
+    A body number of None, or of a ground object, means ground: its coordinate does not count. Coordinates of
+    kinematic trees can be given by names of joints. The constraint reads factorValue1*q1 - q0 - offset = 0, or its
+    rate if
     velocityLevel. At least one of the bodies must not be ground.
     """
     function = "CreateCoordinateConstraint"
@@ -338,7 +339,7 @@ def CreateCoordinateConstraint(
     )
 
 
-# What arguments must be, besides what parameters of the mirrored item and COMMON say.
+# Requirements on arguments besides those of the mirrored item and COMMON.
 CHECKS: dict[str, dict[str, Check]] = {
     "CreateRigidBodySpringDamper": {"rotationMatrixJoint": rotation_matrix()},
     "CreateTorsionalSpringDamper": {"axis": vector(3), "unlimitedRotations": FLAG},

@@ -68,9 +68,9 @@ def CreateSphereSphereContact(
     color: Vector = DEFAULT_COLOR,
     limitDamping: bool = False,
 ) -> ObjectIndex:
-    """Let two spheres around points of bodies or nodes touch each other; return the ObjectIndex of the contact.
+    """Add contact between two spheres around points of bodies or nodes; return the ObjectIndex of the contact.
 
-    With friction, bodies or nodes must have an orientation.
+    Friction requires bodies or nodes with an orientation.
     """
     law = _law_of(locals())
     where = "CreateSphereSphereContact"
@@ -115,9 +115,10 @@ def CreateSphereTriangleContact(
     color: Vector = DEFAULT_COLOR,
     limitDamping: bool = False,
 ) -> ObjectIndex:
-    """Let a sphere on the first body touch a triangle on the second one; return the ObjectIndex of the contact.
+    """Add contact between a sphere on the first body and a triangle on the second one; return the ObjectIndex of the
+    contact.
 
-    Points of the triangle are seen from localPosition1. With friction, the first body or node must have an orientation.
+    Points of the triangle are relative to localPosition1. Friction requires an orientation of the first body or node.
     """
     law = _law_of(locals())
     where = "CreateSphereTriangleContact"
@@ -194,7 +195,7 @@ def CreateSphereQuadContact(
     }
 
 
-# What arguments must be, besides what parameters of the mirrored item and COMMON say.
+# Requirements on arguments besides those of the mirrored item and COMMON.
 _CHECKS: dict[str, Check] = {"dataInitialCoordinates": vector(4)}
 CHECKS: dict[str, dict[str, Check]] = {
     "CreateSphereSphereContact": _CHECKS,

@@ -43,7 +43,7 @@ def CreateFFRFReducedOrderObject(
     """Add a flexible body with the modes of a mesh, and a rigid marker on each node set of type 'boundary'.
 
     Returns the numbers of the markers by their names, 'name:boundary', and under 'FFRFReducedOrderObjectDict' those of
-    nRigidBody, nGenericODE2, oFFRFreducedOrder and loadGravity. With free modes ('NormalModes') there are no markers.
+    nRigidBody, nGenericODE2, oFFRFreducedOrder and loadGravity. Free modes ('NormalModes') have no markers.
     """
     from dalembert._tools.modal_body import ObjectFFRFreducedOrderInterface
 
@@ -88,7 +88,7 @@ def CreateFFRFReducedOrderObject(
 
 
 def _offsets(function: str, given: Any, count: int) -> Any:
-    """One vector for each marker."""
+    """Return a vector for each marker."""
     if given is None:
         return np.zeros((count, 3))
     try:

@@ -169,7 +169,7 @@ def _rolling_markers(
     axisPosition: Vector,
     discRadius: float,
 ) -> list[Any]:
-    """Add the rigid markers of a rolling disc: on the body that carries the plane, and on the disc."""
+    """Add the rigid markers of a rolling disc: a marker on the body of the plane, and a marker on the disc."""
     require_two_bodies(function, bodyNumbers)
     for i, body in enumerate(bodyNumbers):
         if not is_body(body):
@@ -273,7 +273,7 @@ def CreateRollingDiscPenalty(
     )
 
 
-# What arguments must be, besides what parameters of the mirrored item and COMMON say.
+# Requirements on arguments besides those of the mirrored item and COMMON.
 CHECKS: dict[str, dict[str, Check]] = {
     "CreateRevoluteJoint": {"axis": vector(3)},
     "CreatePrismaticJoint": {"axis": vector(3)},

@@ -62,9 +62,10 @@ def CreateRobot(
 ) -> dict[str, Any]:
     """Add the robot of a URDF or MJCF file; return a dict with robot, the Robot, and the items that were added.
 
-    Without baseMarker, it is a kinematic tree, and the dict also has what Robot.CreateKinematicTree returns; with it,
-    rigid bodies and joints, and what Robot.CreateRedundantCoordinateMBS returns. Its entry links has the indices of
-    links and joints by name. Damping and dry friction of the file act.
+    The default is a kinematic tree, and the dict also has the result of Robot.CreateKinematicTree. If baseMarker is
+    given, the robot consists of rigid bodies and joints, and the dict has the result of
+    Robot.CreateRedundantCoordinateMBS. Its entry links has the indices of links and joints by name. Damping and dry
+    friction of the file are included.
     """
     from dalembert.robotics.utilities import ReadRobot  # a system without robots does without
 

@@ -35,7 +35,7 @@ def _parents(links: Sequence[TreeLink]) -> list[int]:
     if all(link.parent is None for link in links):
         return [i - 1 for i in range(len(links))]
     parents: list[int] = []
-    numbers: dict[str, int] = {}  # of the links before; those of joints where no link is called so
+    numbers: dict[str, int] = {}  # numbers of previous links; names of joints are used if no link has the name
     for i, link in enumerate(links):
         parent = numbers.get(link.parent) if isinstance(link.parent, str) else link.parent
         if parent is None or not -1 <= parent < i:
@@ -53,7 +53,7 @@ def _parents(links: Sequence[TreeLink]) -> list[int]:
 
 
 def _names(links: Sequence[TreeLink], field: str) -> list[str]:
-    """Return the names of links or joints; nothing where there are none."""
+    """Return the names of links or joints; an empty list if there are none."""
     names = [getattr(link, field) for link in links]
     return names if any(names) else []
 

@@ -16,7 +16,7 @@ from dalembert._io.files import file_to_read, file_to_write, replacing
 from dalembert.graphics._mesh import GraphicsData, mesh_of, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
 
-_SAME_POINT = 1e-6  # of the size of a surface
+_SAME_POINT = 1e-6  # relative to the size of a surface
 _BINARY_FACET = np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("attribute", "<u2")])
 _FACET_LINES = ("facet normal", "outer loop", "vertex", "vertex", "vertex", "endloop", "endfacet")
 
@@ -73,7 +73,7 @@ def FromSTLfileASCII(
 ) -> GraphicsData:
     """Return a TriangleList from a text STL file, with the normals of the file.
 
-    By default normals and orientation of the triangles are inverted. Errors name the line of the file.
+    Normals and orientation of the triangles are inverted by default. Errors name the line of the file.
     """
     fileName = file_to_read("FromSTLfileASCII: fileName", fileName)
     normals, corners = _facets_from_text(Path(fileName).read_text(), fileName)
@@ -86,7 +86,8 @@ def FromSTLfileASCII(
 
 
 def _faults(corners: FloatArray) -> str:
-    """Return what is wrong with a surface that should enclose a volume; its edges meet in pairs, in both directions."""
+    """Return the faults of a surface that should enclose a volume; its edges must occur in pairs, in both
+    directions."""
     size = np.ptp(corners.reshape(-1, 3), axis=0).max(initial=0.0)
     if size == 0.0:
         return ""
@@ -138,9 +139,10 @@ def FromSTLfile(
 ) -> GraphicsData | list[dict[str, Any]]:
     """Return a TriangleList from a text or binary STL file, scaled, then rotated by Aoff and shifted by pOff.
 
-    With a density, the result is [graphicsData, properties] with minPos, maxPos, volume, mass, COM and the inertia
+    If a density is given, the result is [graphicsData, properties] with minPos, maxPos, volume, mass, COM and the
+    inertia
     about COM. A warning reports a surface that is open or whose triangles are turned against each other. Unit normals
-    are computed from the triangles; by default normals and triangles are inverted.
+    are computed from the triangles; the default inverts normals and triangles.
     """
     corners = scale * _read_facets(fileName)[1]
     turned, moved = as_array("FromSTLfile: Aoff", Aoff), as_array("FromSTLfile: pOff", pOff)
@@ -213,8 +215,9 @@ def NGsolveMesh2PointsAndTrigs(
 ) -> list[npt.NDArray[Any]]:
     """Return [points, triangles], or [points, triangles, normals], of the surface of an NGsolve or netgen mesh.
 
-    Either mesh or ngMesh is given. With meshOrder 2 the mesh is made quadratic (in place) and each surface element
-    gives 4 triangles; with normals, each triangle has points of its own.
+    Either mesh or ngMesh is given. meshOrder=2 makes the mesh quadratic (in place), and each surface element gives 4
+    triangles; if normals are
+    requested, triangles do not share points.
     """
     if (mesh is None) == (ngMesh is None):
         raise ValueError("NGsolveMesh2PointsAndTrigs: expected either mesh or ngMesh, received both or none")

@@ -34,7 +34,7 @@ def triangle_list(
 ) -> GraphicsData:
     """Return graphicsData of the type TriangleList; colors is one RGBA colour or one per point.
 
-    where: the function that was called, of which errors tell.
+    where: the name of the called function, for errors.
     """
     if not (finite := np.isfinite(points).all(axis=-1)).all():
         raise shape_error(f"{where}: points", "finite coordinates", points[~finite][0].tolist())
@@ -84,7 +84,7 @@ def ring(n1: FloatArray, n2: FloatArray, angles: FloatArray) -> FloatArray:
     return np.outer(np.sin(angles), n1) + np.outer(np.cos(angles), n2)
 
 
-MOST_TILES = 10_000  # along a line: more need more memory than there is, or are not seen
+MOST_TILES = 10_000  # along a line: larger numbers exceed the memory, or are not visible
 
 
 def at_least(where: str, nTiles: int, minimum: int, name: str = "nTiles") -> int:
@@ -119,7 +119,7 @@ PLACES = {"TriangleList": "points", "Line": "data", "Text": "position", "Circle"
 
 
 def require_type(where: str, graphicsData: GraphicsData, *kinds: str) -> None:
-    """Refuse what is no graphicsData, or of another type than these."""
+    """Raise an error if the value is not graphicsData, or of another type."""
     if not isinstance(graphicsData, dict):
         raise shape_error(f"{where}: graphicsData", "a dictionary, such as graphics.Sphere(radius=0.1)", graphicsData)
     received = graphicsData.get("type")

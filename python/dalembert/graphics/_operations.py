@@ -248,7 +248,7 @@ def AddEdgesAndSmoothenNormals(
     """Return a TriangleList with edges where triangles meet at edgeAngle (rad) or more, and smooth normals elsewhere.
 
     Points that agree in roundDigits digits relative to the size of the geometry are merged. Normals are averaged
-    with the areas of the triangles; at edges, every triangle gets points of its own. An empty triangleColor keeps
+    with the areas of the triangles; triangles do not share points at edges. An empty triangleColor keeps
     the colours.
     """
     points, triangles = mesh_of("AddEdgesAndSmoothenNormals", graphicsData)

@@ -1,11 +1,11 @@
-"""What the parameters of graphics functions mean: said once for all that take them, and put into their docstrings."""
+"""Descriptions of the parameters of graphics functions, which are inserted into their docstrings."""
 
 from __future__ import annotations
 
 from inspect import cleandoc, signature
 from types import FunctionType
 
-# Of all functions, unless the function says it otherwise below.
+# Common to all functions; a function may override them below.
 _COMMON = {
     "point": "centre point (m)",
     "pAxis": "point at which the axis begins (m)",

@@ -132,7 +132,8 @@ def Basis(
 ) -> GraphicsData | list[GraphicsData]:
     """Return three arrows along the columns of a rotation matrix, or a list with texts if there are labels.
 
-    Optional arguments: radius of the shafts (default: 0.01*length), labels (three texts). Without length, it is empty.
+    Optional arguments: radius of the shafts (default: 0.01*length), labels (three texts). If length is zero, the
+    result is empty.
     """
     no_unknown("graphics.Basis", kwargs, ("radius", "labels"))
     nTiles = at_most("graphics.Basis", nTiles)

@@ -166,7 +166,7 @@ def Cuboid(
 ) -> GraphicsData:
     """Return a block with 8 given corners: 4 of the bottom, counter-clockwise seen from above, and 4 of the top.
 
-    faces switches bottom, top and the 4 sides on; with addNormals, faces have corners and normals of their own.
+    faces switches bottom, top and the 4 sides on; if addNormals is set, faces have their own corners and normals.
     """
     points = as_points("Cuboid: pList", pList)
     if len(points) != 8:
@@ -285,9 +285,10 @@ def Cylinder(
 ) -> GraphicsData:
     """Return a cylinder from the point pAxis along vAxis, whose length is the length of the cylinder.
 
-    With radiusInner it is hollow (and always complete). angleRange cuts out a part of it, closed by a plane through
+    A positive radiusInner makes it hollow (and always complete). angleRange cuts out a part of it, closed by a plane
+    through
     the two cut lines (cutPlain) or by planes to the axis; lastFace=False leaves it open. addEdges is the number of
-    lines along the mantle, True draws the circles only. alternatingColor is the colour of the second half.
+    lines along the lateral surface, True draws the circles only. alternatingColor is the colour of the second half.
     """
     no_unknown("graphics.Cylinder", kwargs, ("alternatingColor",))
     nTiles = at_least("graphics.Cylinder", nTiles, 3)

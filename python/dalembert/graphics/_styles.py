@@ -8,7 +8,7 @@ from dalembert._tools.missing_names import missing, nearest
 
 
 class _Named(type):
-    """Type of classes whose attributes are what there is to choose from."""
+    """Type of classes whose attributes are the available choices."""
 
     def __getattr__(cls, name: str) -> NoReturn:
         known = [each for each in vars(cls) if not each.startswith("_")]

@@ -1,4 +1,4 @@
-"""Robots, mobile robots, trajectories and inverse kinematics; what roboticsCore has is here as well."""
+"""Robots, mobile robots, trajectories and inverse kinematics; includes the names of roboticsCore."""
 
 from __future__ import annotations
 

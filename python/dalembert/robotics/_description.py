@@ -23,7 +23,7 @@ from dalembert.robotics._parts import GraphicsList, RobotBase, RobotLink, VRobot
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._xml import Element
 
-_ROUNDED = 1e-3  # of principal moments, and, twice, of a mass in kg: negative moments that files have by rounding
+_ROUNDED = 1e-3  # relative to principal moments, and, twice, to a mass in kg: negative moments from rounding in files
 
 
 @dataclass
@@ -58,7 +58,7 @@ class Joint:
 
 @dataclass
 class Description:
-    """What a file says of a robot; the root is the link that stands on the ground."""
+    """Description of a robot in a file; the root is the link that is fixed to the ground."""
 
     name: str
     bodies: dict[str, Body]
@@ -244,7 +244,7 @@ def root_of(bodies: dict[str, Body], joints: list[Joint]) -> str:
     if len(roots) > 1:
         names = ", ".join(f"'{body.name}'" for body in roots)
         roots[1].where.fail(f"expected one link that no joint carries, received {names}")
-    for joint in joints:  # whoever does not come to the root goes round
+    for joint in joints:  # joints that do not lead to the root form a cycle
         seen, name = {joint.child}, joint.parent
         while name in carried:
             if name in seen:

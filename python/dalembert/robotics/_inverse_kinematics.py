@@ -32,7 +32,7 @@ LONGEST = 0.2  # step in the null space, m and rad
 class InverseKinematicsNumerical:
     """Finds coordinates of the joints of a robot for a pose of its tool, starting from those found before.
 
-    jointStiffness, a number or one per joint, says how unwilling joints are to move. limits=True keeps them within the
+    jointStiffness, a number or one per joint, weights the motion of the joints. limits=True keeps them within the
     jointLimits of the links. link may name another link, or a frame, than the tool. flagDebug=True prints what happens;
     useRenderer and useAlternativeConstraints change nothing: there is no window, and no system.
     """
@@ -95,8 +95,8 @@ class InverseKinematicsNumerical:
         return [*between, end.copy()]
 
     def SolveSafe(self, T: npt.ArrayLike, q0: npt.ArrayLike | None = None) -> list[Any]:
-        """Return [q, success] as Solve does; where this fails, by small steps from the pose at the start to T, and then
-        from other starts, always the same ones."""
+        """Return [q, success] like Solve; if it fails, by small steps from the initial pose to T, and then
+        from a fixed list of other initial values."""
         start = self._start(q0)
         q, success = self.Solve(T, start)
         for rotStep, minSteps in ((np.pi / 20, 8), (np.pi / 80, 64)):
@@ -141,7 +141,7 @@ class InverseKinematicsNumerical:
             print(f"InverseKinematicsNumerical.{text}")
 
     def _error(self, goal: FloatArray, q: FloatArray) -> FloatArray:
-        """Return what is missing to the goal: translation and rotation vector, in the global frame."""
+        """Return the error of the pose: translation and rotation vector, in the global frame."""
         T = self.robot.FrameHT(self.link, q)
         return np.concatenate([goal[:3, 3] - T[:3, 3], RotationMatrix2RotationVector(goal[:3, :3] @ T[:3, :3].T)])
 

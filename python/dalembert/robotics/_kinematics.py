@@ -1,4 +1,5 @@
-"""What joints do, for one state or many: the last axis of coordinates counts joints, axes before it count states."""
+"""Kinematics of joints, for one state or many: the last axis of coordinates counts joints, axes before it count
+states."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Robots from MJCF files, as MuJoCo uses them (https://mujoco.readthedocs.io/en/stable/XMLreference.html).
 
-Bodies, joints, geoms and sites become links, joints, shapes and frames. A warning names what has no counterpart in a
-robot, such as actuators, tendons, equality constraints, springs and contacts.
+Bodies, joints, geoms and sites become links, joints, shapes and frames. A warning lists ignored elements, such as
+actuators, tendons, equality constraints, springs and contacts.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _WORLD = "world"
 
 
 def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, FloatArray]:
-    """Return the shape of a geom and where it is; None for shapes without an extent that could be drawn or weighed."""
+    """Return the shape of a geom and its pose; None for shapes without a finite extent."""
     kind = geom.text("type", "mesh" if "mesh" in geom.attributes and "type" not in geom.attributes else "sphere")
     place = compiler.place(geom)
     if kind in _UNSHAPED:
@@ -62,7 +62,7 @@ class _Reader:
         self.notes: dict[str, list[str]] = {}
 
     def note(self, what: str, name: str) -> None:
-        """Remember what is left out of an element."""
+        """Record an ignored part of an element."""
         self.notes.setdefault(what, []).append(name)
 
     def _body(self, element: Element, name: str) -> Body:
@@ -200,7 +200,7 @@ class _Reader:
         return limited == "true" or (limited == "auto" and self.compiler.autolimits and "range" in element.attributes)
 
     def _note_of_several(self, element: Element, joint: Joint) -> None:
-        """Note what ball and free joints have otherwise here, where their coordinates are angles."""
+        """Record differences of ball and free joints, whose coordinates are angles here."""
         if element.amount("frictionloss", "0"):
             self.note("frictionloss of ball and free joints", joint.name)
         if joint.kind == "ball" and self._is_limited(element):
@@ -220,7 +220,7 @@ def _site(site: Element, compiler: Compiler) -> FloatArray:
 
 
 def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
-    """Return what an MJCF file says; ValueError with file and line of what is wrong."""
+    """Return the description in an MJCF file; errors are raised as ValueError with file and line."""
     folder = Path(fileName).resolve().parent
     root = read(fileName)
     if root.tag != "mujoco":

@@ -83,7 +83,7 @@ class Compiler:
         return np.deg2rad(values) if self.degrees else values
 
     def rotation(self, element: Element) -> FloatArray:
-        """Return the rotation of an element, in whatever way it is given."""
+        """Return the rotation of an element, from any of its attributes."""
         given = element.attributes.keys() & {"quat", "axisangle", "euler", "xyaxes", "zaxis"}
         if len(given) > 1:
             element.fail(f"expected one way to give a rotation, received {', '.join(sorted(given))}")
@@ -164,7 +164,7 @@ class Compiler:
 
 
 def _inline_mesh(asset: Element, scale: FloatArray) -> _shapes.Shape:
-    """Return the mesh of vertex and face; without faces, the convex hull."""
+    """Return the mesh of vertex and face; the convex hull if there are no faces."""
     points = asset.numbers("vertex", (9, 10**9)).reshape(-1, 3) * scale
     if "face" in asset.attributes:
         corners = points[asset.numbers("face", (3, 10**9)).astype(int).reshape(-1, 3)]

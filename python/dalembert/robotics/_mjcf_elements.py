@@ -16,8 +16,8 @@ _ROTATIONS = "pos quat axisangle euler xyaxes zaxis"
 _BODY_PARTS = (
     "inertial joint freejoint geom attach site camera light plugin composite flexcomp body frame replicate include"
 )
-# Attributes and children of the elements that count. MuJoCo has more elements, and plugins more
-# attributes; what is nearly one of these is misspelt.
+# Attributes and children of the elements that are read. MuJoCo has more elements, and plugins more attributes;
+# similar names are reported as misspelt.
 _KNOWN = {
     "compiler": (
         "autolimits boundmass boundinertia settotalmass balanceinertia strippath coordinate angle fitaabb eulerseq "
@@ -46,7 +46,7 @@ _KNOWN = {
 
 
 def refuse_misspelt(element: Element) -> None:
-    """Refuse misspelt names in compiler, defaults and bodies; in the others, nothing is read."""
+    """Raise an error for misspelt names in compiler, defaults and bodies; other elements are not read."""
     if element.tag in _KNOWN:
         element.refuse_misspelt(*_KNOWN[element.tag])
     for child in element.children:
@@ -105,7 +105,7 @@ def repeated(element: Element, compiler: Compiler) -> Element:
 
 
 def gravity_of(root: Element) -> FloatArray:
-    """Return the gravity of a file; what a later <option> does not give stays."""
+    """Return the gravity of a file; later <option> elements override their attributes only."""
     gravity, off = np.array([0.0, 0.0, -9.81]), False
     for option in root.every("option"):
         if "gravity" in option.attributes:
@@ -115,7 +115,7 @@ def gravity_of(root: Element) -> FloatArray:
     return gravity * 0 if off else gravity
 
 
-# What a robot has none of: elements, in which order they are named, and settings of <option>.
+# Unsupported elements, in the order of the warning, and settings of <option>.
 _ELEMENTS = {
     "actuator": "",
     "contact": "",
@@ -130,7 +130,7 @@ _FLAGS = ("spring", "damper", "passive", "limit", "frictionloss", "equality", "c
 
 
 def left_out(root: Element) -> list[str]:
-    """Return what a file says that a robot has none of, in elements beside the bodies."""
+    """Return the unsupported data of a file, in elements outside of the bodies."""
     found = [f"<{tag}>{more}" for tag, more in _ELEMENTS.items() if any(e.children for e in root.every(tag))]
     for option in root.every("option"):
         found += [f"{name} of <option>" for name in _MEDIUM if option.numbers(name, (1, 3), "0").any()]

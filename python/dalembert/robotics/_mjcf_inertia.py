@@ -1,4 +1,4 @@
-"""Inertia of bodies of MJCF files: of <inertial>, of geoms, and what <compiler> makes of them."""
+"""Inertia of bodies of MJCF files: from <inertial>, from geoms, and the options of <compiler>."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from dalembert.robotics._xml import Element
 
 
 def of_geom(geom: Element, shape: _shapes.Shape) -> RigidBodyInertia:
-    """Return the inertia of a geom with its mass or density; of its surface if it is a shell."""
+    """Return the inertia of a geom from its mass or density; a shell has that of its surface."""
 
     def inertia(density: float) -> RigidBodyInertia:
         shell = _shapes.shell_inertia(shape, density) if is_shell(geom) else None
@@ -30,7 +30,7 @@ def is_shell(geom: Element) -> bool:
 
 
 def of_element(element: Element, compiler: Compiler) -> RigidBodyInertia:
-    """Return the inertia of <inertial>; without any moments these are zero."""
+    """Return the inertia of <inertial>; missing moments are zero."""
     if "fullinertia" in element.attributes:
         xx, yy, zz, xy, xz, yz = element.numbers("fullinertia", 6)
         tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

@@ -1,4 +1,4 @@
-"""What robots are made of: links with their joints, base and tool, and how these are drawn."""
+"""Parts of robots: links with their joints, base and tool, and their graphics."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ def is_revolute(jointType: str) -> bool:
 
 
 class VRobotLink:
-    """How a link is drawn: sizes (m) of its joint and of the bar to the next joint, or graphicsData in its frame.
+    """Graphics of a link: sizes (m) of its joint and of the bar to the next joint, or graphicsData in its frame.
 
-    With graphicsData, no bar is drawn; showMBSjoint and showCOM draw joint and centre of mass besides.
+    graphicsData replaces the bar; showMBSjoint and showCOM also draw joint and center of mass.
     """
 
     def __init__(
@@ -65,10 +65,12 @@ class VRobotLink:
 
 
 class RobotLink:
-    """A link and the joint that carries it.
+    """A link and its parent joint.
 
-    From the frame of the parent link, preHT leads to the joint; the joint turns about ('Rx', 'Ry', 'Rz') or slides
-    along ('Px', 'Py', 'Pz') its own axis (rad or m); localHT then leads to the frame of the link, in which COM (m) and
+    preHT is the transformation from the frame of the parent link to the joint; the joint rotates about ('Rx', 'Ry',
+    'Rz')
+    or translates along ('Px', 'Py', 'Pz') its own axis (rad or m); localHT is the transformation to the frame of the
+    link, in which COM (m) and
     inertia (kg*m^2, about the centre of mass) are given. parent is the index or name of another link, -1 the base, -2
     the link before. PDcontrol are the factors of position and velocity of a drive.
 

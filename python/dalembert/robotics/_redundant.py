@@ -38,7 +38,7 @@ class Options(NamedTuple):
     name: str
 
     def named(self, part: str) -> str:
-        """Return the name of an item; none for parts without a name."""
+        """Return the name of an item; empty for parts without a name."""
         return f"{self.name}{part}" if part else ""
 
 
@@ -64,7 +64,7 @@ def _graphics(robot: Robot, i: int) -> GraphicsList:
 
 
 def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
-    """Raise the ValueError of what cannot be made of bodies and joints, before anything is added."""
+    """Raise a ValueError for unsupported robots, before anything is added."""
     where = "Robot.CreateRedundantCoordinateMBS"
     require_system(where, mbs)
     if len(options.springUserFunctions) > len(robot.links):
@@ -115,7 +115,7 @@ def _base_rotation(robot: Robot, mbs: Any, marker: Any, given: npt.ArrayLike | N
 
 
 def _base_marker(mbs: Any, marker: Any, offset: FloatArray) -> Any:
-    """Return the marker of the base, or one beside it for a first joint that is not in its origin."""
+    """Return the marker of the base, or an additional one for a first joint that is not in its origin."""
     if not np.any(offset):
         return marker
     given = mbs.GetMarker(marker)
@@ -164,7 +164,8 @@ def _add_loads(mbs: Any, link: RobotLink, i: int, ends: Ends, units: list[FloatA
 
 
 def _drive_law(link: RobotLink, userFunction: Any) -> Any:
-    """Return the user function of a spring damper with dry friction besides; what is given if there is none."""
+    """Return the user function of a spring-damper with additional dry friction; the given one if there is no
+    friction."""
     if not link.friction:
         return userFunction
 
@@ -176,7 +177,7 @@ def _drive_law(link: RobotLink, userFunction: Any) -> Any:
 
 
 def _add_spring_damper(mbs: Any, link: RobotLink, q: float, ends: Ends, i: int, options: Options) -> Any:
-    """Add drive, damping and friction of a joint as one spring damper; None if it has nothing of these."""
+    """Add drive, damping and friction of a joint as one spring-damper; None if it has none of these."""
     listed = i < len(options.springUserFunctions)
     if not (listed or link.HasPDcontrol() or link.damping or link.friction):
         return None

@@ -194,10 +194,11 @@ class Robot:
         mode: str = "all",
         linkIndex: int | str | None = None,
     ) -> FloatArray:
-        """Return the Jacobian of a point that moves with a link: rates of the joints to velocity and angular velocity.
+        """Return the Jacobian of a point on a link: from joint rates to velocity and angular velocity.
 
-        HT is the result of JointHT, toolPosition the point in the global frame, [] the origin of the link; without
-        linkIndex it is the last link of HT. mode is 'all', 'trans' for the three rows of the velocity, or 'rot'.
+        HT is the result of JointHT, toolPosition the point in the global frame, [] the origin of the link; the
+        default of
+        linkIndex is the last link of HT. mode is 'all', 'trans' for the three rows of the velocity, or 'rot'.
         """
         if mode not in _MODES:
             raise shape_error("Robot.Jacobian: mode", "'all', 'trans' or 'rot'", mode)
@@ -223,9 +224,9 @@ class Robot:
     # ---- dynamics ----------------------------------------------------------------------------------------------------
 
     def StaticTorques(self, HT: Sequence[FloatArray]) -> FloatArray:
-        """Return what gravity does in all joints, forces and torques, from the transformations of JointHT.
+        """Return the forces and torques of gravity in all joints, from the transformations of JointHT.
 
-        Drives hold the robot with the opposite values.
+        Static drive forces have the opposite sign.
         """
         result = np.zeros((*HT[0].shape[:-2], len(self.links)))
         for i, (link, T) in enumerate(zip(self.links, self.COMHT(HT), strict=True)):
@@ -287,7 +288,7 @@ class Robot:
         """Return the centre of mass of all links in the global frame."""
         return self.Dynamics().CenterOfMass(self._coordinates("q", q))
 
-    # ---- as part of a system -----------------------------------------------------------------------------------------
+    # ---- robots as part of a system ----------------------------------------------------------------------------------
 
     def CreateKinematicTree(
         self,
@@ -299,8 +300,8 @@ class Robot:
     ) -> dict[str, Any]:
         """Add the robot to a system as a kinematic tree, on a node with the coordinates of the joints.
 
-        Factors of PDcontrol become those of the tree; set jointPositionOffsetVector and jointVelocityOffsetVector of
-        the object to where the drives are to be. With limitStiffness or limitDamping, limits of joints are stops.
+        Factors of PDcontrol become those of the tree; jointPositionOffsetVector and jointVelocityOffsetVector of the
+        object are the set values of the drives. limitStiffness or limitDamping make joint limits elastic stops.
         Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
         links (the indices of links and joints by name), resistances (a connector per joint with damping, friction or
         stops, else None), couplings (a constraint per joint that follows another, else None), and rotors (an object

@@ -1,4 +1,4 @@
-"""Shapes of links in files of robots: how they are drawn, and their inertia where a file gives none."""
+"""Shapes of links in robot files: their graphics, and their inertia if the file has none."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Shape(NamedTuple):
 
 
 def mesh(path: Path, scale: FloatArray) -> Shape:
-    """Return the mesh of a file: STL, OBJ, or what PyMeshLab reads."""
+    """Return the mesh of a file: STL, OBJ, or a format of PyMeshLab."""
     if path.suffix.lower() == ".stl":
         corners = _read_facets(str(path))[1]
     elif path.suffix.lower() == ".obj":
@@ -96,11 +96,11 @@ def _capsule(density: float, radius: float, length: float) -> RigidBodyInertia:
 
 
 def shell_inertia(shape: Shape, density: float) -> RigidBodyInertia | None:
-    """Return the inertia of the surface of a shape about the origin, of kg/m^2; None for ellipsoids and meshes."""
+    """Return the inertia of the surface of a shape about the origin, for kg/m^2; None for ellipsoids and meshes."""
     match shape.kind, shape.size:
         case "box", sides:
             a = np.array(sides)
-            areas = 2 * a.prod() / a  # of both faces across each axis
+            areas = 2 * a.prod() / a  # areas of both faces normal to each axis
             squares = a**2 * (areas / 4 + (areas.sum() - areas) / 12)  # integrals of x^2, y^2 and z^2
             return RigidBodyInertia(float(density * areas.sum()), density * np.diag(squares.sum() - squares))
         case "sphere", (r,):

@@ -34,7 +34,7 @@ def _toolbox(module: str) -> ModuleType:
 def toolbox_model(modelName: str) -> ToolboxModel:
     """Return the description of a model of rtb.models.URDF, as the toolbox reads it while it makes the model.
 
-    The toolbox has no function that tells it, and its folders and ways to expand xacro differ from version to version.
+    The toolbox has no function for it, and its folders and its expansion of xacro differ between versions.
     """
     models, parser = _toolbox("").models.URDF, _toolbox(".tools.urdf").URDF
     found = {name: kind for name, kind in vars(models).items() if isinstance(kind, type) and name != "URDFRobot"}

@@ -1,4 +1,4 @@
-"""A robot as kinematic tree: one object, whose coordinates are those of the joints."""
+"""A robot as kinematic tree: a single object in joint coordinates."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def _add_coupling(robot: Robot, mbs: Any, node: Any, i: int) -> Any:
     if follows is None:
         return None
     leader, factor, offset = robot.GetJointIndex(follows[0]), *follows[1:]
-    reference = robot.referenceConfiguration  # from which markers measure
+    reference = robot.referenceConfiguration  # reference of the markers
     markers = [mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=j)) for j in (i, leader)]
     apart = reference[i] - factor * reference[leader] - offset
     view = items.VObjectConnectorCoordinate(show=False)
@@ -145,7 +145,7 @@ def _names(robot: Robot) -> dict[str, Any]:
 
 
 def _fingerprint(robot: Robot, gravity: FloatArray) -> tuple[Any, ...]:
-    """Return what the mechanics are made of."""
+    """Return a key of the mechanical properties."""
     links = []
     for link in robot.links:
         arrays = link.COM, link.inertia, link.localHT, link.preHT
@@ -157,7 +157,7 @@ _dynamics: WeakKeyDictionary[Robot, tuple[tuple[Any, ...], TreeDynamics]] = Weak
 
 
 def dynamics(robot: Robot, gravity: FloatArray) -> TreeDynamics:
-    """Return the functions of the rigid links as they are now; those of the last call, if nothing has changed."""
+    """Return the functions of the current rigid links; cached until something changes."""
     now = _fingerprint(robot, gravity)
     known = _dynamics.get(robot)
     if known is None or known[0] != now:
@@ -166,10 +166,10 @@ def dynamics(robot: Robot, gravity: FloatArray) -> TreeDynamics:
 
 
 def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tuple[float, float]) -> dict[str, Any]:
-    """Add node, tree and what acts on its joints; see Robot.CreateKinematicTree."""
+    """Add node, tree and the items that act on its joints; see Robot.CreateKinematicTree."""
     require_system("Robot.CreateKinematicTree", mbs)
     n = len(robot.links)
-    robot.FollowedCoordinates(robot.referenceConfiguration[:n])  # refuses joints that follow none
+    robot.FollowedCoordinates(robot.referenceConfiguration[:n])  # rejects joints that follow an unknown joint
     item = items.ObjectKinematicTree(
         name=name,
         forceUserFunction=forceUserFunction,

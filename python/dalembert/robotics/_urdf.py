@@ -24,7 +24,7 @@ _KINDS = {
     "floating": "floating",
     "planar": "planar",
 }
-# Attributes and children of elements. Other programs have others in files; what is nearly one of these is misspelt.
+# Attributes and children of elements. Other programs use further ones; similar names are reported as misspelt.
 _KNOWN = {
     "robot": ("name version", "link joint material transmission gazebo sensor"),
     "link": ("name type", "inertial visual collision"),
@@ -56,7 +56,7 @@ Packages = str | Path | Sequence[str | Path] | Mapping[str, str | Path]
 
 
 def _refuse_misspelt(element: Element) -> None:
-    """Refuse misspelt names in what a robot is made of."""
+    """Raise an error for misspelt names in the elements that are read."""
     if element.tag in _KNOWN:
         element.refuse_misspelt(*_KNOWN[element.tag])
         for child in element.children:
@@ -86,7 +86,7 @@ def _inertial(link: Element) -> RigidBodyInertia | None:
 
 
 class _Files:
-    """Finds the meshes of a file: beside it, and in packages."""
+    """Finds the meshes of a file: in its folder, and in packages."""
 
     def __init__(self, file: Path, packages: Packages | None) -> None:
         self.folder = file.resolve().parent
@@ -231,7 +231,7 @@ def _descendants(element: Element) -> Iterator[Element]:
 
 
 def _warn_of_what_is_left_out(fileName: str | Path, root: Element) -> None:
-    """Warn of what acts in other programs and has no counterpart here; refuse macros."""
+    """Warn of unsupported elements that affect the motion in other programs; reject macros."""
     left = []
     for element in _descendants(root):
         if element.tag.startswith("xacro:"):
@@ -251,7 +251,7 @@ def _warn_of_what_is_left_out(fileName: str | Path, root: Element) -> None:
 def read_urdf(
     fileName: str | Path, packages: Packages | None = None, shapes: bool = True, text: str | None = None
 ) -> Description:
-    """Return what a URDF file says, or a text in its place; ValueError with file and line of what is wrong."""
+    """Return the description in a URDF file, or in a text; errors are raised as ValueError with file and line."""
     root = read(fileName, text)
     if root.tag != "robot":
         root.fail("expected <robot> as the first element of a URDF file")

@@ -1,4 +1,4 @@
-"""XML files with the lines of their elements, so that what is wrong in them can be named."""
+"""XML files with the line numbers of their elements, for error texts."""
 
 from __future__ import annotations
 
@@ -45,7 +45,8 @@ class Element:
         return found if found is not None else self.fail(f"expected an element <{tag}> in it")
 
     def refuse_misspelt(self, attributes: str, children: str = "") -> None:
-        """Refuse attributes, and children, that are not among those named but nearly; others are not for us."""
+        """Raise an error for attributes and children with a name similar to a known one; other unknown names are
+        ignored."""
         self._refuse_nearly("attribute", self.attributes, attributes.split())
         for child in self.children if children else ():
             child._refuse_nearly("element", [child.tag], children.split())
@@ -53,7 +54,7 @@ class Element:
     def _refuse_nearly(self, what: str, given: Collection[str], known: list[str]) -> None:
         for name in given:
             near = [] if name in known else difflib.get_close_matches(name, known, 1, 0.7)
-            if near and near[0] not in given:  # beside it, this is a name of another program
+            if near and near[0] not in given:  # otherwise it is a name of another program
                 self.fail(f"there is no {what} '{name}'; did you mean '{near[0]}'?")
 
     def text(self, name: str, default: str | None = None) -> str:
@@ -85,7 +86,7 @@ class Element:
 
 
 def read(fileName: str | Path, text: str | None = None) -> Element:
-    """Return the root of an XML file, or of a text instead; ValueError with the line of what is no XML."""
+    """Return the root of an XML file, or of a text; invalid XML raises a ValueError with the line."""
     file = str(fileName)
     parser = expat.ParserCreate()
     root = Element("", {}, file, 0)

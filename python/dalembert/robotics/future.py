@@ -70,8 +70,8 @@ def ComputeIK3R(robotDic: dict[str, Any], HT: npt.ArrayLike) -> FloatArray:
 def ComputeIKPuma560(robotDic: dict[str, Any], HT: npt.ArrayLike) -> FloatArray:
     """Return the 8 x 6 angles of a robot with a spherical wrist like the Puma 560.
 
-    Rows: left and right shoulder in fours; of these, elbow up and down in twos; of these, wrist flipped and not. With
-    the fourth and sixth axis in line, one of the angles of the wrist is zero.
+    Rows: left and right shoulder (four each); within these, elbow up and down (two each); then wrist flipped and not.
+    If the fourth and sixth axis are in line, one of the angles of the wrist is zero.
     R. P. Paul, H. Zhang, Computationally efficient kinematics for manipulators with spherical wrists, Int. J. Robotics
     Research 5, 1986.
     """
@@ -93,7 +93,7 @@ def ComputeIKPuma560(robotDic: dict[str, Any], HT: npt.ArrayLike) -> FloatArray:
 
 
 def _wrist(rows: FloatArray, arm: list[float], A: FloatArray, flip: bool) -> list[float]:
-    """Return the last three angles: Rz(q4) Ry(-q5) Rz(q6) is what the arm leaves to turn."""
+    """Return the last three angles: Rz(q4) Ry(-q5) Rz(q6) is the remaining rotation after the arm."""
     if np.isnan(arm).any():
         return [np.nan] * 3
     a, b, c = RotationMatrix2RotZYZ(_between(rows, arm, 0)[:3, :3].T @ A, flip)
@@ -103,8 +103,8 @@ def _wrist(rows: FloatArray, arm: list[float], A: FloatArray, flip: bool) -> lis
 def ComputeIKUR(robotDic: dict[str, Any], HTdes: npt.ArrayLike) -> FloatArray:
     """Return the 8 x 6 angles of a robot like UR3, UR5 and UR10.
 
-    Rows: left and right shoulder in fours; of these, the fifth angle positive and negative in twos; of these, the third
-    positive and negative. With the last axis parallel to the second, the sixth angle is zero.
+    Rows: left and right shoulder (four each); within these, the fifth angle positive and negative (two each); then the
+    third positive and negative. If the last axis is parallel to the second, the sixth angle is zero.
     """
     rows = _parameters("ComputeIKUR", robotDic, [pi / 2, 0, 0, pi / 2, -pi / 2, 0], (1, 2))
     T = as_transformation("ComputeIKUR: HTdes", HTdes)

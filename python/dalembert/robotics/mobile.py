@@ -1,7 +1,7 @@
 """Vehicles with four mecanum wheels, whose rollers stand at an angle to the axle: kinematics, rollers, and models.
 
 Seen from above, x forward and y to the left, wheels are numbered front left, front right, rear left, rear right.
-Rollers are in O-configuration (wheeltype 0), X-configuration (1), or there are none (2). Lengths in m, angles in rad.
+Rollers are in O-configuration (wheeltype 0), X-configuration (1), or absent (2). Lengths in m, angles in rad.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _NEEDED = [
     *("serialRobotMountpoint", "debugOffset"),
 ]
 _ROLLERS = 8
-_SIDES = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]])  # where wheels are, in halves of base and track
+_SIDES = np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]])  # positions of the wheels, in halves of base and track
 
 
 # ---- kinematics ------------------------------------------------------------------------------------------------------
@@ -43,9 +43,9 @@ def _configuration(wheeltype: int) -> int:
 
 
 class MobileKinematics:
-    """Velocities of the platform and of its wheels, of radius R; they are lx ahead of, and ly beside, the centre.
+    """Velocities of the platform and of its wheels, of radius R; they are lx ahead of the center and ly to its side.
 
-    With flagAdjusted, lcx and lcy are where the centre of mass is, which shares the load out among the wheels.
+    flagAdjusted uses lcx and lcy, the position of the center of mass, which distributes the load among the wheels.
     """
 
     def __init__(
@@ -92,7 +92,7 @@ def MecanumXYphi2WheelVelocities(
 ) -> FloatArray:
     """Return angular velocities of the wheels, with the distances Lx and Ly between wheels; prefer MobileKinematics.
 
-    In X-configuration, the first and the last wheel turn the other way than those of MobileKinematics.
+    The first and the last wheel of the X-configuration turn opposite to those of MobileKinematics.
     """
     c = _configuration(wheeltype)
     arm = 0.5 * (Lx + c * Ly)

@@ -1,8 +1,8 @@
 """Data of standard robots, as dictionaries, and robots made of them.
 
 A dictionary has links, each with Denavit-Hartenberg parameters (stdDH: theta, d, a, alpha; modDHKK: alpha, d, theta,
-r), mass (kg), COM (m) and inertia about it (kg*m^2), and what is known of the joint: jointLimits (rad), jointTorqueMax
-(Nm), jointStiffness (Nm/rad). dhMode says to which of the two kinds of frames COM and inertia belong. Besides there are
+r), mass (kg), COM (m) and inertia about it (kg*m^2), and data of the joint: jointLimits (rad), jointTorqueMax
+(Nm), jointStiffness (Nm/rad). dhMode selects the kind of frames of COM and inertia. Besides there are
 base and tool, gravity (m/s^2), referenceConfiguration, and factors of drives, Pcontrol and Dcontrol, which are assumed.
 """
 
@@ -240,7 +240,7 @@ def _robot_of(robotLinkDict: dict[str, Any], robotClass: Robot | None) -> Robot:
 
 
 def _of_joint(robotLinkDict: dict[str, Any], i: int) -> dict[str, Any]:
-    """Return what is known of a joint, as arguments of RobotLink."""
+    """Return the data of a joint, as arguments of RobotLink."""
     link = robotLinkDict["links"][i]
     factors = [robotLinkDict.get(which) for which in ("Pcontrol", "Dcontrol")]
     return {
@@ -267,7 +267,7 @@ def LinkDict2Robot(robotLinkDict: dict[str, Any], robotClass: Robot | None = Non
 
 
 def LinkDictModDHKK2Robot(robotLinkDict: dict[str, Any], robotClass: Robot | None = None) -> Robot:
-    """Return the robot of a dictionary in frames of modified parameters, whatever frames its inertias are given in.
+    """Return the robot of a dictionary in frames of modified parameters, for both kinds of frames of its inertias.
 
     The last link then ends where its axis does: a and alpha of its standard parameters are left to the tool.
     """

@@ -25,7 +25,7 @@ def _positive(where: str, values: npt.ArrayLike) -> FloatArray:
 
 
 def _smallest(where: str, n: int, *limits: npt.ArrayLike) -> FloatArray | None:
-    """Return the smallest of the limits that are given; None if there are none."""
+    """Return the smallest of the given limits; None if there are none."""
     given = [limit for limit in (_positive(where, values) for values in limits) if limit.size]
     for limit in given:
         if limit.size != n:
@@ -34,7 +34,7 @@ def _smallest(where: str, n: int, *limits: npt.ArrayLike) -> FloatArray | None:
 
 
 class Motion(Protocol):
-    """What a trajectory is made of."""
+    """Interface of a part of a trajectory."""
 
     finalTime: float
 
@@ -46,7 +46,7 @@ class Motion(Protocol):
 
 
 class Profile(Protocol):
-    """What Trajectory.Add takes."""
+    """Interface of the argument of Trajectory.Add."""
 
     def GetBasicProfile(
         self,
@@ -190,7 +190,8 @@ class BasicProfileLinearAcceleration(_Inspectable):
         return [self.initialTime + float(time) for time in self._times]
 
     def Evaluate(self, time: float) -> list[FloatArray]:
-        """Return coordinates, velocities and accelerations; before the start and after the end those of there."""
+        """Return coordinates, velocities and accelerations; constant extrapolation before the start and after the
+        end."""
         t = min(max(time - self.initialTime, 0.0), float(self._times[-1]))
         i = min(int(np.searchsorted(self._times, t, side="right")) - 1, len(self._times) - 2)
         return self._within(i, t - float(self._times[i]))

@@ -28,9 +28,9 @@ def _ros() -> tuple[Any, Any, Any]:
 class ROSInterface:
     """A node of ROS with publishers of time, texts, twists, poses, wrenches and states; derive from it for more.
 
-    Topics are below /exudyn/. What a subscriber has received last is the attribute with the name of its topic. Publish
-    functions may be called at every step; they send every 10 ms of the simulation. With getData 'node' they send
-    position and rotation of the node mbs.variables['nodeNumber'], with 'sensor' those of sensors: pos and ori (RotXYZ),
+    Topics are below /exudyn/. The last message of a subscriber is the attribute with the name of its topic. Publish
+    functions may be called at every step; they send every 10 ms of the simulation. getData 'node' sends position and
+    rotation of the node mbs.variables['nodeNumber'], 'sensor' those of sensors: pos and ori (RotXYZ),
     and velt and velr for velocities.
     """
 
@@ -67,7 +67,7 @@ class ROSInterface:
         return True
 
     def CheckROSversion(self) -> bool:
-        """Return whether the environment says which ROS is used, and keep what it says."""
+        """Return whether the environment defines the version of ROS, and store it."""
         self.myROSversionEnvInt = int(os.getenv("ROS_VERSION", "0"))
         self.myROSdistriEnv = os.getenv("ROS_DISTRO", "unknown")
         self._rospy.loginfo(f"-ROS{self.myROSversionEnvInt} {self.myROSdistriEnv}-")

@@ -31,7 +31,7 @@ def ForceManipulability(robot: Robot, HT: Sequence[FloatArray], mode: str, singu
 
 
 def _smallest(inverse: FloatArray, singularWeight: float) -> list[Any]:
-    """Return the smallest eigenvalue of the inverse of a matrix, and that; of singularWeight if there is none."""
+    """Return the smallest eigenvalue of the inverse of a matrix, and the inverse; singularWeight if it is singular."""
     try:
         matrix = np.linalg.inv(inverse)
     except np.linalg.LinAlgError:
@@ -44,8 +44,8 @@ def StiffnessManipulability(
 ) -> list[Any]:
     """Return [smallest eigenvalue, matrix] of the stiffness that the tool has on elastic joints.
 
-    JointStiffness is the matrix of the joints (Nm/rad or N/m). In singular configurations the tool cannot move in some
-    direction; all entries of the matrix are then singularWeight.
+    JointStiffness is the matrix of the joints (Nm/rad or N/m). The tool cannot move in some direction of a singular
+    configuration; all entries of the matrix are then singularWeight.
     """
     J = robot.Jacobian(HT, mode=mode)
     stiffness = as_matrix("StiffnessManipulability: JointStiffness", JointStiffness, (len(HT), len(HT)))
@@ -98,7 +98,7 @@ def CalculateAllMeasures(
 ) -> list[Any]:
     """Return [velocity, force, stiffness, its matrix, acceleration, its matrix] of a robot and its dictionary.
 
-    Of the four flags, those that are zero leave out a measure; [] stands in its place.
+    Each of the four flags that is zero omits a measure, which is [].
     """
     if len(flag) != 4:
         raise ValueError(f"CalculateAllMeasures: flag: expected 4 numbers that are 0 or 1, received {flag!r}")

@@ -41,7 +41,7 @@ def ReadRobot(
     the robot; gravity (m/s^2) is -9.81 along z, or that of the file. packages has the folders of meshes in URDF files,
     or a dictionary of these by name; graphics=False leaves shapes out. Meshes are STL files, or others with pymeshlab.
 
-    ValueError names file, line and element of what is wrong.
+    ValueError names file, line and element of an error.
     """
     fileName = file_to_read("ReadRobot: fileName", fileName)
     if read(fileName).tag == "mujoco":
@@ -146,8 +146,8 @@ def GetURDFrobotData(
 def GetRoboticsToolboxInternalModel(modelName: str = "", ignoreURDFerrors: bool = True) -> dict[str, Any]:
     """Return the same as LoadURDFrobot, of a model that the package roboticstoolbox-python knows by name, as 'Puma560'.
 
-    The package must be installed (ImportError). It fetches some models from the internet when they are first used. With
-    ignoreURDFerrors, shapes that cannot be read are left out, with a warning; else they are a ValueError.
+    The package must be installed (ImportError). It fetches some models from the internet when they are first used.
+    ignoreURDFerrors skips unreadable shapes with a warning; otherwise they raise a ValueError.
     """
     from dalembert.robotics._toolbox import toolbox_model
 
