@@ -205,6 +205,7 @@ struct SystemParts {
   bool leaves_markers_to_terms = false;  // some are not needed, where these read nodes themselves;
   bool needs_totals = true;              // there,
   bool knows_needed_markers = false;     // as parameters are now
+  bool loads_are_sorted = true;          // among those that are constant and others, as parameters are now
   bool functions_in_regions = false;  // of the user, which only the thread of the solver may call: it does it all
   bool loads_call_functions = false, others_take_functions = false;  // of the user: loads as they are, nodes and objects by their types
   std::unique_ptr<Workers> workers;   // null: one thread does it all
