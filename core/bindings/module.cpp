@@ -47,6 +47,7 @@ PYBIND11_MODULE(_core, module) {
   register_ensemble(module);
   register_evaluation(module);
   register_tree_functions(module);
+  register_robot_kinematics(module);
   register_plain_arrays(module);
   register_linear_solver(module);
   register_symbolic(module);
