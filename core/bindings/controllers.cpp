@@ -170,9 +170,9 @@ class SampledControllers final : public Schedule {
   }
   // Whether there are other objects since, or some have been given other parameters.
   bool others_may_be_sampled(const Model& model) {
-    const auto [changed, known] = model.changed_since(std::exchange(values_, model.value_changes()));
-    return structure_ != model.structure_changes() || !known ||
-           std::ranges::any_of(changed, [](const ItemReference& item) { return item.kind == ItemKind::object; });
+    const auto changed = model.changed_since(std::exchange(values_, model.value_changes()));
+    return structure_ != model.structure_changes() || !changed ||
+           std::ranges::any_of(*changed, [](const ItemReference& item) { return item.kind == ItemKind::object; });
   }
 
   std::weak_ptr<MainSystem> main_;

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "containers.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/references.hpp"
@@ -127,6 +128,14 @@ std::vector<double> read_vector(PyObject* value, int size) {
 }
 
 void read(PyObject* value, const Row& row, std::vector<double>& out) {
+  const bool is_list = PyList_CheckExact(value) || PyTuple_CheckExact(value);
+  if (const Py_ssize_t size = is_list ? PySequence_Fast_GET_SIZE(value) : row.size; size > 0 && (row.size == 0 || size == row.size)) {
+    std::vector<double> values(static_cast<std::size_t>(size));
+    if (read_plain_reals(value, 1, values)) {
+      out = std::move(values);
+      return;
+    }
+  }
   refuse_truth_values(value, row, "finite numbers");
   out = row.takes_number && is_number(value) ? std::vector{read_real(value)} : read_vector(value, row.size);
 }
@@ -135,11 +144,12 @@ void read(PyObject* value, const Row& row, std::vector<double>& out) {
 template <class Number>
 DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const std::string& what) {
   DynamicMatrix<Number> result;
+  std::vector<Number> values;
   constexpr bool integers = std::is_same_v<Number, int>;
   const auto take = [&](double number) {
     if (integers && number != std::floor(number)) throw Refusal{ErrorKind::type, what, "Entries must be integers."};
     if (integers && std::abs(number) > std::numeric_limits<int>::max()) throw Refusal{ErrorKind::value, what, "An entry is too large."};
-    result.values.push_back(static_cast<Number>(number));
+    values.push_back(static_cast<Number>(number));
   };
   const auto is_right = [&](Py_ssize_t r, Py_ssize_t c) { return (rows < 0 || r == rows) && (columns < 0 || c == columns); };
   if (is_number_array(value)) {
@@ -164,13 +174,14 @@ DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const 
         throw Refusal{ErrorKind::value, what, "Row " + std::to_string(i) + " has another length than row 0."};
       for (const double number : line) take(number);
     }
-    if (result.values.empty() && rows < 0) return {};
+    if (values.empty() && rows < 0) return {};
     if (!is_right(result.rows, result.columns)) throw Refusal{ErrorKind::value, what, "Check the number of rows and columns."};
   }
   if constexpr (!integers) {
-    if (!std::ranges::all_of(result.values, [](double x) { return std::isfinite(x); }))
+    if (!std::ranges::all_of(values, [](double x) { return std::isfinite(x); }))
       throw Refusal{ErrorKind::value, what, "An entry is not finite."};
   }
+  result.values = std::move(values);
   return result;
 }
 
@@ -210,8 +221,10 @@ void read_scipy(py::handle sparse, MatrixContainer& out) {
   result.rows = shape.first;
   result.columns = shape.second;
   result.dense = false;
+  std::vector<MatrixContainer::Triplet> triplets;
   for (std::size_t i = 0; i < values.size(); ++i)
-    result.triplets.push_back({rows.at(static_cast<py::ssize_t>(i)), columns.at(static_cast<py::ssize_t>(i)), values[i]});
+    triplets.push_back({rows.at(static_cast<py::ssize_t>(i)), columns.at(static_cast<py::ssize_t>(i)), values[i]});
+  result.triplets = std::move(triplets);
   out = std::move(result);
 }
 
@@ -263,6 +276,10 @@ void read(PyObject* value, const Row& row, std::vector<Entry>& out) {
   const std::string what = "a list of " + shape;
   if (value == Py_None) {
     out.clear();
+    return;
+  }
+  if (py::isinstance<EntryList<Entry>>(value)) {
+    out = py::handle(value).cast<const EntryList<Entry>&>().entries;
     return;
   }
   const Items items(value, what);
@@ -437,12 +454,7 @@ py::object write(const std::vector<int>& value, Form, PyObject*) {
 template <class Entry>
   requires(is_vec<Entry> || is_mat<Entry>)
 py::object write(const std::vector<Entry>& value, Form, PyObject*) {
-  py::list list;
-  for (const Entry& entry : value) list.append(write(entry, Form::copy, nullptr));
-  constexpr int n = row_count<Entry>;
-  const std::string name = std::string(is_vec<Entry> ? "Vector" : "Matrix") + std::to_string(n) + "DList";
-  if (!py::hasattr(core_module(), name.c_str())) return list;
-  return core_module().attr(name.c_str())(list);
+  return py::cast(EntryList<Entry>{value});
 }
 template <ItemKind K>
 py::object write_index(ItemIndex<K> index) {

@@ -1,5 +1,7 @@
 #include "item_equality.hpp"
 
+#include <algorithm>
+
 #include <pybind11/pybind11.h>
 
 #include "conversion.hpp"
@@ -23,7 +25,7 @@ bool same(const Mat<double, R, C>& a, const Mat<double, R, C>& b) {
 }
 template <class T>
 bool same(const DynamicMatrix<T>& a, const DynamicMatrix<T>& b) {
-  return a.rows == b.rows && a.columns == b.columns && a.values == b.values;
+  return a.rows == b.rows && a.columns == b.columns && std::ranges::equal(a.values, b.values);
 }
 template <class T>
   requires(is_vec<T> || is_mat<T>)
@@ -34,8 +36,8 @@ bool same(const MatrixContainer& a, const MatrixContainer& b) {
   const auto equal = [](const MatrixContainer::Triplet& x, const MatrixContainer::Triplet& y) {
     return x.row == y.row && x.column == y.column && x.value == y.value;
   };
-  return a.rows == b.rows && a.columns == b.columns && a.dense == b.dense && a.values == b.values &&
-         std::equal(a.triplets.begin(), a.triplets.end(), b.triplets.begin(), b.triplets.end(), equal);
+  return a.rows == b.rows && a.columns == b.columns && a.dense == b.dense && std::ranges::equal(a.values, b.values) &&
+         std::ranges::equal(a.triplets, b.triplets, equal);
 }
 bool same(const UserFunction& a, const UserFunction& b) {
   return a.callback == b.callback || (a && b && function_of(a) == function_of(b));

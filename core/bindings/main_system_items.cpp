@@ -178,14 +178,15 @@ void set_parameter(MainSystem& main, ItemKind kind, int number, const std::strin
   if (row.internal) refuse(ErrorKind::value, {where(), name, "cannot be set", "", "", "It is computed by the system."});
   const ItemType& type = *item.type;
   const std::shared_ptr<const void> before = item.record;
-  main.edit(kind, number, row, [&](void* target) {
+  const auto write = [&](void* target) {
     // `target` is the member; the record begins at its offset before.
     set_member(class_of(type), row, value.ptr(), static_cast<char*>(target) - row.offset, where);
     if (row.storage == Storage::user_function) {
       auto& function = *static_cast<UserFunction*>(target);
       function = bind_user_function(type, function, main);
     }
-  });
+  };
+  main.edit(kind, number, row, std::ref(write));
   try {
     take_over(main);
   } catch (...) {  // it does not fit nodes and markers

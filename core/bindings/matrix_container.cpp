@@ -47,15 +47,15 @@ MatrixContainer sized(const char* method, int rows, int columns, bool dense) {
   m.rows = rows;
   m.columns = columns;
   m.dense = dense;
-  if (dense) m.values.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns), 0.0);
+  if (dense) m.values.edit().assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns), 0.0);
   return m;
 }
 
 void add(MatrixContainer& m, int row, int column, double value) {
   if (m.dense)
-    m.values[position(m, row, column)] += value;
+    m.values.edit()[position(m, row, column)] += value;
   else
-    m.triplets.push_back({row, column, value});
+    m.triplets.edit().push_back({row, column, value});
 }
 
 // All entries of a matrix, those of triplets as they come.
@@ -98,7 +98,7 @@ MatrixContainer read_triplets(const char* method, const py::object& value, int r
           method, "a triplet for row " + std::to_string(i) + ", column " + std::to_string(j),
           "indices of a matrix with " + std::to_string(rows) + " rows and " + std::to_string(columns) + " columns",
           ErrorKind::index);
-    m.triplets.push_back({static_cast<int>(i), static_cast<int>(j), table.values[position(table, k, 2)]});
+    m.triplets.edit().push_back({static_cast<int>(i), static_cast<int>(j), table.values[position(table, k, 2)]});
     m.rows = std::max(m.rows, m.triplets.back().row + 1);
     m.columns = std::max(m.columns, m.triplets.back().column + 1);
   }

@@ -16,6 +16,8 @@ void register_solvers(py::module_& module);      // solvers.cpp
 void register_ensemble(py::module_& module);     // ensemble.cpp
 void register_evaluation(py::module_& module);   // evaluation.cpp: the submodule `testing`
 void register_tree_functions(py::module_& module);  // tree_functions.cpp
+void register_robot_kinematics(py::module_& module);  // robot_kinematics.cpp
+void register_plain_arrays(py::module_& module);      // plain_arrays.cpp
 void register_linear_solver(py::module_& module);  // linear_solver.cpp: in `testing`
 void guard_objects(py::module_& module);           // object_guards.cpp: when all classes are there
 void explain_wrong_calls(py::module_& module);     // wrong_calls.cpp: when all functions are there

@@ -12,7 +12,7 @@ from enum import Enum
 from typing import Any
 
 import numpy.typing as npt
-import scipy.sparse
+import scipy
 
 from dalembert._checks import FloatArray, as_array, shape_error
 from dalembert._fem.campbell import dense_frequencies, gyroscopic_matrix, plot_campbell, sparse_frequencies

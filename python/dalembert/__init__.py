@@ -31,8 +31,7 @@ from dalembert._version import (
     __version__ as __version__,
     interface_version as interface_version,
 )
-from dalembert.mainSystemExtensions import methods as _methods  # noqa: F401  importing it extends MainSystem
-from dalembert._io.model_files import ModelFileError as ModelFileError
+from dalembert import mainSystemExtensions as _extensions  # noqa: F401  importing it extends MainSystem
 from dalembert._solving.diagnosis import FinishedNotTrusted as FinishedNotTrusted, SolverError as SolverError
 from dalembert.solver import (
     ComputeLinearizedSystem as ComputeLinearizedSystem,
@@ -42,6 +41,9 @@ from dalembert.solver import (
     SolverSuccess as SolverSuccess,
     SolveStatic as SolveStatic,
 )
+
+if TYPE_CHECKING:
+    from dalembert._io.model_files import ModelFileError as ModelFileError
 
 _completion.tell_ipython()
 
@@ -147,11 +149,15 @@ else:
             from importlib import import_module
 
             return import_module(f"dalembert.{name}")
+        if name == "ModelFileError":
+            from dalembert._io.model_files import ModelFileError
+
+            return ModelFileError
         if text := _planned.module_text(name):
             raise AttributeError(text)
         raise _missing_names.missing_in(_sys.modules[__name__], name)
 
     def __dir__() -> list[str]:
-        return sorted({*globals(), *_submodules})
+        return sorted({*globals(), *_submodules, "ModelFileError"})
 
     _missing_names.explain_module(_sys.modules[__name__])

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 import operator
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._core import _problem_of
+from dalembert._core import (
+    _floats,
+    _is_plain_not_negative,
+    _is_plain_number,
+    _is_rotation,
+    _is_transformation,
+    _problem_of,
+)
 
 ComplexArray = npt.NDArray[np.complex128]
 FloatArray = npt.NDArray[np.float64]
@@ -31,8 +39,13 @@ def shape_error(name: str, expected: str, received: Any) -> ValueError:
     return ValueError(f"{name}: expected {expected}, received {text} ({type(received).__name__}{detail})")
 
 
+_FLOAT = np.dtype(float)
+
+
 def as_array(name: str, value: Any, expected: str = "an array of numbers") -> FloatArray:
     """Convert to a float array; ValueError names the argument if that is not possible."""
+    if type(value) is np.ndarray and value.dtype is _FLOAT:
+        return value
     with suppress(TypeError, ValueError, OverflowError):
         array = np.asarray(value)
         if array.dtype.kind not in "USc":  # numpy reads numbers from texts, and leaves out imaginary parts
@@ -42,6 +55,8 @@ def as_array(name: str, value: Any, expected: str = "an array of numbers") -> Fl
 
 def as_number(name: str, value: Any, negative: bool = True) -> float:
     """Convert to a finite float, which is not negative if that is asked for; ValueError otherwise, for texts too."""
+    if (_is_plain_number if negative else _is_plain_not_negative)(value):
+        return float(value)
     expected = "a finite number" if negative else "a finite number that is not negative"
     array = as_array(name, value, expected)
     if array.ndim != 0:
@@ -92,6 +107,12 @@ def as_vector(name: str, value: Any, size: int | None = None) -> FloatArray:
     return array
 
 
+def floats(name: str, value: Any, size: int) -> Sequence[float]:
+    """Return the numbers of a vector of the given size; ValueError if it is none."""
+    found = _floats(value, size)
+    return as_vector(name, value, size).tolist() if found is None else found
+
+
 def as_matrix(name: str, value: Any, shape: tuple[int, int]) -> FloatArray:
     """Convert to a 2D float array of the given shape; ValueError otherwise."""
     expected = f"a {shape[0]}x{shape[1]} matrix"
@@ -107,6 +128,8 @@ TRANSFORMATION = "a 4x4 homogeneous transformation [[A, r], [0, 1]]"
 
 def as_rotation(name: str, value: Any) -> FloatArray:
     """Convert to a 3x3 array; ValueError unless it is a rotation matrix to 1e-8: no scaling, shear or reflection."""
+    if _is_rotation(value):  # the usual case
+        return value
     array = as_matrix(name, value, (3, 3))
     if problem := rotation_problem(array):
         raise ValueError(f"{shape_error(name, ROTATION, value)}. {problem}")
@@ -115,6 +138,8 @@ def as_rotation(name: str, value: Any) -> FloatArray:
 
 def as_transformation(name: str, value: Any) -> FloatArray:
     """Convert to a 4x4 array; ValueError unless it is a homogeneous transformation of a rotation and a translation."""
+    if _is_transformation(value):
+        return value
     array = as_matrix(name, value, (4, 4))
     if not np.allclose(array[3], [0.0, 0.0, 0.0, 1.0], rtol=0.0, atol=1e-8):
         raise ValueError(f"{shape_error(name, TRANSFORMATION, value)}. Its last row is {array[3].tolist()}.")

@@ -107,11 +107,12 @@ def _open_figure(plt: Any, newFigure: bool, figureName: str, subPlot: Any, sizeI
 
 
 def _part_labels(figure: Any, ax: Any, ticks: int) -> None:
-    """Take fewer ticks along x than there may be, until their labels stand apart."""
+    """Take fewer ticks along x than there may be, until their labels stand apart; the layout has to be known."""
     from matplotlib.ticker import MaxNLocator
 
     for n in range(ticks, 1, -1):
-        figure.draw_without_rendering()
+        if n < ticks:
+            figure.draw_without_rendering()
         boxes = [tick.label1.get_window_extent() for tick in ax.xaxis.get_major_ticks() if tick.label1.get_text()]
         gap = 0.3 * max((box.height for box in boxes), default=0)
         if all(left.x1 + gap <= right.x0 for left, right in zip(boxes, boxes[1:], strict=False)):
@@ -282,8 +283,7 @@ def PlotSensor(
     if legendArgs is not None:
         draw_legend(ax, legendArgs)
     figure.tight_layout()
-    if legendArgs is None and ax.get_legend_handles_labels()[0]:
-        place_legend(ax)
+    if legendArgs is None and ax.get_legend_handles_labels()[0] and place_legend(ax):
         figure.tight_layout()
     if not kwargs.get("logScaleX"):
         _part_labels(figure, ax, style["majorTicksX"])

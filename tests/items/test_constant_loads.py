@@ -84,3 +84,34 @@ def test_load_keeps_its_marker_for_other_forces() -> None:
     height = model.mbs.GetNodeOutput(model.node, exu.OutputVariableType.Position)[2]
     # Residual below 1e-12 of the weight.
     assert height == pytest.approx(-2 * G / stiffness, abs=1e-12)
+
+
+def turned(change: bool, points: list[list[float]]) -> list[float]:
+    """The rotation after a force has acted at one of the points: set before Assemble, or, one after the other, after it."""
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodeRigidBodyEP(referenceCoordinates=[0, 0, 0, 1, 0, 0, 0]))
+    inertia = [1.0, 2.0, 3.0, 0.0, 0.0, 0.0]
+    body = mbs.AddObject(exu.ObjectRigidBody(physicsMass=2, physicsInertia=inertia, nodeNumber=node))
+    at = points[0] if change else points[-1]
+    marker = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=body, localPosition=at))
+    mbs.AddLoad(exu.LoadForceVector(markerNumber=marker, loadVector=[0, 0, 5.0]))
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime = 0.1
+    settings.timeIntegration.numberOfSteps = 10
+    settings.solutionSettings.writeSolutionToFile = False
+    for point in points if change else []:
+        mbs.SetMarkerParameter(marker, "localPosition", point)
+        mbs.SolveDynamic(settings)
+    if not change:
+        mbs.SolveDynamic(settings)
+    return list(mbs.GetNodeOutput(node, exu.OutputVariableType.Rotation))
+
+
+@pytest.mark.parametrize(
+    "points", [[[0, 0, 0], [0.3, 0, 0]], [[0.3, 0, 0], [0, 0, 0]], [[0, 0, 0], [0.3, 0, 0], [0, 0, 0]]]
+)
+def test_force_acts_where_its_marker_has_moved_to(points: list[list[float]]) -> None:
+    # The same operations as in a system that was assembled so.
+    assert turned(True, points) == turned(False, points)
+    assert any(turned(True, points)) == any(points[-1])

@@ -183,3 +183,32 @@ def test_materials() -> None:
         materials[12]
     materials.Reset()
     assert len(materials) == 10
+
+
+def test_matrices_of_items_are_not_those_of_the_user() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(
+        exu.NodeGenericODE2(
+            numberOfODE2Coordinates=2,
+            referenceCoordinates=[0, 0],
+            initialCoordinates=[0, 0],
+            initialCoordinates_t=[0, 0],
+        )
+    )
+    given = exu.MatrixContainer(np.eye(2))
+    body = mbs.AddObject(exu.ObjectGenericODE2(nodeNumbers=[node], massMatrix=given, stiffnessMatrix=given))
+    mbs.Assemble()
+    read = mbs.GetObjectParameter(body, "massMatrix")
+    for matrix in (given, read):
+        matrix.AddSparseMatrix(exu.MatrixContainer(np.ones((2, 2))))
+        np.testing.assert_array_equal(matrix.GetPythonObject(), np.eye(2) + 1)
+    mbs.SetObjectParameter(body, "forceVector", [1.0, 2.0])
+    for name in ("massMatrix", "stiffnessMatrix"):
+        np.testing.assert_array_equal(mbs.GetObjectParameter(body, name).GetPythonObject(), np.eye(2))
+    mbs.SetObjectParameter(body, "stiffnessMatrix", 3 * np.eye(2))
+    np.testing.assert_array_equal(mbs.GetObjectParameter(body, "massMatrix").GetPythonObject(), np.eye(2))
+    settings = exu.SimulationSettings()
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveStatic(settings)
+    # Two equations with pivots of one: exact but for the rounding of a division.
+    np.testing.assert_allclose(mbs.systemData.GetODE2Coordinates(), [1 / 3, 2 / 3], rtol=1e-14, atol=0)

@@ -181,3 +181,42 @@ def test_finer_steps_come_nearer_at_default_tolerances() -> None:
         error = 4 / 3 * np.linalg.norm(precise - finer)
         left = np.linalg.norm(swinging_rod(steps, None) - precise)
         assert left < 0.01 * error, steps
+
+
+def chain(count: int, by_differences: bool) -> tuple[np.ndarray, float, Any]:
+    """Masses in a row with springs of the user between them; coordinates, calls per spring, and counts of the solver."""
+    calls = 0
+
+    def force(mbs: Any, t: float, item: int, u: float, v: float, k: float, d: float, offset: float) -> float:
+        nonlocal calls
+        calls += 1
+        return k * u + 10 * k * u**3 + d * v
+
+    mbs = exu.SystemContainer().AddSystem()
+    before = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(exu.NodePointGround()), coordinate=0))
+    for i in range(count):
+        node = mbs.AddNode(exu.Node1D(referenceCoordinates=[0], initialVelocities=[0.1 * (i % 3)]))
+        mbs.AddObject(exu.Mass1D(physicsMass=1 + 0.1 * i, nodeNumber=node))
+        marker = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+        mbs.AddObject(
+            exu.CoordinateSpringDamper(
+                markerNumbers=[before, marker], stiffness=100, damping=0.5, springForceUserFunction=force
+            )
+        )
+        before = marker
+    mbs.Assemble()
+    settings = dynamic_settings(0.05, 10, 1e-10)
+    settings.timeIntegration.newton.numericalDifferentiation.forODE2 = by_differences
+    settings.linearSolverType = exu.LinearSolverType.EigenSparse
+    mbs.SolveDynamic(settings)
+    return mbs.systemData.GetODE2Coordinates(), calls / count, mbs.sys["dynamicSolver"].it
+
+
+def test_columns_that_share_no_row_are_differentiated_together() -> None:
+    short, long = chain(9, True), chain(36, True)
+    # Three groups of columns, whatever the length of the chain: two residuals each.
+    assert long[1] / long[2].newtonJacobiCount == pytest.approx(short[1] / short[2].newtonJacobiCount, rel=0.1)
+    for count, found in ((9, short), (36, long)):
+        expected = chain(count, False)
+        assert found[2].newtonStepsCount == expected[2].newtonStepsCount
+        np.testing.assert_allclose(found[0], expected[0], rtol=0, atol=1e-10)  # the tolerance of Newton's method

@@ -51,7 +51,8 @@ void LawOfBody::read(const SizedLaw& law, bool with_residual) {
   full_ = with_residual || law.has_user_function();
   forceless_ = !force_ && force_vector_.empty();
   for (std::size_t i = 0; i < terms_.size(); ++i) {
-    terms_[i] = {law.matrices[i].times, law.matrices[i].made()};
+    terms_[i].times = law.matrices[i].times;
+    law.matrices[i].make(terms_[i].matrix);
     full_ = full_ || (!terms_[i].matrix.empty() && !terms_[i].matrix.sparse());
     forceless_ = forceless_ && (terms_[i].times == StateVector::acceleration || terms_[i].matrix.empty());
   }

@@ -14,17 +14,21 @@ SquareMatrix::SquareMatrix(const MatrixContainer& from) {
   }
   std::vector<MatrixContainer::Triplet> sorted = from.triplets;
   std::ranges::stable_sort(sorted, {}, [](const auto& t) { return std::tuple(t.row, t.column); });
+  std::vector<MatrixContainer::Triplet> entries;
   for (const auto& t : sorted) {
-    if (!entries_.empty() && entries_.back().row == t.row && entries_.back().column == t.column) {
-      entries_.back().value += t.value;
+    if (!entries.empty() && entries.back().row == t.row && entries.back().column == t.column) {
+      entries.back().value += t.value;
     } else {
-      entries_.push_back(t);
+      entries.push_back(t);
     }
   }
+  given_ = from.triplets;
+  entries_ = std::move(entries);
 }
 
 bool SquareMatrix::same_places(const SquareMatrix& other) const {
-  return rows_ == other.rows_ && sparse() == other.sparse() &&
+  if (rows_ != other.rows_ || sparse() != other.sparse()) return false;
+  return entries_.shares_with(other.entries_) ||
          std::ranges::equal(entries_, other.entries_,
                             [](const auto& a, const auto& b) { return a.row == b.row && a.column == b.column; });
 }

@@ -61,8 +61,9 @@ class Checker {
   Checker(const Model& model, Provisions& provisions, ItemKind kind, int number)
       : model_(model), provisions_(provisions), kind_(kind), number_(number), item_(model.item(kind, number)) {}
 
-  void run() const {
+  void run(const Row* changed = nullptr) const {
     const ItemType& type = *item_.type;
+    if (changed != nullptr) return check_change(*changed);
     for (const Row& row : type.rows) {
       if (row.role != Role::parameter) continue;
       if (index_storage(row.storage).is_index) check_indices(row);
@@ -79,6 +80,15 @@ class Checker {
   }
 
  private:
+  // Others are as they were, and what the item is connected to as well.
+  void check_change(const Row& row) const {
+    if (row.size != 0) check_length(row, row.size, "");
+    if (row.check >= Check::rotation) check_value(row);
+    if (kind_ == ItemKind::node) check_coordinates();
+    if (kind_ == ItemKind::load) check_follower();
+    if (item_.type->physics != nullptr) item_.type->physics->check_values(item_.record.get(), {model_, kind_, number_});
+  }
+
   bool works_without_data() const {
     const Physics* physics = item_.type->physics;
     return physics != nullptr && physics->works_without_data(item_.record.get());
@@ -253,9 +263,9 @@ void Model::check() const {
   for (std::size_t i = 0; i < term_sources_.size(); ++i) term_sources_[i]->check(*this, term_name(i));
 }
 
-void Model::check(std::span<const ItemReference> some) const {
+void Model::check(std::span<const ItemChange> some) const {
   Provisions provisions;
-  for (const ItemReference& item : some) Checker(*this, provisions, item.kind, item.number).run();
+  for (const ItemChange& change : some) Checker(*this, provisions, change.kind, change.number).run(change.row);
 }
 
 std::string Model::doubt() const {

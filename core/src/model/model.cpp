@@ -155,7 +155,8 @@ void Model::edit(ItemKind kind, int number, const Row& row, const std::function<
   const Item& old = item(kind, number);
   std::shared_ptr<void> record = old.type->record.copy(old.record.get());
   write(member(record.get(), row));
-  if (names_are_used()) resolve_names(*this, *old.type, row, record.get(), describe(kind, number));
+  const bool may_be_named = row.named != Named::no || index_storage(row.storage).is_index;
+  if (may_be_named && names_are_used()) resolve_names(*this, *old.type, row, record.get(), describe(kind, number));
   if (row.role == Role::name) {
     rename(kind, number, *static_cast<const std::string*>(member(record.get(), row)));
     return;
@@ -165,13 +166,13 @@ void Model::edit(ItemKind kind, int number, const Row& row, const std::function<
     note_structure_change(kind);
     if (kind == ItemKind::node) load_dependencies_.clear();
   } else if (changes_values(row)) {
-    note_value_change(kind, number);
+    note_value_change({{kind, number}, &row});
   }
 }
 
 void Model::renew(ItemKind kind, int number, std::shared_ptr<const void> record) {
   items(kind)[static_cast<std::size_t>(number)].record = std::move(record);
-  note_value_change(kind, number);
+  note_value_change({{kind, number}});
 }
 
 void Model::rename(ItemKind kind, int number, std::string name) {
@@ -215,16 +216,16 @@ void Model::note_structure_change(ItemKind kind) {
   if (kind != ItemKind::sensor) ++equation_changes_;
 }
 
-void Model::note_value_change(ItemKind kind, int number) {
+void Model::note_value_change(const ItemChange& change) {
   if (changes_.size() >= remembered_changes) changes_.erase(changes_.begin(), changes_.begin() + remembered_changes / 2);
-  changes_.push_back({kind, number});
+  changes_.push_back(change);
   ++value_changes_;
 }
 
-std::pair<std::vector<ItemReference>, bool> Model::changed_since(std::uint64_t since) const {
+std::optional<std::span<const ItemChange>> Model::changed_since(std::uint64_t since) const {
   const std::uint64_t missing = value_changes_ - since;
-  if (missing > changes_.size()) return {{}, false};
-  return {{changes_.end() - static_cast<std::ptrdiff_t>(missing), changes_.end()}, true};
+  if (missing > changes_.size()) return std::nullopt;
+  return std::span(changes_).last(static_cast<std::size_t>(missing));
 }
 
 }  // namespace dalembert

@@ -20,7 +20,7 @@ class Copier {
     if (found->second == being_copied && !is_new)
       refuse(ErrorKind::value, {from_.describe(kind, number), "", "it refers to itself, by what it refers to", "", "", ""});
     if (!is_new) return found->second;
-    const ItemReference here{kind, number};
+    const ItemChange here{{kind, number}};
     from_.check({&here, 1});  // also that there is a body where one is asked for
     const Item& item = from_.item(kind, number);
     sources.push_back({kind, number, item.record});

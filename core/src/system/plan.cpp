@@ -76,6 +76,7 @@ void sort_loads(SystemParts& parts) {
   std::unordered_set<const MarkerBatch*> loaded;
   for (const LoadPlace& load : parts.loads) (changing.contains(load.member.batch) ? pulled : loaded).insert(batch_of(load.marker));
   pulled.insert(parts.plan.connected.begin(), parts.plan.connected.end());
+  parts.loads_are_sorted = true;
   ConstantLoads& constant = parts.plan.constant;
   constant = {};
   for (RegionPlan& region : parts.plan.regions) {

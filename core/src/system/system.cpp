@@ -69,19 +69,24 @@ std::shared_ptr<const void> System::hold_states() const {
 namespace {
 
 // New parameters have to fit nodes and markers, as at Assemble().
-void check_change(SystemParts& parts, const Model& model, Placing& placing, const ItemReference& item) {
-  const ItemLabel label{model, item.kind, item.number};
-  const Item& changed = model.item(item.kind, item.number);
-  if (item.kind == ItemKind::object)
-    changed.type->physics->check(changed.record.get(), placing.of_object(item.number), parts.ports, label);
-  if (item.kind == ItemKind::marker)
-    changed.type->physics->check(changed.record.get(), placing.of_marker(item.number, parts.markers[item.number]), parts.ports, label);
+void check_change(SystemParts& parts, const Model& model, Placing& placing, const ItemChange& change) {
+  if (change.kind != ItemKind::object && change.kind != ItemKind::marker) return;
+  const ItemLabel label{model, change.kind, change.number};
+  const Item& changed = model.item(change.kind, change.number);
+  const Placement& on = change.kind == ItemKind::object ? placing.of_object(change.number)
+                                                        : placing.of_marker(change.number, parts.markers[static_cast<std::size_t>(change.number)]);
+  if (change.row != nullptr) return changed.type->physics->check_row(changed.record.get(), on, parts.ports, label, *change.row);
+  changed.type->physics->check(changed.record.get(), on, parts.ports, label);
 }
 
-std::vector<ItemReference> all_items(const Model& model) {
-  std::vector<ItemReference> items;
+void refresh_entry(Term& batch, int entry, const void* record, const Row* row) {
+  row == nullptr ? batch.refresh(entry, record) : batch.refresh_row(entry, record, *row);
+}
+
+std::vector<ItemChange> all_items(const Model& model) {
+  std::vector<ItemChange> items;
   for (int k = 0; k < item_kinds; ++k)
-    for (int i = 0; i < model.count(static_cast<ItemKind>(k)); ++i) items.push_back({static_cast<ItemKind>(k), i});
+    for (int i = 0; i < model.count(static_cast<ItemKind>(k)); ++i) items.push_back({{static_cast<ItemKind>(k), i}});
   return items;
 }
 
@@ -118,22 +123,36 @@ void System::refresh(const Model& model) {
   if (std::exchange(late_, nullptr) != nullptr && parts.structure == model.structure_changes())
     for (const auto& [load, coordinates] : model.load_dependencies()) add_load_dependencies(load, coordinates);
   if (!assembled_ || parts.structure != model.structure_changes() || parts.values == model.value_changes()) return;
-  auto [changed, all_known] = model.changed_since(parts.values);
-  if (!all_known) changed = all_items(model);
+  const auto known = model.changed_since(parts.values);
+  const std::vector<ItemChange> all = known ? std::vector<ItemChange>() : all_items(model);
+  const std::span<const ItemChange> changed = known ? *known : std::span<const ItemChange>(all);
   model.check(changed);
   Placing placing(parts);
-  for (const ItemReference& item : changed) check_change(parts, model, placing, item);
+  for (const ItemChange& change : changed) check_change(parts, model, placing, change);
   ports_hold(nullptr);
   parts.plan.resting_evaluated = false;
   const auto complete = [&](ObjectPlace& place, int number) {
     const auto& physics = static_cast<const ObjectPhysics&>(*place.type->physics);
     if (physics.completes()) place.record = physics.completed(place.record.get(), placing.of_object(number), {model, ItemKind::object, number});
   };
+  // Whether a load is constant depends on how its marker passes it on.
+  const auto renew_markers = [&](std::span<const MarkerSeat> seats, const auto& renew) {
+    const auto ways = [&] {
+      std::vector<char> ways;
+      for (const MarkerSeat& seat : seats) {
+        const auto& [batch, entry] = parts.markers[static_cast<std::size_t>(seat.marker)].member;
+        for (const bool of_moments : {false, true}) ways.push_back(batch->passes_constantly(entry, of_moments) ? 1 : 0);
+      }
+      return ways;
+    };
+    const bool has_loads = !parts.loads.empty();
+    const std::vector<char> before = has_loads ? ways() : std::vector<char>();
+    for (const MarkerSeat& seat : seats) renew(parts.markers[static_cast<std::size_t>(seat.marker)], seat.which);
+    if (has_loads && ways() != before) parts.loads_are_sorted = false;
+  };
   const auto tell_markers = [&](ItemKind kind, int number, const void* record) {
-    for (const auto& [marker, which] : parts.markers_on(kind, number)) {
-      const auto& [batch, entry] = parts.markers[static_cast<std::size_t>(marker)].member;
-      batch->refresh_owners(entry, which, record);
-    }
+    renew_markers(parts.markers_on(kind, number),
+                  [&](const MarkerPlace& marker, int which) { marker.member.batch->refresh_owners(marker.member.entry, which, record); });
   };
   const auto passed_record = [](const MarkerPlace& marker, Vec3<double>& local) {
     FrameShape shape{};
@@ -142,6 +161,7 @@ void System::refresh(const Model& model) {
   };
   // Items on a ground node have read its position.
   const auto move_resting = [&](int node) {
+    parts.loads_are_sorted = false;
     for (std::size_t k = 0; k < parts.objects.size(); ++k) {
       const ObjectPlace& place = parts.objects[k];
       if (std::ranges::find(place.nodes.of(parts.references), node) == place.nodes.of(parts.references).end()) continue;
@@ -155,7 +175,7 @@ void System::refresh(const Model& model) {
       }
     }
   };
-  const auto renew = [&](ItemKind kind, int number) {
+  const auto renew = [&](ItemKind kind, int number, const Row* row) {
     const auto& record = model.item(kind, number).record;
     const auto i = static_cast<std::size_t>(number);
     switch (kind) {
@@ -170,18 +190,22 @@ void System::refresh(const Model& model) {
         if (parts.objects[i].equations > 0) ++renewed_constraints_;
         parts.objects[i].record = record;
         complete(parts.objects[i], number);
-        parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, parts.objects[i].record.get());
+        refresh_entry(*parts.objects[i].member.batch, parts.objects[i].member.entry, parts.objects[i].record.get(), row);
         parts.look_for_functions(parts.objects[i]);
         tell_markers(kind, number, parts.objects[i].record.get());
         break;
       case ItemKind::marker: {
-        MarkerPlace& marker = parts.markers[i];
-        marker.record = record;
-        Vec3<double> local;
-        marker.member.batch->refresh(marker.member.entry, passed_record(marker, local));
+        parts.markers[i].record = record;
+        const MarkerSeat seat{number, 0};
+        renew_markers({&seat, 1}, [&](const MarkerPlace& marker, int) {
+          Vec3<double> local;
+          marker.member.batch->refresh(marker.member.entry, passed_record(marker, local));
+        });
         break;
       }
       case ItemKind::load:
+        if (has_user_function(*parts.loads[i].type, record.get()) != has_user_function(*parts.loads[i].type, parts.loads[i].record.get()))
+          parts.loads_are_sorted = false;
         parts.loads[i].record = record;
         parts.loads[i].member.batch->refresh(parts.loads[i].member.entry, record.get());
         parts.look_for_functions(parts.loads[i]);
@@ -190,9 +214,9 @@ void System::refresh(const Model& model) {
       case ItemKind::sensor: parts.sensors[i] = parts.place_sensor(model.item(kind, number)); break;
     }
   };
-  for (const ItemReference& item : changed) renew(item.kind, item.number);
+  for (const ItemChange& change : changed) renew(change.kind, change.number, change.row);
   parts.values = model.value_changes();
-  sort_loads(parts);
+  if (!parts.loads_are_sorted) sort_loads(parts);
   parts.knows_needed_markers = false;
 }
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
-import scipy.sparse
+import scipy
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._fem.elements import Block, Kind

@@ -9,9 +9,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-import scipy.linalg
-import scipy.sparse
-from scipy.sparse.linalg import LinearOperator, eigs
+import scipy
 
 from dalembert._checks import FloatArray
 from dalembert._fem.eigen import SHIFT, first_deformation
@@ -47,10 +45,10 @@ def sparse_frequencies(mass: Any, stiffness: Any, gyroscopic: Any, points: Float
         position = -factors.solve(mass @ (v + shift * p) + gyroscopic @ p)
         return np.concatenate([position, shift * position + p])
 
-    inverse = LinearOperator((2 * size, 2 * size), matvec=solve, dtype=float)
+    inverse = scipy.sparse.linalg.LinearOperator((2 * size, 2 * size), matvec=solve, dtype=float)
     start = np.random.default_rng(1).standard_normal(2 * size)
     wanted = min(2 * (count + 7), 2 * size - 2)
-    found = eigs(inverse, k=wanted, which="LM", v0=solve(start), return_eigenvectors=False)
+    found = scipy.sparse.linalg.eigs(inverse, k=wanted, which="LM", v0=solve(start), return_eigenvectors=False)
     return _different(shift + 1.0 / found, count)
 
 

@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy.sparse
-from scipy.linalg import blas, lapack
+import scipy
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._fem.dissection import Front, dissect
@@ -81,13 +80,13 @@ class Cholesky:
             own = slice(SIZE * front.begin, SIZE * front.end)
             around = _coordinates(front.around)
             triangle, below, rest = _sum_of_front(front, matrix, around, updates, memory)
-            triangle, failed = lapack.dpotrf(triangle, lower=1, clean=1, overwrite_a=1)
+            triangle, failed = scipy.linalg.lapack.dpotrf(triangle, lower=1, clean=1, overwrite_a=1)
             if failed:
                 raise NotPositiveDefiniteError(int(nodes[front.begin + (failed - 1) // SIZE]))
-            below = blas.dtrsm(1.0, triangle, below, side=1, lower=1, trans_a=1, overwrite_b=1)
+            below = scipy.linalg.blas.dtrsm(1.0, triangle, below, side=1, lower=1, trans_a=1, overwrite_b=1)
             self._factors.append(Factors(triangle, below, own, around))
             if len(around):
-                updates[id(front)] = blas.dsyrk(-1.0, below, beta=1.0, c=rest, lower=1, overwrite_c=1)
+                updates[id(front)] = scipy.linalg.blas.dsyrk(-1.0, below, beta=1.0, c=rest, lower=1, overwrite_c=1)
             done += _work(front)
             if done > told + 0.1 * total:
                 told = done
@@ -98,15 +97,15 @@ class Cholesky:
         b = np.asarray(right, dtype=float)[self._order]
         x = b.reshape(len(b), -1)
         for part in self._factors:
-            own = blas.dtrsm(1.0, part.triangle, x[part.own], lower=1)
+            own = scipy.linalg.blas.dtrsm(1.0, part.triangle, x[part.own], lower=1)
             x[part.own] = own
             if len(part.around):
-                x[part.around] -= blas.dgemm(1.0, part.below, own)
+                x[part.around] -= scipy.linalg.blas.dgemm(1.0, part.below, own)
         for part in reversed(self._factors):
             own = x[part.own]
             if len(part.around):
-                own = blas.dgemm(-1.0, part.below, x[part.around], trans_a=1, beta=1.0, c=own)
-            x[part.own] = blas.dtrsm(1.0, part.triangle, own, lower=1, trans_a=1)
+                own = scipy.linalg.blas.dgemm(-1.0, part.below, x[part.around], trans_a=1, beta=1.0, c=own)
+            x[part.own] = scipy.linalg.blas.dtrsm(1.0, part.triangle, own, lower=1, trans_a=1)
         result = np.empty_like(x)
         result[self._order] = x
         return result[:, 0] if b.ndim == 1 else result

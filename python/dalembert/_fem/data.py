@@ -8,7 +8,7 @@ import warnings
 from typing import Any
 
 import numpy as np
-import scipy.sparse
+import scipy
 
 from dalembert._checks import FloatArray, shape_error
 from dalembert._fem.elements import blocks

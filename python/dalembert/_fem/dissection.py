@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from scipy.sparse.csgraph import maximum_bipartite_matching
+import scipy
 
 from dalembert._checks import FloatArray, IntArray
 
@@ -94,7 +94,7 @@ def _smallest_cut(graph: Any, low: BoolArray) -> BoolArray:
     crossed = graph @ (~low).astype(float), graph @ low.astype(float)
     sides = np.flatnonzero(low & (crossed[0] > 0)), np.flatnonzero(~low & (crossed[1] > 0))
     edges = graph[sides[0]][:, sides[1]]
-    mate = maximum_bipartite_matching(edges, perm_type="column")
+    mate = scipy.sparse.csgraph.maximum_bipartite_matching(edges, perm_type="column")
     matched = mate >= 0
     mate_above = np.zeros(len(sides[1]), dtype=np.int64)
     mate_above[mate[matched]] = np.flatnonzero(matched)

@@ -10,9 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import scipy.linalg
-import scipy.sparse
-from scipy.sparse.linalg import splu
+import scipy
 
 from dalembert._checks import FloatArray
 from dalembert._fem.cholesky import Cholesky, NotPositiveDefiniteError
@@ -55,7 +53,7 @@ def factorize(matrix: Any, points: FloatArray, progress: Callable[[str], None]) 
         return Cholesky(matrix, points, progress).solve
     except NotPositiveDefiniteError:
         progress("the matrix is not positive definite, factorization is repeated by LU")
-        return splu(scipy.sparse.csc_matrix(matrix)).solve
+        return scipy.sparse.linalg.splu(scipy.sparse.csc_matrix(matrix)).solve
 
 
 def lowest_modes(

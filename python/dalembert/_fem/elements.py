@@ -14,7 +14,7 @@ from itertools import product
 from typing import Any
 
 import numpy as np
-from scipy.special import roots_jacobi
+import scipy
 
 from dalembert._checks import FloatArray, IntArray
 
@@ -31,7 +31,7 @@ class Rule:
 
 def _gauss(n: int, low: float, power: float = 0.0) -> tuple[FloatArray, FloatArray]:
     """Points and weights on the interval from `low` to 1, of a weight function (1 - x)^power."""
-    points, weights = roots_jacobi(n, power, 0.0)
+    points, weights = scipy.special.roots_jacobi(n, power, 0.0)
     half = 0.5 * (1.0 - low)
     return low + half * (points + 1.0), weights * half ** (power + 1.0)
 

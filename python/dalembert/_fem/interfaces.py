@@ -12,8 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy.linalg
-import scipy.sparse
+import scipy
 
 from dalembert._checks import FloatArray, IntArray, shape_error
 from dalembert._fem.eigen import (

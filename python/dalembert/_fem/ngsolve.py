@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-import scipy.sparse
+import scipy
 
 from dalembert._checks import IntArray, shape_error
 from dalembert._fem.elements import KINDS, turned

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-import scipy.sparse
+import scipy
 
 from dalembert._checks import FloatArray, as_array, as_number, as_vector, check_integer, check_type, shape_error
 

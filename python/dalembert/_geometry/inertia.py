@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
+from math import hypot, isfinite, sqrt
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_matrix, as_number, as_rotation, as_transformation, as_vector, shape_error
+from dalembert._core import _array
 from dalembert._geometry.rotations import Skew
 from dalembert._geometry.transformations import HT0, HTtranslate, InertiaTensor2Inertia6D
 
@@ -68,26 +70,29 @@ class RigidBodyInertia:
         if not isinstance(inertiaTensorAtCOM, bool | int | np.bool_):
             raise shape_error("RigidBodyInertia: inertiaTensorAtCOM", "a bool", inertiaTensorAtCOM)
         tensor = as_matrix("RigidBodyInertia: inertiaTensor", inertiaTensor, (3, 3))
-        if not np.isfinite(tensor).all():
+        if not all(map(isfinite, tensor.ravel().tolist())):
             raise shape_error("RigidBodyInertia: inertiaTensor", "a tensor of finite numbers", inertiaTensor)
-        self.mass = as_number("RigidBodyInertia: mass", mass)
-        self.com: FloatArray = as_vector("RigidBodyInertia: com", com, 3).copy()
-        self.inertiaTensor: FloatArray = tensor + self._steiner() if inertiaTensorAtCOM else tensor.copy()
-        self.data: dict[str, Any] = {"type": "RigidBodyInertia"}
-        self._nTilesGraphics = 16
-        self._roundnessGraphics = 0.0
+        number, centre = as_number("RigidBodyInertia: mass", mass), as_vector("RigidBodyInertia: com", com, 3).copy()
+        self._set(number, tensor.copy(), centre)
+        if inertiaTensorAtCOM:
+            self.inertiaTensor = tensor + self._steiner()
         self._judge(tensor)
 
     def _judge(self, tensor: FloatArray) -> None:
         """Refuse negative principal moments about the centre of mass; warn of others that no body has."""
-        scale = np.linalg.norm(self.inertiaTensor)
+        scale = hypot(*self.inertiaTensor.ravel().tolist())
         if scale == 0.0 or self.mass < 0.0:  # mass points, and negative masses that cut holes, are meant
             return
-        if np.linalg.norm(tensor - tensor.T) > 1e-14 * scale:
+        (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = tensor.tolist()
+        if hypot(xy - yx, xz - zx, yz - zy) > 1e-14 / sqrt(2.0) * scale:
             warnings.warn("RigidBodyInertia: inertiaTensor is not symmetric; use (J + J.T)/2", stacklevel=3)
             return
-        about_centre = self.InertiaCOM()
-        moments = np.linalg.eigvalsh(0.5 * (about_centre + about_centre.T))
+        moments: Any
+        if xy == xz == yz == 0.0 and not self.com.any():
+            moments = np.array(sorted((xx, yy, zz)))
+        else:
+            about_centre = self.InertiaCOM()
+            moments = np.linalg.eigvalsh(0.5 * (about_centre + about_centre.T))
         if moments[0] < -1e-8 * scale:
             raise shape_error(
                 "RigidBodyInertia: inertiaTensor",
@@ -106,9 +111,15 @@ class RigidBodyInertia:
     def _of(mass: float, inertiaTensor: FloatArray, com: FloatArray) -> RigidBodyInertia:
         """Return the inertia of these values about the reference point; intermediate sums may be physically
         impossible."""
-        inertia = RigidBodyInertia(mass, com=com)
-        inertia.inertiaTensor = inertiaTensor
+        inertia = RigidBodyInertia.__new__(RigidBodyInertia)
+        inertia._set(mass, inertiaTensor, com)
         return inertia
+
+    def _set(self, mass: float, inertiaTensor: FloatArray, com: FloatArray) -> None:
+        self.mass, self.com, self.inertiaTensor = mass, com, inertiaTensor
+        self.data: dict[str, Any] = {"type": "RigidBodyInertia"}
+        self._nTilesGraphics = 16
+        self._roundnessGraphics = 0.0
 
     def _steiner(self, com: FloatArray | None = None) -> FloatArray:
         """Return the inertia tensor of the whole mass concentrated at com, about the reference point."""
@@ -246,7 +257,7 @@ class RigidBodyInertia:
 def _not_negative(where: str, **values: Any) -> None:
     """Raise ValueError if a density, mass, length or radius is negative or not finite."""
     for name, value in values.items():
-        for number in value if isinstance(value, np.ndarray) and value.ndim == 1 else [value]:
+        for number in value.tolist() if isinstance(value, np.ndarray) and value.ndim == 1 else [value]:
             as_number(f"{where}: {name}", number, negative=False)
 
 
@@ -256,9 +267,11 @@ class InertiaCuboid(RigidBodyInertia):
     def __init__(self, density: float, sideLengths: Sequence[float] | FloatArray) -> None:
         sides = as_vector("InertiaCuboid: sideLengths", sideLengths, 3)
         _not_negative("InertiaCuboid", density=density, sideLengths=sides)
-        mass = density * sides.prod()
-        squares = sides**2
-        super().__init__(mass, np.diag(mass / 12.0 * (squares.sum() - squares)))
+        x, y, z = sides.tolist()
+        mass = density * (x * y * z)
+        squares = x * x + y * y + z * z
+        xx, yy, zz = (mass / 12.0 * (squares - side * side) for side in (x, y, z))
+        super().__init__(mass, _array(3, xx, 0.0, 0.0, 0.0, yy, 0.0, 0.0, 0.0, zz))
         self.data = {"type": "InertiaCuboid", "density": density, "sideLengths": sideLengths}
 
 

@@ -7,12 +7,13 @@ Multibody Systems, chapter 2). Angles in rad, angular velocities in rad/s.
 
 from __future__ import annotations
 
-from math import atan2, cos, hypot, sin
+from math import atan2, cos, hypot, sin, sqrt
 
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_array, as_rotation, as_vector, shape_error, unit_vector
+from dalembert._checks import FloatArray, as_array, as_rotation, as_vector, floats, shape_error, unit_vector
+from dalembert._core import _array
 
 eulerParameters0: list[float] = [1.0, 0.0, 0.0, 0.0]  # rotation by the angle zero
 
@@ -61,8 +62,8 @@ def GramSchmidt(vector0: npt.ArrayLike, vector1: npt.ArrayLike) -> list[FloatArr
 
 def Skew(vector: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 matrix S of a 3D vector v, such that S @ w = v x w."""
-    x, y, z = as_vector("Skew: vector", vector, 3)
-    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    x, y, z = floats("Skew: vector", vector, 3)
+    return _array(3, 0.0, -z, y, z, 0.0, -x, -y, x, 0.0)
 
 
 def Skew2Vec(skew: npt.ArrayLike) -> FloatArray:
@@ -93,21 +94,29 @@ def ComputeSkewMatrix(v: npt.ArrayLike) -> FloatArray:
 
 def EulerParameters2G(eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 3x4 matrix G with (global) angular velocity = G @ eulerParameters_t."""
-    p = as_vector("EulerParameters2G: eulerParameters", eulerParameters, 4)
-    return 2.0 * np.column_stack([-p[1:], p[0] * np.eye(3) + Skew(p[1:])])
+    s, u, v, w = (2.0 * p for p in floats("EulerParameters2G: eulerParameters", eulerParameters, 4))
+    return _array(3, -u, s, -w, v, -v, w, s, -u, -w, -v, u, s)
 
 
 def EulerParameters2GLocal(eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 3x4 matrix GLocal with (local) angular velocity = GLocal @ eulerParameters_t."""
-    p = as_vector("EulerParameters2GLocal: eulerParameters", eulerParameters, 4)
-    return 2.0 * np.column_stack([-p[1:], p[0] * np.eye(3) - Skew(p[1:])])
+    s, u, v, w = (2.0 * p for p in floats("EulerParameters2GLocal: eulerParameters", eulerParameters, 4))
+    return _array(3, -u, s, w, -v, -v, -w, s, u, -w, v, -u, s)
 
 
 def EulerParameters2RotationMatrix(eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of 4 Euler parameters (scalar part first); they are not normalized here."""
-    p = as_vector("EulerParameters2RotationMatrix: eulerParameters", eulerParameters, 4)
-    e = Skew(p[1:])
-    return np.eye(3) + 2.0 * (p[0] * e + e @ e)
+    return _of_quaternion(*floats("EulerParameters2RotationMatrix: eulerParameters", eulerParameters, 4))
+
+
+def _of_quaternion(s: float, u: float, v: float, w: float) -> FloatArray:
+    """Return I + 2 (s S + S S) with S = Skew([u, v, w])."""
+    return _array(
+        3,
+        *(1.0 - 2.0 * (v * v + w * w), 2.0 * (u * v - s * w), 2.0 * (u * w + s * v)),
+        *(2.0 * (u * v + s * w), 1.0 - 2.0 * (u * u + w * w), 2.0 * (v * w - s * u)),
+        *(2.0 * (u * w - s * v), 2.0 * (v * w + s * u), 1.0 - 2.0 * (u * u + v * v)),
+    )
 
 
 def RotationMatrix2EulerParameters(rotationMatrix: npt.ArrayLike) -> FloatArray:
@@ -127,9 +136,11 @@ def RotationMatrix2EulerParameters(rotationMatrix: npt.ArrayLike) -> FloatArray:
         [yx - xy, xz + zx, yz + zy, 1.0 + 2.0 * zz - trace],
     ]
     largest = max(range(4), key=lambda i: products[i][i])
-    p = np.array(products[largest])
-    p = p / np.linalg.norm(p)
-    return -p if p[0] < 0.0 else p
+    s, u, v, w = products[largest]
+    length = sqrt(s * s + u * u + v * v + w * w)
+    if s < 0.0:
+        length = -length
+    return _array(1, s / length, u / length, v / length, w / length)
 
 
 def AngularVelocity2EulerParameters_t(angularVelocity: npt.ArrayLike, eulerParameters: npt.ArrayLike) -> FloatArray:
@@ -146,20 +157,18 @@ def AngularVelocity2EulerParameters_t(angularVelocity: npt.ArrayLike, eulerParam
 
 def RotationVector2RotationMatrix(rotationVector: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of a rotation vector (axis times angle); exact for angles of any size."""
-    from scipy.spatial.transform import Rotation  # on first use: it takes half a second to load
-
-    return Rotation.from_rotvec(
-        as_vector("RotationVector2RotationMatrix: rotationVector", rotationVector, 3)
-    ).as_matrix()
+    x, y, z = floats("RotationVector2RotationMatrix: rotationVector", rotationVector, 3)
+    angle = hypot(x, y, z)
+    factor = sin(0.5 * angle) / angle if angle > 0.0 else 0.5
+    return _of_quaternion(cos(0.5 * angle), factor * x, factor * y, factor * z)
 
 
 def RotationMatrix2RotationVector(rotationMatrix: npt.ArrayLike) -> FloatArray:
     """Return the rotation vector of a 3x3 rotation matrix, with an angle in [0, pi]."""
-    p = RotationMatrix2EulerParameters(rotationMatrix)
-    halfSine = np.linalg.norm(p[1:])
-    if halfSine == 0.0:
-        return np.zeros(3)
-    return 2.0 * np.arctan2(halfSine, p[0]) / halfSine * p[1:]
+    s, u, v, w = RotationMatrix2EulerParameters(rotationMatrix).tolist()
+    halfSine = hypot(u, v, w)
+    factor = 2.0 * atan2(halfSine, s) / halfSine if halfSine > 0.0 else 0.0
+    return _array(1, factor * u, factor * v, factor * w)
 
 
 def ComputeRotationAxisFromRotationVector(rotationVector: npt.ArrayLike) -> FloatArray:
@@ -182,8 +191,15 @@ def RotationVector2GLocal(eulerParameters: npt.ArrayLike) -> FloatArray:
 
 def RotXYZ2RotationMatrix(rot: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 matrix Ax @ Ay @ Az of successive rotations about the x, the rotated y and the rotated z axis."""
-    a, b, c = as_vector("RotXYZ2RotationMatrix: rot", rot, 3)
-    return RotationMatrixX(a) @ RotationMatrixY(b) @ RotationMatrixZ(c)
+    angles = floats("RotXYZ2RotationMatrix: rot", rot, 3)
+    cx, cy, cz = map(cos, angles)
+    sx, sy, sz = map(sin, angles)
+    return _array(
+        3,
+        *(cy * cz, -cy * sz, sy),
+        *(sx * sy * cz + cx * sz, cx * cz - sx * sy * sz, -sx * cy),
+        *(sx * sz - cx * sy * cz, cx * sy * sz + sx * cz, cx * cy),
+    )
 
 
 def RotationMatrix2RotXYZ(rotationMatrix: npt.ArrayLike) -> FloatArray:
@@ -201,8 +217,8 @@ def RotationMatrix2RotXYZ(rotationMatrix: npt.ArrayLike) -> FloatArray:
 
 def RotXYZ2G(rot: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 matrix G with (global) angular velocity = G @ rot_t; its columns are the three rotation axes."""
-    a, b, _ = as_vector("RotXYZ2G: rot", rot, 3)
-    return np.array([[1.0, 0.0, sin(b)], [0.0, cos(a), -sin(a) * cos(b)], [0.0, sin(a), cos(a) * cos(b)]])
+    a, b, _ = floats("RotXYZ2G: rot", rot, 3)
+    return _array(3, 1.0, 0.0, sin(b), 0.0, cos(a), -sin(a) * cos(b), 0.0, sin(a), cos(a) * cos(b))
 
 
 def RotXYZ2G_t(rot: npt.ArrayLike, rot_t: npt.ArrayLike) -> FloatArray:
@@ -218,8 +234,8 @@ def RotXYZ2G_t(rot: npt.ArrayLike, rot_t: npt.ArrayLike) -> FloatArray:
 
 def RotXYZ2GLocal(rot: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 matrix GLocal with (local) angular velocity = GLocal @ rot_t."""
-    _, b, c = as_vector("RotXYZ2GLocal: rot", rot, 3)
-    return np.array([[cos(b) * cos(c), sin(c), 0.0], [-cos(b) * sin(c), cos(c), 0.0], [sin(b), 0.0, 1.0]])
+    _, b, c = floats("RotXYZ2GLocal: rot", rot, 3)
+    return _array(3, cos(b) * cos(c), sin(c), 0.0, -cos(b) * sin(c), cos(c), 0.0, sin(b), 0.0, 1.0)
 
 
 def RotXYZ2GLocal_t(rot: npt.ArrayLike, rot_t: npt.ArrayLike) -> FloatArray:
@@ -257,18 +273,24 @@ def AngularVelocity2RotXYZ_t(angularVelocity: npt.ArrayLike, rotation: npt.Array
 
 def quaternion_product(q: FloatArray, p: FloatArray) -> FloatArray:
     """Return the Hamilton product of two quaternions, scalar part first: the rotation q followed by p in its frame."""
-    vector = q[0] * p[1:] + p[0] * q[1:] + np.cross(q[1:], p[1:])
-    return np.concatenate([[q[0] * p[0] - q[1:] @ p[1:]], vector])
+    a, b, c, d = q.tolist()
+    s, u, v, w = p.tolist()
+    return _array(
+        1,
+        a * s - (b * u + c * v + d * w),
+        a * u + s * b + (c * w - d * v),
+        a * v + s * c + (d * u - b * w),
+        a * w + s * d + (b * v - c * u),
+    )
 
 
 def RotXYZ2EulerParameters(alpha: npt.ArrayLike) -> FloatArray:
     """Return the 4 Euler parameters (scalar part first) of Tait-Bryan angles, smooth in the angles."""
-    half = 0.5 * as_vector("RotXYZ2EulerParameters: alpha", alpha, 3)
-    c, s = np.cos(half), np.sin(half)
-    aboutX = np.array([c[0], s[0], 0.0, 0.0])
-    aboutY = np.array([c[1], 0.0, s[1], 0.0])
-    aboutZ = np.array([c[2], 0.0, 0.0, s[2]])
-    return quaternion_product(quaternion_product(aboutX, aboutY), aboutZ)
+    halves = [0.5 * angle for angle in floats("RotXYZ2EulerParameters: alpha", alpha, 3)]
+    cx, cy, cz = map(cos, halves)
+    sx, sy, sz = map(sin, halves)
+    s, u, v, w = cx * cy, sx * cy, cx * sy, sx * sy  # about x and y
+    return _array(1, s * cz - w * sz, u * cz + v * sz, v * cz - u * sz, s * sz + w * cz)
 
 
 def RotationMatrix2RotZYZ(rotationMatrix: npt.ArrayLike, flip: bool) -> FloatArray:
@@ -295,19 +317,19 @@ def _cosine_and_sine(function: str, angleRad: float) -> tuple[float, float]:
 def RotationMatrixX(angleRad: float) -> FloatArray:
     """Return the 3x3 rotation matrix about the x axis for an angle in rad."""
     c, s = _cosine_and_sine("RotationMatrixX", angleRad)
-    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+    return _array(3, 1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c)
 
 
 def RotationMatrixY(angleRad: float) -> FloatArray:
     """Return the 3x3 rotation matrix about the y axis for an angle in rad."""
     c, s = _cosine_and_sine("RotationMatrixY", angleRad)
-    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+    return _array(3, c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c)
 
 
 def RotationMatrixZ(angleRad: float) -> FloatArray:
     """Return the 3x3 rotation matrix about the z axis for an angle in rad."""
     c, s = _cosine_and_sine("RotationMatrixZ", angleRad)
-    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    return _array(3, c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0)
 
 
 def RotationMatrix2D(angleRad: float) -> FloatArray:

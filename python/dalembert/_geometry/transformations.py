@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_matrix, as_rotation, as_transformation, as_vector
+from dalembert._checks import FloatArray, as_matrix, as_rotation, as_transformation, as_vector, floats
+from dalembert._core import _array
 from dalembert._geometry.rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
 
 
@@ -22,9 +23,10 @@ def HomogeneousTransformation(A: npt.ArrayLike, r: npt.ArrayLike) -> FloatArray:
 
 
 def _assembled(A: FloatArray, r: FloatArray) -> FloatArray:
-    T = np.eye(4)
+    T = np.zeros((4, 4))
     T[:3, :3] = A
     T[:3, 3] = r
+    T[3, 3] = 1.0
     return T
 
 
@@ -33,7 +35,8 @@ HT = HomogeneousTransformation
 
 def HTtranslate(r: npt.ArrayLike) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a translation by the 3D vector r."""
-    return _assembled(np.eye(3), as_vector("HTtranslate: r", r, 3))
+    x, y, z = floats("HTtranslate: r", r, 3)
+    return _array(4, 1.0, 0.0, 0.0, x, 0.0, 1.0, 0.0, y, 0.0, 0.0, 1.0, z, 0.0, 0.0, 0.0, 1.0)
 
 
 def HTtranslateX(x: float) -> FloatArray:
@@ -84,7 +87,8 @@ def HT2rotationMatrix(T: npt.ArrayLike) -> FloatArray:
 def InverseHT(T: npt.ArrayLike) -> FloatArray:
     """Return the inverse of a 4x4 homogeneous transformation."""
     A, r = _parts(T)
-    return _assembled(A.T, -A.T @ r)
+    back = A.T
+    return _assembled(back, -back @ r)
 
 
 def _parts(T: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
@@ -178,8 +182,10 @@ def HT2T66Inverse(T: npt.ArrayLike) -> FloatArray:
 
 def InertiaTensor2Inertia6D(inertiaTensor: npt.ArrayLike) -> list[float]:
     """Return the list [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy] of a symmetric 3x3 inertia tensor."""
-    J = as_matrix("InertiaTensor2Inertia6D: inertiaTensor", inertiaTensor, (3, 3))
-    return [J[0, 0], J[1, 1], J[2, 2], J[1, 2], J[0, 2], J[0, 1]]
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = as_matrix(
+        "InertiaTensor2Inertia6D: inertiaTensor", inertiaTensor, (3, 3)
+    ).tolist()
+    return [xx, yy, zz, yz, xz, xy]
 
 
 def Inertia6D2InertiaTensor(inertia6D: npt.ArrayLike) -> FloatArray:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-import scipy.sparse
+import scipy
 
 from dalembert._checks import FloatArray
 from dalembert._fem.elements import KINDS

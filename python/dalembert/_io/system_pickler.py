@@ -15,7 +15,8 @@ class SystemPickler(cloudpickle.Pickler):  # type: ignore[misc]  # cloudpickle h
 
     def __init__(self, file: io.BytesIO, mbs: MainSystem) -> None:
         super().__init__(file)
-        self._left_out = {"system": mbs, "container": mbs.GetSystemContainer()}
+        self._alive = mbs, mbs.GetSystemContainer()
+        self._left_out = dict(zip(map(id, self._alive), ("system", "container"), strict=True))
 
-    def persistent_id(self, thing: Any) -> str | None:
-        return next((name for name, known in self._left_out.items() if thing is known), None)
+    def persistent_id(self, thing: Any) -> str | None:  # asked for each of all objects
+        return self._left_out.get(id(thing))

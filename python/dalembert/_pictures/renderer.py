@@ -11,6 +11,8 @@ from dalembert import _core
 from dalembert._checks import as_matrix, as_number, as_vector, shape_error
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from dalembert._live.viewer import Viewer
     from dalembert._pictures.painting import Image
     from dalembert._pictures.studio import Studio
@@ -274,7 +276,7 @@ def _ipython_display_(self: Any) -> None:
     show_widget(self._container)
 
 
-METHODS = (
+METHODS: tuple[Callable[..., Any], ...] = (
     _ipython_display_,
     Start,
     Stop,

@@ -66,22 +66,24 @@ def draw_legend(ax: Any, legendArgs: Any) -> None:
         raise shape_error("PlotSensor: legendArgs", expected, legendArgs) from None
 
 
-def place_legend(ax: Any) -> None:
+def place_legend(ax: Any) -> bool:
     """Draw the legend within the axes if it hides no curve, otherwise outside: above, or to the right of a title.
 
-    The layout of the figure has to be computed before, and is invalid afterwards if the legend is outside of the axes.
+    The layout of the figure has to be computed before. Returns whether the legend is outside of the axes, which
+    invalidates the layout.
     """
     box = ax.legend().get_window_extent()
     curves = (line.get_transform().transform_path(line.get_path()) for line in ax.lines)
     if not any(curve.intersects_bbox(box, filled=False) for curve in curves):
-        return
+        return False
     if ax.get_title():
         ax.legend(loc="upper left", bbox_to_anchor=(1, 1))
-        return
+        return True
     for columns in range(len(ax.lines), 0, -1):
         box = ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=columns).get_window_extent()
         if box.width < ax.get_window_extent().width:
-            return
+            break
+    return True
 
 
 def _items(name: str, value: Any, count: int, expected: str) -> list[Any]:

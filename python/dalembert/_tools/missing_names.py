@@ -101,8 +101,9 @@ def explain() -> None:
 
 
 def _offers(module: ModuleType, name: str) -> bool:
-    value, public = vars(module).get(name), vars(module).get("__all__")
-    return value is not None and (name in public if public else getattr(value, "__module__", "") == module.__name__)
+    if public := vars(module).get("__all__"):
+        return name in public  # also if it is loaded when it is first used
+    return getattr(vars(module).get(name), "__module__", "") == module.__name__
 
 
 def _module_with(name: str) -> str:

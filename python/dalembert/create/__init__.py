@@ -1,33 +1,72 @@
-"""The Create functions of MainSystem: an item with all that belongs to it, such as nodes and markers, in one call."""
+"""The Create functions of MainSystem: an item with all that belongs to it, such as nodes and markers, in one call.
+
+Their modules are loaded, and checks and documentation are made, when one of them is first used.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from types import FunctionType
-from typing import Any
+from functools import cache
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, robots, sensors, trees
-from dalembert.create._arguments import COMMON, Check, checked
-from dalembert.create._mirrors import checks_of, documentation, of_module
+if TYPE_CHECKING:
+    from dalembert.create._arguments import Check
+
+    functions: dict[str, Callable[..., Any]]  # what MainSystem gets, by the name of the method
+
+MODULES = {
+    "bodies": ("CreateGround", "CreateMassPoint", "CreateRigidBody"),
+    "connectors": (
+        "CreateSpringDamper",
+        "CreateCartesianSpringDamper",
+        "CreateRigidBodySpringDamper",
+        "CreateTorsionalSpringDamper",
+        "CreateDistanceConstraint",
+        "CreateCoordinateConstraint",
+    ),
+    "contacts": ("CreateSphereSphereContact", "CreateSphereTriangleContact", "CreateSphereQuadContact"),
+    "flexible": ("CreateFFRFReducedOrderObject",),
+    "joints": (
+        "CreateRevoluteJoint",
+        "CreatePrismaticJoint",
+        "CreateSphericalJoint",
+        "CreateGenericJoint",
+        "CreateRollingDisc",
+        "CreateRollingDiscPenalty",
+    ),
+    "loads": ("CreateForce", "CreateTorque"),
+    "trees": ("CreateKinematicTree",),
+    "sensors": ("CreateDistanceSensorGeometry", "CreateDistanceSensor"),
+    "robots": ("CreateRobot",),
+}
+_MODULE_OF = {name: module for module, names in MODULES.items() for name in names}
 
 
 def checks(function: Callable[..., Any]) -> dict[str, Check]:
     """Return the checks of the arguments of a Create function, by name."""
+    from dalembert.create._arguments import COMMON
+    from dalembert.create._mirrors import checks_of, of_module
+
     return checks_of(function) | COMMON | of_module(function, "CHECKS")
 
 
-def _made(function: FunctionType) -> Callable[..., Any]:
-    """Return the function with checks and documentation of its arguments."""
+@cache
+def method(name: str) -> Callable[..., Any]:
+    """Return a Create function with checks and documentation of its arguments."""
+    from dalembert.create._arguments import checked
+    from dalembert.create._mirrors import documentation
+
+    function = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
     tests = checks(function)
     made = checked(function, tests)
     made.__doc__ = documentation(function, tests)
     return made
 
 
-# Methods of MainSystem, by name.
-functions: dict[str, Callable[..., Any]] = {
-    name: _made(function)
-    for module in (bodies, connectors, contacts, flexible, joints, loads, trees, sensors, robots)
-    for name, function in vars(module).items()
-    if name.startswith("Create")
-}
+def __getattr__(name: str) -> Any:
+    if name == "functions":
+        return {each: method(each) for each in _MODULE_OF}
+    if name in MODULES:
+        return import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'", name=name)

@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_transformation, as_vector, shape_error
+from dalembert._core import _reach_pose
 from dalembert._geometry.rotations import RotationMatrix2RotationVector, RotationVector2RotationMatrix
 from dalembert._geometry.transformations import HomogeneousTransformation
 from dalembert.robotics._denavit_hartenberg import projectAngleToPMPi
@@ -23,10 +24,7 @@ from dalembert.robotics._parts import is_revolute
 from dalembert.robotics._robot import Robot
 
 TOLERANCE = 1e-10  # m and rad
-SETTLED = 1e-12  # the error of a pose that is reached but for rounding
-STEADY = 1e-8  # the step in the null space that is the last one
 OTHER_STARTS = 20
-LONGEST = 0.2  # step in the null space, m and rad
 
 
 class InverseKinematicsNumerical:
@@ -123,64 +121,33 @@ class InverseKinematicsNumerical:
         joint are others. q is None if no coordinates within the limits were found to 1e-10 (m and rad).
         """
         goal, start = as_transformation("InverseKinematicsNumerical.Solve: T", T), self._start(q0)
-        q = self._reach(goal, start, start)
-        if np.linalg.norm(self._error(goal, q)) > TOLERANCE:
+        robot = self.robot
+        q, error = _reach_pose(
+            robot.links,
+            robot.base.HT,
+            robot.GetLinkIndex(self._carrier),
+            robot._frameLocalHT(self.link),
+            goal,
+            start,
+            self._compliance,
+            self._lower,
+            self._upper,
+            self.maxIterations,
+        )
+        if error > TOLERANCE:
             self._say("Solve: pose not reached")
             return [None, False]
-        projected = projectAngleToPMPi(q)
-        within = self._turning & (projected >= self._lower) & (projected <= self._upper)
-        self.q = np.where(within, projected, q)
-        return [self.q.copy(), True]
+        if np.abs(q).max(initial=0.0) >= np.pi:
+            projected = projectAngleToPMPi(q)
+            within = self._turning & (projected >= self._lower) & (projected <= self._upper)
+            q = np.where(within, projected, q)
+        self.q = q
+        return [q.copy(), True]
 
     def _start(self, q0: npt.ArrayLike | None) -> FloatArray:
         q = self.q if q0 is None else as_vector("InverseKinematicsNumerical: q0", q0, len(self.q))
-        return np.clip(q, self._lower, self._upper)
+        return np.minimum(np.maximum(q, self._lower), self._upper)
 
     def _say(self, text: str) -> None:
         if self.flagDebug:
             print(f"InverseKinematicsNumerical.{text}")
-
-    def _error(self, goal: FloatArray, q: FloatArray) -> FloatArray:
-        """Return the error of the pose: translation and rotation vector, in the global frame."""
-        T = self.robot.FrameHT(self.link, q)
-        return np.concatenate([goal[:3, 3] - T[:3, 3], RotationMatrix2RotationVector(goal[:3, :3] @ T[:3, :3].T)])
-
-    def _step(
-        self, goal: FloatArray, q: FloatArray, error: FloatArray, damping: float, towards: FloatArray
-    ) -> FloatArray:
-        """Return a damped step that takes the error away, and goes towards other coordinates where it is free to."""
-        HT = self.robot.JointHT(q)
-        J = self.robot.Jacobian(HT, self.robot.FrameHT(self.link, q)[:3, 3], linkIndex=self._carrier)[:, : len(q)]
-        free = np.ones(len(q), dtype=bool)
-        while True:
-            weighted = (self._compliance * free)[:, None] * J.T
-            wish = free * towards
-            force = np.linalg.lstsq(J @ weighted + damping * np.eye(6), error - J @ wish, rcond=1e-14)[0]
-            step = weighted @ force + wish
-            leaving = ((q <= self._lower) & (step < 0)) | ((q >= self._upper) & (step > 0))
-            if not np.any(leaving & free):
-                return np.asarray(step * free)
-            free &= ~leaving
-
-    def _reach(self, goal: FloatArray, q: FloatArray, start: FloatArray) -> FloatArray:
-        """Return coordinates for a pose, among several those near the start; or the nearest if there are none."""
-        damping, error, reached = 1e-3, self._error(goal, q), None
-        for _ in range(self.maxIterations):
-            size = float(np.linalg.norm(error))
-            settled = size < SETTLED
-            if settled:
-                reached = q
-            towards = start - q if settled else np.zeros(len(q))
-            towards *= min(1.0, LONGEST / max(np.abs(towards).max(), LONGEST))
-            step = self._step(goal, q, error, damping * size**2, towards)
-            tried = np.clip(q + step, self._lower, self._upper)
-            tried_error = self._error(goal, tried)
-            if settled or np.linalg.norm(tried_error) < size:
-                q, error, damping = tried, tried_error, max(damping / 4, 1e-6)
-                if settled and np.abs(step).max() < STEADY:
-                    break
-            elif damping * size**2 > 1e9:
-                break
-            else:
-                damping *= 8
-        return q if reached is None else reached

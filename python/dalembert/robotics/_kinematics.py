@@ -3,12 +3,10 @@ states."""
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from dalembert._checks import FloatArray
-from dalembert.robotics._parts import JOINT_AXES, RobotLink, is_revolute
+from dalembert.robotics._parts import is_revolute
 
 _UNMOVED = np.eye(4)
 
@@ -26,16 +24,3 @@ def joint_transformation(jointType: str, q: FloatArray) -> FloatArray:
     T[..., first, first] = T[..., second, second] = cosine
     T[..., second, first], T[..., first, second] = sine, -sine
     return T
-
-
-def joint_axis(link: RobotLink, T: FloatArray) -> FloatArray:
-    """Return the axis of a joint in the global frame, from the transformation of the joint."""
-    return np.asarray(T[..., :3, :3] @ JOINT_AXES[link.jointType])
-
-
-_NEXT, _LAST = [1, 2, 0], [2, 0, 1]
-
-
-def cross(a: Any, b: Any) -> FloatArray:
-    """Return the vector products along the last axis; several times faster than numpy's for single vectors."""
-    return np.asarray(a[..., _NEXT] * b[..., _LAST] - a[..., _LAST] * b[..., _NEXT])

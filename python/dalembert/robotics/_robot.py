@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Sequence
-from copy import deepcopy
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_array, as_vector, shape_error
-from dalembert._core import NodeType
+from dalembert._core import NodeType, _joint_poses, _robot_jacobian, _static_torques
 from dalembert._geometry.transformations import HTtranslate, RotationTranslation2T66Inverse
 from dalembert.kinematicTree import Inertia2T66, KinematicTree66
-from dalembert.robotics import _drawing, _kinematics, _redundant, _tree
+from dalembert.robotics import _drawing, _redundant, _tree
 from dalembert.robotics._denavit_hartenberg import StdDH2HT
 from dalembert.robotics._parts import (
     PREVIOUS_LINK,
@@ -23,7 +22,6 @@ from dalembert.robotics._parts import (
     RobotLink,
     RobotTool,
     VRobotLink,
-    is_revolute,
 )
 from dalembert.treeDynamics import TreeDynamics
 
@@ -65,7 +63,7 @@ class Robot:
         """Add a copy of a link, and return its index; its parent must have been added before."""
         if not isinstance(robotLink, RobotLink):
             raise TypeError(f"Robot.AddLink: robotLink: received {robotLink!r}, but expected a RobotLink(...)")
-        link, i = deepcopy(robotLink), len(self.links)
+        link, i = robotLink._copied(), len(self.links)
         for what, name in (("name", link.name), ("jointName", link.jointName)):
             if name and any(name == getattr(other, what) for other in self.links):
                 raise ValueError(f"Robot.AddLink: {what}: there is another '{name}' already; names must differ")
@@ -159,13 +157,7 @@ class Robot:
 
     def JointHT(self, q: npt.ArrayLike) -> list[FloatArray]:
         """Return the transformations from the global frame to all joints, after their motion."""
-        coordinates = self._coordinates("q", q)
-        result: list[FloatArray] = []
-        for i, link in enumerate(self.links):
-            parent = self.GetParentIndex(i)
-            before = self.base.HT if parent < 0 else result[parent] @ self.links[parent].localHT
-            result.append(before @ link.preHT @ _kinematics.joint_transformation(link.jointType, coordinates[..., i]))
-        return result
+        return list(_joint_poses(self.links, self.base.HT, self._coordinates("q", q)))
 
     def LinkHT(self, q: npt.ArrayLike) -> list[FloatArray]:
         """Return the transformations from the global frame to all links."""
@@ -178,8 +170,12 @@ class Robot:
     def FrameHT(self, frame: str, q: npt.ArrayLike) -> FloatArray:
         """Return the transformation to a link, to a frame of a file that the robot has been read from, or to 'tool'."""
         index = self.FrameLink(frame)
-        local = self.frames[frame][1] if frame in self.frames else self.tool.HT if frame == "tool" else np.eye(4)
-        return np.asarray((self.LinkHT(q)[index] if index >= 0 else self.base.HT) @ local)
+        carrier = self.JointHT(q)[index] @ self.links[index].localHT if index >= 0 else self.base.HT
+        return np.asarray(carrier @ self._frameLocalHT(frame))
+
+    def _frameLocalHT(self, frame: str) -> FloatArray:
+        """Return the transformation from the link that carries a frame, see FrameHT, to the frame."""
+        return self.frames[frame][1] if frame in self.frames else self.tool.HT if frame == "tool" else np.eye(4)
 
     def FrameLink(self, frame: str) -> int:
         """Return the index of the link that carries a frame, see FrameHT; -1 for the base."""
@@ -206,20 +202,9 @@ class Robot:
             expected = f"at most {len(self.links)} transformations"
             raise ValueError(f"Robot.Jacobian: HT: expected {expected}, received {len(HT)}")
         last = len(HT) - 1 if linkIndex is None else self.GetLinkIndex(linkIndex)
-        point = np.asarray(toolPosition, dtype=float)
-        if point.size == 0:
-            point = (HT[last] @ self.links[last].localHT)[..., :3, 3]
-        J = np.zeros((*HT[last].shape[:-2], 6, len(HT)))
-        i = last
-        while i >= 0:
-            axis = _kinematics.joint_axis(self.links[i], HT[i])
-            if is_revolute(self.links[i].jointType):
-                J[..., :3, i] = _kinematics.cross(axis, point - HT[i][..., :3, 3])
-                J[..., 3:, i] = axis
-            else:
-                J[..., :3, i] = axis
-            i = self.GetParentIndex(i)
-        return J[..., _MODES[mode], :]
+        point = as_array("Robot.Jacobian: toolPosition", toolPosition)
+        J = _robot_jacobian(self.links, HT, last, point if point.size > 0 else None)
+        return J if mode == "all" else J[..., _MODES[mode], :]
 
     # ---- dynamics ----------------------------------------------------------------------------------------------------
 
@@ -228,11 +213,7 @@ class Robot:
 
         Static drive forces have the opposite sign.
         """
-        result = np.zeros((*HT[0].shape[:-2], len(self.links)))
-        for i, (link, T) in enumerate(zip(self.links, self.COMHT(HT), strict=True)):
-            J = self.Jacobian(HT, T[..., :3, 3], "trans", i)
-            result += np.swapaxes(J, -1, -2) @ (link.mass * self.gravity)
-        return result
+        return _static_torques(self.links, HT, self.gravity)
 
     def Dynamics(self, gravity: npt.ArrayLike | None = None) -> TreeDynamics:
         """Return dynamics of the rigid links as functions of states, among them exact derivatives; see treeDynamics.

@@ -23,8 +23,9 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
   }
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override { subtract_forces(evaluation, ports, r); }
   bool constant_pull_back(bool) const override {
-    return !turns || std::ranges::all_of(entries_, [this](const Entry& e) { return point(e)[0] == 0 && point(e)[1] == 0; });
+    return !turns || std::ranges::all_of(entries_, [this](const Entry& e) { return at_node(e); });
   }
+  bool passes_constantly(int entry, bool) const override { return !turns || at_node(entries_[static_cast<std::size_t>(entry)]); }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     add_geometric(evaluation, weights, ports, values);
   }
@@ -40,6 +41,8 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
   }
 
  private:
+  bool at_node(const Entry& e) const { return point(e)[0] == 0 && point(e)[1] == 0; }
+
   template <class S>
   void find_frames(const EvaluationOf<S>& evaluation, PortsOf<S>& ports) const {
     if constexpr (Shape::values > 0) {

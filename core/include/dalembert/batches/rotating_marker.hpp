@@ -120,14 +120,19 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
   // Forces at the node itself do not turn with it.
   bool constant_pull_back(bool of_moments) const override {
     if (apart()) return Base::constant_pull_back(of_moments);
-    const auto at_node = [this](const Entry& e) { return is_zero(Shape::point(this->parameters(e), e.local)); };
-    return (Shape::forces == 3 || !of_moments) && std::ranges::all_of(entries_, at_node);
+    return (Shape::forces == 3 || !of_moments) && std::ranges::all_of(entries_, [this](const Entry& e) { return at_node(e); });
+  }
+  bool passes_constantly(int entry, bool of_moments) const override {
+    if (apart()) return Base::constant_pull_back(of_moments);
+    return (Shape::forces == 3 || !of_moments) && at_node(entries_[static_cast<std::size_t>(entry)]);
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     if (apart()) Base::geometric(evaluation, weights, ports, values);
   }
 
  private:
+  bool at_node(const Entry& e) const { return is_zero(Shape::point(this->parameters(e), e.local)); }
+
   // A run is a sequence of markers at the node itself with contiguous numbers, which are the only data read. A marker
   // away from the node is a run of its own.
   struct Place {

@@ -30,11 +30,12 @@ class ConstantMatrix {
   ConstantMatrix(const char* parameter, StateVector times, const MatrixContainer& m)
       : parameter(parameter), times(times), rows(m.rows), columns(m.columns), container_(&m) {}
   ConstantMatrix(const char* parameter, StateVector times, const DynamicMatrix<double>& m)
-      : parameter(parameter), times(times), rows(m.rows), columns(m.columns), dense_(&m) {}
+      : parameter(parameter), times(times), rows(m.rows), columns(m.columns), values_(m.values) {}
   bool empty() const { return rows == 0 || columns == 0; }
-  SquareMatrix made() const {
-    if (container_ != nullptr) return SquareMatrix(*container_);
-    return dense_ == nullptr ? SquareMatrix() : SquareMatrix({rows, columns, true, dense_->values, {}});
+  // Matrices whose entries are those that `matrix` was made from are left as they are.
+  void make(SquareMatrix& matrix) const {
+    const MatrixContainer given = container_ != nullptr ? *container_ : MatrixContainer{rows, columns, true, values_, {}};
+    if (!matrix.is_made_from(given)) matrix = SquareMatrix(given);
   }
 
   const char* parameter = "";
@@ -43,7 +44,7 @@ class ConstantMatrix {
 
  private:
   const MatrixContainer* container_ = nullptr;
-  const DynamicMatrix<double>* dense_ = nullptr;
+  SharedList<double> values_;
 };
 
 // The linear law, for the coordinates that follow those of the frame. Pointers refer to the parameters; null: none.

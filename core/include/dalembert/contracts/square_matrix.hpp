@@ -15,9 +15,13 @@ class SquareMatrix {
   explicit SquareMatrix(const MatrixContainer& from);
 
   bool empty() const { return rows_ == 0; }
+  // Whether it was made from these very entries.
+  bool is_made_from(const MatrixContainer& m) const {
+    return m.empty() ? empty() : rows_ == m.rows && (m.dense ? dense_.shares_with(m.values) : given_.shares_with(m.triplets));
+  }
   bool sparse() const { return !empty() && dense_.empty(); }
   // The entries of a sparse matrix, each place once, row by row.
-  const std::vector<MatrixContainer::Triplet>& entries() const { return entries_; }
+  const SharedList<MatrixContainer::Triplet>& entries() const { return entries_; }
   bool same_places(const SquareMatrix& other) const;
 
   // y += A x, with x and y in the system's vectors.
@@ -31,8 +35,8 @@ class SquareMatrix {
 
  private:
   int rows_ = 0;
-  std::vector<double> dense_;
-  std::vector<MatrixContainer::Triplet> entries_;
+  SharedList<double> dense_;
+  SharedList<MatrixContainer::Triplet> given_, entries_;  // of a sparse matrix: in the order of the user, and sorted
 };
 
 }  // namespace dalembert

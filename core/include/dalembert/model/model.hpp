@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,11 @@ namespace dalembert {
 struct ItemReference {
   ItemKind kind = ItemKind::node;
   int number = -1;
+};
+
+// An item with a new value in one row, or, if that is null, in any of them.
+struct ItemChange : ItemReference {
+  const Row* row = nullptr;
 };
 
 class Model {
@@ -79,14 +85,14 @@ class Model {
   std::string doubt() const;
   // Refuse a model that cannot be assembled: indices, types of nodes and markers, array lengths. Throws ModelError.
   void check() const;
-  void check(std::span<const ItemReference> some) const;  // the same for these items
+  void check(std::span<const ItemChange> some) const;  // the same for what has changed
 
   std::uint64_t structure_changes() const { return structure_changes_; }  // grown: Assemble is needed
   std::uint64_t equation_changes() const { return equation_changes_; }    // the same without those of sensors
   std::uint64_t value_changes() const { return value_changes_; }          // grown: parameters were replaced
   std::uint64_t record_changes() const { return record_changes_; }        // the same: no item has another record, name or number
-  // The items replaced since change number `since`; everything may have changed if the second is false.
-  std::pair<std::vector<ItemReference>, bool> changed_since(std::uint64_t since) const;
+  // The changes since number `since`, until the next one; none if everything may have changed.
+  std::optional<std::span<const ItemChange>> changed_since(std::uint64_t since) const;
 
  private:
   std::vector<Item>& items(ItemKind kind) {  // for changes
@@ -98,7 +104,7 @@ class Model {
   void register_name(ItemKind kind, int number, std::string_view name);
   void index_names(ItemKind kind);
   void note_structure_change(ItemKind kind);
-  void note_value_change(ItemKind kind, int number);
+  void note_value_change(const ItemChange& change);
   void shift_references(ItemKind kind, int removed, std::vector<std::string>& lost);
   void shift_load_dependencies(ItemKind kind, int removed);
 
@@ -107,7 +113,7 @@ class Model {
   Titles titles_;
   std::map<int, std::vector<int>> load_dependencies_;
   std::vector<std::shared_ptr<SystemTermSource>> term_sources_;  // shared by copies of the model
-  std::vector<ItemReference> changes_;                                    // the last of the value changes
+  std::vector<ItemChange> changes_;                                       // the last of the value changes
   std::uint64_t structure_changes_ = 0, equation_changes_ = 0, value_changes_ = 0, record_changes_ = 0;
 };
 

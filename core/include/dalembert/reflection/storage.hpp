@@ -10,6 +10,7 @@
 
 #include "dalembert/math/fixed.hpp"
 #include "dalembert/reflection/beam_section.hpp"
+#include "dalembert/reflection/shared_list.hpp"
 
 namespace dalembert {
 
@@ -32,9 +33,9 @@ using SensorIndex = ItemIndex<ItemKind::sensor>;
 template <class T>
 struct DynamicMatrix {
   int rows = 0, columns = 0;
-  std::vector<T> values;
+  SharedList<T> values;
   const T& operator()(int i, int j) const { return values[static_cast<std::size_t>(i) * columns + j]; }
-  T& operator()(int i, int j) { return values[static_cast<std::size_t>(i) * columns + j]; }
+  T& operator()(int i, int j) { return values.edit()[static_cast<std::size_t>(i) * columns + j]; }
 };
 
 // A matrix that is stored dense or as triplets, as the user gave it. Triplets may repeat: they add up.
@@ -45,8 +46,8 @@ struct MatrixContainer {
   };
   int rows = 0, columns = 0;
   bool dense = true;
-  std::vector<double> values;     // dense: row by row
-  std::vector<Triplet> triplets;  // sparse
+  SharedList<double> values;     // dense: row by row
+  SharedList<Triplet> triplets;  // sparse
   bool empty() const { return rows == 0 || columns == 0; }
 };
 

@@ -205,6 +205,7 @@ struct SystemParts {
   bool leaves_markers_to_terms = false;  // some are not needed, where these read nodes themselves;
   bool needs_totals = true;              // there,
   bool knows_needed_markers = false;  // for the current parameters
+  bool loads_are_sorted = true;  // into constant and other loads, for the current parameters
   // user functions may only be called by the thread of the solver, which then evaluates everything
   bool functions_in_regions = false;
   // user functions: of the current loads; of the types of nodes and objects

@@ -27,6 +27,10 @@ struct Physics {
   virtual std::string doubt(const void* /*record*/) const { return {}; }
   // Refuses parameters that do not fit the nodes and markers of the item.
   virtual void check(const void* /*record*/, const Placement&, const Ports&, const ItemLabel& /*item*/) const {}
+  // The same after a change of one row since the last check.
+  virtual void check_row(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item, const Row& /*row*/) const {
+    check(record, on, ports, item);
+  }
   // The item does not need its data node with these parameters.
   virtual bool works_without_data(const void* /*record*/) const { return false; }
 };

@@ -19,6 +19,7 @@
 namespace dalembert {
 
 struct ItemType;
+struct Row;
 
 // Visits the entries of the tangent that a batch writes, always in the same order: once to make the pattern, once to
 // look up the slots. Rows and columns are numbers in the system vector [ODE2, ODE1, AE].
@@ -132,6 +133,8 @@ class Batch {
   virtual void reserve(int /*entries*/) {}
   virtual void add(const void* record, const Placement& placement, const Ports& ports) = 0;
   virtual void refresh(int entry, const void* record) = 0;
+  // The same where one row of the record has changed.
+  virtual void refresh_row(int entry, const void* record, const Row& /*row*/) { refresh(entry, record); }
   // Nodes without coordinates, under the entry, have new parameters.
   virtual void refresh_resting(int /*entry*/, const void* /*record*/, const Placement& /*placement*/) {}
   // Entries of the tangent, in the order in which `tangent` writes.
@@ -229,6 +232,8 @@ class MarkerBatch : public Batch {
   // J, or its rows of forces, is independent of coordinates and other variables; rows of moments are not queried if
   // there are no moments.
   virtual bool constant_pull_back(bool /*of_moments*/) const { return false; }
+  // The same of one marker; that of the batch is that of all of them.
+  virtual bool passes_constantly(int /*entry*/, bool of_moments) const { return constant_pull_back(of_moments); }
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
   // Whether `geometric` uses results of `evaluate_tangent`.

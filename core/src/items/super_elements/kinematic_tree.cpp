@@ -79,6 +79,9 @@ struct Room {
   }
 };
 
+// Vectors with a number for each joint, which controllers of the user set at each step.
+bool is_of_drives(const Row& row) { return row.storage == Storage::vector && row.name.starts_with("joint"); }
+
 class TreeBody {
  public:
   explicit TreeBody(const Placement& placement) : first_(placement.dofs.empty() ? 0 : placement.dofs.front()) { law_.place(2, placement, 0); }
@@ -87,20 +90,18 @@ class TreeBody {
     law_.read(law_of(p), false);
     tree_ = tree_of(p);
     gravity_ = p.gravity;
+    read_controllers(p);
     const std::size_t n = tree_.links.size();
-    const auto filled = [n](std::vector<double> list) {
-      list.resize(n);
-      return list;
-    };
-    stiffness_ = filled(p.jointPControlVector);
-    damping_ = filled(p.jointDControlVector);
-    desired_ = filled(p.jointPositionOffsetVector);
-    desired_rates_ = filled(p.jointVelocityOffsetVector);
     loads_.assign(p.linkForces.empty() && p.linkTorques.empty() ? 0 : n, {});
     for (std::size_t i = 0; i < loads_.size(); ++i) {
       if (!p.linkForces.empty()) loads_[i].force = p.linkForces[i];
       if (!p.linkTorques.empty()) loads_[i].couple = p.linkTorques[i];
     }
+  }
+  // What the drives of the joints do.
+  void read_drives(const Record& record) {
+    law_.read(law_of(record.parameters), false);
+    read_controllers(record.parameters);
   }
   void make(Room& room) const {
     room.make(tree_.links.size());
@@ -207,6 +208,16 @@ class TreeBody {
   void coordinates(const Evaluation& e, std::vector<double>& values) const { values.assign(q(e), q(e) + count()); }
 
  private:
+  void read_controllers(const Parameters& p) {
+    const auto fill = [n = tree_.links.size()](const std::vector<double>& from, std::vector<double>& list) {
+      list = from;
+      list.resize(n);
+    };
+    fill(p.jointPControlVector, stiffness_);
+    fill(p.jointDControlVector, damping_);
+    fill(p.jointPositionOffsetVector, desired_);
+    fill(p.jointVelocityOffsetVector, desired_rates_);
+  }
   const double* q(const Evaluation& e) const { return e.q + first_; }
   const double* v(const Evaluation& e) const { return e.v + first_; }
 
@@ -247,6 +258,10 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
                                 "it had no user function, or other parents of links, when the system was assembled", "", "",
                                 "Use mbs.ModifyObject(...), then mbs.Assemble()"});
     entries_[entry].read(record);
+  }
+  void refresh_row(int entry, const void* record, const Row& row) override {
+    if (!is_of_drives(row)) return refresh(entry, record);
+    entries_[entry].body.read_drives(*static_cast<const Record*>(record));
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     for (const Entry& e : entries_) e.body.visit(visitor);
@@ -351,6 +366,10 @@ void check_link(const Parameters& p, int i, const ItemLabel& item) {
 
 struct KinematicTree final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<KinematicTreeBatch>(); }
+  void check_row(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item, const Row& row) const override {
+    if (!is_of_drives(row)) return check(record, on, ports, item);
+    check_lengths(static_cast<const Record*>(record)->parameters, static_cast<int>(on.dofs.size()), item);
+  }
   void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     const Parameters& p = static_cast<const Record*>(record)->parameters;
     const int links = static_cast<int>(on.dofs.size());

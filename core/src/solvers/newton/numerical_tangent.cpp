@@ -1,13 +1,21 @@
 #include "dalembert/solvers/numerical_tangent.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace dalembert {
 
 namespace {
 
-// Residuals on both sides of a state, along one column of the matrix. It is the current state that moves, since user functions
+// An unknown, and by how much it is moved.
+struct Move {
+  int column;
+  double eps;
+};
+
+// Residuals on both sides of a state, along columns of the matrix. It is the current state that moves, since user functions
 // read that one; it comes back at the end.
 class Differences {
  public:
@@ -21,42 +29,57 @@ class Differences {
   Differences(const Differences&) = delete;
   Differences& operator=(const Differences&) = delete;
 
-  // (r(+eps) - r(-eps)) / (2 eps) for one unknown.
-  const std::vector<double>& slope(int column, double eps) {
-    evaluate(column, eps, up_);
-    evaluate(column, -eps, down_);
-    for (std::size_t i = 0; i < up_.size(); ++i) up_[i] = (up_[i] - down_[i]) / (2 * eps);
-    return up_;
+  // Moves some unknowns, none of which acts on the rows of another one, to both sides.
+  void find(std::span<const Move> moves) {
+    evaluate(moves, 1, up_);
+    evaluate(moves, -1, down_);
+  }
+  // (r(+eps) - r(-eps)) / (2 eps) in a row of one of them.
+  double slope(int row, double eps) const {
+    const auto i = static_cast<std::size_t>(row);
+    return (up_[i] - down_[i]) / (2 * eps);
   }
 
  private:
-  void evaluate(int column, double eps, std::vector<double>& r) {
+  void evaluate(std::span<const Move> moves, double side, std::vector<double>& r) {
+    for (const Move& move : moves) shift(move.column, side * move.eps);
+    const bool turns = system_.has_lie_nodes() && std::ranges::any_of(moves, [&](const Move& move) { return move.column < system_.sizes().ode2; });
+    if (turns) system_.compose(state_.q, increment_, moved_.q);
+    system_.residual(moved_, conditions_, r);
+    if (turns) moved_.q = state_.q;
+    for (const Move& move : moves) put_back(move.column);
+  }
+  void shift(int column, double eps) {
     const Sizes& s = system_.sizes();
     if (column < s.ode2) {
       const auto i = static_cast<std::size_t>(column);
       moved_.q[i] = state_.q[i] + weights_.q * eps;
       moved_.v[i] = state_.v[i] + weights_.v * eps;
       if (!moved_.a.empty()) moved_.a[i] = state_.a[i] + weights_.a * eps;
-      if (system_.has_lie_nodes()) {
-        increment_[i] = weights_.q * eps;
-        system_.compose(state_.q, increment_, moved_.q);
-        increment_[i] = 0;
-      }
-      system_.residual(moved_, conditions_, r);
-      moved_.q = state_.q;
-      moved_.v[i] = state_.v[i];
-      if (!moved_.a.empty()) moved_.a[i] = state_.a[i];
+      increment_[i] = weights_.q * eps;
     } else if (column < s.first_ae()) {
       const auto i = static_cast<std::size_t>(column - s.ode2);
       moved_.y[i] = state_.y[i] + weights_.y * eps;
       moved_.y_t[i] = state_.y_t[i] + weights_.y_t * eps;
-      system_.residual(moved_, conditions_, r);
+    } else {
+      const auto i = static_cast<std::size_t>(column - s.first_ae());
+      moved_.lambda[i] = state_.lambda[i] + eps;
+    }
+  }
+  void put_back(int column) {
+    const Sizes& s = system_.sizes();
+    if (column < s.ode2) {
+      const auto i = static_cast<std::size_t>(column);
+      moved_.q[i] = state_.q[i];
+      moved_.v[i] = state_.v[i];
+      if (!moved_.a.empty()) moved_.a[i] = state_.a[i];
+      increment_[i] = 0;
+    } else if (column < s.first_ae()) {
+      const auto i = static_cast<std::size_t>(column - s.ode2);
       moved_.y[i] = state_.y[i];
       moved_.y_t[i] = state_.y_t[i];
     } else {
       const auto i = static_cast<std::size_t>(column - s.first_ae());
-      moved_.lambda[i] = state_.lambda[i] + eps;
-      system_.residual(moved_, conditions_, r);
       moved_.lambda[i] = state_.lambda[i];
     }
   }
@@ -78,6 +101,28 @@ class Choice {
         first_ae_(system.sizes().first_ae()), of_items_(all_ ? nullptr : &system.pattern(false)) {}
 
   bool everything() const { return all_; }
+  // Columns without a row in common can be moved at the same time: A. R. Curtis, M. J. D. Powell, J. K. Reid, On the estimation of sparse
+  // Jacobian matrices, IMA J. Appl. Math. 13, 1974. Where rows may depend on anything, each column is by itself.
+  std::vector<std::vector<int>> groups(const Sizes& s) const {
+    std::vector<std::vector<int>> groups;
+    std::vector<std::vector<char>> occupied;  // rows of each group
+    for (int column = 0; column < s.total(); ++column) {
+      if (!any_in(column)) continue;
+      std::size_t g = all_ ? groups.size() : 0;
+      for (; g < groups.size(); ++g) {
+        bool is_free = true;
+        for_each_row(*of_items_, column, [&](int row) { is_free = is_free && occupied[g][static_cast<std::size_t>(row)] == 0; });
+        if (is_free) break;
+      }
+      if (g == groups.size()) {
+        groups.emplace_back();
+        occupied.emplace_back(all_ ? 0 : static_cast<std::size_t>(s.total()), 0);
+      }
+      groups[g].push_back(column);
+      if (!all_) for_each_row(*of_items_, column, [&](int row) { occupied[g][static_cast<std::size_t>(row)] = 1; });
+    }
+    return groups;
+  }
   bool any_in(int column) const { return all_ || algebraic_ || column < first_ae_; }
   bool operator()(int row, int column) const {
     if (all_) return true;
@@ -112,16 +157,20 @@ void numerical_tangent(System& system, const State& state, const Conditions& con
   for (double* weight : {&direction.q, &direction.v, &direction.a}) *weight /= unit;
   Differences differences(system, state, conditions, direction);
   const double constraints = weights.q == 0 && weights.v != 0 ? 1 / weights.v : 1.0;
-  for (int column = 0; column < s.total(); ++column) {
-    if (!chosen.any_in(column)) continue;
-    const double size = size_of_unknown(s, state, reference, options.addReferenceCoordinatesToEpsilon, column);
-    const double eps = options.relativeEpsilon * std::max(options.minimumCoordinateSize, std::abs(size));
-    const std::vector<double>& slope = differences.slope(column, eps);
-    for_each_row(pattern, column, [&](int row) {
-      if (!chosen(row, column)) return;
-      const double factor = column < s.ode2 && row < s.first_ae() ? unit : column < s.first_ae() && row >= s.first_ae() ? constraints : 1.0;
-      values[static_cast<std::size_t>(pattern.slot(row, column))] = factor * slope[static_cast<std::size_t>(row)];
-    });
+  std::vector<Move> moves;
+  for (const std::vector<int>& group : chosen.groups(s)) {
+    moves.clear();
+    for (const int column : group) {
+      const double size = size_of_unknown(s, state, reference, options.addReferenceCoordinatesToEpsilon, column);
+      moves.push_back({column, options.relativeEpsilon * std::max(options.minimumCoordinateSize, std::abs(size))});
+    }
+    differences.find(moves);
+    for (const auto& [column, eps] : moves)
+      for_each_row(pattern, column, [&, column = column, eps = eps](int row) {
+        if (!chosen(row, column)) return;
+        const double factor = column < s.ode2 && row < s.first_ae() ? unit : column < s.first_ae() && row >= s.first_ae() ? constraints : 1.0;
+        values[static_cast<std::size_t>(pattern.slot(row, column))] = factor * differences.slope(row, eps);
+      });
   }
 }
 
