@@ -1,7 +1,8 @@
-"""A flexible arm from a finite element mesh: made here, reduced to few modes, and swung by a motor.
+"""A flexible arm from a finite element mesh: meshed, reduced to few modes, and moved by a motor.
 
 The mesh has quadratic tetrahedra and tapers towards its end, where a mass is attached. Static modes of both ends and
-six eigenmodes are what remains of 5145 coordinates; deflections and stresses are found for every node nevertheless.
+six eigenmodes replace 5145 coordinates; deflections and stresses are available for every
+node.
 """
 
 import numpy as np
@@ -25,7 +26,7 @@ mesh.points[:, 1] *= rootHeight + (tipHeight - rootHeight) * along
 
 fem = FEMinterface()
 fem.ImportFromMeshio(mesh)  # or the name of a file
-fem.VolumeToSurfaceElements()  # what pictures show
+fem.VolumeToSurfaceElements()  # surface for pictures
 fem.AssembleMatrices(aluminium)
 for name, x in (("hub", 0.0), ("hand", length)):
     fem.AddBoundary(name, fem.GetNodesInPlane(point=[x, 0, 0], normal=[1, 0, 0]))
@@ -73,7 +74,7 @@ settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
 settings.solutionSettings.sensorsWritePeriod = 1e-3
 mbs.SolveDynamic(settings)
 
-# results, beside what the whole mesh gives
+# results, compared with those of the whole mesh
 section = 0.5 * (rootHeight + tipHeight) * width
 print(f"mass of the arm: {fem.GetRigidBodyInertia().mass:.4f} kg, of a tapered bar {2700 * section * length:.4f} kg")
 

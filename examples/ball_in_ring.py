@@ -10,9 +10,10 @@ import dalembert as exu
 from dalembert.utilities import *
 
 g = 9.81  # m/s^2
-ring, tube, radius = 1.0, 0.15, 0.05  # m: from the axis of the ring to that of its tube, of the tube, of the ball
+# m: from the axis of the ring to that of its tube; radius of the tube; radius of the ball
+ring, tube, radius = 1.0, 0.15, 0.05
 swing = ring + tube - radius  # m: the circle of the center of the ball
-tilt, lean = 0.05, 0.01  # rad: where ball and barrel start
+tilt, lean = 0.05, 0.01  # rad: initial angles of ball and barrel
 mass, moment = 2.0, 0.01  # kg, kg m^2
 height, bulge = 0.1, 0.5  # m: radius of the barrel in its middle, and of its outline along the axis
 

@@ -1,8 +1,8 @@
 """A band around a turning drum brakes it: contact of a cable with a circle, with dry friction.
 
-One end of the band is pulled by a weight, the other is held by a spring. Where the drum slips everywhere, the tension
-grows along the angle of wrap by the factor exp(coefficient * angle), as Euler and Eytelwein found: whatever the radius
-and the stiffness of the band.
+A weight pulls at one end of the band, a spring holds the other end. If the drum slips everywhere, the tension grows
+along the angle of wrap by the factor exp(coefficient * angle) (Euler and Eytelwein), independently of the radius and of
+the stiffness of the band.
 """
 
 import numpy as np
@@ -23,7 +23,7 @@ band = Cable2D(
     physicsBendingDamping=1e-3,
     visualization=VCable2D(drawHeight=0.02),
 )
-# From the right side upwards, around the drum, and down on the left.
+# upwards on the right side, around the drum, and down on the left
 right, left, down = [radius, 0, 0], [-radius, 0, 0], np.array([0, -free, 0])
 begin = GenerateStraightLineANCFCable2D(mbs, list(right + down), right, 4, band)
 around = GenerateCircularArcANCFCable2D(

@@ -16,8 +16,8 @@ a, g, elements, mass = 0.5, 9.81, 24, 0.2  # m, m/s^2, 1, kg
 time = np.pi * np.sqrt(a / g)  # s
 starts = [0.15, 0.5, 0.8]  # parts of the arc from the top to the lowest point
 
-# from a cusp to the other, along the arc s: 4 a (1 - cos(angle / 2)), evenly
-arc = np.linspace(0.1 * a, 7.9 * a, elements + 1)  # without the cusps, where it bends infinitely
+# arc length s between the cusps: 4 a (1 - cos(angle / 2)), equally spaced
+arc = np.linspace(0.1 * a, 7.9 * a, elements + 1)  # the cusps are excluded, because their curvature is infinite
 angles = 2 * np.arccos(1 - arc / (4 * a))
 points = np.column_stack([a * (angles - np.sin(angles)), 0 * angles, -a * (1 - np.cos(angles))])
 slopes = np.column_stack([np.sin(angles / 2), 0 * angles, -np.cos(angles / 2)])
@@ -26,7 +26,7 @@ mbs = exu.SystemContainer().AddSystem()
 nodes = [mbs.AddNode(NodePointSlope1(referenceCoordinates=[*p, *s])) for p, s in zip(points, slopes, strict=True)]
 fixed = mbs.AddMarker(MarkerNodeCoordinates(nodeNumber=mbs.AddNode(NodePointGround())))
 for node, p, s in zip(nodes, points, slopes, strict=True):
-    held = mbs.AddMarker(MarkerNodeCoordinates(nodeNumber=node))  # of total coordinates
+    held = mbs.AddMarker(MarkerNodeCoordinates(nodeNumber=node))  # measures total coordinates
     mbs.AddObject(CoordinateVectorConstraint(markerNumbers=[fixed, held], scalingMarker1=np.eye(6), offset=[*p, *s]))
 length = arc[1] - arc[0]
 wires = [

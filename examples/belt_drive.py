@@ -1,9 +1,10 @@
-"""A belt drive: the driven pulley turns a little slower than the driving one, as the belt gets longer where it pulls.
+"""A belt drive: the driven pulley turns a little slower than the driving one, because of the strain of the belt.
 
-The belt is made of axially moving cables: material runs through elements that stay where they are. A belt that enters
-a pulley sticks to it, and slides only on the last part of the arc, where its tension goes from that of one side to
-that of the other. After O. Reynolds, the speeds are to each other as (1 + T2/EA) / (1 + T1/EA), whatever the friction
-is.
+The belt consists of axially moving cables: the material runs through fixed elements. The belt sticks to a pulley
+where it
+enters, and slides only on the last part of the arc, where its tension changes from that of one side to that of the
+other.
+The ratio of the speeds is (1 + T2/EA) / (1 + T1/EA) (O. Reynolds), independently of friction.
 """
 
 import numpy as np
@@ -23,7 +24,7 @@ curve = CreateReevingCurve(
 )
 stretch = 1 + pull / 2 / stiffness  # the belt was made shorter than its way around the pulleys
 length = curve["totalLength"] / elements / stretch
-way = radius * speed  # m/s; along the curve, which runs clockwise
+way = radius * speed  # m/s; along the curve, which is clockwise
 
 mbs = exu.SystemContainer().AddSystem()
 fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
@@ -39,7 +40,7 @@ belt = ALECable2D(
     physicsAddALEvariation=False,
     visualization=VCable2D(drawHeight=0.006),
 )
-# one node is held along the belt, so that elements stay while the material runs
+# one node is fixed along the belt, so that elements stay while the material moves
 _, cables, *_ = PointsAndSlopes2ANCFCable2D(
     mbs, np.array(curve["ancfPointsSlopes"]) * [1, 1, stretch, stretch], [length] * elements, belt,
     massProportionalLoad=[0, 0, 0], fixedConstraintsNode0=[1, 0, 0, 0], firstNodeIsLastNode=True,
@@ -76,7 +77,7 @@ for x in (0, distance):
 coordinate = [[mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=n, coordinate=k)) for k in range(3)] for n in pulleys]
 for held in (coordinate[0][0], coordinate[0][1], coordinate[1][1]):
     mbs.AddObject(CoordinateConstraint(markerNumbers=[fixed, held]))
-# the first pulley drives; the second one brakes, and tightens the belt: what the pull leaves for the bend of the belt
+# the first pulley drives; the second one brakes, and tensions the belt: the pull minus the bending force of the belt
 mbs.AddObject(CoordinateConstraint(markerNumbers=[fixed, coordinate[0][2]], velocityLevel=True, offset=-speed))
 mbs.AddLoad(LoadCoordinate(markerNumber=coordinate[1][0], load=pull - 2 * mass * way**2))
 mbs.AddObject(CoordinateSpringDamper(markerNumbers=[fixed, coordinate[1][0]], damping=2000))
@@ -99,7 +100,7 @@ settings.timeIntegration.discontinuous.maxIterations = 10
 mbs.SolveDynamic(settings)
 told = mbs.GetSensorStoredData(turning)
 history = np.column_stack([told[:, 0], 100 * (1 + told[:, 3] / speed)])
-creep = np.mean(history[history[:, 0] > 0.75 * end, 1])  # less what segments do that begin and end to touch
+creep = np.mean(history[history[:, 0] > 0.75 * end, 1])  # minus the effect of segments that begin and end contact
 force = exu.OutputVariableType.ForceLocal
 tension = np.array([mbs.GetObjectOutputBody(cable, force, [length / 2, 0, 0]) for cable in cables])
 tight, slack = ((pull + sign * moment / radius) / 2 for sign in (1, -1))

@@ -1,7 +1,8 @@
 """A ball hits a tower of ten boxes: general contact of convex shapes with each other, with a sphere and a plane.
 
-Static friction holds the tower while it stands. Every box rests on one spring, whatever the number of its corners: the
-lowest one sinks by the weight of all over the stiffness. In the end, all lies on the ground, which bears it.
+Static friction holds the tower while it stands. Every box rests on one contact stiffness, for any number of corners:
+the lowest one penetrates by the total weight divided
+by the stiffness. All boxes finally lie on the ground, which carries their weight.
 """
 
 import numpy as np
@@ -11,7 +12,7 @@ from dalembert.utilities import *
 
 count, size, density, gravity = 10, [0.12, 0.12, 0.08], 500.0, 9.81  # 1, m, kg/m^3, m/s^2
 stiffness, damping, friction = 2e5, 400.0, 0.5  # N/m, Ns/m, 1
-radius, speed = 0.08, 4.0  # of the ball: m, m/s
+radius, speed = 0.08, 4.0  # radius and speed of the ball: m, m/s
 mass, ball_mass = density * np.prod(size), 3.0  # kg
 
 mbs = exu.SystemContainer().AddSystem()
@@ -23,7 +24,7 @@ contact.SetFrictionBristles(stiffnessRatio=0.8, dampingRatio=1.0)
 surface = {"contactStiffness": 2 * stiffness, "contactDamping": damping / 2, "frictionMaterialIndex": 0}
 contact.AddPlane(ground, normal=[0, 0, 1], **surface)
 
-# ---- every joint of the tower is pressed together as far as what is above asks for
+# ---- initial penetrations of the tower in equilibrium ----------------------------------------------------------------
 sinks = mass * gravity / stiffness * np.arange(count, 0, -1)
 heights = size[2] * (np.arange(count) + 0.5) - np.cumsum(sinks)
 boxes = []

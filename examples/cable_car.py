@@ -1,8 +1,9 @@
 """A cabin is clipped to a hauling rope, which runs at a constant speed over its span and carries it along.
 
-The rope is made of cable elements whose material moves through them; one coordinate for all says how far. The
-cabin hangs on a joint that goes along with the material. In the middle of the span, the rope of the tension T sags by
-F L / (4 T) under its weight F, and by m g L^2 / (8 T) under its own.
+The rope consists of cable elements through which the material moves; one coordinate is its displacement. The cabin
+hangs
+on a joint that moves with the material. The sag of a rope with tension T in the middle of the span is F L / (4 T) under
+the weight F of the cabin, and m g L^2 / (8 T) under its own weight.
 """
 
 import numpy as np
@@ -37,7 +38,7 @@ nodes, cables, *_ = GenerateStraightLineANCFCable2D(
 )  # fmt: skip
 fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
 hauled = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=haul, coordinate=0))
-first = 1.5 * span / elements  # where the cabin is boarded
+first = 1.5 * span / elements  # position of boarding
 middle = 0.5 * span - first  # m, the way of the cabin
 
 

@@ -1,8 +1,8 @@
-"""A ship lays a cable: from the sea bed it rises in a catenary to the stern, whose heave pulls at it.
+"""A ship lays a cable: a catenary between the sea bed and the stern, which heaves in the waves.
 
-The cable begins on the bottom, one end held; the other one is lifted to the surface and drawn back until the cable
-hangs as it should. What hangs is a catenary: the pull at the stern is that at the bottom and the weight of a cable as
-long as the sea is deep. Then the ship heaves, and the point where the cable touches the ground wanders to and fro.
+The cable starts on the bottom, with one end fixed; the other end is lifted to the surface and moved back to its final
+position. The free part is a catenary: the tension at the stern is that at the bottom plus the weight of a cable whose
+length is the depth of the sea. Then the ship heaves, and the touchdown point oscillates.
 """
 
 import numpy as np
@@ -29,7 +29,7 @@ cable = Cable2D(
     physicsBendingDamping=200,
     visualization=VCable2D(drawHeight=1.0),
 )
-g = weight / mass  # what is left of gravity under water
+g = weight / mass  # gravity minus buoyancy in water
 nodes, cables, *_ = GenerateStraightLineANCFCable2D(
     mbs, [0, 0, 0], [length, 0, 0], elements, cable, massProportionalLoad=[0, -g, 0], fixedConstraintsNode0=[1, 1, 0, 0]
 )
@@ -49,7 +49,7 @@ heaves = False
 
 
 def stern(coordinate):
-    """Of the end of the cable: at first to its place, and then up and down with the waves."""
+    """Motion of the end of the cable: first to its position, then up and down with the waves."""
     place = -slack if coordinate == 0 else depth
 
     def offset(mbs, t, item, value):

@@ -1,7 +1,7 @@
-"""A cam lifts a valve against its spring: a roller runs on the outline of a disc that turns beside its middle.
+"""A cam lifts a valve against its spring: a roller runs on the outline of an eccentric disc.
 
-The outline is a polygon of many sides, so that any shape may stand there. Of a circle it is known what the roller
-does. The spring presses it on the cam, as long as the cam does not turn faster than the spring can follow.
+The outline is a polygon of many sides, so that any shape is possible. The motion for a circle has a closed form. The
+spring keeps contact, as long as the cam is not too fast.
 """
 
 import numpy as np
@@ -9,7 +9,7 @@ import numpy as np
 import dalembert as exu
 from dalembert.utilities import *
 
-radius, off, roller = 0.03, 0.008, 0.01  # m: disc, its middle beside the shaft, roller
+radius, off, roller = 0.03, 0.008, 0.01  # m: radius of the disc, its eccentricity, radius of the roller
 mass, stiffness, preload = 0.1, 8e3, 120  # kg, N/m, N
 turns, end, sides = 10, 0.2, 360  # per second, s, 1
 
@@ -38,7 +38,7 @@ mbs.AddObject(
 
 
 def height(angle):
-    """Of the middle of the roller above the shaft."""
+    """Height of the center of the roller above the shaft."""
     return off * np.sin(angle) + np.sqrt((radius + roller) ** 2 - (off * np.cos(angle)) ** 2)
 
 
@@ -57,7 +57,7 @@ mbs.CreateGenericJoint(
 seat = mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=[0, height(0) + 0.1, 0]))
 head = mbs.AddMarker(MarkerBodyRigid(bodyNumber=valve, localPosition=[0, 0.05, 0]))
 mbs.AddObject(
-    LinearSpringDamper(  # along y; without force where the preload ends
+    LinearSpringDamper(  # along y; the force vanishes at the end of the preload
         name="valve spring",
         markerNumbers=[seat, head],
         axisMarker0=[0, 1, 0],

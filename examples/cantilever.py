@@ -17,7 +17,7 @@ EI, EA, mass, force = 5.0, 1e4, 0.5, 3.0  # N m^2, N, kg/m, N
 
 
 def elastica():
-    """Displacement of the tip of an inextensible beam: along the beam, and in the direction of the force."""
+    """Displacement of the tip of an inextensible beam: components along the beam and along the force."""
     load = force * length**2 / EI
 
     def begin(m):

@@ -1,7 +1,7 @@
 """A cart rolls through hilly terrain: its wheels are spheres in contact with a mesh of triangles.
 
-They turn in joints, and creep a little by friction. Nothing else brakes the cart, and nothing drives it: what it loses
-of its height it gains in speed, with the spin of the wheels.
+The wheels turn in joints, and creep a little by friction. The cart has neither brake nor drive: its potential energy is
+converted to kinetic energy, including the spin of the wheels.
 """
 
 import numpy as np
@@ -66,7 +66,7 @@ for side_x in (-1, 1):
         wheels.append(wheel)
 mbs.Assemble()
 
-# ---- it settles on its wheels first; from then on, its energy counts
+# ---- it first settles on its wheels; the energy balance starts then --------------------------------------------------
 settings = exu.SimulationSettings()
 settings.solutionSettings.solutionWritePeriod = 0.02
 settings.timeIntegration.verboseMode = 0

@@ -24,7 +24,7 @@ arm = section.centroid[0] - section.shearCenter[0]
 
 
 def cantilever(offset):
-    """The system, bent by a force beside the centroid, and sensors of rotations along the beam."""
+    """The system, bent by an eccentric force, and sensors of rotations along the beam."""
     mbs = exu.SystemContainer().AddSystem()
     drawn = VObjectBeamGeometricallyExact(sectionGeometry=section.BeamSectionGeometry())
     template = ObjectBeamGeometricallyExact(sectionData=section.BeamSection(), visualization=drawn)

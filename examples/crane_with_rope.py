@@ -21,7 +21,7 @@ mbs.CreateGround(graphicsDataList=[girder])
 
 
 def way(t):
-    """Of the trolley, which stands for a while."""
+    """Displacement of the trolley, with a pause."""
     speed_up = min(max(0.0, t - start), duration)
     return acceleration * (speed_up**2 / 2 + speed_up * max(0.0, t - start - duration))
 

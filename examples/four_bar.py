@@ -1,8 +1,8 @@
 """A planar four-bar linkage, its crank driven at constant speed: a crank-rocker of steel bars.
 
-The diagonal from the crank pin to the bearing of the rocker parts the linkage into two triangles, from which the
-place of the rocker follows in closed form. Over a whole revolution the motor does no work: what it gives while the
-bars are lifted or gain speed, it gets back.
+The diagonal from the crank pin to the bearing of the rocker divides the linkage into two triangles, which give the
+position of the rocker in closed form. The motor does no work over a whole revolution: the energy for lifting and
+accelerating the bars is returned.
 """
 
 import numpy as np

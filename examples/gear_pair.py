@@ -13,7 +13,7 @@ from dalembert.utilities import *
 module, teeth, pressure_angle = 4e-3, [18, 36], np.radians(20)  # m, 1, rad
 width, backlash, points = 0.02, 1e-4, 24  # m, m, per flank
 stiffness, damping, density = 4e7, 4e3, 7800.0  # N/m, Ns/m, kg/m^3
-speed, torque = 20.0, 4.0  # of the pinion: rad/s, on the gear: Nm
+speed, torque = 20.0, 4.0  # speed of the pinion: rad/s; torque on the gear: Nm
 
 pitch_radii = [module * z / 2 for z in teeth]
 base_radii = [r * np.cos(pressure_angle) for r in pitch_radii]
@@ -43,7 +43,8 @@ for number, color in enumerate([graphics.color.orange, graphics.color.steelblue]
     count, radius = teeth[number], pitch_radii[number]
     profile = tooth(radius, base_radii[number], tip_radii[number])
     turns = 2 * np.pi / count * (np.arange(count) + 0.5 * number)  # teeth of the pinion meet gaps of the gear
-    feet = (radius - 1.25 * module) / base_radii[number] * profile[[0, -1]]  # on the root circle, for the picture
+    # points on the root circle, for the picture
+    feet = (radius - 1.25 * module) / base_radii[number] * profile[[0, -1]]
     whole = np.vstack([feet[:1], profile, feet[1:]])
     turned = [whole @ np.array([[np.cos(t), np.sin(t)], [-np.sin(t), np.cos(t)]]) for t in turns]
     rim = np.concatenate(turned)

@@ -27,7 +27,7 @@ settings.openGL.light0.position = [0, 0, lamp, 1]
 settings.openGL.light0.shadow = 1
 settings.openGL.light0.specular = settings.raytracer.maxReflectionDepth = 0
 
-# from above, 100 pixels for a meter: where the floor gets dark along the row through the middle
+# a view from above with 100 pixels per meter: the edge of the shadow along the row through the middle
 settings.view0.window.renderWindowSize = [400, 400]
 SC.renderer.SetModelView(zoom=2)
 row = np.asarray(SC.renderer.RedrawAndGetImage())[200].mean(axis=1)

@@ -1,7 +1,9 @@
-"""A centrifugal governor, as Watt and Porter built them: the faster it turns, the higher the sleeve on its spindle.
+"""A centrifugal governor of Watt and Porter: the sleeve on its spindle rises with the speed.
 
-Two arms with balls hang on the spindle; links lift the sleeve, whose weight asks for a higher speed. The height of the
-cone of the arms is (1 + M / m) g / w^2, with the mass M of the sleeve and m of a ball, whatever their length.
+Two arms with balls hang on the spindle; links lift the sleeve, whose weight increases the required speed. The height
+of the
+cone of the arms is (1 + M / m) g / w^2, with the masses M of the sleeve and m of a ball, independently of the length
+of the arms.
 """
 
 import numpy as np
@@ -12,7 +14,7 @@ from dalembert.utilities import *
 arm, ball, sleeve, g = 0.3, 1.0, 4.0, 9.81  # m, kg, kg, m/s^2
 speeds = [15.0, 20.0]  # rad/s
 ramp, rest = 0.5, 2.5  # s
-height = (1 + sleeve / ball) * g / speeds[0] ** 2  # of the cone, from the pivots down to the balls
+height = (1 + sleeve / ball) * g / speeds[0] ** 2  # height of the cone, from the pivots down to the balls
 angle = np.arccos(height / arm)
 
 mbs = exu.SystemContainer().AddSystem()
@@ -68,7 +70,7 @@ angle = mbs.AddMarker(
 )
 mbs.AddObject(CoordinateConstraint(markerNumbers=[fixed, angle], offsetUserFunction=motor))
 lift = mbs.AddMarker(MarkerBodiesRelativeTranslationCoordinate(bodyNumbers=["spindle", "sleeve"], axis0=[0, 0, 1]))
-mbs.AddObject(CoordinateSpringDamper(markerNumbers=[fixed, lift], damping=40))  # of the oil in the sleeve
+mbs.AddObject(CoordinateSpringDamper(markerNumbers=[fixed, lift], damping=40))  # damping of the oil in the sleeve
 mbs.AddSensor(
     SensorMarker("lift", markerNumber=lift, outputVariableType=exu.OutputVariableType.Coordinates, storeInternal=True)
 )

@@ -1,8 +1,8 @@
-"""A gyroscope: a spinning steel disc on a shaft whose foot rests in a ball joint, let go in two ways.
+"""A gyroscope: a spinning steel disc on a shaft whose foot rests in a ball joint, released in two ways.
 
-With the right rate of precession the axis keeps its inclination: the rate is a root of a quadratic equation. Let go
-with its axis at rest, the gyroscope nods while it precesses; conservation of energy and of two angular momenta
-tells how deep.
+The axis keeps its inclination for a certain rate of precession, a root of a quadratic equation. If it is released with
+its axis at rest, the gyroscope nutates while it precesses; conservation of energy and of two angular momenta gives the
+amplitude.
 """
 
 import numpy as np

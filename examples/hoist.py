@@ -1,7 +1,7 @@
 """A hoist: a winch lifts a load by a rope over two sheaves of a bridge and one at the hook.
 
 The rope runs from the winch over the first sheave of the bridge, around the sheave of the hook, over the second
-sheave and to its anchor. The hook hangs in two falls: it rises by half of what the winch takes in, and the rope
+sheave and to its anchor. The hook hangs in two falls: it rises by half of the rope length on the winch, and the rope
 carries half of its weight. Sheaves turn without friction, and the rope is elastic.
 """
 
@@ -24,12 +24,12 @@ hook = mbs.CreateRigidBody(
     inertia=InertiaCuboid(density=mass / 0.18, sideLengths=[0.6, 0.5, 0.6]),
     graphicsDataList=[sheave, block],
 )
-# it rises and falls; what swings is left to the crane of another example
+# vertical motion only; another example shows a swinging load
 mbs.CreateGenericJoint(bodyNumbers=[ground, hook], position=[0, -2, 0], constrainedAxes=[1, 0, 1, 1, 1, 1], show=False)
 weight = mbs.AddMarker(MarkerBodyMass(bodyNumber=hook))
 mbs.AddLoad(LoadMassProportional(markerNumber=weight, loadVector=[0, -g, 0]))
 
-# the winch turns as it is told; its angle lets rope out or takes it in
+# the angle of the winch is prescribed; it winds and unwinds the rope
 winch = mbs.AddNode(Node1D(name="winch"))
 roll = graphics.Cylinder(pAxis=[0, 0, -0.1], vAxis=[0, 0, 0.2], radius=drum, color=graphics.color.dodgerblue, nTiles=48)
 mbs.AddObject(

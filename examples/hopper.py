@@ -1,7 +1,8 @@
 """Particles run out of a hopper into a box: general contact of spheres with each other and with triangles.
 
-They rub on each other. Their number may be given on the command line: `python examples/hopper.py 10000` takes minutes,
-not seconds. In the end, all lie in the box, which carries their weight.
+Contact has friction. The number of particles is an argument of the command line: `python examples/hopper.py 10000`
+takes
+minutes. All particles finally lie in the box, which carries their weight.
 """
 
 import itertools
@@ -29,7 +30,7 @@ columns = max(6, round(0.9 * count ** (1 / 3)))
 half = 1.05 * columns * radius
 opening = max(0.05, 0.65 * half)
 layers = -(-count // columns**2)
-outlet = 0.12 + count / columns**2 * radius / 2  # m, above what will lie in the box
+outlet = 0.12 + count / columns**2 * radius / 2  # m, above the final heap in the box
 neck = outlet + half - opening
 top = neck + 2.2 * radius * (layers + 1)
 wide = 1.7 * half

@@ -1,9 +1,8 @@
-"""A crane whose boom is lifted by a hydraulic cylinder: valves let oil in and out, close, and the oil carries the load.
+"""A crane whose boom is lifted by a hydraulic cylinder: valves open and close, and the oil carries the load.
 
-While the valves are open, the speed of the piston settles where the flows through both valves fit it, with
-pressures that carry the load. When they close, the boom swings on the oil until the friction of the cylinder has
-calmed it. At rest the moments about the bearing of the boom balance: pressures times areas times lever are weights
-times their levers.
+While the valves are open, the speed of the piston is in equilibrium with the flows through both valves, and pressures
+carry the load. After closing, the boom oscillates on the oil until the friction of the cylinder has damped it. The
+moments about the bearing of the boom balance at rest: pressures times areas times lever equal weights times levers.
 """
 
 import numpy as np
@@ -86,8 +85,8 @@ cylinder = mbs.AddObject(
 def operate(mbs, t):
     """The valves open and close within 0.2 s; oil flows from 0.5 s to 3.5 s."""
     opening = np.interp(t, [0.5, 0.7, 3.3, 3.5], [0, 1, 1, 0])
-    mbs.SetObjectParameter(cylinder, "valveOpening0", opening)  # to the supply
-    mbs.SetObjectParameter(cylinder, "valveOpening1", -opening)  # to the tank
+    mbs.SetObjectParameter(cylinder, "valveOpening0", opening)  # valve to the supply
+    mbs.SetObjectParameter(cylinder, "valveOpening1", -opening)  # valve to the tank
     return True
 
 

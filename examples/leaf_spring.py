@@ -1,7 +1,8 @@
-"""A leaf spring of one curved leaf: its left eye turns on a pin, its right one slides, an axle pushes its middle up.
+"""A leaf spring of one curved leaf: an axle pushes its middle up.
 
-The leaf is free of stress as it was forged, an arc. For small loads its stiffness is that of a curved bar, by
-Castigliano's theorem; the flatter it gets, the farther apart are its eyes, and the softer it is.
+Its left eye turns on a pin, its right one slides. The forged arc is stress-free. Its stiffness for small loads is
+that of a curved bar (Castigliano's theorem); as it
+flattens, its eyes move apart, and it becomes softer.
 """
 
 import numpy as np
@@ -22,7 +23,7 @@ leaf = Cable2D(
     physicsAxialStiffness=young * width * height,
     visualization=VCable2D(drawHeight=height),
 )
-# from the left eye down to the middle and up again: an arc around a centre above
+# from the left eye down to the middle and up again: an arc around a center above
 eye = [-radius * np.sin(half), 0, 0]
 nodes, *_ = GenerateCircularArcANCFCable2D(mbs, eye, radius, -half, 2 * half, elements, leaf)
 
@@ -50,7 +51,7 @@ sine = np.sin(half)
 bending = half * sine**2 - 2 * sine * (1 - np.cos(half)) + half / 2 - np.sin(2 * half) / 4
 theory = 2 * EI / (radius**3 * bending)
 load, lift = axle_load * travel[:, 0], travel[:, 2]
-start = 2 * load[1] / lift[1] - load[2] / lift[2]  # without load, from two small ones
+start = 2 * load[1] / lift[1] - load[2] / lift[2]  # extrapolated to zero load from two small loads
 print(f"stiffness without load: {start / 1e3:.3f} kN/m, curved bar {theory / 1e3:.3f} kN/m")
 last = (load[-1] - load[-2]) / (lift[-1] - lift[-2])
 raised, spread = 1e3 * lift[-1], 1e3 * apart[-1, 1]

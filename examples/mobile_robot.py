@@ -1,9 +1,10 @@
 """A vehicle with mecanum wheels drives through a room, sideways and turning, and maps it by a lidar.
 
-Drives keep the wheels at the speeds that the kinematics of mecanum wheels asks for; friction along the axles of rollers
-does the rest. From the angles that wheels have turned, odometry tells where the vehicle is, up to their slip. The
-lidar measures distances along 72 rays five times a second; with the poses of odometry they become points of a map. As
-the room is known here, the last scan also says where the vehicle has arrived, to the tenth of a millimeter.
+Drives keep the wheels at the speeds of the kinematics of mecanum wheels; friction along the axles of the rollers moves
+the vehicle. Odometry computes the pose of the vehicle from the wheel angles, up to their slip. The lidar measures
+distances along 72 rays five times a second; the poses of odometry convert them to points of a map. The room is known,
+so
+the last scan also gives the final pose of the vehicle, to the tenth of a millimeter.
 """
 
 import numpy as np
@@ -107,7 +108,7 @@ def drive(mbs, t):
 
 mbs.SetPreStepUserFunction(drive)
 
-# ---- what it measures
+# ---- sensors ---------------------------------------------------------------------------------------------------------
 lidar = mbs.AddMarker(MarkerBodyRigid(bodyNumber=platform, localPosition=[0, 0, 0.15]))
 angles = np.linspace(-np.pi, np.pi, rays, endpoint=False)
 sensors = AddLidar(
@@ -130,7 +131,7 @@ settings.timeIntegration.generalizedAlpha.spectralRadius = 0.5
 settings.solutionSettings.sensorsWritePeriod = settings.solutionSettings.solutionWritePeriod = scan
 mbs.SolveDynamic(settings)
 
-# ---- odometry: in each interval, the vehicle goes along a line at the heading in its middle
+# ---- odometry: straight lines in each interval, at the heading of its middle -----------------------------------------
 t = mbs.GetSensorStoredData(poses[0])[:, 0]
 place, rotation = (mbs.GetSensorStoredData(sensor)[:, 1:] for sensor in poses)
 true = np.column_stack([place[:, :2], np.unwrap(rotation[:, 2])])
@@ -140,7 +141,7 @@ odometry = [start]
 for along, across, turn in steps:
     px, py, heading = odometry[-1]
     middle = heading + turn / 2
-    chord = np.sinc(turn / (2 * np.pi))  # of an arc, by its length
+    chord = np.sinc(turn / (2 * np.pi))  # ratio of chord to arc length
     odometry.append(
         [
             px + chord * (np.cos(middle) * along - np.sin(middle) * across),
@@ -177,7 +178,7 @@ print(f"Scanned points lie within {1e3 * distance_to_shapes(exact).max():.2f} mm
 print(f"After {end:.0f} s, odometry is off by {1e3 * off:.0f} mm: rollers slip when the vehicle accelerates.")
 print(f"Points of the map lie within {1e3 * distance_to_shapes(mapped).max():.0f} mm of what they show.")
 
-# ---- the lidar says better where the vehicle is: where the last scan fits to the room
+# ---- the lidar gives a more accurate pose: the last scan is fitted to the room ---------------------------------------
 found = least_squares(lambda pose: distance_to_shapes(on_map(pose[None])[-1]), odometry[-1]).x
 for name, unit, value, real in zip(["x", "y", "heading"], ["m", "m", "rad"], found, true[-1], strict=True):
     print(f"{name} at the end by the lidar: {value:.5f} {unit}, real pose {real:.5f} {unit}")

@@ -1,7 +1,8 @@
-"""Newton's cradle: five steel balls on wires; the first is let go, and the last one leaves with its velocity.
+"""Newton's cradle: five steel balls on wires; the first is released, and the last one leaves with its velocity.
 
-Between neighbours there is a gap of a hair. So impacts come one after the other, and each hands all of the momentum
-on: balls of the same mass that bounce without loss change velocities. The period is that of a pendulum whose ball
+Neighbours have a small gap, so impacts occur one after the other, and each transfers all of the momentum: balls of
+equal
+mass exchange their velocities in elastic impacts. The period is that of a pendulum whose ball
 swings on one side for a quarter of it, and the last one on the other side.
 """
 

@@ -21,7 +21,7 @@ mbs.AddObject(
     Mass1D(
         nodeNumber=node,
         physicsMass=mass,
-        referencePosition=[0, 0, 0.6],  # where it is drawn, its coordinate upwards
+        referencePosition=[0, 0, 0.6],  # position in pictures, with the coordinate upwards
         referenceRotation=RotationMatrixY(-np.pi / 2),
         visualization=VMass1D(graphicsData=shapes),
     )

@@ -1,7 +1,7 @@
-"""Vibrations of a square plate whose edges rest on a frame, and what it does under its weight.
+"""Vibrations of a square plate whose edges rest on a frame, and its deflection under weight.
 
-Elements of thin plates have nodes with two slopes. Edges are held but may turn; by symmetry of its modes, no more
-is needed than coordinates that are fixed. Frequencies and deflection are those of Kirchhoff's theory, up to the
+Elements of thin plates have nodes with two slopes. Edges are simply supported: fixed coordinates are sufficient.
+Frequencies and deflection are those of Kirchhoff's theory, up to the
 error of the mesh.
 """
 
@@ -11,7 +11,7 @@ import dalembert as exu
 from dalembert.utilities import *
 
 side, h, E, nu, density, g = 0.6, 2e-3, 70e9, 0.3, 2700, 9.81  # m, m, Pa, 1, kg/m^3, m/s^2
-elements = 12  # along each side
+elements = 12  # per side
 stretch = E * h / (1 - nu**2) * np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]])
 bending = h**2 / 12 * stretch
 

@@ -1,9 +1,9 @@
 """A quadruped trots: a kinematic tree that floats on six virtual joints and stands on the ground by friction alone.
 
-Diagonal legs step together. Drives of the joints know where feet should be below their hips; the legs on the ground
-share the weight, as torques that the transposed Jacobians of their feet give. Every 2 ms the controller sets aims and
-torques. The balance of momentum says what the ground has to give: over whole periods of a steady gait its mean force
-is the weight.
+Diagonal legs step together. The joint drives track the positions of the feet relative to their hips; the legs on the
+ground share the weight, by
+torques from the transposed Jacobians of their feet. The controller updates set values and torques every 2 ms. The
+balance of momentum gives the ground force: its mean over whole periods of a steady gait is the weight.
 """
 
 import numpy as np
@@ -23,7 +23,7 @@ hips = {
     for x, i in (("front", 1), ("hind", -1))
     for y, j in (("left", 1), ("right", -1))
 }
-phases = [0.25, 0.75, 0.75, 0.25]  # of the legs, in periods; in the first half the foot is on the ground
+phases = [0.25, 0.75, 0.75, 0.25]  # phases of the legs, in periods; the foot is on the ground in the first half
 
 # robot
 robot = Robot(gravity=[0, 0, -g])
@@ -73,7 +73,7 @@ def leg_angles(x, z):
 
 
 def foot_place(phase):
-    """Where a foot is to be: at constant speed along the ground, then through the air; its velocity has no jumps."""
+    """Set position of a foot: constant speed along the ground, then through the air, with continuous velocity."""
     step = speed * period / 2
     if phase < 0.5:
         return step * (0.5 - 2 * phase), 0

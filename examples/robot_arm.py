@@ -1,8 +1,7 @@
 """A robot arm with three joints that follow prescribed motions: it lifts a load and turns it to its other side.
 
-Column, upper arm and forearm are joined by motors, which are joints that keep to angles given in time. The hand is
-then where forward kinematics puts it. The arm starts and ends at rest, so the work of its motors is what the
-weights gain in height.
+Column, upper arm and forearm are connected by motors, which are joints with prescribed angles. Forward kinematics gives
+the position of the hand. The arm starts and ends at rest, so the work of its motors is the change of potential energy.
 """
 
 import numpy as np
@@ -20,7 +19,7 @@ Variable = exu.OutputVariableType
 
 
 def smooth(t):
-    """From 0 to 1 with rates and accelerations that are zero at both ends; and the rate."""
+    """A step from 0 to 1 with zero rates and accelerations at both ends; and its rate."""
     s = min(t / duration, 1)
     return s**3 * (10 - 15 * s + 6 * s**2), 30 * s**2 * (1 - s) ** 2 / duration
 

@@ -1,7 +1,8 @@
-"""A coin rolls around in a circle, leaning inwards: how fast it goes around is a matter of balance.
+"""A coin rolls on a circle, leaning inwards: its speed follows from the balance of moments.
 
-A thin disc of radius R leans by the angle a from the vertical while the point where it touches the table goes around a
-circle of radius c at the rate w. Weight and what it takes to turn the disc balance if
+A thin disc of radius R leans by the angle a from the vertical while its contact point moves on a circle of radius c
+at the
+rate w. The weight and the rate of angular momentum balance if
 
     m g R sin a = w^2 cos a (m d R + I3 (c / R - sin a) + I1 sin a)
 

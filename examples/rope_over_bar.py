@@ -1,8 +1,9 @@
 """A rope slips from a smooth bar: it hangs down on both sides, and its longer side pulls it over.
 
-There is contact without friction between the bar and each element of the rope, so that its tension is the same on both
-sides of the bar. Half the difference of their lengths is x; the weight of 2 x moves the whole rope of length L, and
-x'' = 2 g x / L: the way grows as cosh(t sqrt(2 g / L)), whatever the radius of the bar is.
+Contact between the bar and each element of the rope is frictionless, so the tension is equal on both sides of the
+bar. Let
+x be half the difference of the lengths; the weight of 2 x moves the whole rope of length L, and x'' = 2 g x / L: the
+displacement grows as cosh(t sqrt(2 g / L)), independently of the radius of the bar.
 """
 
 import numpy as np
@@ -14,11 +15,11 @@ from dalembert.utilities import *
 length, density, stiffness, g = 3.0, 0.5, 2e4, 9.81  # m, kg/m, N, m/s^2
 radius, thickness, start, end = 0.1, 0.01, 0.05, 1.0  # m, m, m, s
 elements, segments = 120, 4  # the latter per element
-bend = radius + 0.5 * thickness  # of the middle of the rope
+bend = radius + 0.5 * thickness  # radius of the middle line of the rope
 longer = 0.5 * (length - np.pi * bend) + start
 
 along = np.linspace(0, length, elements + 1)
-angle = np.clip((along - (length - longer - np.pi * bend)) / bend, 0, np.pi)  # around the bar, clockwise
+angle = np.clip((along - (length - longer - np.pi * bend)) / bend, 0, np.pi)  # angle around the bar, clockwise
 straight = np.minimum(along, length - longer - np.pi * bend) - (length - longer - np.pi * bend)  # left, up to the bar
 points = np.column_stack([-bend * np.cos(angle), bend * np.sin(angle) + straight, np.sin(angle), np.cos(angle)])
 points[:, 1] -= np.maximum(along - (length - longer), 0)  # right, down from the bar

@@ -33,7 +33,7 @@ for pair in pairwise(nodes):
 mbs.CreateGround("ground", graphicsDataList=[graphics.Brick([0, 0, -0.1], [0.6, 0.6, 0.2], graphics.color.grey)])
 foot, top = (mbs.AddMarker(MarkerNodeRigid(nodeNumber=node)) for node in (nodes[0], nodes[-1]))
 wall = mbs.AddMarker(MarkerBodyRigid(bodyNumber="ground"))
-axes = np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]])  # of the sections: the first one points upwards
+axes = np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]])  # axes of the sections: the first one points upwards
 mount = RigidBodySpringDamper(
     "mount",
     markerNumbers=[wall, foot],

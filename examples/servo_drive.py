@@ -1,8 +1,9 @@
 """A servo drive: a motor with its current, a gear, and a table that friction brakes.
 
-The current follows the voltage and what the turning rotor induces, by one equation of first order; it turns the
-rotor, which a gear joins with the table. The table leans on a bearing with dry and viscous friction. After the
-start, voltage, current, speeds and friction are in balance.
+The current follows the voltage and the induced voltage of the rotor, by a first-order equation; it drives the rotor,
+which
+a gear connects with the table. The bearing of the table has dry and viscous friction. Voltage, current, speeds and
+friction are in balance after the start.
 """
 
 import dalembert as exu
@@ -86,7 +87,7 @@ settings.solutionSettings.sensorsWritePeriod = 1e-3
 settings.solutionSettings.writeSolutionToFile = False
 mbs.SolveDynamic(settings)
 
-# at rest of all accelerations: k i n = dry + viscous omega, and U = R i + k n omega
+# steady state: k i n = dry + viscous omega, and U = R i + k n omega
 balance = (constant * ratio * voltage / resistance - dry) / (viscous + (constant * ratio) ** 2 / resistance)
 drawn = (dry + viscous * balance) / (constant * ratio)
 print(f"speed of the table: {mbs.GetSensorValues(speed):.4f} rad/s, balance {balance:.4f} rad/s")

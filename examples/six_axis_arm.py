@@ -1,10 +1,11 @@
 """An arm with six axes carries a load from one pose to another, under computed torque.
 
 The arm is read from a URDF file. Inverse kinematics finds its joints for two poses of the gripper, a trajectory leads
-from one to the other within limits of velocity and acceleration. Every 2 ms, inverse dynamics says which torques this
-motion needs, with a correction of what is missing to it; for comparison, drives that only hold against the weight
-follow the same trajectory with the same factors. At the end the arm rests, so the work of its drives is what its
-weights gain in height and its bearings have taken.
+from one to the other within limits of velocity and acceleration. Every 2 ms, inverse dynamics computes the torques of
+this motion, with a feedback of the errors; for comparison, drives with
+gravity compensation only follow the same trajectory with the same gains. The arm finally rests, so the work of its
+drives
+is the change of potential energy plus the dissipation in its bearings.
 """
 
 from pathlib import Path
@@ -19,7 +20,7 @@ from dalembert.utilities import *
 
 file = Path(__file__).parent / "six_axis_arm.urdf"
 sample, duration = 0.002, 1.6  # s
-stiffness, damping = 400, 40  # of the correction: two poles at 20 rad/s
+stiffness, damping = 400, 40  # feedback gains: two poles at 20 rad/s
 arm = ReadRobot(file)
 names = [link.jointName for link in arm.links]
 
@@ -35,7 +36,7 @@ trajectory.Add(ProfilePTP(end))
 
 
 def computed_torque(q, q_t, wanted):
-    """What the motion needs, where errors fall as those of a damped oscillator do."""
+    """Torques of the motion, such that errors decay like a damped oscillator."""
     s, v, a = wanted
     return arm.InverseDynamics(q, q_t, a + damping * (v - q_t) + stiffness * (s - q))
 

@@ -50,7 +50,7 @@ mbs.CreateGenericJoint(
     bodyNumbers=[ground, slider], position=[crankLength + rodLength, 0, 0], constrainedAxes=[0, 1, 1, 1, 1, 1]
 )
 
-# what drives and what resists
+# drive and resistance
 mbs.CreateTorque(bodyNumber=crank, loadVector=[0, 0, 0.5])
 mbs.CreateSpringDamper(
     bodyNumbers=[ground, slider],
@@ -61,7 +61,7 @@ mbs.CreateSpringDamper(
     damping=2,
 )
 
-# what is measured
+# sensors
 position = mbs.AddSensor(
     SensorBody(bodyNumber=slider, outputVariableType=exu.OutputVariableType.Position, storeInternal=True)
 )
@@ -93,7 +93,7 @@ mbs.PlotSensor(position, components=0, yLabel="slider position (m)", fileName="s
 mbs.PlotSensor(spin, components=2, yLabel="crank speed (rad/s)", fileName="crank_speed.png")
 mbs.PlotSensor(force, components=[0, 1], yLabel="pin force (N)", fileName="pin_force.png")
 
-# the place of the slider follows from the angle of the crank
+# the position of the slider follows from the angle of the crank
 reached = mbs.GetSensorStoredData(position)[:, 1]
 turned = mbs.GetSensorStoredData(angle)[:, 3]
 exact = crankLength * np.cos(turned) + np.sqrt(rodLength**2 - (crankLength * np.sin(turned)) ** 2)

@@ -1,7 +1,7 @@
-"""A rubber bar spins about its middle, with all coordinates of its mesh: it gets longer, and its ends tell by how much.
+"""A rubber bar spins about its middle, with all coordinates of its mesh, and becomes longer.
 
-At the speed w, a cross section at x from the middle carries what is beyond it: density w^2 (L^2 / 4 - x^2) / 2. So the
-bar gets longer by density w^2 L^3 / (12 E), of which small strains see all.
+The stress of a cross section at the distance x from the middle, at the speed w, is density w^2 (L^2 / 4 - x^2) / 2. The
+elongation of the bar for small strains is density w^2 L^3 / (12 E).
 """
 
 import numpy as np

@@ -9,7 +9,7 @@ import numpy as np
 import dalembert as exu
 from dalembert.utilities import *
 
-period, corner = 6.32591398, [0.97000436, -0.24308753, 0]  # for masses of 1 kg and a constant of gravitation of 1
+period, corner = 6.32591398, [0.97000436, -0.24308753, 0]  # valid for masses of 1 kg and a gravitational constant of 1
 speed = np.array([-0.93240737, -0.86473146, 0])  # m/s, of the mass in the middle
 
 mbs = exu.SystemContainer().AddSystem()

@@ -1,7 +1,8 @@
-"""A trolley that rolls to and fro on a tight rope, by nothing but the sag that its own weight makes.
+"""A trolley oscillates on a tight rope, only because of the sag by its own weight.
 
-Under a force F at x, a rope of length L and tension T sags by F x (L - x) / (L T); half of the work of the weight goes
-into the rope. What is left drives the trolley to the middle as a spring would: it swings with the frequency
+The sag of a rope of length L and tension T under a force F at x is F x (L - x) / (L T); half of the work of the
+weight is
+stored in the rope. The other half drives the trolley to the middle like a spring: it oscillates with the frequency
 g sqrt(m / (L T)).
 """
 

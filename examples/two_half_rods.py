@@ -1,7 +1,8 @@
 """Two halves of a rod, each a system of matrices, are joined at their ends: the frequencies are those of the whole.
 
-Such matrices come from other programs, or from measurements. A constraint of vectors takes all coordinates of each
-half by a marker, and couples them by a row of factors; modes of the free rod are c n / (2 L).
+The matrices may come from other programs, or from measurements. A vector constraint uses markers with all coordinates
+of
+each half, and couples them by a row of factors; modes of the free rod are c n / (2 L).
 """
 
 import numpy as np
@@ -10,7 +11,7 @@ import dalembert as exu
 from dalembert.utilities import *
 
 length, area, modulus, density = 1.0, 1e-4, 2.1e11, 7850.0  # m, m^2, N/m^2, kg/m^3
-elements = 40  # of each half
+elements = 40  # per half
 h = 0.5 * length / elements
 
 ends = np.array([[1, -1], [-1, 1]]) * modulus * area / h

@@ -1,8 +1,9 @@
 """A car on four rolling discs: it accelerates with its rear wheels, then its front wheels steer it into a circle.
 
-The discs touch the road by contact and friction, as tyres without springs in the wheels. The thrust accelerates the
-car and the spin of its wheels and loads the rear axle, as the balances of momentum and angular momentum say; they
-leave out the small pitch of the body. The front wheels are steered so that all axles meet in one point, the centre
+The discs have contact with friction, like rigid tyres. The thrust accelerates the car and its wheels and increases
+the load
+of the rear axle, in agreement with the balances of momentum and angular momentum, which neglect the small pitch. The
+front wheels are steered so that all axles meet in one point, the centre
 of the circle; at low slip the car follows it.
 """
 
@@ -16,7 +17,7 @@ mass, wheel_mass, torque, circle, g = 1200, 20, 300, 40, 9.81  # kg, kg, Nm at e
 speed = 5.0  # m/s, at the beginning
 total = mass + 4 * wheel_mass
 stiffness = 2e5  # N/m, of a tyre
-sinking = total * g / 4 / stiffness  # of a disc into the road
+sinking = total * g / 4 / stiffness  # penetration of a disc
 
 mbs = exu.SystemContainer().AddSystem()
 road = graphics.CheckerBoard([30, 10, 0], size=140, nTiles=70, color=[0.82, 0.82, 0.82, 1])
@@ -36,7 +37,7 @@ disc = InertiaCylinder(density=wheel_mass / (np.pi * radius**2 * 0.2), length=0.
 
 
 def thrust(mbs, t, load):
-    """From 0.5 s to 3.5 s, after a short rise."""
+    """Thrust from 0.5 s to 3.5 s, with a short ramp."""
     return np.interp(t, [0.4, 0.6, 3.4, 3.6], [0, 1, 1, 0]) * np.array(load)
 
 
@@ -108,7 +109,8 @@ SC = mbs.GetSystemContainer()
 SC.visualizationSettings.loads.show = SC.visualizationSettings.markers.show = False
 SC.visualizationSettings.sensors.traces.showPositionTrace = True
 mbs.Draw(fileName="vehicle_picture.png", view="axonometric", around=body, zoom=0.35)
-SC.visualizationSettings.view0.camera.trackMarker = mbs.GetObject(joints[0])["markerNumbers"][0]  # in the car
+# camera follows the car
+SC.visualizationSettings.view0.camera.trackMarker = mbs.GetObject(joints[0])["markerNumbers"][0]
 in_a_second = settings.timeIntegration.endTime / 5
 film = {"windowSize": [420, 320], "framesPerSecond": 20, "speed": in_a_second, "view": "axonometric", "zoom": 18}
 mbs.DrawSolution(fileName="vehicle_motion.gif", **film)

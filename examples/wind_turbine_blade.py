@@ -12,7 +12,7 @@ from dalembert.beams import ComputeSectionConstants, SectionPolygon
 from dalembert.utilities import *
 
 length, elements = 30.0, 40  # m
-chord, thickness, wall, taper = 1.6, 0.7, 0.03, 0.6  # m, m, m, what is lost on the way to the tip
+chord, thickness, wall, taper = 1.6, 0.7, 0.03, 0.6  # m, m, m, relative reduction at the tip
 laminate = {"youngsModulus": 2.2e10, "poissonsRatio": 0.3, "density": 1900}
 wind = 900.0  # N/m
 speeds = np.linspace(0, 24, 5)  # revolutions per minute
@@ -47,7 +47,7 @@ markers = [mbs.AddMarker(MarkerNodeRigid(nodeNumber=node)) for node in nodes]
 mbs.AddObject(GenericJoint(markerNumbers=[mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround())), markers[0]]))
 gusts = [
     mbs.AddLoad(Force(markerNumber=marker, loadVector=[0, 0, 0])) for marker in markers[1:]
-]  # one element's share each, the last one half
+]  # share of one element each, the last one half
 mbs.Assemble()
 
 # frequencies: the rotor turns about z, so that z is out of its plane
@@ -66,7 +66,7 @@ def ritz(rpm, out_of_plane, terms=7):
     stiffness = np.polyval(np.polyfit(places_of_fit, bending, 6), s)
     mass = np.polyval(np.polyfit(places_of_fit, [part.massMatrix[0, 0] for part in sections_of_fit], 6), s)
     pull = np.array([np.sum(weights * mass * s * length * (s > here)) for here in s])
-    pull += 0.5 * weights * mass * s * length  # half of what is at the place itself
+    pull += 0.5 * weights * mass * s * length  # half of the weight at the position itself
     omega = rpm * np.pi / 30
     powers = np.arange(2, 2 + terms)[:, None]
     shape, slope, curve = s**powers, powers * s ** (powers - 1), powers * (powers - 1) * s ** (powers - 2)
