@@ -16,7 +16,7 @@ from codegen.new_item import add_arguments, create
 from codegen.render import render
 
 ROOT = Path(__file__).parent.parent
-DIFF_LINES = 40  # of a stale file that --check prints
+DIFF_LINES = 40  # lines of the diff of an outdated file that --check prints
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -60,7 +60,7 @@ def check(generated: Path, wanted: dict[str, str]) -> int:
 
 
 def write(generated: Path, wanted: dict[str, str]) -> int:
-    """Touch only what differs, so that a build compiles only what changed."""
+    """Write only changed files, so that a build compiles only these."""
     stale, orphans = compare(generated, wanted)
     for path in stale:
         file = generated / path

@@ -72,7 +72,7 @@ def _each(root: Path, folders: Iterable[str], make: Callable[[str, str], T]) -> 
 
 
 def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]) -> Item:
-    """One item from the text of its spec; `path` is relative to the repository."""
+    """Return an item from the text of its spec; `path` is relative to the repository."""
     with at(path):
         raw = parse(content)
         check_keys(raw, TOP_LEVEL)

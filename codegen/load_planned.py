@@ -1,4 +1,4 @@
-"""Read what the interface has and the package does not have yet: specs/interface/planned.toml."""
+"""Read the planned parts of the interface: specs/interface/planned.toml."""
 
 from __future__ import annotations
 

@@ -11,8 +11,8 @@ from codegen.names import nearest
 from codegen.scene import EXEMPT, FRAMES, End, NodePlace, SceneTable
 
 WORD = " on "
-GAP = "gap"  # of the constraint equations, in `closed`
-LEAST_WORDS = 5  # of a reason
+GAP = "gap"  # gap of the constraint equations, in `closed`
+LEAST_WORDS = 5  # minimum number of words of a reason
 KEYS = tuple(f.name for f in fields(SceneTable))
 _KINDS: dict[str, tuple[type, str]] = {
     **dict.fromkeys(("frame", "second_body"), (str, "a string")),
@@ -24,7 +24,7 @@ _KINDS: dict[str, tuple[type, str]] = {
         (dict, "a table { ... }"),
     ),
 }
-# Which kinds of items a key is for; others are for all.
+# Kinds of items of a key; other keys are for all.
 _ONLY: dict[str, tuple[str, ...]] = {
     "frame": ("node",),
     "isotropic": ("object",), "local": ("object",), "small_deformations": ("object",), "nodes": ("object",),
@@ -131,7 +131,7 @@ def _local(key: str, entry: Any) -> Any:
     return tuple(entry)
 
 
-# What the entries of lists are made of.
+# Entries of lists.
 _ENTRIES: dict[str, Any] = {
     "pairs": _pair,
     "beside": read_end,

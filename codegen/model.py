@@ -1,7 +1,7 @@
-"""The data model of an item: what its spec file may say.
+"""The data model of an item: the contents of its spec file.
 
 Every entity is a frozen dataclass that checks itself on construction, so a template never meets an invalid one.
-Nothing here knows how C++, Python or RST are spelled; that is in `views`.
+This module is independent of C++, Python and RST, which are in `views`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from codegen.names import FOLDERS, nearest, stem_of
 from codegen.scene import SceneTable
 from codegen.types import ParameterType, ValueType
 
-# Which storages a check is for; none: any.
+# Storages of a check; empty: any.
 CHECKS: dict[str, tuple[str, ...]] = {
     "none": (),
     "non_negative": ("integer", "real"),
@@ -26,13 +26,13 @@ CHECKS: dict[str, tuple[str, ...]] = {
     "color": ("vector4",),
 }
 CHANGES = ("any", "assemble")
-# What integers may count, and names may stand for.
+# Kinds of named integers.
 NAMED = ("no", "links", "joints")
 SOURCES = ("frame", "coordinates", "kernel")
 PHYSICS = ("ready", "planned")
 BODY_FOLDERS = ("bodies", "super_elements", "finite_elements")
 OBJECT_TYPES = ("Body", "Object", "SuperElement", "FiniteElement", "Connector", "Constraint", "Joint")
-# What a node or marker can be asked for: an entry of `Capability` in reflection/item_type.hpp, or nothing checked.
+# Capabilities of a node or marker: an entry of `Capability` in reflection/item_type.hpp, or unchecked.
 NODE_CAPABILITIES = {
     "Position": "position", "Orientation": "orientation",
     "Position2D": "position_2d", "Orientation2D": "orientation_2d",
@@ -90,7 +90,7 @@ class Parameter:
     change: str = ""
     aliases: tuple[str, ...] = ()
     named: str = "no"
-    beyond_reference: str = ""  # what it adds
+    beyond_reference: str = ""  # description of the addition
     typical: tuple[float, ...] = ()  # lower and upper bound of values that show in a small model; tests draw from them
 
     def __post_init__(self) -> None:
@@ -134,7 +134,7 @@ class Parameter:
 
 
 def default_problem(type_: ParameterType, default: Any, size: int) -> str:
-    """What is wrong with a default value, or ''."""
+    """Return the error of a default value, or ''."""
     if default is None:
         return "" if type_.complete else f"missing; {type_.name} needs one"
     if type_.function or type_.opaque or type_.storage == "beam_section" or (type_.index and not type_.shape):
@@ -262,9 +262,9 @@ class Example:
 
 @dataclass(frozen=True)
 class Item:
-    """One item type, complete: groups are already spliced in."""
+    """A complete item type, including the rows of groups."""
 
-    path: str  # of the spec file, for banners and messages
+    path: str  # path of the spec file, for banners and messages
     name: str
     type_name: str
     summary: str
@@ -275,14 +275,14 @@ class Item:
     user_functions: tuple[UserFunction, ...] = ()
     object_type: str = ""
     short_names: tuple[str, ...] = ()
-    create_functions: tuple[str, ...] = ()  # of MainSystem, whose arguments mirror the parameters of this item
+    create_functions: tuple[str, ...] = ()  # methods of MainSystem whose arguments mirror the parameters of this item
     provides: tuple[str, ...] = ()
     requested_nodes: tuple[str, ...] = ()
     requested_markers: tuple[str, ...] = ()
     nodes: tuple[str, ...] = ()
     sized: str = ""  # a body with a number of coordinates that is known at run time only: the reason
     irregular: str = ""
-    beyond_reference: str | None = None  # what it adds to the items of the reference; None: it is one of them
+    beyond_reference: str | None = None  # addition to the items of Exudyn; None: it is one of them
     equations: str = ""
     quantities: tuple[Quantity, ...] = ()
     examples: tuple[str, ...] = ()
@@ -348,7 +348,8 @@ class Item:
 
     @property
     def provisions(self) -> tuple[str, ...]:
-        """What others can stand on: a marker of a coordinate gives none of the frames that it is measured between."""
+        """Capabilities for other items: a marker of a coordinate does not provide the frames between which it
+        measures."""
         frames = {"Position", "Orientation"} if self.kind == "marker" and "Coordinate" in self.provides else set()
         return tuple(word for word in self.provides if word not in frames)
 

@@ -10,8 +10,7 @@ from codegen.names import nearest
 from codegen.ranges import Range
 from codegen.types import TYPES, VALUE_TYPES, ParameterType, ValueType
 
-# Keys that tell why a setting is accepted although nothing depends on it: nothing here, no page, or no picture without
-# the ray tracer.
+# Keys for settings without effect: never, in the viewer, or without the ray tracer; the value is the reason.
 REASONS = ("no_effect", "no_effect_on_pages", "no_effect_without_rays")
 
 
@@ -20,7 +19,7 @@ class EnumValue:
     name: str
     value: int
     doc: str = ""
-    beyond_reference: str | None = None  # what it adds to the values of the reference; None: it is one of them
+    beyond_reference: str | None = None  # addition to the values of Exudyn; None: it is one of them
 
     def __post_init__(self) -> None:
         check_identifier(self.name)
@@ -58,7 +57,7 @@ class Setting(Parameter):
     no_effect: str = ""
     no_effect_on_pages: str = ""
     no_effect_without_rays: str = ""
-    acts_with: tuple[str, ...] = ()  # flags beside it, one of which has to be true for it to have an effect
+    acts_with: tuple[str, ...] = ()  # related flags, one of which has to be true for it to have an effect
     only_in: str = ""  # the structure of the root whose own counts, for all structures like it
 
     @property
@@ -93,7 +92,7 @@ class SettingsGroup:
     rows: tuple[Setting, ...]
     children: tuple[SettingsGroup, ...]
     shared: str = ""
-    beyond_reference: str | None = None  # what it adds to the settings of the reference; None: it is one of them
+    beyond_reference: str | None = None  # addition to the settings of Exudyn; None: it is one of them
 
     def __post_init__(self) -> None:
         check_documented(self.summary, "summary")
@@ -114,7 +113,7 @@ class SettingsGroup:
 
 @dataclass(frozen=True)
 class Settings:
-    """One file of specs/settings."""
+    """A file of specs/settings."""
 
     path: str
     root: SettingsGroup

@@ -6,7 +6,7 @@ import difflib
 import re
 from collections.abc import Iterable
 
-# Folder of specs/ -> kind of item, and what the item's name starts with. The folder says the kind.
+# Folders of specs/: kind of items, and prefixes of their names.
 FOLDERS: dict[str, tuple[str, tuple[str, ...]]] = {
     "nodes": ("node", ("Node",)),
     "bodies": ("object", ("Object",)),

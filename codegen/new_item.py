@@ -1,7 +1,6 @@
 """Start a new item: its spec, and the skeleton of its kernel.
 
-A kind has two templates in templates/new/, `<kind>.toml.j2` and `<kind>.hpp.j2`: an item that is complete and small, to
-be changed into what is wanted.
+A kind has two templates in templates/new/, `<kind>.toml.j2` and `<kind>.hpp.j2`: a complete small item, to be modified.
 """
 
 from __future__ import annotations
@@ -32,7 +31,7 @@ KINDS = {
 
 @dataclass(frozen=True)
 class NewItem:
-    """What the templates read."""
+    """Variables of the templates."""
 
     name: str
     type_name: str

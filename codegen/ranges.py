@@ -26,7 +26,7 @@ class Range:
 
     @property
     def words(self) -> str:
-        """`from 0 to 1`, `greater than 0 and at most 1`, `at least 1`."""
+        """Return `from 0 to 1`, `greater than 0 and at most 1`, or `at least 1`."""
         below = f"{'less than' if self.upper_open else 'at most'} {self.upper:g}"
         above = f"{'greater than' if self.lower_open else 'at least'} {self.lower:g}"
         if math.isinf(self.upper):

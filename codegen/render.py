@@ -22,7 +22,7 @@ _BLANK_LINES = re.compile(r"\n{3,}")
 
 
 class TemplateError(RuntimeError):
-    """A template and what it is given do not fit."""
+    """A template and its variables do not agree."""
 
 
 @cache

@@ -1,4 +1,4 @@
-"""What reading any spec needs: where an error is, which keys a table may have, and the row of a parameter."""
+"""Common parts of reading specs: location of an error, allowed keys of a table, and the row of a parameter."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def parameter(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> P
 
 
 def parameter_fields(row: Mapping[str, Any], enums: Mapping[str, Enum]) -> dict[str, Any]:
-    """What the row gives to the fields of `Parameter`; its keys are checked."""
+    """Return the fields of `Parameter` from a row; checks its keys."""
     fields: dict[str, Any] = {"type": parameter_type(text(row, "type"), enums)}
     fields |= {key: value for key, value in row.items() if key != "type"}
     return fields | {key: tuple(fields.get(key, ())) for key in ("aliases", "typical")}

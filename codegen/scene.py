@@ -1,7 +1,8 @@
-"""The [scene] table of an item: where the tests of all items put it.
+"""The [scene] table of an item: its models in the tests of all items.
 
-It says which nodes, markers and values make a model of it, which options differ in their equations, and what such tests
-leave out, with the reason.
+It defines the nodes, markers and values of its models, options with different equations, and exemptions from tests,
+with
+the reason.
 
 Tests read it through `Item.scene`; no generated file depends on it.
 """
@@ -12,9 +13,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-# What the coordinates of a node are for a motion of its frame; tests/items/motions.py knows each.
+# Meaning of the coordinates of a node for a motion of its frame; tests/items/motions.py has the formulas.
 FRAMES = ("point", "ep", "rxyz", "rotation_vector", "angle", "slope", "slopes12", "slopes23")
-# Checks that an item may be left out of, and what they ask.
+# Checks with possible exemptions, and their requirements.
 EXEMPT = {
     "moments": "what acts between two bodies leaves their angular momentum alone",
     "rotations": "a model that is turned as a whole moves in the turned way",
@@ -36,9 +37,9 @@ EXEMPT = {
 
 @dataclass(frozen=True)
 class End:
-    """Where a marker is, or a body that stands by: `MarkerBodyRigid on ObjectRigidBody on NodeRigidBodyEP`.
+    """Carrier of a marker, or an additional body: `MarkerBodyRigid on ObjectRigidBody on NodeRigidBodyEP`.
 
-    Without a node: that of the body, which has one type of node only, or none; without a body: the node alone.
+    The node is omitted if the body has only one type of node, or none; the body is omitted for markers on nodes.
     """
 
     marker: str
@@ -52,9 +53,9 @@ class End:
 
 @dataclass(frozen=True)
 class NodePlace:
-    """A node of a body or connector: its type (none: that of the model), its place in the axes of the body, rows.
+    """A node of a body or connector: its type (default: that of the model), its position in the axes of the body, rows.
 
-    `below`: not a new one, but the last node of the body in this place of the pair.
+    `below`: not a new one, but the last node of the body at this position of the pair.
     `mesh`: its reference position in the frame of the body, in which it is displaced a little.
     """
 

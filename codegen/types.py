@@ -1,4 +1,4 @@
-"""The types that a spec may name: what each one is in C++, in Python, and what it refuses by itself."""
+"""The types of specs: their types in C++ and Python, and their built-in checks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Shape = tuple[int | None, ...]
 
 @dataclass(frozen=True)
 class ParameterType:
-    """One row of the table below; `storage` is an entry of `Storage` in reflection/storage.hpp."""
+    """A row of the table below; `storage` is an entry of `Storage` in reflection/storage.hpp."""
 
     name: str
     cpp: str
@@ -23,7 +23,7 @@ class ParameterType:
 
     @property
     def real(self) -> bool:
-        """Made of floating point numbers: such rows have a unit."""
+        """Whether the type consists of floating point numbers: these rows have a unit."""
         return self.storage in _REAL
 
     @property
@@ -161,7 +161,7 @@ TYPES: dict[str, ParameterType] = {row.name: row for row in _scalars() + _arrays
 class ValueType:
     """An argument or the result of a user function; `kind` is an entry of `Signature::Kind` in reflection/row.hpp.
 
-    `python` is what a function receives; it may return all that converts to it.
+    `python` is the type of arguments; results may have any convertible type.
     """
 
     name: str

@@ -1,1 +1,1 @@
-"""How the model is spelled in each target language. One small function per question."""
+"""Representation of the model in each target language. Each property has a small function."""

@@ -12,7 +12,7 @@ from codegen.names import snake_case
 from codegen.types import ParameterType
 
 # Enumerations whose name another C++ type of the namespace has.
-ENUM_NAMES = {"ItemType": "ItemTypeCode"}  # struct ItemType is what reflection knows of an item type
+ENUM_NAMES = {"ItemType": "ItemTypeCode"}  # struct ItemType is the run-time description of an item type
 
 # Folder -> the template that makes physics of a kernel, and the header (dalembert/batches/) that has it.
 _ITEM_PHYSICS = {
@@ -40,7 +40,7 @@ def cpp_string(text: str) -> str:
 
 
 def cpp_comment(text: str) -> str:
-    """One line of plain text: RST markup is taken off."""
+    """Return a line of plain text, without RST markup."""
     return " ".join(text.replace("``", "").replace(":math:", "").replace("\\", "").split())
 
 
@@ -232,7 +232,7 @@ def reflection_includes(item: Item) -> list[str]:
 
 
 def physics_expression(item: Item) -> str:
-    """What makes the item's physics; '' if it is planned."""
+    """Return the expression that makes the item's physics; '' if it is planned."""
     if not item.ready:
         return ""
     if item.irregular:

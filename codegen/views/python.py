@@ -10,7 +10,7 @@ from codegen.model import BODY_FOLDERS, Argument, Item, Parameter, UserFunction
 from codegen.model_settings import Enum, Planned
 from codegen.views.cpp import one_line
 
-# What an attribute gives, by storage, where it is less than what may be assigned to it.
+# Types of attributes, by storage, if narrower than those of assignments.
 _VALUES = {
     **{f"vector{n}": "Array" for n in ("", 2, 3, 4, 6, 7, 9)},
     "matrix": "Array",
@@ -33,7 +33,7 @@ def python_type(row: Parameter) -> str:
 
 
 def argument_type(row: Parameter, item: Item) -> str:
-    """What the parameter of an item may be set to."""
+    """Return the type of assignments to a parameter of an item."""
     function = next((f for f in item.user_functions if f.name == row.name), None)
     if function:
         return f"{_callable(function)} | Literal[0]"
@@ -41,12 +41,12 @@ def argument_type(row: Parameter, item: Item) -> str:
 
 
 def value_type(row: Parameter, item: Item) -> str:
-    """What the parameter of an item gives."""
+    """Return the type of a parameter of an item."""
     return _VALUES.get(row.type.storage) or argument_type(row, item).replace("Sequence[", "list[")
 
 
 def setting_type(row: Parameter) -> str:
-    """What a setting gives: lists instead of arrays."""
+    """Return the type of a setting: lists instead of arrays."""
     if row.type.real and row.type.shape:
         return "list[float]" if len(row.type.shape) == 1 else "list[list[float]]"
     return _VALUES.get(row.type.storage, row.type.python)
@@ -70,7 +70,7 @@ def argument_sizes(function: UserFunction, item: Item) -> str:
 
 
 def _accepted(result: Argument) -> str:
-    """What a user function may return."""
+    """Return the types of results of a user function."""
     if result.type.name == "MatrixContainer":
         return "MatrixLike"
     return "ArrayLike" if result.type.python == "Array" else result.type.python
@@ -98,7 +98,7 @@ def python_default(row: Parameter) -> str:
 
 
 def stub_default(row: Parameter) -> str:
-    """The default as the signature at run time gives it: None stands for an empty matrix."""
+    """Return the default of the run-time signature: None means an empty matrix."""
     return "None" if row.type.storage == "matrix_container" else python_default(row)
 
 
@@ -117,7 +117,7 @@ def shape_text(shape: tuple[int | None, ...]) -> str:
 
 
 def row_note(row: Parameter | Argument, more: str = "") -> str:
-    """` [3; m]`: size, unit and what else is to be said in a docstring."""
+    """Return ` [3; m]`: size, unit and further notes for a docstring."""
     facts = [fact for fact in (shape_text(row.shape), row.unit, more) if fact]
     return f" [{'; '.join(facts)}]" if facts else ""
 
@@ -156,7 +156,7 @@ def signature(function: UserFunction) -> str:
 
 
 def further_help(item: Item) -> str:
-    """What a docstring says of an item below its parameters and outputs."""
+    """Return the part of an item's docstring below its parameters and outputs."""
     parts = []
     if item.user_functions:
         functions = (f"    {signature(f)}\n        {one_line(f.doc)}" for f in item.user_functions)

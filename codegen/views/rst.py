@@ -77,7 +77,7 @@ _REFUSED_BY_CHECK = {
 
 
 def refused(row: Parameter) -> str:
-    """What a value may not be, in words."""
+    """Return a description of rejected values."""
     reasons = _REFUSED_BY_CHECK[row.effective_check]
     if row.type.index:
         reasons = ["an index of another kind or out of range"]
@@ -89,7 +89,7 @@ def refused(row: Parameter) -> str:
 
 
 def remarks(row: Parameter) -> str:
-    """What follows the description: what else is taken, refusals, and when a change takes effect."""
+    """Return remarks after the description: other accepted values, rejected values, and when a change takes effect."""
     facts = []
     if row.type.takes_number and not row.internal:
         facts.append("A number is taken as its one entry.")
@@ -149,9 +149,9 @@ def items_that_run(folders: Mapping[str, list[Item]]) -> str:
 
 
 def partners(item: Item, items: tuple[Item, ...], kind: str) -> list[Item]:
-    """Nodes or markers that the item can stand on: those of its kernel, or those that provide what it requests.
+    """Return possible nodes or markers of the item: those of its kernel, or those with the requested capabilities.
 
-    Ground nodes have no coordinates: a body stands on one only if its kernel says so.
+    Ground nodes have no coordinates: a body can use one only if its kernel allows it.
     """
     if kind == "node" and item.nodes:
         return [other for other in items if other.name in item.nodes]
@@ -176,7 +176,7 @@ def enum_label(enum: Enum) -> str:
 
 
 def rst_type_link(row: Parameter, owner: str) -> str:
-    """The type; of a user function with a link to its section on the page of `owner`."""
+    """Return the type; a user function has a link to its section on the page of `owner`."""
     text = rst_type(row)
     return f":ref:`user function <function-{owner}-{row.name}>`" if text == "user function" else text
 

@@ -1,4 +1,4 @@
-"""JSON Schema of model files: what mbs.Save(...) writes and mbs.Load(...) reads, for editors and other programs."""
+"""JSON Schema of model files: the format of mbs.Save(...) and mbs.Load(...), for editors and other programs."""
 
 from __future__ import annotations
 
@@ -143,7 +143,7 @@ def _general_contact() -> dict[str, Any]:
 
 
 def _items(specs: Specs, kind: str) -> dict[str, Any]:
-    """Each item by its type: what is wrong is then told of the one that it is."""
+    """Return the schema of items by type, so that errors refer to the right type."""
     names = [item.name for item in specs.items if item.kind == kind and item.ready]
     choice = [{"if": {"properties": {"type": {"const": name}}}, "then": {"$ref": f"#/$defs/{name}"}} for name in names]
     return {"type": "object", "required": ["type"], "properties": {"type": {"enum": names}}, "allOf": choice}

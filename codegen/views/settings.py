@@ -1,4 +1,4 @@
-"""Settings as structures: one per table of the spec, those of shared tables once, and how members differ from them."""
+"""Settings as structures: one per table of the spec, shared tables once, and differences of members."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Struct:
     summary: str
     rows: tuple[Setting, ...]
     members: tuple[Member, ...]
-    paths: tuple[str, ...]  # where users find it, dotted
+    paths: tuple[str, ...]  # dotted paths for users
     beyond_reference: str | None = None
 
     @property
@@ -38,7 +38,7 @@ class Struct:
 
     @property
     def flagged(self) -> tuple[Setting, ...]:
-        """Rows that act with flags beside them."""
+        """Rows that require a flag."""
         return tuple(row for row in self.rows if row.acts_with)
 
 
@@ -105,7 +105,7 @@ def cpp_flags(row: Setting, struct: Struct) -> str:
 
 
 def cpp_rule(row: Setting, struct: Struct) -> str:
-    """What `SettingRule` says of one row, with only those fields that differ from its defaults."""
+    """Return the `SettingRule` of a row, with the fields that differ from the defaults."""
     fields = [f".name = {cpp_string(row.name)}"]
     if row.range:
         fields += [*_cpp_bounds(row.range), f".words = {cpp_string(row.range.words)}"]
@@ -125,7 +125,7 @@ def _cpp_bounds(bounds: Range) -> list[str]:
 
 
 def setting_notes(row: Setting) -> str:
-    """` [s; greater than 0]; no effect: ...`: what a docstring adds to a description."""
+    """Return ` [s; greater than 0]; no effect: ...`, the addition to a description in a docstring."""
     note = row_note(row, row.range.words if row.range else "")
     note += f"; acts with {' or '.join(row.acts_with)} only" if row.acts_with else ""
     note += f"; {row.elsewhere}" if row.only_in else ""

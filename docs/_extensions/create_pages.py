@@ -1,4 +1,4 @@
-"""A page per Create function: what it adds, its arguments, an example, and where to read on."""
+"""A page per Create function: the added items, its arguments, an example, and further reading."""
 
 from __future__ import annotations
 

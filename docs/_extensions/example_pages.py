@@ -1,4 +1,4 @@
-"""Pages of the examples: what a file says of itself, its pictures, what it prints, and its code.
+"""Pages of the examples: docstring, pictures, output, and code.
 
 Examples are run when pages are built, side by side.
 """
@@ -15,8 +15,9 @@ from pathlib import Path
 from example_runs import EXAMPLES, run
 
 INTRO = """\
-Complete models, each one file, which run as they are by ``dalembert run examples/name.py`` or by Python. Most print a
-result beside what theory says of it; tests hold these figures against each other.
+Complete models, each in one file, which run by ``dalembert run examples/name.py`` or by Python. Most print a result
+with
+its theoretical value; tests compare them.
 """
 
 
@@ -61,7 +62,7 @@ def index(with_results: bool) -> str:
 
 
 def example_pages() -> dict[str, str]:
-    """A page per file in examples/, and their index; without the compiled package there are no results to show."""
+    """A page per file in examples/, and their index; results require the compiled package."""
     built = find_spec("dalembert") is not None
     if built:
         with ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -1,5 +1,7 @@
-"""Runs of the examples, each in a folder of its own below docs/_generated/examples: pages show what they leave there,
-tests check it. An example is not run again before it, a file beside it or the package has changed.
+"""Runs of the examples, each in its own folder below docs/_generated/examples: pages show the results, tests check
+them.
+
+An example is run again if it, a file with the same stem or the package has changed.
 """
 
 from __future__ import annotations

@@ -113,7 +113,7 @@ def draw(items: list[Item]) -> set[str]:
 
 
 def with_pictures(pages: dict[str, str]) -> dict[str, str]:
-    """Put the picture of each item below the summary on its page; without the compiled package there are none."""
+    """Put the picture of each item below the summary on its page; pictures require the compiled package."""
     if find_spec("dalembert") is None:
         return pages
     items = [item for item in load(ROOT).items if item.ready and item.example is not None]

@@ -1,6 +1,6 @@
-"""Docstrings of the package are plain text, not RST: lines `name: what it is` are a list.
+"""Docstrings of the package are plain text, not RST: lines `name: description` are a list.
 
-autodoc hands each docstring to `as_rst`, which marks up these lists and escapes what RST would read as markup.
+autodoc hands each docstring to `as_rst`, which marks up these lists and escapes accidental RST markup.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from sphinx.application import Sphinx
 ENTRY = re.compile(r"(?P<names>[*\w.]+(?:, [*\w.]+)*): (?P<text>\S.*)")
 LITERAL = re.compile(r"(``.+?``|`[^`]+`)")
 MARKUP = re.compile(r"[\\*`|]|_(?=\W|$)")
-# What pybind11 writes into signatures and what says nothing to a reader.
+# Parts of pybind11 signatures without information for readers.
 SIGNATURE_NOISE = re.compile(r"\bself: [\w.]+(, )?|\bdalembert\._core\.|\btyping\.|\bcollections\.abc\.")
 
 
@@ -29,7 +29,7 @@ def indent_of(line: str) -> int:
 
 
 def entries(lines: list[str]) -> list[str] | None:
-    """A list of the entries in the lines; None if they are something else."""
+    """Return the entries in the lines; None if they are not a list."""
     indent = indent_of(lines[0])
     result: list[str] = []
     for line in lines:

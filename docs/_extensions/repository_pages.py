@@ -117,7 +117,7 @@ def module_pages() -> dict[str, str]:
 
 
 def write(app: Sphinx) -> None:
-    """Touch only what differs, so that Sphinx reads only what changed; remove what is no longer made."""
+    """Write only changed files, so that Sphinx reads only these; remove outdated files."""
     pages = reference_pages() | create_pages() | example_pages() | module_pages()
     wanted = {TARGET / path: text for path, text in pages.items()}
     for path in TARGET.rglob("*.rst"):
