@@ -22,7 +22,7 @@ py::array shades(const Numbers<double>& numbers, double low, double high, const 
 
 void register_contour(py::module_& module) {
   module.def("_shades", &shades, py::arg("numbers"), py::arg("low"), py::arg("high"), py::arg("table"),
-             "Colors (n x 3 bytes) of numbers: rows of a table for what is below a range, equal steps in it, and what is above.");
+             "Colors (n x 3 bytes) of numbers: rows of a table for values below a range, equal steps in it, and values above.");
 }
 
 }  // namespace dalembert

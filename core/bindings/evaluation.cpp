@@ -90,7 +90,7 @@ py::tuple entries(System& system, Evaluate&& evaluate) {
 
 void register_state(py::module_& module) {
   py::class_<EvaluationState> cls(module, "State",
-                                  "A copy of the current state of mbs, and what else decides the value of the equations. ODE2 "
+                                  "A copy of the current state of mbs, and of all other arguments of the equations. ODE2 "
                                   "coordinates count from the reference configuration. Arrays are copied in and out.");
   cls.def(py::init([](MainSystem& main) { return EvaluationState{main.assembled("testing.State").state(ConfigurationType::Current), {}}; }),
           py::arg("mbs"));
@@ -275,7 +275,7 @@ void register_updates(py::module_& module) {
 void register_system_terms(py::module_& module) {
   module.def(
       "search", [](MainSystem& main, const EvaluationState& s) { return checked(main, s, "search").search(s.state, s.conditions); }, py::arg("mbs"), py::arg("state"),
-      "Let terms that are no items look for what acts in a state; returns whether the sparse pattern is another one.");
+      "Let terms that are not items update their contacts in a state; returns whether the sparse pattern has changed.");
   module.def("pattern_revisions", [](MainSystem& main) { return main.assembled("pattern_revisions").pattern_revisions(); }, py::arg("mbs"),
              "How often the sparse pattern of the system matrix has been made anew.");
 }

@@ -385,7 +385,7 @@ void register_methods_of_systems(const py::module_& module) {
         main.restructure("mbs.AddGeneralContact()").add(set);
         return ContactHandle{main.shared_from_this(), set};
       },
-      "Add contact of spheres and convex shapes with each other, with triangles and planes, to be filled by methods of what is returned.");
+      "Add contact of spheres and convex shapes with each other, with triangles and planes, to be filled by methods of the returned object.");
   main_system.def(
       "GetGeneralContact",
       [](MainSystem& main, int number) {
@@ -425,19 +425,19 @@ void register_general_contact(py::module_& module) {
   contact.def("SetFrictionPairings", &set_friction_pairings, py::arg("frictionPairings"), "Coefficients of friction of pairs of materials, a symmetric matrix.");
   contact.def("SetFrictionProportionalZone", &set_proportional_zone, py::arg("frictionProportionalZone"), "Slip (m/s) up to which friction grows with it.");
   contact.def("SetFrictionBristles", &set_bristles, py::arg("stiffnessRatio"), py::arg("dampingRatio") = 1., py::arg("staticRatio") = 1.,
-              "Tangential springs and dampers that let friction hold, as parts of those along the normal; staticRatio is that of static to sliding friction. Without stiffness there are none.");
+              "Tangential springs and dampers for static friction, relative to the normal ones; staticRatio is the ratio of static to sliding friction. A stiffness of zero switches them off.");
   contact.def("SetSearchTreeCellSize", &set_cells, py::arg("numberOfCells"), "Numbers of cells; kept, without effect: cells follow the sizes of spheres.");
   contact.def("SetSearchTreeBox", &set_box, py::arg("pMin"), py::arg("pMax"), "Corners of a box; kept, without effect: space has no bounds here.");
   contact.def("GetItemsInBox", &items_in_box, py::arg("pMin"), py::arg("pMax"), "Numbers of spheres and triangles whose boxes overlap with a box, by kind; False if there are none.");
   contact.def("GetSphereMarkerBased", &get_sphere, py::arg("localIndex"), py::arg("addData") = false, "Place and motion of a sphere in the current state.");
   contact.def("SetSphereMarkerBased", &set_sphere, py::arg("localIndex"), py::arg("contactStiffness") = -1., py::arg("contactDamping") = -1., py::arg("radius") = -1.,
-              py::arg("frictionMaterialIndex") = -1, "Change a sphere; what is negative stays.");
+              py::arg("frictionMaterialIndex") = -1, "Change a sphere; negative values keep the previous ones.");
   contact.def("GetTriangleRigidBodyBased", &get_triangle, py::arg("localIndex"), "Corners and normal of a triangle in the frame of its marker.");
   contact.def("SetTriangleRigidBodyBased", &set_triangle, py::arg("localIndex"), py::arg("points"), py::arg("contactRigidBodyIndex") = -1, "Move the corners of a triangle.");
   contact.def("ShortestDistanceAlongLine", &shortest_distance, py::arg("pStart") = std::vector<double>{0, 0, 0}, py::arg("direction") = std::vector<double>{1, 0, 0},
               py::arg("minDistance") = -1e-7, py::arg("maxDistance") = 1e7, py::arg("asDictionary") = false, py::arg("cylinderRadius") = 0,
-              py::arg("typeIndex") = py::none(), "Distance (m) along a line to what it meets first; maxDistance if there is nothing.");
-  contact.def("UpdateContacts", &update_contacts, py::arg("mainSystem"), "Find what touches in the current state.");
+              py::arg("typeIndex") = py::none(), "Distance (m) along a line to the first hit; maxDistance if there is no hit.");
+  contact.def("UpdateContacts", &update_contacts, py::arg("mainSystem"), "Find the contacts of the current state.");
   contact.def("GetActiveContacts", &active_contacts, py::arg("typeIndex"), py::arg("itemIndex"), "What touched at the last search: global numbers, negative where it slips.");
   contact.def("GetSystemODE2RhsContactForces", &contact_forces, py::arg("copy") = false, "Generalised forces of contact in the current state.");
   contact.def("_pushes", &pushes, py::arg("configuration"),

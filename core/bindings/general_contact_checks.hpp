@@ -68,10 +68,10 @@ struct KeptSetting {
 inline constexpr const char *own_search = "the search finds its own way, by which results do not change", *own_threads = "threads share the work by themselves",
                             *exact_stretches = "stretches of cables in contact are found exactly, as zeros of a polynomial";
 inline constexpr KeptSetting kept_settings[] = {
-    {"verboseMode", 0, false, "the verboseMode of the solver says what is shown"},
+    {"verboseMode", 0, false, "the verboseMode of the solver selects the output"},
     {"resetSearchTreeInterval", 10000, false, own_search},
-    {"sphereSphereFrictionRecycle", 0, true, "what sticks and what slides is held during Newton's method, and found anew after it"},
-    {"excludeOverlappingTrigSphereContacts", 1, true, "what meets in one point of a mesh counts once"},
+    {"sphereSphereFrictionRecycle", 0, true, "sticking and sliding states are fixed during Newton's method, and updated after it"},
+    {"excludeOverlappingTrigSphereContacts", 1, true, "coinciding contact points of a mesh count once"},
     {"excludeDuplicatedTrigSphereContactPoints", 0, true, ""},
     {"computeExactStaticTriangleBins", 1, true, own_search},
     {"computeContactForces", 0, true, ""},

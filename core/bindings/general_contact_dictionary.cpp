@@ -277,7 +277,7 @@ std::shared_ptr<ContactSet> set_from(const std::string& where, const py::dict& d
     const std::string name = py::str(key);
     if (std::ranges::find(known, name) != std::end(known)) continue;
     const auto setting = std::ranges::find(kept_settings, name, &KeptSetting::name);
-    if (setting == std::end(kept_settings)) refuse_value(ValueSource::at(where), name, "an unknown key", "what GetDictionary() gives");
+    if (setting == std::end(kept_settings)) refuse_value(ValueSource::at(where), name, "an unknown key", "a result of GetDictionary()");
     set->without_effect[name] = entry_of<double>(where, data, setting->name, 0, "a number");
   }
   read_groups(where, data, *set);

@@ -142,7 +142,7 @@ void register_linear_solver(py::module_& module) {
       .def(py::init<const Integers&, const Integers&, const std::vector<PatternEquations::Part>&, const std::vector<double>&, bool>(), py::arg("indptr"),
            py::arg("indices"), py::arg("parts"), py::arg("weights"), py::kw_only(), py::arg("dense") = false)
       .def("smallest", &PatternEquations::smallest, py::arg("data"), py::arg("multipliers"),
-           "The smallest multipliers, squared and weighed, that exert the same forces; None: not all of what is left out follows from others.")
+           "The smallest multipliers, squared and weighed, that exert the same forces; None: not all dropped equations are redundant.")
       .def("better", &PatternEquations::better, "Parts of which others are better left out; none if these are good.")
       .def_property_readonly("solutions", &PatternEquations::solutions, "That `smallest` takes.");
   testing.def("instruction_sets", &instruction_sets,

@@ -89,7 +89,7 @@ py::dict copy_of(const py::dict& entries) { return entries.attr("copy")(); }
 void register_state(Class& main_system) {
   main_system.def("GetDictionary", &system_dictionary, "All items, user functions and variables as one dictionary.");
   main_system.def("SetDictionary", &set_system_dictionary, py::arg("systemDict"),
-                  "Replace the whole system by what GetDictionary() gave.");
+                  "Replace the whole system by a result of GetDictionary().");
   main_system.def(
       "Reset",
       [](MainSystem& main) {
@@ -307,7 +307,7 @@ std::string system_summary(const MainSystem& main) {
 }
 
 void register_main_system(py::module_& module) {
-  Class main_system(module, "MainSystem", "One multibody system: items, their states, and what is computed from them.",
+  Class main_system(module, "MainSystem", "One multibody system: items, their states, and derived quantities.",
                     py::custom_type_setup([](PyHeapTypeObject* type) {
                       collect_main_systems(type);
                       explain_attributes_of(type);

@@ -194,7 +194,7 @@ void register_loads_and_sensors(Class& main_system) {
             .sensor_values(number, current_or(main, configuration, "GetSensorValues"), values);
         return number_or_array(values);
       },
-      py::arg("sensorNumber"), py::arg("configuration") = py::none(), "What a sensor measures, in the current configuration or another one; a number or an array, in the units of its output variable.");
+      py::arg("sensorNumber"), py::arg("configuration") = py::none(), "The value of a sensor, in the current configuration or another one; a number or an array, in the units of its output variable.");
   main_system.def(
       "GetSensorStoredData",
       [](MainSystem& main, const py::object& sensor) -> py::object {

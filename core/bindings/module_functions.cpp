@@ -247,7 +247,7 @@ void register_special(py::module_& module) {
   py::class_<Exceptions> exceptions(module, "SpecialExceptions",
                                     "What is refused in dictionaries of systems, as exu.special.exceptions.");
   exceptions.def_readwrite("dictionaryVersionMismatch", &Exceptions::dictionaryVersionMismatch,
-                           "True: SetDictionary refuses what another version has made; False: it only warns.");
+                           "True: SetDictionary rejects dictionaries of another version; False: it only warns.");
   add_idle_switch(exceptions, "exu.special.exceptions.", "dictionaryNonCopyable", &Exceptions::dictionaryNonCopyable,
                   "dictionaries of systems hold their variables themselves, not copies");
   exceptions.def("__repr__", [](const Exceptions& self) {
@@ -262,7 +262,7 @@ void register_special(py::module_& module) {
   module.attr("special") = py::cast(special(), py::return_value_policy::reference);
   py::class_<Experimental> experimental(module, "Experimental", "Switches of the reference's development, as exu.experimental.");
   add_idle_switch(experimental, "exu.experimental.", "eigenFullPivotLUsolverDebugLevel",
-                  &Experimental::eigenFullPivotLUsolverDebugLevel, "what a failed factorization has found is in the SolverError");
+                  &Experimental::eigenFullPivotLUsolverDebugLevel, "the diagnosis of a failed factorization is in the SolverError");
   add_idle_switch(experimental, "exu.experimental.", "markerSuperElementRigidTexpSO3",
                   &Experimental::markerSuperElementRigidTexpSO3, "derivatives of such markers are always exact");
   module.attr("experimental") = py::cast(Experimental{});

@@ -33,7 +33,7 @@ void set_os_error(const FileError& error) noexcept {
 }
 
 void set_memory_error() noexcept {
-  PyErr_SetString(PyExc_MemoryError, "there is not enough memory for what was asked for: use smaller sizes, or sparse matrices");
+  PyErr_SetString(PyExc_MemoryError, "there is not enough memory for this call: use smaller sizes, or sparse matrices");
 }
 
 }  // namespace

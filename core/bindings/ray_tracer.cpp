@@ -62,7 +62,7 @@ void register_ray_tracer(py::module_& module) {
              py::arg("lights"), py::arg("materials"), py::arg("options"));
   tracer.def(
       "clip", [](RayTracer& t, const std::array<float, 4>& c) { t.clip({c[0], c[1], c[2], c[3]}); }, py::arg("plane"),
-      "See only what is where a x + b y + c z + d >= 0, in eye coordinates.");
+      "Clip the scene to a x + b y + c z + d >= 0, in eye coordinates.");
   tracer.def(
       "triangles",
       [](RayTracer& t, const Numbers<double>& points, const std::optional<Numbers<double>>& normals, const Numbers<float>& colors,

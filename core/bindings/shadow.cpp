@@ -97,7 +97,7 @@ void register_shadow(py::module_& module) {
           py::arg("flag"), "Let the solver of the original wait between two steps, or go on.")
       .def(
           "ask", [](Shadow& shadow) { shadow.tell([](MainSystem& original) { original.tap.ask(original.work != nullptr); }); },
-          "Let the solver of the original, if there is one at work, run what viewers have left for it.")
+          "Let the solver of the original, if there is one at work, run the requests of viewers.")
       .def_property_readonly(
           "solving",
           [](Shadow& shadow) {

@@ -523,7 +523,7 @@ void register_user_functions(py::module_& module) {
   py::class_<SymbolicFunction> type(module, "UserFunction", "A recorded user function; it is evaluated without the interpreter.");
   type.def(py::init<>());
   type.def("SetUserFunctionFromDict", &set_from_dictionary, py::arg("mainSystem"), py::arg("fcnDict"), py::arg("userFunctionName"),
-           py::arg("itemIndex") = py::none(), py::arg("itemTypeName") = "None", "Take over what ConvertFunctionToSymbolic(...) returned.");
+           py::arg("itemIndex") = py::none(), py::arg("itemTypeName") = "None", "Use a result of ConvertFunctionToSymbolic(...).");
   type.def("Evaluate", &evaluate_function, "Call the function from Python; mbs comes first.");
   type.def("__call__", &evaluate_function);
   type.def("TransferUserFunction2Item", &transfer, py::arg("mainSystem"), py::arg("itemIndex"), py::arg("userFunctionName"),

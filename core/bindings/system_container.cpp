@@ -37,7 +37,7 @@ void set_container_dictionary(SystemContainer& container, const py::dict& data) 
   container.require_idle("SC.SetDictionary(...)");
   if (!data.contains("systems"))
     refuse(ErrorKind::value, {"SC.SetDictionary(...)", "systemDict", "there is no key 'systems'", show(data.ptr()),
-                              "what SC.GetDictionary() gave", ""});
+                              "a result of SC.GetDictionary()", ""});
   check_version(data, "SC.SetDictionary(...)");
   std::vector<std::shared_ptr<MainSystem>> systems;
   for (const py::handle entry : data["systems"]) {
@@ -103,7 +103,7 @@ void register_system_container(py::module_& module) {
   register_scene_places(module);
   register_moving_parts(module);
   register_contour(module);
-  ContainerClass container(module, "SystemContainer", "The systems of a script and what they share.");
+  ContainerClass container(module, "SystemContainer", "The systems of a script and their common settings.");
   container.def(py::init(&new_container));
   container.def(
       "Reset",
@@ -118,7 +118,7 @@ void register_system_container(py::module_& module) {
   container.def("NumberOfSystems", [](const SystemContainer& c) { return c.systems.size(); }, "How many systems there are.");
   container.def("GetSystem", &SystemContainer::system, py::arg("systemNumber"), "The system with that number.");
   container.def("GetDictionary", &container_dictionary, "All systems and settings as one dictionary.");
-  container.def("SetDictionary", &set_container_dictionary, py::arg("systemDict"), "Replace everything by what GetDictionary() gave.");
+  container.def("SetDictionary", &set_container_dictionary, py::arg("systemDict"), "Replace everything by a result of GetDictionary().");
   container.def_property(
       "visualizationSettings", [](const SystemContainer& c) { return *c.visualization_settings; },
       [](SystemContainer& c, py::object settings) { *c.visualization_settings = std::move(settings); }, "How systems are drawn.");

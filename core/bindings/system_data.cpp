@@ -371,7 +371,7 @@ void register_coordinates(Data& data, const py::object& current) {
   data.def("GetSystemState", &system_state, py::arg("configuration") = current,
            "Copies of [ODE2, ODE2_t, ODE1, AE, data] coordinates.");
   data.def("SetSystemState", &set_system_state, py::arg("systemStateList"), py::arg("configuration") = current,
-           "Set what GetSystemState gave. An error changes nothing.");
+           "Set a state of GetSystemState. An error changes nothing.");
   data.def("GetSystemStateDict", &state_dictionary, py::arg("configuration") = current, py::arg("reference") = false,
            "All coordinates by name; reference=True: views, see GetODE2Coordinates.");
 }
@@ -390,7 +390,7 @@ void register_system_data(py::module_& module) {
            "Say that a load depends on ODE2 coordinates, e.g. in its user function. Known also after further Assemble(), until a "
            "node is deleted or replaced.");
   data.def("Info", &info, "Print all items.");
-  data.def("InfoLTG", &info_ltg, "Print the index tables of objects, and on what loads depend.");
+  data.def("InfoLTG", &info_ltg, "Print the index tables of objects, and the dependencies of loads.");
 }
 
 }  // namespace dalembert

@@ -76,7 +76,7 @@ class OpenAIGymInterfaceEnv(Env):  # type: ignore[misc,unused-ignore]  # gymnasi
 
     def Output2StateAndDone(self) -> bool:
         """Set self.state from the system, and return whether the episode is over."""
-        raise _missing(self, "Output2StateAndDone", "sets self.state and tells whether the episode is over")
+        raise _missing(self, "Output2StateAndDone", "sets self.state and returns whether the episode is over")
 
     def State2InitialValues(self) -> Any:
         """Return ODE2 coordinates and their velocities that belong to self.state."""

@@ -213,7 +213,7 @@ def _near(name: str, names: Iterable[str]) -> str:
     if hasattr(dalembert.MainSystem, name):
         return f"it is a method: help(exu.MainSystem.{name}) in Python"
     if hasattr(dalembert, name):
-        return f"help(exu.{name}) in Python tells what it is"
+        return f"help(exu.{name}) in Python describes it"
     shown = [each for each in names if not each.startswith("V")]  # visualization is listed with the items
     near = difflib.get_close_matches(name, shown, 3)
     return f"did you mean {', '.join(near)}?" if near else "'dalembert items' lists all"
@@ -366,7 +366,7 @@ def _parser() -> argparse.ArgumentParser:
     info.add_argument("model", nargs="?", help="a JSON file of mbs.Save(...), or a Python file")
     info.set_defaults(function=_info)
 
-    check = commands.add_parser("check", help="assemble a model and tell what looks wrong, without solving it")
+    check = commands.add_parser("check", help="assemble a model and report likely mistakes, without solving it")
     check.add_argument("model", help="a Python file, or a JSON file of mbs.Save(...)")
     check.set_defaults(function=_check)
 
@@ -374,7 +374,7 @@ def _parser() -> argparse.ArgumentParser:
         words = "load user functions of a model file, which is to run their code"
         command.add_argument("--allow-code", action="store_true", help=words)
 
-    items = commands.add_parser("items", help="list all items, or what one is: parameters, outputs, example")
+    items = commands.add_parser("items", help="list all items, or describe one: parameters, outputs, example")
     items.add_argument("name", nargs="?", help="an item or Create function: NodePoint, Point, CreateRigidBody")
     items.set_defaults(function=_items)
 

@@ -21,7 +21,7 @@ def _notice_once(what: str) -> None:
     """Say once per process that something runs without a window."""
     if what not in _noticed:
         _noticed.add(what)
-        Print(f"{what}: there is no window to open, going on without it")
+        Print(f"{what}: there is no window to open, continuing without it")
 
 
 MOST_IMAGES = 10_000  # images of one oscillation

@@ -142,7 +142,7 @@ def test_values_that_do_not_fit_each_other_are_refused_when_set(mbs: exu.MainSys
 
 
 def test_memory_that_is_not_there_is_named() -> None:
-    with pytest.raises(MemoryError, match="there is not enough memory for what was asked for"):
+    with pytest.raises(MemoryError, match="there is not enough memory for this call"):
         exu.MatrixContainer().Initialize(2**31 - 1, 2**31 - 1)
 
 

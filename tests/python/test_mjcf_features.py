@@ -201,7 +201,7 @@ LEFT_OUT = {
 def test_what_is_left_out_is_named(what: str, tmp_path: Path) -> None:
     path = tmp_path / "robot.xml"
     _, told = read(path, LEFT_OUT[what])
-    assert told == [f"{path}: left out, as a robot has none of it: {what}"]
+    assert told == [f"{path}: ignored elements: {what}"]
 
 
 def test_names_of_bodies_go_before_those_of_sites(tmp_path: Path) -> None:

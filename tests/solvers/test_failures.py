@@ -173,7 +173,7 @@ def test_systems_that_cannot_be_solved_are_refused() -> None:
 
 @pytest.mark.parametrize("solver", ["GeneralizedAlpha", "TrapezoidalIndex2", "ESDIRK43", "ExplicitEuler", "DOPRI5"])
 def test_the_state_stays_finite_when_no_step_is_possible(solver: str) -> None:
-    """The square of this velocity is no number, and with it the force of the rod; what is left is the initial state."""
+    """The square of this velocity is not a number, and with it the force of the rod; what is left is the initial state."""
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround()
     fast = mbs.CreateMassPoint(

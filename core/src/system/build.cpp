@@ -293,7 +293,7 @@ class Builder {
     std::string advice = "See the pages of these items for what they accept";
     if (kind == ItemKind::marker && !turns && provides(*item_of(kind, number).type, "Orientation"))
       advice = std::string(on) + " has no orientation: forces act on markers of positions alone; "
-               "torques, hinges and what else turns need a rigid body, for instance of mbs.CreateRigidBody(...)";
+               "torques, hinges and rotations need a rigid body, for example by mbs.CreateRigidBody(...)";
     for (const int n : placement_.nodes)
       if (parts_.nodes[n].type->name != on) nodes += (nodes.empty() ? "" : ", ") + std::string(parts_.nodes[n].type->name);
     refuse(ErrorKind::value, {model_.describe(kind, number), "", "this combination is not available: " + std::string(on) +

@@ -116,7 +116,7 @@ class WithNGsolve(Imports):
         where = "FEMinterface.ImportMeshFromNGsolve"
         ngs = _ngsolve("ImportMeshFromNGsolve")
         if kwargs:
-            warnings.warn(f"{where}: {', '.join(kwargs)}: without effect; there is no such argument", stacklevel=2)
+            warnings.warn(f"{where}: {', '.join(kwargs)}: unknown arguments, ignored", stacklevel=2)
         if meshOrder not in (1, 2):
             raise shape_error(f"{where}: meshOrder", "1 or 2", meshOrder)
         constants: Any = (density, youngsModulus, poissonsRatio)

@@ -1,7 +1,7 @@
 """Values of parameters as JSON and back: plain if the type of the parameter determines the rest, else marked by a key.
 
 {"array": [...]}       an array inside of a list of graphics, with "dtype"; "shape" where it is empty
-{"npz": "name"}        an array in the file beside, with the same name and the ending .npz
+{"npz": "name"}        an array in a separate file with the same name and the ending .npz
 {"sparse": [[i, j, value], ...], "shape": [n, m]}   a sparse matrix
 {"tuple": [...]}, {"entries": [[key, value], ...]}, {"enumeration": "Type.Name"}   other things in lists of graphics
 {"function": "module:name"}, {"source": "def ...", "name": "..."}   a user function
@@ -154,7 +154,7 @@ class Decoder:
     def _npz(self, value: Any) -> Any:
         if value["npz"] not in self._arrays:
             known = ", ".join(self._arrays) or "nothing"
-            raise Refused(f"there is no array '{value['npz']}' in the file beside, which has {known}")
+            raise Refused(f"there is no array '{value['npz']}' in the separate file, which has {known}")
         return self._arrays[value["npz"]]
 
     def _sparse(self, value: Any) -> Any:
@@ -206,7 +206,7 @@ class Decoder:
 
     def _require_permission(self, what: str) -> None:
         if not self._allow_code:
-            raise Refused(f"is {what}: to load it is to run it. Pass allowCode=True if you trust the file")
+            raise Refused(f"is {what}: loading it runs code. Pass allowCode=True if you trust the file")
 
 
 def _member(enumeration: Any, name: Any) -> Any:

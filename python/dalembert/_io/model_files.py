@@ -255,7 +255,7 @@ def _content(path: Path, place: _Place) -> dict[str, Any]:
         return found
 
     def refuse_constant(name: str) -> None:
-        raise ModelFileError(f"{place.file}: {name} is no number")
+        raise ModelFileError(f"{place.file}: {name} is not a number")
 
     try:
         content = json.loads(text, object_pairs_hook=unique, parse_constant=refuse_constant)

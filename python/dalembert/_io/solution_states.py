@@ -45,7 +45,7 @@ def _set_row(mbs: Any, row: FloatArray, columns: list[int], configuration: Any) 
 def check_solution(where: str, solution: Any) -> None:
     """Raise an error if the value is not a solution, for example a file name."""
     if not isinstance(solution, dict) or not {"data", "nRows", "columnsExported"} <= solution.keys():
-        raise shape_error(f"{where}: solution", "what LoadSolutionFile(fileName) returns", solution)
+        raise shape_error(f"{where}: solution", "the result of LoadSolutionFile(fileName)", solution)
 
 
 def check_solution_of(mbs: Any, where: str, solution: dict[str, Any]) -> None:

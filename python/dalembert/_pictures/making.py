@@ -31,7 +31,7 @@ WITHOUT_PLACE = {
     "NodeGenericODE1": "coordinates of first order have no place",
     "NodeGenericODE2": "coordinates without meaning have no place; the objects that use them are drawn",
     "MarkerNodeODE1Coordinate": "coordinates of first order have no place",
-    "SensorUserFunction": "it measures what other sensors measure",
+    "SensorUserFunction": "it measures values of other sensors",
 }
 
 

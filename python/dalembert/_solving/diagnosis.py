@@ -152,7 +152,7 @@ def SolverErrorMessage(
         sources = solver.GetDiagnosisDictionary()["sources"]
         lines = [_ITEMS.sub(r"\1", line) for line in lines if line.strip() not in sources]
     if advice.strip():
-        lines.append(_ADVICE + advice.rstrip() if showHints else "  showHints=True tells what to try")
+        lines.append(_ADVICE + advice.rstrip() if showHints else "  showHints=True adds remedies")
     return "\n".join(lines)
 
 

@@ -110,7 +110,7 @@ def _check_ranges(parameters: Ranges) -> None:
 
 def _number_of_survivors(elitistRatio: float, populationSize: int, extra: Mapping[str, Any]) -> int:
     for name in {"survivingIndividuals", "numberOfChildren"} & set(extra):
-        warnings.warn(f"GeneticOptimization: {name} is out of use: set populationSize and elitistRatio", stacklevel=4)
+        warnings.warn(f"GeneticOptimization: {name} is deprecated: set populationSize and elitistRatio", stacklevel=4)
     n = int(extra.get("survivingIndividuals", int(elitistRatio * populationSize)))
     if n < 1:
         warnings.warn(

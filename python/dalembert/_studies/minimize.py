@@ -204,7 +204,7 @@ def Minimize(
     if not np.isfinite(result["fun"]):
         warnings.warn(
             f"Minimize: the best value is {result['fun']}: objectiveFunction has returned no finite number; "
-            "look at what it returns for the parameters in the result",
+            "check its values for the parameters in the result",
             stacklevel=3,
         )
     best = dict(zip(names, objective.inside(result["x"]).tolist(), strict=True))

@@ -177,7 +177,7 @@ def SolveVariations(
     if isinstance(settings, SimulationSettings):
         raise TypeError(
             "SolveVariations: settings: received SimulationSettings, but expected arrays by the names of settings that "
-            "vary, such as {'timeIntegration.endTime': [1, 2]}; what all have in common is simulationSettings"
+            "vary, such as {'timeIntegration.endTime': [1, 2]}; common values are in simulationSettings"
         )
     varied = [(path, np.asarray(values)) for path, values in settings.items()]
     kind = _kind(solverType)

@@ -164,7 +164,7 @@ def _target(mbs: Any, name: str, given: Any) -> _Target:
     if len(given) == 2:
         return _Target(item, given[1], None)
     if np.ndim(now) != 1 or not 0 <= given[2] < len(now):
-        expected = f"an entry from 0 to {len(now) - 1}" if np.ndim(now) == 1 else "no entry, as it is no vector"
+        expected = f"an entry from 0 to {len(now) - 1}" if np.ndim(now) == 1 else "no entry, because it is not a vector"
         raise ValueError(f"{where}: received entry {given[2]!r} of '{given[1]}', but expected {expected}")
     return _Target(item, given[1], int(given[2]))
 

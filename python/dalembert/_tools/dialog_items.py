@@ -18,7 +18,7 @@ NEEDED = {  # required entries of dialog items, besides their type
     "slider": ("variable",),
     "radio": ("variable", "textValueList"),
 }
-CURVE = "[(sensor, component), (sensor, component), text, text], of what is on both axes; component 0 is the time"
+CURVE = "[(sensor, component), (sensor, component), text, text], with the titles of both axes; component 0 is the time"
 
 
 def check_items(where: str, items: Any) -> None:

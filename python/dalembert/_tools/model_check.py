@@ -63,7 +63,7 @@ def _redundancy(mbs: Any) -> Iterator[str]:
     if number := counted["redundantConstraints"]:
         yield (
             f"{number} of {counted['nAE']} constraints are redundant. Solvers find the motion all the same, and the "
-            "smallest reactions, see 'Closed loops'; joints that constrain only what is still free have unique ones."
+            "smallest reactions, see 'Closed loops'; joints that constrain only free motions have unique ones."
         )
     if counted["degreeOfFreedom"] == 0 and counted["nODE2"] and not _is_driven(mbs):
         yield "no degree of freedom is left: nothing can move."

@@ -87,7 +87,7 @@ TEXTS = {
     "linkRoundness": "roundness of drawn links, from 0, a block, to 1, a cylinder",
     "colors": "RGBA color of all links, or a list with one for each",
     "colorsJoints": "RGBA color of all joints, or a list with one for each",
-    "baseGraphicsDataList": "what is drawn of the base",
+    "baseGraphicsDataList": "graphics of the base",
     "useGlobalFrame": "True: given in the global frame; False: in the frame of the first body",
     "unlimitedRotations": "True: adds a data node that counts turns",
     "coordinates": "index of the coordinate of each body, counted over its nodes; None for ground",

@@ -32,7 +32,7 @@ CHECKS: dict[str, dict[str, Check]] = {
 TEXTS = {
     "CreateRobot": {
         "fileName": "URDF or MJCF file of the robot",
-        "name": "name before those of links and joints, which tells several robots apart",
+        "name": "prefix of the names of links and joints, which distinguishes several robots",
         "baseHT": "homogeneous transformation from the base to the global frame; None: as in the file",
         "gravity": "acceleration of gravity (m/s^2); None: that of the file, or 9.81 against z",
         "referenceConfiguration": "coordinates of the joints (m, rad) without those that follow; None: as in the file",

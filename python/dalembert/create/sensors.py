@@ -95,7 +95,7 @@ TEXTS = {
         "maxDistance": "greatest distance (m), which is the value where nothing is seen",
         "cylinderRadius": "radius of the ray (m); one above zero sees spheres alone, as selectedTypeIndex has to say",
         "selectedTypeIndex": "kind of contact partners that are seen; IndexEndOfEnumList stands for all",
-        "measureVelocity": "True: the velocity of what is seen, along the ray (m/s), is the second value",
+        "measureVelocity": "True: the velocity of the surface, along the ray (m/s), is the second value",
         "addGraphicsObject": "True: a ground object shows the ray",
         "drawDisplaced": "True: the ray is drawn at its end, where something is seen",
         "color": "RGBA color of the drawn ray",

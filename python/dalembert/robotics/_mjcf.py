@@ -241,5 +241,5 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
         reader.notes["sites that have names of bodies:"] = hidden
     left = left_out(root) + [f"{what} {', '.join(map(repr, names))}" for what, names in reader.notes.items()]
     if left:
-        warnings.warn(f"{fileName}: left out, as a robot has none of it: {', '.join(left)}", stacklevel=3)
+        warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
     return Description(root.text("model", ""), reader.bodies, reader.joints, _WORLD, gravity_of(root))

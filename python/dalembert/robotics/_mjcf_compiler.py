@@ -36,7 +36,7 @@ class Compiler:
         for element in root.every("compiler"):
             settings |= element.attributes
         if settings.get("coordinate", "local") != "local":
-            root.fail("compiler: coordinate='global' is of the past; write the file anew with MuJoCo 2.3")
+            root.fail("compiler: coordinate='global' is no longer supported; convert the file with MuJoCo 2.3")
         self.degrees = settings.get("angle", "degree") == "degree"
         self.autolimits = settings.get("autolimits", "true") == "true"
         self.sequence = settings.get("eulerseq", "xyz")

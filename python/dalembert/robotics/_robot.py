@@ -355,7 +355,7 @@ class Robot:
 
     def BuildFromDictionary(self, robotDict: dict[str, Any]) -> None:
         """Add the links of a dictionary with standard Denavit-Hartenberg parameters; prefer models.LinkDict2Robot."""
-        warnings.warn("Robot.BuildFromDictionary is of the past; use robotics.models.LinkDict2Robot", stacklevel=2)
+        warnings.warn("Robot.BuildFromDictionary is deprecated; use robotics.models.LinkDict2Robot", stacklevel=2)
         for part in ("base", "tool"):
             if part in robotDict:
                 getattr(self, part).HT = np.array(robotDict[part]["HT"], dtype=float)

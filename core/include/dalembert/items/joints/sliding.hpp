@@ -39,7 +39,7 @@ struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0
 
   static void check(const Parameters& p, const Connections& on) {
     if (p.constrainRotations[0])
-      on.refuse("constrainRotations", "a rotation about the x axis that is constrained", "0 as first flag: a cable does not tell how it is twisted");
+      on.refuse("constrainRotations", "a rotation about the x axis that is constrained", "0 as first flag: a cable has no torsion");
     on.require(turns(p) ? on.gives<RigidPort>(0) : on.gives<PointPort>(0), 0, "markerNumbers",
                turns(p) ? "a rigid body marker for the body, as rotations are constrained" : "a marker with a position for the body");
     check_cables(p, on, "MarkerBodyBeamShape");
