@@ -25,7 +25,7 @@ class ItemCallback : public Callback {
 
   const py::object& function() const { return function_; }
   void drop() const { function_ = py::none(); }  // called by the garbage collector
-  // A copy that knows whose function it is.
+  // A copy that refers to the owner of the function.
   std::shared_ptr<const Callback> bound_to(const ItemType& type, MainSystem& main) const;
 
  protected:

@@ -28,7 +28,7 @@ struct ItemClass {
   std::shared_ptr<const void> defaults;           // a record as the spec gives it
 };
 
-// A Python item. Its record is either known to Python alone, or shared with a system and then never written.
+// A Python item. Its record is either used only by Python, or shared with a system and then never written.
 struct ItemObject {
   PyObject_HEAD
   const ItemClass* item_class;

@@ -78,7 +78,7 @@ struct Source {
       number = item;
     }
   }
-  std::shared_ptr<const Excerpt> excerpt;  // also when user functions that it calls ask for others
+  std::shared_ptr<const Excerpt> excerpt;  // valid for nested calls from user functions
   System* system = nullptr;
   int number = -1;
 };

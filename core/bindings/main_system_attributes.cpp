@@ -52,7 +52,7 @@ struct Method {
 std::array<Method, item_kinds> adders{};
 PyTypeObject* adder_type = nullptr;
 PyTypeObject* system_type = nullptr;
-bool has_adders = false;  // nobody has replaced the methods in the class
+bool has_adders = false;  // the methods of the class have not been replaced
 PyObject* explainer = nullptr;  // function(object, name), which raises
 Adder* spare = nullptr;  // one unused object without a system
 

@@ -15,7 +15,7 @@ using AddItem = PyObject* (*)(PyObject* main_system, PyObject* item);  // Python
 
 // Must be called before the class is ready: derived Python classes inherit the attribute lookup.
 void explain_attributes_of(PyHeapTypeObject* type);
-// The class of the class, which notices when somebody replaces a method of it.
+// The metaclass, which notices when a method is replaced.
 py::object class_of_main_system();
 // `add` by kind, as the class has them.
 void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>& add);

@@ -11,7 +11,8 @@
 namespace dalembert {
 namespace {
 
-// Whether an array is as it was made for such an argument, and nobody but its slot (and `array`) holds it.
+// Whether an array is unchanged since it was made for such an argument, and only referenced by its slot (and
+// `array`).
 bool can_be_filled(const py::array& array, const Argument& argument) {
   static const PyObject* const real = py::dtype::of<double>().release().ptr();
   constexpr int own = py::detail::npy_api::NPY_ARRAY_C_CONTIGUOUS_ | py::detail::npy_api::NPY_ARRAY_OWNDATA_ |

@@ -232,7 +232,7 @@ Array SolverWrapper::jacobian() {
   return dense_matrix("GetSystemJacobian", newton->pattern(), newton->jacobian_values(), solver().sizes().total());
 }
 
-// The current state without accelerations and multipliers: forces alone.
+// The current state without accelerations and multipliers: forces only.
 State SolverWrapper::quiet_state() {
   State state = main()->system.state(ConfigurationType::Current);
   state.a.assign(state.q.size(), 0.0);

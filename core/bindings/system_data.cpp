@@ -54,7 +54,7 @@ System& assembled(const SystemData& self, const Label& method) {
   return self.main->assembled([&] { return "systemData." + method.text(); });
 }
 
-// Solvers leave it alone, or renew it where other threads may read it.
+// Solvers do not change it, or update it when other threads may read it.
 bool rests(Configuration configuration) {
   return configuration == Configuration::Visualization || configuration == Configuration::Reference;
 }

@@ -68,7 +68,7 @@ class Tap {
   void ask(bool flag) { asks_.store(flag, std::memory_order_relaxed); }
 
  private:
-  static constexpr double old = 0.05;    // s: more than pictures are apart
+  static constexpr double old = 0.05;  // s: more than the interval between pictures
   static constexpr double rarity = 110;  // copies take less than a hundredth of the solver's time, the first one included
 
   // Expected time of the first copy, which allocates new memory.

@@ -12,7 +12,7 @@
 
 namespace dalembert {
 
-// Everything that a node or a body says of one of its points.
+// Complete motion of a point of a node or a body.
 template <class S>
 struct Motion {
   Vec3<S> position{}, velocity{}, acceleration{};

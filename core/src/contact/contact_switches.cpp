@@ -10,7 +10,7 @@ namespace dalembert {
 namespace {
 constexpr int switches_per_thing = 2;
 constexpr int places_along_cable = 16;
-constexpr double far_away = 1;  // a value that says nothing else
+constexpr double far_away = 1;  // an arbitrary value
 }  // namespace
 
 void GeneralContact::Verge::add(double margin) {

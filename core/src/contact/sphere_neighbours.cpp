@@ -194,7 +194,7 @@ void SphereNeighbours::clear(std::size_t spheres) {
   seconds_.clear();
 }
 
-// Spheres of similar size look for others of their own cells, and for larger ones in the cells of these.
+// Spheres of similar size search in their own cells, and search larger spheres in the cells of these.
 void SphereNeighbours::build(std::span<const SphereAt> spheres, double margin, Workers* workers) {
   const int n = static_cast<int>(spheres.size());
   if (n < 2) return clear(spheres.size());

@@ -108,7 +108,7 @@ void TreeBuilder::connect(const Pattern& pattern) {
   first_neighbour_.push_back(static_cast<int>(neighbours_.size()));
 }
 
-// The elimination tree: the parent of a group is the first one that its elimination couples with others.
+// The elimination tree: the parent of a group is the first group in its column structure.
 void TreeBuilder::find_parents() {
   for (int k = 0; k < size_; ++k) position_[order_[k]] = k;
   std::vector<int> root(static_cast<std::size_t>(size_), -1);

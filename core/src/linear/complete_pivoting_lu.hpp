@@ -1,4 +1,4 @@
-// LU factors of a dense matrix that may be singular: equations that depend on others are left out.
+// LU factors of a dense matrix that may be singular: dependent equations are dropped.
 #pragma once
 
 #include <vector>

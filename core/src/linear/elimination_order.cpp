@@ -48,7 +48,7 @@ class QuotientGraph {
   bool equal(int i, int j);
   bool eligible(const Node& node) const;
   bool is_gone(int i) const { return nodes_[i].state == State::gone; }
-  // Keeps the others in their order.
+  // Keeps the order of the other entries.
   template <class F>
   static void erase_if(std::vector<int>& numbers, Stretch& list, F&& f) {
     const auto begin = numbers.begin() + list.first;

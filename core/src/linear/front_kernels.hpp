@@ -29,8 +29,8 @@ struct FrontKernels {
   // Factors of the first `pivots` columns, without exchanges: L, without its unit diagonal, below the diagonal, U in the rest;
   // `inverse` receives the reciprocals of the pivots. Returns the largest entry of L.
   double (*factorize)(double* panel, int pivots, int length, double* inverse);
-  // Eliminates the pivots from `count` further columns: their first `pivots` rows become U, the others the Schur complement.
-  // A right-hand side is such a column.
+  // Eliminates the pivots from `count` further columns: their first `pivots` rows become U, the remaining rows the
+  // Schur complement. A right-hand side is such a column.
   void (*eliminate)(const double* panel, int pivots, int length, double* columns, int count);
   // w := U^-1 w. Reads padded(pivots) numbers of w and of `inverse`.
   void (*substitute)(const double* panel, int pivots, int length, const double* inverse, double* w);
@@ -46,8 +46,9 @@ struct FrontKernels {
   // fronts.
   void (*forward)(std::span<const FrontSize> fronts, const double* lower, const int* rows, double* x, double* w);
   void (*backward)(std::span<const FrontSize> fronts, const double* upper, const int* columns_end, double* x, double* x_end);
-  // The three above of listed operations, digit by digit: the factors' entries out of a matrix, false if others differ from zero;
-  // factors and reciprocals of the pivots in place of the entries, returning the largest of L; and w := U^-1 L^-1 w.
+  // The three functions above for listed operations, bit-identical: gathering the entries of the factors from a
+  // matrix, false if other entries are nonzero; factors and reciprocals of the pivots in place, returning the largest
+  // entry of L; and w := U^-1 L^-1 w.
   bool (*take_listed)(const EliminationList& list, const double* values, double* a);
   double (*factorize_listed)(const EliminationList& list, double* a, double* inverse);
   void (*solve_listed)(const EliminationList& list, const double* a, const double* inverse, double* w);

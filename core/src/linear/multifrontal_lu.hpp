@@ -24,7 +24,7 @@ class MultifrontalLu final : public LinearSolver {
   MultifrontalLu(const Pattern& pattern, const LinearSolverOptions& options, std::vector<int> slots = {});
   int factorize(std::span<const double> given) override;
   void solve(std::span<double> x) override;
-  // The same for unknowns and equations that stand at these places among others.
+  // Variant for unknowns and equations at these positions of a larger system.
   void solve_for(std::span<const int> places, std::span<double> x);
   LinearSolverStatistics statistics() const override;
 

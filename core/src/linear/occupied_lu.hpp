@@ -42,7 +42,7 @@ class OccupiedLu final : public LinearSolver {
   bool chosen_ = false;
   std::optional<Pattern> occupied_;  // pattern of the unknowns with neighbours
   std::vector<Lone> lone_;
-  std::vector<int> coupled_;        // the others
+  std::vector<int> coupled_;  // the unknowns without neighbours
   std::vector<int> zeros_;          // slots in the whole pattern that must stay zero
   std::unique_ptr<MultifrontalLu> solver_;
   LinearSolverStatistics earlier_;  // statistics of previous solvers

@@ -37,7 +37,7 @@ class DenseFront {
 
   int left() const { return candidates_ - pivots_; }  // candidates without pivot
   double* column(int j) { return values_.data() + static_cast<std::size_t>(j) * length_; }
-  // The front, which keeps its values alone.
+  // The front; only its values are kept.
   PivotedFront take_order() { return {std::move(rows_), std::move(columns_), pivots_}; }
 
  private:

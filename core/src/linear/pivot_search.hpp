@@ -11,7 +11,7 @@
 
 namespace dalembert {
 
-// A front with its pivots: entry (rows[k], columns[k]) is the k-th for k < pivots; the parent takes over the others.
+// A front with its pivots: entry (rows[k], columns[k]) is the k-th for k < pivots; the rest goes to the parent.
 struct PivotedFront {
   std::vector<int> rows, columns;
   int pivots = 0;

@@ -45,7 +45,7 @@ Lockstep::Lanes Lockstep::all_here() const {
   return all;
 }
 
-// The constants of a lane, for its step size; false: it computes something else than the others.
+// The constants of a lane, for its step size; false: its operations differ from those of the other lanes.
 bool Lockstep::note(Lane& lane) {
   lane.step_size = lane.solver->it.currentStepSize;
   trace_.begin();

@@ -80,7 +80,7 @@ class Checker {
   }
 
  private:
-  // Others are as they were, and what the item is connected to as well.
+  // Other items, and the connections of this item, have not changed.
   void check_change(const Row& row) const {
     if (row.size != 0) check_length(row, row.size, "");
     if (row.check >= Check::rotation) check_value(row);

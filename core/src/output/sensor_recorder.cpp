@@ -159,7 +159,7 @@ SensorTable SensorStorage::table(int sensor) const {
   return table;
 }
 
-// A node that was not yet in a floating frame has been where it says.
+// A node that was not yet in a floating frame has global positions.
 SensorTable SensorStorage::frames(int sensor) const {
   constexpr std::array<double, SensorColumns::frame> global{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const auto i = static_cast<std::size_t>(sensor);

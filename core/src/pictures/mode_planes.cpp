@@ -10,7 +10,7 @@ void ModePlanes::sum(std::span<const double> weights, std::size_t first, float* 
   in_registers_of_four([this, weights, first, sums] { add(weights, first, sums); });
 }
 
-// Two or four modes at once take longer: their planes, which are equally far apart, displace each other in the cache.
+// Two or four modes at once take longer: their planes have equal distances, and displace each other in the cache.
 void ModePlanes::add(std::span<const double> weights, std::size_t first, float* sums) const {
   const std::size_t count = size_of_block(first);
   const std::int16_t* plane = planes_.data() + starts_[first / block];

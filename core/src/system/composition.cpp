@@ -115,7 +115,8 @@ void System::compose(std::span<const double> q0, std::span<const WeightedVector>
     for (std::size_t i = 0; i < blocks.size(); ++i) composition(Group<1>{i, 1}, blocks);
     return;
   }
-  const auto compose_some = [&](std::size_t begin, std::size_t end) {  // nobody is computed alone: stretches end elsewhere with other threads
+  // single nodes are not computed separately: ranges differ with the number of threads
+  const auto compose_some = [&](std::size_t begin, std::size_t end) {
     in_wide_registers([&]() DALEMBERT_INLINE {
       for (std::size_t i = begin; i < end; i += 4) composition(Group<4>{i, static_cast<int>(std::min<std::size_t>(4, end - i))}, blocks);
     });

@@ -106,7 +106,7 @@ class LoadDifferences {
   // The error of central differences is least for the third root of the precision of numbers.
   double step_of(int coordinate, bool velocity) const { return 6e-6 * std::max(1.0, state_.size(coordinate, velocity)); }
 
-  // Most loads depend on time alone: nothing changes when all coordinates move, by different steps.
+  // Most loads depend only on time: they do not change when all coordinates are varied, by different steps.
   bool rests(bool velocity) {
     force(r_);
     for (std::size_t j = 0; j < dependency_.columns.size(); ++j) {

@@ -179,7 +179,7 @@ void System::node_output(int node, Variable variable, ConfigurationType configur
 
 namespace {
 
-// A list in memory that is given back: outputs may be asked for while others are found.
+// A temporary list that is returned to a pool: outputs may be nested.
 struct NumberList {
   explicit NumberList(std::vector<int>& memory) : numbers(std::move(memory)), memory_(memory) {}
   ~NumberList() { memory_ = std::move(numbers); }

@@ -29,7 +29,7 @@ Workers::Workers(int threads) : parts_(static_cast<std::size_t>(threads)) {
 
 Workers::~Workers() {
   stop_ = true;
-  ++round_;  // without tasks: nobody takes one after the last
+  ++round_;  // without tasks: no thread takes one after the last
   round_.notify_all();
 }
 

@@ -98,8 +98,8 @@ struct States {
   AlignedVector<Vec3<S>> origins;
 };
 
-// f(group) for all states, four at once; eight where registers hold as many and `most` says so, which takes a quarter less of the time of
-// accelerations. Few states fill no wider registers.
+// f(group) for all states, four at once, or eight if registers hold as many and `most` allows it, which saves a
+// quarter of the time of accelerations. A few states do not fill wider registers.
 template <int most = 4, class F>
 void each_group(const Tree& tree, std::size_t states, const F& f) {
   const auto in_groups = [&]<int N>() {

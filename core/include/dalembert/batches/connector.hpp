@@ -154,7 +154,7 @@ class PortBatch final : public Term {
   using History = std::conditional_t<is_load, NoPairHistory, K>;
   using Change = std::conditional_t<is_load, K, ReadsMarker>;
   static constexpr bool has_update = History::has_history, has_data = History::data_coordinates != 0, is_constant = Change::is_constant;
-  // Whether its arithmetic may be noted, where `has_closed_form` says so as well.
+  // Whether its arithmetic may be traced, if `has_closed_form` is also true.
   static constexpr bool is_traced = is_load || (!has_update && TracedSpanConnector<K>);
 
   struct Entry {

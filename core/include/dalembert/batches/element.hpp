@@ -192,8 +192,9 @@ class ElementBatch : public Term {
     for (const S& entry : k.x) values[*slot++] += entry;
   }
 
-  // ---- elements of one law, side by side ----
-  // Calls together(group) for elements of one law, as many at once as registers hold, and alone(i) for the others.
+  // ---- elements of one law, side by side ----------------------------------------------------------------------------
+  // Calls together(group) for elements of one law, as many at once as registers hold, and alone(i) for the remaining
+  // ones.
   template <class Together, class Alone>
   void each_element(const Together& together, const Alone& alone) const {
     for (std::size_t i = 0; i < entries_.size();) {
@@ -266,7 +267,7 @@ class ElementBatch : public Term {
                     group.each([&](std::size_t i) { return values + slots_of(i)[row * n + column]; }), group.count);
   }
 
-  // All that the loop over lanes reads of an element whose law it knows.
+  // Data of an element with a known law for the loop over lanes.
   struct Lane {
     std::array<int, ElementBatch::nodes> starts{};  // starts of its nodes among the coordinates
     bool like_previous = false;                     // its law is that of the element before

@@ -82,7 +82,7 @@ class FrameMarkerBatch : public MarkerBatch {
   }
 
   void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
-  // The record of a frame marker is its local position alone; the body's record comes with the placement.
+  // The record of a frame marker is only its local position; the body's record comes with the placement.
   void add(const void* local, const Placement& placement, const Ports& ports) override {
     Entry e;
     e.local = *static_cast<const Vec3<double>*>(local);

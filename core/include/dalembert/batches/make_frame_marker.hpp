@@ -12,7 +12,7 @@ namespace dalembert {
 template <class Shape, class E>
 concept RotatesWith = RotatingElement<E> && (Shape::values > 0 || RotatingBodyElement<E>);
 
-// There is no orientation: all coordinates are components of the position, or the element says so.
+// There is no orientation: all coordinates are components of the position, or the element declares it.
 template <class E>
 concept PointMotion = E::size > 0 && (E::traits.translations == E::size || !E::traits.oriented);
 

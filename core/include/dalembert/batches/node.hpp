@@ -68,7 +68,7 @@ class UnitLengthBatch final : public Term, public UnitVectors {
   std::vector<Entry> entries_;
 };
 
-// A node without coordinates: it rests where its parameters say, and is an element by itself.
+// A node without coordinates: it is fixed at the position of its parameters, and is an element of its own.
 template <class Node, class Record>
   requires(Node::size == 0)
 struct RestingNodePhysics final : NodePhysics {

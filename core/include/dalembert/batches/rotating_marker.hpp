@@ -177,7 +177,7 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
   }
   std::vector<Run> runs_;
 
-  // Markers inside of others keep to themselves.
+  // Nested markers are separate.
   bool apart() const { return entries_.empty() || entries_.front().node < 0; }
 };
 

@@ -1,4 +1,4 @@
-// Sensors have no batches: they are evaluated one by one, when somebody asks.
+// Sensors have no batches: they are evaluated one by one on demand.
 #pragma once
 
 #include "dalembert/contracts/sensor.hpp"

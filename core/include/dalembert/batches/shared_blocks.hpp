@@ -31,7 +31,7 @@ class SharedBlocks {
     }
     return kept(place).blocks;
   }
-  // Its one user moves to equal ones that have been shared before, if there are any, and is followed by others otherwise.
+  // A block with one user is replaced by an equal shared block, if there is one; otherwise it becomes shareable.
   void share(int& place) {
     const int known = places_.try_emplace(std::hash<std::string_view>()(bytes(place)), place).first->second;
     // released or changed by other users

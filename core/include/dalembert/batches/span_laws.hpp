@@ -94,7 +94,7 @@ class SpanLaws {
     if ((is_point(a) && b.n == 0) || (a.n == 0 && is_point(b))) return Ends::one;
     return a.n + b.n == 0 ? Ends::none : Ends::other;
   }
-  // Nothing is fused: the numbers are those of one connector alone.
+  // Operations are not fused: the numbers equal those of a single connector.
   template <class Loop>
   static void in_fours(const Loop& loop) {
     if (numbers_in_register() == 2) run_in_any_registers([&] { loop.template operator()<2>(); });

@@ -27,7 +27,7 @@ class ConvexScene {
   std::vector<RigidFrame<double>>& frames() { return frames_; }
   bool follow(Workers* workers);
   const std::vector<std::pair<int, int>>& near() const { return near_; }  // ascending
-  // Pairs that follow each other: threads share batches, which depend on the list alone.
+  // Consecutive pairs: threads share batches, which depend only on the list.
   struct Batch {
     std::size_t begin = 0, end = 0;
     std::vector<ConvexTouch> found, kept;

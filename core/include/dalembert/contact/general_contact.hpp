@@ -159,7 +159,7 @@ class GeneralContact final : public SystemTerm {
     double distance = 0;
     int bristle = -1;                   // the number that its bristle has been known by
   };
-  // Spheres that follow each other: threads share chunks, which depend on the number of spheres alone, and so does the order of sums.
+  // Consecutive spheres: threads share chunks, which depend only on the number of spheres, as does the order of sums.
   struct Chunk {
     int begin = 0, end = 0;
     double moved = 0;  // upper bound of the displacement of its spheres since the lists were made
@@ -295,7 +295,8 @@ class GeneralContact final : public SystemTerm {
   };
   bool has_convex() const { return set_->active && !scene_.empty(); }
   void follow_convex(const Ports& ports) const;
-  // Places that push; or, to be held, with all others of two shapes that push somewhere: they may do so before the next search.
+  // Active contact points; contacts to be fixed also include inactive points of pairs with an active one, because
+  // they may become active before the next search.
   enum class Places { pushing, of_pushing_pairs };
   void find_convex(const Ports& ports, std::vector<ConvexTouch>& found, Places which) const;
   template <class S>
@@ -329,7 +330,7 @@ class GeneralContact final : public SystemTerm {
   std::vector<PortOffsets> offsets_;  // ports of the markers of spheres
   std::vector<NodeFrame> at_nodes_;   // by sphere
   bool shares_nodes_ = false;
-  bool shares_markers_ = false;  // several spheres leave their forces at one marker: nobody else may at the same time
+  bool shares_markers_ = false;  // several spheres add forces at one marker: threads must not do so at the same time
   std::vector<HeldContact> held_;
   std::vector<Block> blocks_;
   std::vector<std::pair<int, int>> cables_in_blocks_;  // spheres and cables that have been near

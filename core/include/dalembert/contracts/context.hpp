@@ -23,7 +23,7 @@ struct Context {
   }
 };
 
-// Specs say whether an item can be switched off.
+// Specs declare whether an item can be switched off.
 bool is_active(const auto& parameters) {
   if constexpr (requires { parameters.activeConnector; }) return parameters.activeConnector;
   return true;

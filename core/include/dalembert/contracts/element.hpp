@@ -86,7 +86,8 @@ struct NoElementOutputs {
   static bool output(const auto&, const Context&, const auto&, const OutputRequest&, std::vector<double>&) { return false; }
 };
 
-// A body says its inertia forces either at the frame of the node or, if they are simple in its own axes, as a RotatingBody.
+// A body defines its inertia forces either at the frame of the node or, if they are simple in body axes, as a
+// RotatingBody.
 template <class B>
 concept FrameBody = requires(const typename B::Parameters& p, const Context& c, const Motion<double>& m, const Vec3<double>& g) {
   { B::template residual<double>(p, c, m) } -> std::same_as<Wrench<double>>;  // r of M a + f = 0, at the node
@@ -205,7 +206,7 @@ concept ElementKernel = requires(const typename E::Parameters& p, const typename
   requires OutputsOf<E, E::size>;
 };
 
-// The rotation alone, if a node computes it at lower cost than its motion.
+// Only the rotation, if a node computes it at lower cost than its motion.
 template <class Node, class S>
 Mat3<S> node_rotation(const Coordinates<S, Node::size>& x) {
   if constexpr (Node::traits.rotation_alone) {
@@ -245,7 +246,7 @@ constexpr auto lie_rotations_of() {
   else return std::array<int, 0>{};
 }
 
-// The position of a node alone, for bodies that do not turn with it.
+// Only the position of a node, for bodies that do not rotate with it.
 template <class Node>
 struct PositionOf : NoNodeOutputs {
   using Parameters = typename Node::Parameters;

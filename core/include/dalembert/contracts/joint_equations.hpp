@@ -1,5 +1,5 @@
-// Joints whose equations are products of axes fixed in the markers' frames: a table of them says the gap, the reaction and
-// their derivatives in closed form.
+// Joints whose equations are products of axes fixed in the markers' frames: a table of them gives the gap, the
+// reaction and their derivatives in closed form.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct JointRow {
   bool same_first = false;  // a product whose first axis is that of the previous row, which is also a product
 };
 
-// A kernel without equations along axes that turn says `fixed_directions`: translations do not vary its reaction.
+// A kernel without equations along rotating axes declares `fixed_directions`: translations do not vary its reaction.
 template <class K>
 concept TabulatedJoint = requires(const typename K::Parameters& p) {
   { K::table(p) } -> std::same_as<std::array<JointEquation, K::equations>>;

@@ -152,7 +152,7 @@ struct NoOutputs {
   static bool output(const auto&, const Context&, const Exchange<double>&, OutputVariableType, std::vector<double>&) { return false; }
 };
 
-// Kernels between two markers of one shape say `Port` instead (batches/connector.hpp, batches/constraint.hpp).
+// Kernels between two markers of one shape declare `Port` instead (batches/connector.hpp, batches/constraint.hpp).
 template <class K>
 concept ManyPortsKernel = requires(const typename K::Parameters& p, const Context& c, Exchange<double>& x, const Exchange<double>& given,
                                    const Connections& on, const History& history, Switches& switches, std::span<const int> coordinates,

@@ -43,7 +43,7 @@ struct RelativeFrames {
   template <class S>
   using Local = Vectors<S, 3, vectors>;
 
-  // Euler parameters may have drifted from unit length: their direction alone is the rotation.
+  // Euler parameters may have drifted from unit length: only their direction defines the rotation.
   static constexpr int unit_from = [] {
     if constexpr (Node::traits.unit_from >= 0) return Node::traits.unit_from;
     return node_size;

@@ -1,4 +1,4 @@
-// Connectors whose force depends on the span between two points (or coordinates) and on its rate alone.
+// Connectors whose force depends only on the span between two points (or coordinates) and on its rate.
 #pragma once
 
 #include <concepts>
@@ -31,9 +31,9 @@ concept TracedSpanConnector = SpanConnector<K> && requires(const typename K::Par
   K::tangent(p, m, m).by_span;
 };
 
-// Besides span and rate, the force depends on a few numbers alone, its law: several connectors are computed side by side.
-// Law<S> consists of scalars; `force(law, span, rate)` acts on the first marker, and `tangent(law, span, rate)` has its derivatives.
-// A connector has it where `has_tangent`.
+// Besides span and rate, the force depends only on a few numbers, its law: several connectors are computed side by
+// side. Law<S> consists of scalars; `force(law, span, rate)` acts on the first marker, and `tangent(law, span, rate)`
+// has its derivatives. A connector has it if `has_tangent`.
 template <class K>
 concept SpanLawConnector = SpanConnector<K> &&
     requires(const typename K::Parameters& p, const typename K::template Law<double>& law, const Vec3<double>& v) {

@@ -118,8 +118,8 @@ concept StrainMap = requires(const K& k, const Coordinates<double, M::size>& x, 
   { M::linear } -> std::convertible_to<bool>;
   { M::lie_rotations.size() };  // see ElementKernel
   requires !M::linear || M::derives;
-  // False: dual numbers go through the whole element, one direction per coordinate. True: the map states its derivative,
-  // J'mJ + d(J')y; `m` derives forces along the weights, `damping` by rates alone.
+  // False: dual numbers pass through the whole element, one direction per coordinate. True: the map defines its
+  // derivative, J'mJ + d(J')y; `m` derives forces along the weights, `damping` with respect to rates only.
   requires !M::derives || requires { { M::tangent(k, x, y, m, m, w) } -> std::same_as<Mat<double, M::size, M::size>>; };
 };
 

@@ -45,7 +45,7 @@ S coulomb_direction(const S& slip, double zone, bool sticks) {
   return sticks ? (1 / zone) * slip : slip > 0.0 ? S(1) : slip < 0.0 ? S(-1) : S(0);
 }
 
-// The factor 1 / max(|v|, v_0) alone, from |v|^2; `sticks` states the branch, otherwise v decides.
+// Only the factor 1 / max(|v|, v_0), from |v|^2; `sticks` selects the branch, otherwise v decides.
 template <class S>
 S inverse_slip(const S& square, double zone, std::optional<bool> sticks = {}) {
   const bool sticking = sticks ? *sticks : value_of(square) < zone * zone;

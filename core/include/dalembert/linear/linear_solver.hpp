@@ -14,7 +14,7 @@ namespace dalembert {
 
 struct LinearSolverOptions {
   double pivot_threshold = 0;     // a pivot that is not larger counts as zero
-  bool ignore_singular = false;   // leave out the equations that depend on others instead of failing
+  bool ignore_singular = false;  // drop dependent equations instead of failing
   int unsettled_matrices = 0;  // zeros in the first matrices may become nonzero in later ones
   std::string instructions = {};  // one of instruction_sets(); empty: the first
   std::vector<int> tiny_diagonal = {};  // unknowns whose diagonal entry, if there is one, is too small to count as a pivot

@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// Numbers from zero on, each alone at first.
+// Disjoint sets of the numbers from zero on, initially single.
 class DisjointSets {
  public:
   explicit DisjointSets(int count = 0) : parent_(static_cast<std::size_t>(count)) { std::iota(parent_.begin(), parent_.end(), 0); }

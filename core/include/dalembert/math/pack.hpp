@@ -80,8 +80,8 @@ struct Pack {
   DALEMBERT_INLINE Pack& operator+=(const Pack& b) { return *this = *this + b; }
   DALEMBERT_INLINE Pack& operator-=(const Pack& b) { return *this = *this - b; }
   DALEMBERT_INLINE Pack& operator*=(const Pack& b) { return *this = *this * b; }
-  // All bits of a lane that fulfils it are one. Eight numbers are compared in halves: GCC 12 knows no mask for all of them in a function for
-  // another processor than its file, and would take them one by one.
+  // All bits of a lane that fulfils it are one. Eight numbers are compared in halves: GCC 12 has no mask for all of
+  // them in a function with a target attribute, and would process them one by one.
   DALEMBERT_INLINE friend Mask less(const Pack& a, const Pack& b) {
     if constexpr (N == 8) return joined(a.lower() < b.lower(), a.upper() < b.upper());
     else return a.x < b.x;

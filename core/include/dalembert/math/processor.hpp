@@ -5,8 +5,8 @@ namespace dalembert {
 
 enum class Instructions { portable, avx2, avx512 };
 
-// The most that this processor has, or less if the environment variable DALEMBERT_INSTRUCTIONS says so when they are
-// needed first. Throws std::invalid_argument if it names anything else.
+// The best instruction set of this processor, or less if the environment variable DALEMBERT_INSTRUCTIONS is set at
+// the first use. Throws std::invalid_argument for unknown names.
 Instructions instructions();
 
 }  // namespace dalembert

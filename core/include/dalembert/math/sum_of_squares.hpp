@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-// Eight sums that do not wait for each other, in an order that depends on the size alone.
+// Eight independent partial sums, in an order that depends only on the size.
 template <class S>
 S sum_of_squares(std::span<const S> x) {
   std::array<S, 8> sums{};

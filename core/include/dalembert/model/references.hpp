@@ -15,7 +15,7 @@ constexpr bool is_named_reference(int number) { return number < -1; }
 int named_reference(const std::string& name);      // the same name gives the same number
 const std::string& referred_name(int number);
 
-// False as long as nobody has used a name: then there is nothing to look for.
+// False if no name has been used: then there is nothing to resolve.
 bool names_are_used();
 
 // Refused: a name that no item of the kind has, with the nearest one.

@@ -33,9 +33,9 @@ Verdict judge(const Row& row, const void* member);
 std::string demand(Check check);
 std::string advice(Check check);
 
-// The inertia of a body about a reference point, from which its centre of mass counts. About that, no principal moment is negative,
-// which is wrong, nor larger than the sum of the others, which is doubtful. Numbers of a few digits may be off by 1e-4 of the
-// largest component.
+// The inertia of a body about a reference point, with the center of mass relative to it. Principal moments about the
+// center of mass must not be negative (wrong), nor larger than the sum of the other two (doubtful). Numbers of a few
+// digits may be off by 1e-4 of the largest component.
 Verdict judge_inertia(double mass, const Mat3<double>& about_reference, const Vec3<double>& centre);
 
 // For kernels: the parameters physicsMass, physicsInertia and physicsCenterOfMass, the latter in the plane for planar bodies.

@@ -36,7 +36,8 @@ class MovingParts {
   std::size_t frames() const { return frames_.size(); }
   std::span<const double, 12> frame(std::size_t i) const { return std::span<const double, 12>(at_[i], 12); }
 
-  // Parts that stand in the frames `index` where the rows `local` (12 numbers each) say; returns the number of this group of parts.
+  // Parts in the frames `index` with the relative poses `local` (12 numbers each); returns the number of this group
+  // of parts.
   int add(std::span<const std::int32_t> index, std::span<const double> local);
   int add(std::span<const std::int32_t> index);  // indices of their frames
   std::size_t groups() const { return groups_.size(); }

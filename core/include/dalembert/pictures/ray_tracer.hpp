@@ -1,5 +1,5 @@
-// Pictures of the same scenes by rays: shadows, reflections, transparent and refracting materials. Each pixel follows from the scene
-// alone, so that any number of threads makes the same bytes.
+// Pictures of the same scenes by rays: shadows, reflections, transparent and refracting materials. Each pixel depends
+// only on the scene, so that any number of threads makes the same bytes.
 #pragma once
 
 #include <array>

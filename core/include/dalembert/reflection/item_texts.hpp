@@ -1,4 +1,4 @@
-// Texts of specs about items, for help(): stored apart from the rows that simulations read.
+// Texts of specs about items, for help(): stored separately from the rows that simulations read.
 #pragma once
 
 #include <span>

@@ -26,7 +26,7 @@ class SharedList {
   const T& operator[](std::size_t i) const { return (*list_)[i]; }
   const T& back() const { return list_->back(); }
 
-  // The entries of this list alone.
+  // The entries of this list.
   std::vector<T>& edit() {
     if (!list_) list_ = std::make_shared<std::vector<T>>();
     else if (list_.use_count() > 1) list_ = std::make_shared<std::vector<T>>(*list_);

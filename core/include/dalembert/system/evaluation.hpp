@@ -23,9 +23,10 @@ struct EvaluationOf {
   double step_size = 0;
   bool rate_level = false;         // constraints as time derivatives of their gaps (index 2)
   bool inertia = true;             // false: static, accelerations and velocities play no part
-  bool direct = false;             // explicit integration: forces follow from this state alone, nothing is held from a search
+  bool direct = false;  // explicit integration: forces depend only on this state, contacts are not fixed by a search
   bool same_state = false;  // same state as in the previous evaluation
-  bool reads_nodes = false;        // terms that can read nodes themselves do so, and add up totals: nobody else looks at these markers
+  // terms that can read nodes directly do so, and compute totals: these markers have no other readers
+  bool reads_nodes = false;
   bool of_reference = false;  // reference configuration, for outputs
 };
 using Evaluation = EvaluationOf<double>;

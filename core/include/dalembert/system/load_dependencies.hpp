@@ -15,12 +15,12 @@ struct SystemParts;
 
 struct LoadDependency {
   int load = -1;
-  std::unique_ptr<Term> term;       // the load alone
+  std::unique_ptr<Term> term;  // number of the load
   std::vector<int> rows, columns;   // ODE2 coordinates that it acts on, and that its value depends on
   std::vector<int> slots;  // slots of the block, by rows; empty: not in the tangent
 };
 
-// A load with a user function depends on the coordinates that it acts on, until others are added.
+// A load with a user function depends on the coordinates on which it acts, until further ones are added.
 void make_load_dependencies(SystemParts& parts, const Model& model);
 // Takes over changed parameters of a load, which may have got a user function.
 void refresh_load_dependency(SystemParts& parts, int load);

@@ -229,7 +229,8 @@ struct SystemParts {
   std::vector<const Term*> without_matrix;  // terms without a part in the current mass pattern
   std::vector<const MassSolver*> mass_solvers;
   std::vector<int> coordinates_without_matrix;
-  std::list<Pattern> sparse_patterns;  // likewise; the last is that of solvers that begin, others may still use those before
+  // likewise; new solvers use the last one, running ones may still use earlier ones
+  std::list<Pattern> sparse_patterns;
   const Pattern* bound = nullptr;  // the pattern whose slots the batches hold
   std::vector<int> rate_slots;     // diagonal places of the ODE1 coordinates
 

@@ -67,7 +67,7 @@ struct NodePhysics : Physics {
   virtual void values(const void* record, NodeValues& values) const = 0;
   // First of the three rotation coordinates of a Lie-group node, relative to its own; -1: additive.
   virtual int lie_rotation() const { return -1; }
-  // How many of the coordinates, which come first, are components of the position, the others being zero; 0: none.
+  // Number of leading coordinates that are components of the position, whose other components are zero; 0: none.
   virtual int translations() const { return 0; }
   virtual std::unique_ptr<Term> make_condition() const { return nullptr; }
   virtual std::unique_ptr<RotatingNodeBatch> make_rotating() const { return nullptr; }

@@ -33,11 +33,11 @@ class Regions {
   int of_node(int node) const { return of_node_[static_cast<std::size_t>(node)]; }
   // About how many of so many items lie in a region: they spread over the smallest ones, but for a few on the seams.
   int expected(int region, int items) const { return region < smallest_ - 1 ? 0 : items / smallest_ + 1; }
-  // The smallest region that holds two others.
+  // The smallest region that contains two regions.
   static int around(int a, int b);
 
  private:
-  int smallest_ = 1;  // how many regions hold no others
+  int smallest_ = 1;  // number of smallest regions
   std::vector<int> of_node_;
 };
 

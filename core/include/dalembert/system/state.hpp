@@ -15,7 +15,7 @@ struct State {
   std::vector<double> lambda;   // algebraic: Lagrange multipliers
   std::vector<double> data;     // history: friction, contact, ...
   double time = 0;
-  bool waits = false;           // nobody has asked for it since assembling: its vectors take no memory yet
+  bool waits = false;  // not used since assembly: its vectors are not yet allocated
 };
 
 // By configuration, including the initial one: pending changes start with the initial values.

@@ -14,7 +14,7 @@ struct Switch {
   const char* what;    // "contact"
   double value = 1;
   bool kink = false;   // forces have one where it changes its sign, either way, and data coordinates stay as they are
-  double noise = 0;    // numbers of this size say nothing just after the item has switched
+  double noise = 0;  // numbers below this size are meaningless just after the item has switched
   int direction = 0;   // 1: contact, friction that slides, or the like begins there; -1: it ends
   int item = -1;       // object
   const SystemTerm* owner = nullptr;  // owner of a term that is not an item,

@@ -45,7 +45,7 @@ struct Conditions {
   bool inertia = true;
   bool loads = true;
   bool direct = false;  // explicit integration: no step is iterated, and nothing has to be held for that
-  bool unseen = false;  // nobody asks for anything in the midst of evaluations, as functions of the user may
+  bool unseen = false;  // no user function can query the system during evaluations
   bool holds_contact = false;  // right-hand sides: contacts are those of the start of the step
   int load_dependencies = 0;  // tangent: dependence of loads on coordinates: 0 none, 1 positions, 2 velocities as well
   bool follows_residual = false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
@@ -112,7 +112,7 @@ class System {
   std::span<const int> coordinates_without_matrix();  // ascending
   // Converts forces to accelerations at these coordinates. Returns a coordinate without mass, or -1.
   int solve_masses(const State& state, std::span<double> x);
-  // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
+  // Only M(q), in the leading ode2 x ode2 block of `pattern`; everything else is zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
   // Adds the mass matrix to a diagonal if it is diagonal in this state; otherwise returns false, and the sum is
   // invalid.
@@ -180,9 +180,9 @@ class System {
   int pattern_revisions() const { return pattern_revisions_; }
   // In the order in which the sources of the model make them.
   SystemTerm& term(int number);
-  // Generalised forces of one of them alone, in the current state; sizes().ode2 entries.
+  // Generalised forces of a single term, in the current state; sizes().ode2 entries.
   void forces_of_term(int number, std::span<double> forces);
-  // Frames of markers in the current state, for questions to such terms: they stay as long as nobody can have changed the state.
+  // Frames of markers in the current state, for queries of such terms: cached while the state cannot have changed.
   const Ports& current_ports();
   // Cached data for the ports is valid while this number does not change; 0: no caching.
   std::uint64_t number_of_current_ports() const;

@@ -40,7 +40,7 @@ class SystemTerm : public Term {
   virtual bool direct() const { return false; }
   // Updates the active pairs from the frames in the ports. Returns whether they have changed.
   virtual bool search(const Evaluation& evaluation, const Ports& ports) = 0;
-  // Threads that may help it, until others are given; null: none.
+  // Threads that may help it, until the next call; null: none.
   virtual void use_workers(Workers*) {}
   // History: remembered as it is at the begin of a step, and set back to that.
   virtual void keep() {}

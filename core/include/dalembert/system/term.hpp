@@ -96,7 +96,7 @@ struct Placement {
   const void* owner = nullptr;       // markers: record of the body or node that they sit on,
   const ItemType* owner_type = nullptr;  // its type
   int owner_number = -1;                 // and its number; -1: it is not known
-  std::vector<MarkerOwner> owners;   // markers between bodies: all of them; empty for others
+  std::vector<MarkerOwner> owners;  // markers between bodies: all carriers; otherwise empty
   std::vector<int> dofs;             // its nodes' ODE2 coordinates, one node after the other
   std::vector<double> reference;     // their reference values
   std::vector<int> ode1;             // ODE1 coordinates
@@ -156,7 +156,7 @@ class Term : public Batch {
   virtual bool has_tangent() const { return true; }
   // False: it adds to the first three port forces only.
   virtual bool has_moments() const { return true; }
-  // Adds the mass matrix alone; writes the same blocks as `tangent`.
+  // Adds the mass matrix only; writes the same blocks as `tangent`.
   virtual void mass(const Evaluation&, Ports&, double*) const {}
   virtual bool has_mass() const { return false; }
   // False: its residual does not read total coordinates if inertia is not included.
@@ -182,13 +182,14 @@ class Term : public Batch {
 
   // Outputs. `motion` for bodies; `output` for variables of the item; false: not an output of this item.
   virtual bool motion(int /*entry*/, const Evaluation&, const Vec3<double>& /*local*/, Motion<double>&) const { return false; }
-  // Position and rotation alone of the origins of so many entries, which follow each other: 3 x 4 numbers each, row by row; NaN: none.
+  // Position and rotation of the origins of consecutive entries: 3 x 4 numbers each, row by row; NaN: undefined.
   virtual void poses(int first, int count, const Evaluation& evaluation, double* rows) const;
   virtual bool output(int /*entry*/, OutputVariableType, const Vec3<double>& /*local*/, const Evaluation&, const Ports&,
                       std::vector<double>&) const {
     return false;
   }
-  // Mesh nodes that are not where nodes of the system say: how many, and outputs of so many from the first on, row by row.
+  // Mesh nodes that are not at the positions of system nodes: their number, and outputs of a range of them, row by
+  // row.
   virtual int mesh_nodes(int /*entry*/) const { return 0; }
   virtual bool mesh_outputs(int /*entry*/, int /*first*/, int /*count*/, OutputVariableType, const Evaluation&, std::vector<double>&) const { return false; }
   // They are all nodes of the item but the first, whose own outputs are in its frame.

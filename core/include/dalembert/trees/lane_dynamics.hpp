@@ -20,10 +20,10 @@ struct LaneLink {
   std::size_t depth = 0;  // how many links there are before it
   bool slides = false;
   bool follows = false;  // its parent is the link before
-  bool forks = false;    // it carries others than the link after
+  bool forks = false;  // it has children besides the next link
   Vec3<double> axis{}, second{}, third{};  // axes of this frame in that of the parent, at coordinate zero
   Vec3<double> offset{};
-  double mass = 0, mass_behind = 0;  // alone, and with all that it carries
+  double mass = 0, mass_behind = 0;  // of the single link, and including its children
   Vec3<double> moment{};
   Symmetric<double> second_moment{};
 };

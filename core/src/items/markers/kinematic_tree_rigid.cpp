@@ -72,7 +72,7 @@ class CarryingLinks {
   const LinkMotion<double>& motion(int link) const { return motions_[static_cast<std::size_t>(link)]; }
   const Vec3<double>& origin(int link) const { return origins_[static_cast<std::size_t>(link)]; }
 
-  // A state is asked for more than once, and functions of the user may ask for others in between.
+  // A state is evaluated more than once, and user functions may request other states in between.
   void go_to(const Evaluation& e) {
     gather(e.q, q_);
     if (q_ == placed_at_) return;

@@ -169,7 +169,7 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     return way - std::floor(value_of(way) / turn + 0.5) * turn;
   }
   static StickSlip law(const Parameters& p) { return {p.frictionStiffness, p.frictionVelocityPenalty}; }
-  // Spring and damper, or the damper alone.
+  // Force of spring and damper, or of the damper only.
   template <class S>
   static S holding_force(const Parameters& p, const Touching<S>& touch, double last) {
     return p.frictionStiffness == 0 ? p.frictionVelocityPenalty * touch.along : law(p).holding_force(way_from(p, touch, last), touch.along);

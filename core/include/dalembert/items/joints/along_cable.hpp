@@ -17,7 +17,7 @@ struct AlongCable : SwitchesAndSettles {
   enum Data { current_element = 0, start_of_step = 1 };
   static constexpr double round_off = 1e-12;  // tolerance of positions, relative to an element
 
-  // The body, the cable that it was put on (the data coordinate says where it is now), and all cables.
+  // The body, its initial cable (the data coordinate has the current one), and all cables.
   static ActingMarkers acting(const P&, int markers) {
     ActingMarkers acting{{0}, {}};
     for (int i = 2; i < markers; ++i) acting.alternatives.push_back(i);

@@ -46,7 +46,7 @@ struct ObjectFFRFreducedOrder {
   static bool takes(std::string_view node, int position) { return position == 0 || node == "NodeGenericODE2"; }
   static SizedLaw law(const Parameters& p);
   static void check(const Parameters& p, const Placement& on, const ItemLabel& item);
-  // The integrals that follow from others, where they are not given.
+  // The derived integrals, unless they are given.
   static void complete(Parameters& p, const Placement& on);
   static ModalInertia prepare(const Parameters& p);
 
