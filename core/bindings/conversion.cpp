@@ -129,7 +129,10 @@ std::vector<double> read_vector(PyObject* value, int size) {
 
 void read(PyObject* value, const Row& row, std::vector<double>& out) {
   const bool is_list = PyList_CheckExact(value) || PyTuple_CheckExact(value);
-  if (const Py_ssize_t size = is_list ? PySequence_Fast_GET_SIZE(value) : row.size; size > 0 && (row.size == 0 || size == row.size)) {
+  const Py_ssize_t size = is_list                            ? PySequence_Fast_GET_SIZE(value)
+                          : py::isinstance<py::array>(value) ? py::reinterpret_borrow<py::array>(value).size()
+                                                             : 0;
+  if (size > 0 && (row.size == 0 || size == row.size)) {
     std::vector<double> values(static_cast<std::size_t>(size));
     if (read_plain_reals(value, 1, values)) {
       out = std::move(values);

@@ -143,7 +143,7 @@ py::dict get_item(const MainSystem& main, ItemKind kind, int number, bool graphi
   return item_dictionary(*item.type, item.record.get(), main.model.name(kind, number), graphics);
 }
 
-const Row& require_row(const MainSystem& main, ItemKind kind, int number, const std::string& name) {
+const Row& require_row(const MainSystem& main, ItemKind kind, int number, std::string_view name) {
   const ItemType& type = *main.model.item(kind, number).type;
   const Row* row = find_row(type, name);
   if (row == nullptr) {
@@ -171,16 +171,16 @@ void take_over(MainSystem& main) {
   if (main.consistent()) main.assembled("SetParameter");
 }
 
-void set_parameter(MainSystem& main, ItemKind kind, int number, const std::string& name, const py::object& value) {
+void set_parameter(MainSystem& main, ItemKind kind, int number, std::string_view name, PyObject* value) {
   const Row& row = require_row(main, kind, number, name);
   const Item& item = main.model.item(kind, number);
   const auto where = [&] { return main.model.describe(kind, number); };
-  if (row.internal) refuse(ErrorKind::value, {where(), name, "cannot be set", "", "", "It is computed by the system."});
+  if (row.internal) refuse(ErrorKind::value, {where(), std::string(name), "cannot be set", "", "", "It is computed by the system."});
   const ItemType& type = *item.type;
   const std::shared_ptr<const void> before = item.record;
   const auto write = [&](void* target) {
     // `target` is the member; the record begins at its offset before.
-    set_member(class_of(type), row, value.ptr(), static_cast<char*>(target) - row.offset, where);
+    set_member(class_of(type), row, value, static_cast<char*>(target) - row.offset, where);
     if (row.storage == Storage::user_function) {
       auto& function = *static_cast<UserFunction*>(target);
       function = bind_user_function(type, function, main);
@@ -283,13 +283,51 @@ void register_reading(Class& main_system, ItemKind kind) {
       py::arg(number.c_str()), py::arg("parameterName"), ("A parameter of the " + noun + ", which is given by its index or name; visualization parameters begin with 'V'.").c_str());
 }
 
+// Set...Parameter(number, name, value), which functions of the user call at each step: pybind11 takes a quarter of its time to find
+// arguments. What is called otherwise goes to the function that pybind11 has made, which knows names, and errors.
+std::array<PyObject*, item_kinds> general_setters{};
+
+template <ItemKind K>
+PyObject* quick_set(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
+  static const std::string method = method_name("Set", K, "Parameter");
+  if (count != 3 || names != nullptr || PyUnicode_CheckExact(arguments[1]) == 0) [[unlikely]] {
+    const Py_ssize_t all = count + (names == nullptr ? 0 : PyTuple_GET_SIZE(names));
+    std::vector<PyObject*> passed{self};
+    passed.insert(passed.end(), arguments, arguments + all);
+    return PyObject_Vectorcall(general_setters[static_cast<std::size_t>(K)], passed.data(), static_cast<std::size_t>(count + 1), names);
+  }
+  return guarded([&] {
+    MainSystem* main = system_of(self);
+    Py_ssize_t length = 0;
+    const char* name = PyUnicode_AsUTF8AndSize(arguments[1], &length);
+    if (name == nullptr) throw py::error_already_set();
+    set_parameter(*main, K, item_number_argument(*main, K, arguments[0], method), {name, static_cast<std::size_t>(length)}, arguments[2]);
+    return Py_NewRef(Py_None);
+  });
+}
+
+template <ItemKind K>
+void register_quick_set(Class& main_system) {
+  static const std::string name = method_name("Set", K, "Parameter");
+  const py::object general = main_system.attr(name.c_str());
+  main_system.attr(("_" + name).c_str()) = general;  // where explain_wrong_calls() finds it
+  general_setters[static_cast<std::size_t>(K)] = Py_NewRef(general.ptr());
+  static const std::string doc = name + "($self, " + std::string(kind_name(K)) + "Number, parameterName, value)\n--\n\nSet a parameter of the " +
+                                 std::string(kind_name(K)) + ", which is given by its index or name; visualization parameters begin with 'V'.";
+  static PyMethodDef definition{name.c_str(), reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(quick_set<K>)),
+                                METH_FASTCALL | METH_KEYWORDS, doc.c_str()};
+  PyObject* descriptor = PyDescr_NewMethod(reinterpret_cast<PyTypeObject*>(main_system.ptr()), &definition);
+  if (descriptor == nullptr) throw py::error_already_set();
+  main_system.attr(name.c_str()) = py::reinterpret_steal<py::object>(descriptor);
+}
+
 void register_writing(Class& main_system, ItemKind kind) {
   const std::string noun(kind_name(kind)), title(kind_title(kind)), number = noun + "Number";
   const std::string set = "Set" + title + "Parameter", modify = "Modify" + title;
   main_system.def(
       set.c_str(),
       [kind, set](MainSystem& main, const py::object& index, const std::string& name, const py::object& value) {
-        set_parameter(main, kind, item_number_argument(main, kind, index.ptr(), set), name, value);
+        set_parameter(main, kind, item_number_argument(main, kind, index.ptr(), set), name, value.ptr());
       },
       py::arg(number.c_str()), py::arg("parameterName"), py::arg("value"),
       ("Set a parameter of the " + noun + ", which is given by its index or name; visualization parameters begin with 'V'.").c_str());
@@ -341,6 +379,11 @@ void register_main_system_items(py::module_& module, Class& main_system) {
     register_writing(main_system, kind);
     register_delete(main_system, kind);
   }
+  register_quick_set<ItemKind::node>(main_system);
+  register_quick_set<ItemKind::object>(main_system);
+  register_quick_set<ItemKind::marker>(main_system);
+  register_quick_set<ItemKind::load>(main_system);
+  register_quick_set<ItemKind::sensor>(main_system);
   static PyMethodDef counts{"_item_counts", item_counts, METH_O,
                             "_item_counts(mbs, /)\n--\n\nThe numbers of nodes, objects, markers, loads and sensors, as the bytes of integers of C."};
   module.add_object("_item_counts", py::reinterpret_steal<py::object>(PyCFunction_New(&counts, main_system.ptr())));

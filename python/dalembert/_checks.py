@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Sequence
-from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -46,10 +45,12 @@ def as_array(name: str, value: Any, expected: str = "an array of numbers") -> Fl
     """Convert to a float array; ValueError names the argument if that is not possible."""
     if type(value) is np.ndarray and value.dtype is _FLOAT:
         return value
-    with suppress(TypeError, ValueError, OverflowError):
+    try:
         array = np.asarray(value)
         if array.dtype.kind not in "USc":  # numpy reads numbers from texts, and leaves out imaginary parts
             return array.astype(float, copy=False)
+    except (TypeError, ValueError, OverflowError):
+        pass
     raise shape_error(name, expected, value)
 
 

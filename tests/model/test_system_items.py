@@ -363,3 +363,21 @@ def test_sensors_added_after_assembling_may_be_declared_consistent() -> None:
     assert not mbs.systemIsConsistent
     with pytest.raises(RuntimeError, match=r"Call mbs.Assemble\(\)"):
         mbs.GetNodeOutput(1, exu.OutputVariableType.Position)
+
+
+def test_parameters_are_set_by_position_and_by_name() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodePoint(name="tip"))
+    for given, named in (
+        ((node, "referenceCoordinates", [1, 2, 3]), {}),
+        (("tip", "referenceCoordinates"), {"value": (1.0, 2, 3)}),
+        ((node,), {"value": np.array([1.0, 2.0, 3.0]), "parameterName": "referenceCoordinates"}),
+        ((), {"nodeNumber": 0, "parameterName": "referenceCoordinates", "value": np.array([1, 2, 3])}),
+    ):
+        mbs.SetNodeParameter(node, "referenceCoordinates", [0, 0, 0])
+        assert mbs.SetNodeParameter(*given, **named) is None
+        np.testing.assert_array_equal(mbs.GetNodeParameter(node, "referenceCoordinates"), [1, 2, 3])
+    with pytest.raises(TypeError, match="there is no argument 'val'. Did you mean 'value'"):
+        mbs.SetNodeParameter(node, "referenceCoordinates", val=[0, 0, 0])
+    with pytest.raises(TypeError, match="the argument 'parameterName' must be a text, received 3"):
+        mbs.SetNodeParameter(node, 3, [0, 0, 0])

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "dalembert/system/parts.hpp"
@@ -10,7 +11,8 @@ namespace dalembert {
 
 class Placing {
  public:
-  explicit Placing(SystemParts& parts) : parts_(parts) {}
+  // With the memory of a placement that is not used any more.
+  explicit Placing(SystemParts& parts, Placement memory = {}) : parts_(parts), placement_(std::move(memory)) {}
 
   Placement& last() { return placement_; }
   std::vector<const ItemType*> node_types(std::span<const int> nodes) const {

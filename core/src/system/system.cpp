@@ -127,7 +127,8 @@ void System::refresh(const Model& model) {
   const std::vector<ItemChange> all = known ? std::vector<ItemChange>() : all_items(model);
   const std::span<const ItemChange> changed = known ? *known : std::span<const ItemChange>(all);
   model.check(changed);
-  Placing placing(parts);
+  static thread_local Placement memory;  // of the last refresh
+  Placing placing(parts, std::move(memory));
   for (const ItemChange& change : changed) check_change(parts, model, placing, change);
   ports_hold(nullptr);
   parts.plan.resting_evaluated = false;
@@ -137,18 +138,19 @@ void System::refresh(const Model& model) {
   };
   // Whether a load is constant depends on how its marker passes it on.
   const auto renew_markers = [&](std::span<const MarkerSeat> seats, const auto& renew) {
-    const auto ways = [&] {
-      std::vector<char> ways;
+    static thread_local std::vector<char> before, after;
+    const auto find_ways = [&](std::vector<char>& ways) {
+      ways.clear();
+      if (parts.loads.empty()) return;
       for (const MarkerSeat& seat : seats) {
         const auto& [batch, entry] = parts.markers[static_cast<std::size_t>(seat.marker)].member;
         for (const bool of_moments : {false, true}) ways.push_back(batch->passes_constantly(entry, of_moments) ? 1 : 0);
       }
-      return ways;
     };
-    const bool has_loads = !parts.loads.empty();
-    const std::vector<char> before = has_loads ? ways() : std::vector<char>();
+    find_ways(before);
     for (const MarkerSeat& seat : seats) renew(parts.markers[static_cast<std::size_t>(seat.marker)], seat.which);
-    if (has_loads && ways() != before) parts.loads_are_sorted = false;
+    find_ways(after);
+    if (before != after) parts.loads_are_sorted = false;
   };
   const auto tell_markers = [&](ItemKind kind, int number, const void* record) {
     renew_markers(parts.markers_on(kind, number),
@@ -215,6 +217,7 @@ void System::refresh(const Model& model) {
     }
   };
   for (const ItemChange& change : changed) renew(change.kind, change.number, change.row);
+  memory = std::move(placing.last());
   parts.values = model.value_changes();
   if (!parts.loads_are_sorted) sort_loads(parts);
   parts.knows_needed_markers = false;

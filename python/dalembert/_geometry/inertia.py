@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_matrix, as_number, as_rotation, as_transformation, as_vector, shape_error
-from dalembert._core import _array
+from dalembert._core import _array, _is_plain_not_negative
 from dalembert._geometry.rotations import Skew
 from dalembert._geometry.transformations import HT0, HTtranslate, InertiaTensor2Inertia6D
 
@@ -88,7 +88,7 @@ class RigidBodyInertia:
             warnings.warn("RigidBodyInertia: inertiaTensor is not symmetric; use (J + J.T)/2", stacklevel=3)
             return
         moments: Any
-        if xy == xz == yz == 0.0 and not self.com.any():
+        if xy == xz == yz == 0.0 and not any(self.com.tolist()):
             moments = np.array(sorted((xx, yy, zz)))
         else:
             about_centre = self.InertiaCOM()
@@ -258,7 +258,8 @@ def _not_negative(where: str, **values: Any) -> None:
     """Raise ValueError if a density, mass, length or radius is negative or not finite."""
     for name, value in values.items():
         for number in value.tolist() if isinstance(value, np.ndarray) and value.ndim == 1 else [value]:
-            as_number(f"{where}: {name}", number, negative=False)
+            if not _is_plain_not_negative(number):  # the usual case needs no text
+                as_number(f"{where}: {name}", number, negative=False)
 
 
 class InertiaCuboid(RigidBodyInertia):
