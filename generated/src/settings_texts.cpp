@@ -770,7 +770,7 @@ constexpr std::array<std::string_view, 10> ObjectType_values{
     "upper bound of the values; not a kind of object",
 };
 
-constexpr std::array<std::string_view, 32> OutputVariableType_values{
+constexpr std::array<std::string_view, 36> OutputVariableType_values{
     "no output variable; sensors refuse it",
     "distance between two points, or gap of a contact",
     "position in global coordinates",
@@ -799,6 +799,10 @@ constexpr std::array<std::string_view, 32> OutputVariableType_values{
     "torque in global coordinates",
     "torque in local coordinates; of beams the section moments",
     "of a constraint or joint: how many of its equations have reactions that are not unique, because equations follow from others; solvers give the smallest ones. NaN as long as no solver has looked",
+    "of a connector, joint or constraint: the force (N) and then the torque (Nm) that it exerts at the first of its markers on the body there, in global axes; six components, of a marker of coordinates the generalized forces on them. The sign is the same in statics and dynamics",
+    "the same at the second marker",
+    "``WrenchOnMarker0`` by its components in the axes of joint frame J0, or of the marker where the item has no ``rotationMarker0``",
+    "``WrenchOnMarker1`` by its components in the axes of joint frame J1, or of the marker where the item has no ``rotationMarker1``",
     "strain components in the local frame",
     "stress components in the local frame",
     "curvature and twist in the local frame",

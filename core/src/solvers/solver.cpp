@@ -28,6 +28,7 @@ DALEMBERT_INLINE inline void take_all_but_motion(const System& system, const Sta
   for (const auto part : {&State::y, &State::y_t, &State::lambda, &State::data})  // most systems have few of these
     if (!(from.*part).empty()) take(system, from.*part, to.*part);
   to.time = from.time;
+  to.sign = from.sign;
 }
 
 }  // namespace
@@ -91,6 +92,7 @@ bool Solver::initialize() {
   find_angles();
   initial_conditions();
   if (!continues()) check_constraints();
+  if (!is_static()) current().sign = start_of_step().sign = MultiplierSign::motion;
   post_initialize();
   if (!diagnosis_.failed() && !all_finite(current())) {
     diagnose_not_finite();

@@ -265,7 +265,7 @@ class ObjectType(IntFlag):
     EndOfEnumList = 1024
     """upper bound of the values; not a kind of object"""
 
-class OutputVariableType(IntFlag):
+class OutputVariableType(IntEnum):
     """quantities that items offer to outputs and sensors; the page of an item lists those that it has, with size and frame"""
 
     _None = 0
@@ -324,6 +324,14 @@ class OutputVariableType(IntFlag):
     """torque in local coordinates; of beams the section moments"""
     NonUniqueReactions = 67108864
     """of a constraint or joint: how many of its equations have reactions that are not unique, because equations follow from others; solvers give the smallest ones. NaN as long as no solver has looked"""
+    WrenchOnMarker0 = 134217728
+    """of a connector, joint or constraint: the force (N) and then the torque (Nm) that it exerts at the first of its markers on the body there, in global axes; six components, of a marker of coordinates the generalized forces on them. The sign is the same in statics and dynamics"""
+    WrenchOnMarker1 = 134217729
+    """the same at the second marker"""
+    WrenchOnMarker0Local = 134217730
+    """``WrenchOnMarker0`` by its components in the axes of joint frame J0, or of the marker where the item has no ``rotationMarker0``"""
+    WrenchOnMarker1Local = 134217731
+    """``WrenchOnMarker1`` by its components in the axes of joint frame J1, or of the marker where the item has no ``rotationMarker1``"""
     StrainLocal = 268435456
     """strain components in the local frame"""
     StressLocal = 536870912
