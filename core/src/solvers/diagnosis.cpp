@@ -147,6 +147,12 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
 
 [[gnu::noinline]] void Solver::warn_of_velocities(std::span<const int> rows, double largest_force) {
   warn(name() + ": velocities are not zero, and what answers them (damping, inertia) is part of this balance, with up to " +
+[[gnu::noinline]] void Solver::warn_of_instability(int directions, std::span<const int> rows) {
+  warn(name() + ": the equilibrium is unstable: the smallest disturbance leaves it in " + std::to_string(directions) +
+       (directions == 1 ? " direction" : " directions, one of them") + " with its largest share in:" + indented(describe_equations(system(), rows)) +
+       "\n  For a stable equilibrium, begin with initial values or a small load that moves the system to that side, or use SolveDynamic with damping.");
+}
+
        number(largest_force) + " in:" + indented(describe_equations(system(), rows)) +
        "\n  For an equilibrium at rest, begin without velocities (initialVelocities, mbs.systemData.SetODE2Coordinates_t).");
 }

@@ -227,6 +227,7 @@ class Solver {
   void warn_of_contradiction(std::span<const double> misfit);  // once
   void warn_of_undecided_start();  // once
   void warn_of_free_motion(std::span<const int> rows);
+  void warn_of_instability(int directions, std::span<const int> rows);
   void warn_of_velocities(std::span<const int> rows, double largest_force);  // in statics
   // With the equations that have the largest residuals.
   void diagnose(FailureReason reason, std::span<const double> residual);
