@@ -76,6 +76,7 @@ bool Solver::initialize() {
   diagnosis_ = Diagnosis();
   doubts_.clear();
   locks_.clear();
+  rebounds_.clear();
   stop_ = silent_ = false;
   unwritten_ = nullptr;
   output.cpuStartTime = output.cpuLastTimePrinted = output.cpuSolverStartTime = SolverTimer::now();
@@ -91,8 +92,8 @@ bool Solver::initialize() {
   if (!starts_finite()) return false;
   find_angles();
   initial_conditions();
-  if (!continues()) check_constraints();
   if (!is_static()) current().sign = start_of_step().sign = MultiplierSign::motion;
+  if (!continues()) check_constraints();
   post_initialize();
   if (!diagnosis_.failed() && !all_finite(current())) {
     diagnose_not_finite();
@@ -238,6 +239,7 @@ void Solver::initial_conditions() {
   end_reached_ = false;
   step_completed_ = true;
   begin_to_watch_events();
+  watches_rebounds_ = !is_static() && !it.automaticStepSize && !locates_switches() && system_->has_switches() && !system_->searches();
   multipliers_may_wait_ = !asks_for_multipliers_in_steps();
   if (continues()) return continue_steps();
   finish_step(settings_->solutionSettings.writeInitialValues);
@@ -364,6 +366,7 @@ void Solver::step_succeeded() {
   if (it.automaticStepSize) [[unlikely]] count_step_size();
   if (watch_) [[unlikely]] switch_over();
   if (!angles_.empty()) watch_angles();
+  if (watches_rebounds_ && (it.discontinuousIteration > 1 || conv.discontinuousIterationError > 0)) [[unlikely]] watch_rebounds();
   if (!silent_) finish_step(true);
   if (watch_ && event_reached()) [[unlikely]] act_on_events();
   ++steps_since_reduction_;
@@ -516,7 +519,8 @@ double Solver::post_newton() {
       it.recommendedStepSize = verdict.recommended_step_size;
     }
   }
-  if (!discontinuous.useRecommendedStepSize) it.recommendedStepSize = -1;
+  // A contact that is about to close at the start of the step, within round-off, is closed in all of it.
+  if (!discontinuous.useRecommendedStepSize || it.recommendedStepSize < it.minStepSize) it.recommendedStepSize = -1;
   return error;
 }
 
