@@ -63,6 +63,21 @@ def test_geometric_load_steps() -> None:
     assert model.mbs.sys["staticSolver"].loadStepGeometricFactor == pytest.approx(10, rel=1e-14)
 
 
+def test_geometric_load_steps_that_fail_name_equal_ones() -> None:
+    """They do not become smaller where Newton's method fails, and the error names those that do."""
+    model = loaded(9.0, law=hardening(0.01, 1000.0))
+    settings = static_settings(2)
+    settings.staticSolver.newton.maxIterations = 5
+    settings.staticSolver.loadStepGeometric = True
+    settings.staticSolver.adaptiveStep = False
+    with pytest.raises(SolverError, match="staticSolver.loadStepGeometric=False"):
+        model.mbs.SolveStatic(settings)
+    settings.staticSolver.loadStepGeometric = False
+    settings.staticSolver.adaptiveStep = True
+    model.mbs.SolveStatic(settings)
+    assert 1000 * model.position**3 + 0.01 * model.position == pytest.approx(9.0, rel=1e-10)
+
+
 def test_full_load_in_every_step_without_load_factor() -> None:
     model = loaded(8.0, stiffness=80.0)
     settings = static_settings(2)
