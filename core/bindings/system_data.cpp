@@ -119,11 +119,20 @@ std::vector<double> read_coordinates(const System& system, const Coordinates& wh
   refuse(ErrorKind::value, {.item = full_name(method), .received = show(value.ptr()), .expected = expected});
 }
 
+// Multipliers that a state of the system has, or zeros, keep their sign; that of others is not known.
+MultiplierSign sign_of(const System& system, const std::vector<double>& lambda) {
+  if (std::ranges::all_of(lambda, [](double x) { return x == 0; })) return MultiplierSign::motion;
+  for (const Configuration c : {Configuration::Current, Configuration::Initial, Configuration::StartOfStep, Configuration::Visualization})
+    if (const State& state = system.state(c); state.lambda == lambda) return state.sign;
+  return MultiplierSign::unknown;
+}
+
 void set(const SystemData& self, const Coordinates& which, const py::object& value, const py::object& where) {
   const auto method = [&] { return std::string("Set") + which.name; };
   System& system = assembled(self, method);
   const Configuration configuration = read_configuration(where, method);
   const std::vector<double> numbers = read_coordinates(system, which, configuration, value, method);
+  if (which.member == Member(&State::lambda)) system.state(configuration).sign = sign_of(system, numbers);
   // In place: views stay valid.
   std::ranges::copy(numbers, (system.state(configuration).*which.member).begin());
 }
@@ -156,6 +165,8 @@ void set_system_state(const SystemData& self, const py::object& value, const py:
   std::array<std::vector<double>, n> numbers;
   for (std::size_t i = 0; i < n; ++i)
     numbers[i] = read_coordinates(system, coordinates_of(state_members[i]), configuration, value[py::int_(i)], method);
+  for (std::size_t i = 0; i < n; ++i)
+    if (state_members[i] == Member(&State::lambda)) system.state(configuration).sign = sign_of(system, numbers[i]);
   for (std::size_t i = 0; i < n; ++i)
     std::ranges::copy(numbers[i], (system.state(configuration).*state_members[i]).begin());
 }
@@ -368,6 +379,21 @@ void register_coordinates(Data& data, const py::object& current) {
              py::arg("coordinates"), py::arg("configuration") = current,
              "Set coordinates: as many finite numbers as there are.");
   }
+  // For copies of systems, whose multipliers are those of solutions.
+  data.def(
+      "_GetMultiplierSign",
+      [](const SystemData& self, const py::object& where) {
+        const auto method = [] { return std::string("_GetMultiplierSign"); };
+        return static_cast<int>(assembled(self, method).state(read_configuration(where, method)).sign);
+      },
+      py::arg("configuration") = current, "0: of dynamics, 1: of statics, 2: not known.");
+  data.def(
+      "_SetMultiplierSign",
+      [](const SystemData& self, int sign, const py::object& where) {
+        const auto method = [] { return std::string("_SetMultiplierSign"); };
+        assembled(self, method).state(read_configuration(where, method)).sign = static_cast<MultiplierSign>(std::clamp(sign, 0, 2));
+      },
+      py::arg("sign"), py::arg("configuration") = current, "Set what _GetMultiplierSign gave.");
   data.def("GetSystemState", &system_state, py::arg("configuration") = current,
            "Copies of [ODE2, ODE2_t, ODE1, AE, data] coordinates.");
   data.def("SetSystemState", &set_system_state, py::arg("systemStateList"), py::arg("configuration") = current,

@@ -150,7 +150,7 @@ constexpr std::array<EnumEntry, 10> ObjectType_entries{{
     {"EndOfEnumList", 1024},
 }};
 
-constexpr std::array<EnumEntry, 32> OutputVariableType_entries{{
+constexpr std::array<EnumEntry, 36> OutputVariableType_entries{{
     {"_None", 0},
     {"Distance", 1},
     {"Position", 2},
@@ -179,6 +179,10 @@ constexpr std::array<EnumEntry, 32> OutputVariableType_entries{{
     {"Torque", 16777216},
     {"TorqueLocal", 33554432},
     {"NonUniqueReactions", 67108864},
+    {"WrenchOnMarker0", 134217728},
+    {"WrenchOnMarker1", 134217729},
+    {"WrenchOnMarker0Local", 134217730},
+    {"WrenchOnMarker1Local", 134217731},
     {"StrainLocal", 268435456},
     {"StressLocal", 536870912},
     {"CurvatureLocal", 1073741824},

@@ -770,7 +770,7 @@ constexpr std::array<std::string_view, 10> ObjectType_values{
     "upper bound of the values; not a kind of object",
 };
 
-constexpr std::array<std::string_view, 32> OutputVariableType_values{
+constexpr std::array<std::string_view, 36> OutputVariableType_values{
     "no output variable; sensors refuse it",
     "distance between two points, or gap of a contact",
     "position in global coordinates",
@@ -799,6 +799,10 @@ constexpr std::array<std::string_view, 32> OutputVariableType_values{
     "torque in global coordinates",
     "torque in local coordinates; beams have the section moments",
     "number of equations of a constraint or joint whose reactions are not unique, because constraints are redundant; solvers return the minimum-norm ones. NaN before the first solution",
+    "force (N) and torque (Nm) that a connector, joint or constraint exerts on the body of its first marker, in global axes; six components. Markers of coordinates have the generalized forces instead. The sign is the same in statics and dynamics",
+    "the same for the second marker",
+    "components of ``WrenchOnMarker0`` in joint frame J0, or in the frame of the marker if the item has no ``rotationMarker0``",
+    "components of ``WrenchOnMarker1`` in joint frame J1, or in the frame of the marker if the item has no ``rotationMarker1``",
     "strain components in the local frame",
     "stress components in the local frame",
     "curvature and twist in the local frame",

@@ -104,6 +104,23 @@ def test_weight_across_the_plane_is_named(create: str) -> None:
         getattr(mbs, create)(gravity=[0, 0, -9.81], **body)
 
 
+def test_axes_out_of_the_plane_are_refused() -> None:
+    """A planar body turns about z and slides in x and y; an axis that locks it is a mistake."""
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround()
+    inertia = InertiaCuboid(1, [1, 1, 1])
+    planar = mbs.CreateRigidBody(inertia=inertia, create2D=True)
+    spatial = mbs.CreateRigidBody(inertia=inertia)
+    place: dict[str, Any] = {"bodyNumbers": [ground, planar], "position": [0, 0, 0]}
+    with pytest.raises(ValueError, match=r"CreateRevoluteJoint.*'axis'.*turns about z only: \[0, 0, 1\]"):
+        mbs.CreateRevoluteJoint(**place, axis=[1, 0, 0])
+    with pytest.raises(ValueError, match=r"CreatePrismaticJoint.*'axis'.*moves in x and y only: \[x, y, 0\]"):
+        mbs.CreatePrismaticJoint(**place, axis=[0, 1, 1])
+    mbs.CreateRevoluteJoint(**place, axis=[0, 0, -2])
+    mbs.CreatePrismaticJoint(**place, axis=[3, 4, 0])
+    mbs.CreateRevoluteJoint(bodyNumbers=[planar, spatial], position=[0, 0, 0], axis=[1, 0, 0])
+
+
 @pytest.mark.parametrize("create", ["CreateForce", "CreateTorque"])
 def test_loads_on_ground_are_named(create: str) -> None:
     mbs = exu.SystemContainer().AddSystem()

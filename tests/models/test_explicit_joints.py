@@ -222,3 +222,40 @@ def test_long_steps_of_a_pendulum(node: Any, method: Any) -> None:
     inertia = 0.5**2 + 0.1**2 / 6  # by the mass
     assert abs(0.5 * inertia * spin**2 + 9.81 * height) < {Solver.ExplicitMidpoint: 7e-3, Solver.RK44: 4e-6}[method]
     assert largest_gap(mbs) < 1e-12
+
+
+@pytest.mark.parametrize(
+    "method", [Solver.ExplicitEuler, Solver.RK44, Solver.DOPRI5, Solver.ODE23, Solver.ExplicitMidpoint]
+)
+def test_the_first_row_of_outputs(method: Any) -> None:
+    """At the start, a swinging pendulum has the accelerations and the force of Newton's second law, as in all other rows."""
+    mbs = new_system()
+    ground = mbs.CreateGround()
+    inertia = exu.rigidBodyUtilities.InertiaCuboid(1000, [0.1, 0.1, 0.1])
+    body = mbs.CreateRigidBody(
+        referencePosition=[0.6, -0.8, 0],
+        inertia=inertia,
+        gravity=[0, -9.81, 0],
+        initialVelocity=[1.6, 1.2, 0],
+        initialAngularVelocity=[0, 0, 2],
+    )
+    hinge = mbs.CreateRevoluteJoint(bodyNumbers=[ground, body], position=[0, 0, 0], axis=[0, 0, 1])
+    spring = mbs.CreateMassPoint(referencePosition=[2, 0, 0], physicsMass=3, create2D=True)
+    mbs.CreateSpringDamper(bodyNumbers=[ground, spring], stiffness=60, referenceLength=1)
+    sensors = [
+        mbs.AddSensor(exu.SensorBody(bodyNumber=b, outputVariableType=Variable.Acceleration, storeInternal=True))
+        for b in (body, spring)
+    ]
+    sensors.append(
+        mbs.AddSensor(exu.SensorObject(objectNumber=hinge, outputVariableType=Variable.ForceLocal, storeInternal=True))
+    )
+    mbs.Assemble()
+    s = settings(1e-3, 1)
+    mbs.SolveDynamic(s, solverType=method)
+    acceleration, of_spring, force = (mbs.GetSensorStoredData(sensor)[0, 1:] for sensor in sensors)
+    position, mass = np.array([0.6, -0.8, 0]), inertia.Mass()
+    alpha = -mass * 9.81 * 0.6 / (inertia.InertiaCOM()[2, 2] + mass)
+    expected = np.cross([0, 0, alpha], position) - 4 * position
+    assert acceleration == pytest.approx(expected, abs=1e-10)
+    assert np.linalg.norm(force) == pytest.approx(mass * np.linalg.norm(expected + [0, 9.81, 0]), rel=1e-10)
+    assert of_spring == pytest.approx([-20, 0, 0], abs=1e-12)

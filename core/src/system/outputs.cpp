@@ -7,6 +7,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/item.hpp"
 #include "dalembert/math/rotations.hpp"
+#include "dalembert/system/marker_forces.hpp"
 #include "dalembert/system/parts.hpp"
 
 namespace dalembert {
@@ -116,6 +117,31 @@ class PortsFor {
   AlignedVector<double> kept_;
 };
 
+// The force on the markers of an object, as its own variables of output; -1: another variable.
+int marker_of(Variable variable) {
+  switch (variable) {
+    case Variable::WrenchOnMarker0: case Variable::WrenchOnMarker0Local: return 0;
+    case Variable::WrenchOnMarker1: case Variable::WrenchOnMarker1Local: return 1;
+    default: return -1;
+  }
+}
+bool is_local(Variable variable) { return variable == Variable::WrenchOnMarker0Local || variable == Variable::WrenchOnMarker1Local; }
+
+// Forces go to memory of their own: a user function may ask in the middle of an evaluation.
+class OwnForces {
+ public:
+  explicit OwnForces(SystemParts& parts) : parts_(parts) {
+    parts_.output_forces.resize(parts_.ports.forces.size());
+    parts_.ports.forces.swap(parts_.output_forces);
+  }
+  ~OwnForces() { parts_.ports.forces.swap(parts_.output_forces); }
+  OwnForces(const OwnForces&) = delete;
+  OwnForces& operator=(const OwnForces&) = delete;
+
+ private:
+  SystemParts& parts_;
+};
+
 // Consecutive coordinates; the few of most nodes need no heap.
 struct Range {
   Range(int first, int count) {
@@ -193,10 +219,64 @@ struct NumberList {
 
 }  // namespace
 
+// What an object exerts on one of its markers. Multipliers of statics get the sign that they have in equations of motion.
+void System::wrench_output(int object, Variable variable, ConfigurationType configuration, Values& values) {
+  SystemParts& parts = *parts_;
+  const ObjectPlace& place = parts.objects[static_cast<std::size_t>(object)];
+  const auto* forces = dynamic_cast<const MarkerForces*>(place.member.batch);
+  const auto markers = place.markers.of(parts.references);
+  const auto which = static_cast<std::size_t>(marker_of(variable));
+  if (forces == nullptr || which >= markers.size()) no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
+  const int marker = markers[which];
+  const PortsFor ports(parts, configuration);
+  ports_hold(parts.evaluating ? evaluated_ : nullptr);
+  const State& state = parts.state(configuration);
+  Evaluation e = parts.output_evaluation(state);
+  if (place.equations > 0 && state.sign == MultiplierSign::statics) {
+    parts.output_multipliers = state.lambda;
+    for (std::size_t i = 0; i < state.lambda.size(); ++i) parts.output_multipliers[i] *= parts.static_signs[i];
+    e.lambda = parts.output_multipliers.data();
+  } else if (place.equations > 0 && state.sign == MultiplierSign::unknown) {
+    refuse(ErrorKind::state, {parts.describe(ItemKind::object, object), "", "has no output variable " + std::string(variable_name(variable)) +
+                              " in this configuration: its Lagrange multipliers were set by mbs.systemData, and those of statics and dynamics differ in sign",
+                              "", "", "Ask after SolveStatic or SolveDynamic, before other coordinates are set"});
+  }
+  {
+    const OwnForces own(parts);
+    for (const int each : markers) {
+      const PortLayout& port = parts.ports.ports[static_cast<std::size_t>(each)];
+      std::fill_n(parts.ports.forces.begin() + port.first_force, port.forces, 0.0);
+    }
+    forces->add_marker_forces(place.member.entry, e, parts.ports);
+    const double* first = parts.ports.force(marker);
+    values.assign(first, first + parts.ports.ports[static_cast<std::size_t>(marker)].forces);
+  }
+  const MarkerPlace& at = parts.markers[static_cast<std::size_t>(marker)];
+  if (!provides(*at.type, "Position") || (values.size() != 3 && values.size() != 6)) {  // coordinates
+    if (is_local(variable)) no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
+    return;
+  }
+  values.resize(6);
+  if (!is_local(variable)) return;
+  Motion<double> motion;
+  if (!provides(*at.type, "Orientation") || !at.member.batch->motion(at.member.entry, e, motion))
+    refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "", "has no output variable " + std::string(variable_name(variable)) +
+                              ", because " + parts.describe(ItemKind::marker, marker) + " has no axes", "", "",
+                              which == 0 ? "Use WrenchOnMarker0, whose components are in global axes" : "Use WrenchOnMarker1, whose components are in global axes"});
+  Mat3<double> axes = motion.rotation;
+  if (const Row* row = find_row(*place.type, which == 0 ? "rotationMarker0" : "rotationMarker1"))
+    axes = axes * *static_cast<const Mat3<double>*>(member(place.record.get(), *row));
+  for (std::size_t i = 0; i < 6; i += 3) {
+    const Vec3<double> components = transposed_times(axes, Vec3<double>{values[i], values[i + 1], values[i + 2]});
+    std::ranges::copy(components.x, values.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
 void System::body_output(int object, Variable variable, std::array<double, 3> local, ConfigurationType configuration,
                          Values& values) {
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
+  if (marker_of(variable) >= 0) return wrench_output(object, variable, configuration, values);
   if (variable == Variable::NonUniqueReactions && provides(*place.type, "Constraint")) return values.assign(1, not_unique(parts, place));
   const Vec3<double> at{local[0], local[1], local[2]};
   const State& state = parts.state(configuration);
@@ -320,6 +400,7 @@ bool may_have(const ItemType& type, Variable variable) {
   Values values;
   if (coordinate_output(variable, {}, {}, {}, false, {}, values)) return true;
   if (variable == Variable::NonUniqueReactions) return provides(type, "Constraint");
+  if (marker_of(variable) >= 0) return provides(type, "Connector");
   const bool moves = type.kind != ItemKind::object || type.category == "Body" || type.category == "FiniteElement" ||
                      type.category == "SuperElement";
   return moves && !lacks(type, variable) && follows_from_motion(variable);

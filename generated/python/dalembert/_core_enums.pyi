@@ -265,7 +265,7 @@ class ObjectType(IntFlag):
     EndOfEnumList = 1024
     """upper bound of the values; not a kind of object"""
 
-class OutputVariableType(IntFlag):
+class OutputVariableType(IntEnum):
     """quantities that items offer to outputs and sensors; the page of an item lists those that it has, with size and frame"""
 
     _None = 0
@@ -324,6 +324,14 @@ class OutputVariableType(IntFlag):
     """torque in local coordinates; beams have the section moments"""
     NonUniqueReactions = 67108864
     """number of equations of a constraint or joint whose reactions are not unique, because constraints are redundant; solvers return the minimum-norm ones. NaN before the first solution"""
+    WrenchOnMarker0 = 134217728
+    """force (N) and torque (Nm) that a connector, joint or constraint exerts on the body of its first marker, in global axes; six components. Markers of coordinates have the generalized forces instead. The sign is the same in statics and dynamics"""
+    WrenchOnMarker1 = 134217729
+    """the same for the second marker"""
+    WrenchOnMarker0Local = 134217730
+    """components of ``WrenchOnMarker0`` in joint frame J0, or in the frame of the marker if the item has no ``rotationMarker0``"""
+    WrenchOnMarker1Local = 134217731
+    """components of ``WrenchOnMarker1`` in joint frame J1, or in the frame of the marker if the item has no ``rotationMarker1``"""
     StrainLocal = 268435456
     """strain components in the local frame"""
     StressLocal = 536870912

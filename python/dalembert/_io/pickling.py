@@ -15,13 +15,14 @@ _dictionary: Callable[[MainSystem], dict[str, Any]] = MainSystem.GetDictionary  
 _variables = ("variables", "systemVariables")
 _STATES = "systemStates"  # states of an assembled system: coordinates and times, by configuration
 _CONFIGURATIONS = ("Initial", "StartOfStep", "Current")
-_COORDINATES = (
+_PARTS = (
     "ODE2Coordinates",
     "ODE2Coordinates_t",
     "ODE2Coordinates_tt",
     "ODE1Coordinates",
     "ODE1Coordinates_t",
     "AECoordinates",
+    "_MultiplierSign",
     "DataCoordinates",
     "Time",
 )
@@ -69,17 +70,20 @@ def _restore(mbs: MainSystem, entries: dict[str, Any]) -> None:
     mbs.Assemble()
     for configuration, parts in states.items():
         for part, values in parts.items():
-            getattr(mbs.systemData, f"Set{part}")(values, getattr(ConfigurationType, configuration))
+            _method(mbs, "Set", part)(values, getattr(ConfigurationType, configuration))
 
 
 def _states(mbs: MainSystem) -> dict[str, dict[str, Any]]:
     return {
-        configuration: {
-            part: getattr(mbs.systemData, f"Get{part}")(getattr(ConfigurationType, configuration))
-            for part in _COORDINATES
-        }
+        configuration: {part: _method(mbs, "Get", part)(getattr(ConfigurationType, configuration)) for part in _PARTS}
         for configuration in _CONFIGURATIONS
     }
+
+
+def _method(mbs: MainSystem, verb: str, part: str) -> Callable[..., Any]:
+    name = f"_{verb}{part[1:]}" if part.startswith("_") else f"{verb}{part}"
+    method: Callable[..., Any] = getattr(mbs.systemData, name)
+    return method
 
 
 class SystemDictionary(dict[str, Any]):

@@ -22,7 +22,7 @@ _STABILIZER = (
 
 # Parts of the text that the compiled solver gives: the start of the advice, and the items behind a number.
 _ADVICE = "  what to try:"
-_ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|rows [\d, ]+|equation \d+: \S+|\w+\[\d+\]: \S+))(?:: |  \().*$")
+_ITEMS = re.compile(r"^(\s*(?:singular at unknown \d+|rows [\d, ]+|equation \d+: \S+|\w+\[\d+\]: \S+))(?:: |  \().*$")
 
 
 class SolverError(ValueError):

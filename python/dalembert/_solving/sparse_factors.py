@@ -30,7 +30,7 @@ def sparse_solver(matrix: Any) -> Solve:
     factors = testing.LinearSolver(columns.indptr, columns.indices)
     singular = factors.factorize(columns.data)
     if singular >= 0:
-        raise np.linalg.LinAlgError(f"no pivot for unknown {singular}")
+        raise np.linalg.LinAlgError(f"the matrix is singular at unknown {singular}")
 
     def solve(right: FloatArray) -> FloatArray:
         if right.ndim == 1:

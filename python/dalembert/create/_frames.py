@@ -191,6 +191,34 @@ def joint_place(
     return JointPlace(list(bodyNumbers), local, rotations)
 
 
+def _moves_in_plane(mbs: Any, body: Any) -> bool | None:
+    """Whether a body moves in the xy plane; None: it rests, as ground does, or is not known."""
+    if isinstance(body, MarkerIndex):
+        return None
+    item = mbs.GetObject(body)
+    if item["objectType"] == "Ground" or "nodeNumber" not in item:
+        return None
+    return "2D" in str(mbs.GetNode(item["nodeNumber"])["nodeType"])
+
+
+def require_axis_of_plane(mbs: Any, function: str, place: JointPlace, axis: FloatArray, normal: bool) -> None:
+    """Raise the ValueError for an axis about or along which bodies in the xy plane cannot move.
+
+    Nothing is required if one of the bodies moves in space.
+    """
+    planar = [_moves_in_plane(mbs, number) for number in place.numbers]
+    if not any(planar) or False in planar:
+        return
+    off = np.linalg.norm(axis[:2]) if normal else abs(axis[2])
+    if off <= 1e-8 * np.linalg.norm(axis):
+        return
+    body = place.numbers[planar.index(True)]
+    motion = "turns about z only: [0, 0, 1]" if normal else "moves in x and y only: [x, y, 0]"
+    raise argument_error(
+        function, "axis", f"an axis of the plane, because body {body!r} (create2D=True) {motion}", axis.tolist()
+    )
+
+
 def add_joint_markers(mbs: Any, place: JointPlace, name: str, rigid: bool = True) -> list[Any]:
     """Add the markers of a joint on both bodies and return their numbers; markers are returned as they are."""
     return [

@@ -25,7 +25,7 @@ from dalembert.create._arguments import (
     rotation_matrix,
     vector,
 )
-from dalembert.create._frames import add_joint_markers, joint_place, marker_names
+from dalembert.create._frames import add_joint_markers, joint_place, marker_names, require_axis_of_plane
 from dalembert.create.connectors import frame_with_z
 from dalembert.rigidBodyUtilities import ComputeOrthonormalBasis
 
@@ -48,7 +48,9 @@ def CreateRevoluteJoint(
     """
     require_axis("CreateRevoluteJoint", axis)
     place = joint_place(mbs, "CreateRevoluteJoint", bodyNumbers, position, useGlobalFrame)
-    rotation0, rotation1 = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
+    direction = place.to_global(axis, useGlobalFrame)
+    require_axis_of_plane(mbs, "CreateRevoluteJoint", place, direction, normal=True)
+    rotation0, rotation1 = place.local_frames(frame_with_z(direction))
     return mbs.AddObject(
         items.ObjectJointRevoluteZ(
             name=name,
@@ -80,8 +82,9 @@ def CreatePrismaticJoint(
     """
     require_axis("CreatePrismaticJoint", axis)
     place = joint_place(mbs, "CreatePrismaticJoint", bodyNumbers, position, useGlobalFrame)
-    frame_with_x = ComputeOrthonormalBasis(place.to_global(axis, useGlobalFrame))
-    rotation0, rotation1 = place.local_frames(frame_with_x)
+    direction = place.to_global(axis, useGlobalFrame)
+    require_axis_of_plane(mbs, "CreatePrismaticJoint", place, direction, normal=False)
+    rotation0, rotation1 = place.local_frames(ComputeOrthonormalBasis(direction))
     return mbs.AddObject(
         items.ObjectJointPrismaticX(
             name=name,

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "dalembert/batches/histories.hpp"
@@ -15,6 +16,7 @@
 #include "dalembert/contracts/data_node.hpp"
 #include "dalembert/contracts/pair.hpp"
 #include "dalembert/model/errors.hpp"
+#include "dalembert/system/marker_forces.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -31,7 +33,7 @@ auto kernel_forces(const typename K::Parameters& p, const Context& c,
 }
 
 template <class K, class Record, int M>
-class PortBatch final : public Term {
+class PortBatch final : public Term, public MarkerForces {
  public:
   using Port = typename K::Port;
 
@@ -75,6 +77,9 @@ class PortBatch final : public Term {
     } else {
       add_forces_of(entries_, std::identity(), evaluation, ports, std::make_index_sequence<M>());
     }
+  }
+  void add_marker_forces(int entry, const Evaluation& evaluation, Ports& ports) const override {
+    add_forces_of(std::span(&entries_[static_cast<std::size_t>(entry)], 1), std::identity(), evaluation, ports, std::make_index_sequence<M>());
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
     if constexpr (is_constant) return;

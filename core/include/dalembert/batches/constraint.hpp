@@ -16,12 +16,13 @@
 #include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/variation.hpp"
 #include "dalembert/math/wide_registers.hpp"
+#include "dalembert/system/marker_forces.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
 
 template <class K, class Record>
-class ConstraintBatch final : public Term {
+class ConstraintBatch final : public Term, public MarkerForces {
  public:
   using Port = typename K::Port;
   using Parameters = typename K::Parameters;
@@ -70,6 +71,12 @@ class ConstraintBatch final : public Term {
       }
       add_residual<double>(entries_[i], evaluation, ports, r);
     }
+  }
+  void add_marker_forces(int entry, const Evaluation& evaluation, Ports& ports) const override {
+    const Entry& e = entries_[static_cast<std::size_t>(entry)];
+    if (!is_active(e.parameters)) return;
+    add_forces<Port, 2>(ports, e.markers, -1.0,
+                        reaction<double>(e.parameters, Context::of(evaluation, e.item), read(ports, e), load<double, m>(evaluation.lambda + e.first_ae)));
   }
   bool traceable() const override { return LinearConstraint<K>; }
   void trace(const TracedCall& call) const override {

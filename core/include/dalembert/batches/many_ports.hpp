@@ -10,12 +10,13 @@
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/contracts/many_ports.hpp"
 #include "dalembert/system/algebraic_coordinates.hpp"
+#include "dalembert/system/marker_forces.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
 
 template <ManyPortsKernel K, class Record>
-class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
+class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public MarkerForces {
  public:
   using Parameters = typename K::Parameters;
 
@@ -84,6 +85,13 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
       }
       for (std::size_t k = 0; k < e.rows.size(); ++k) r[e.rows[k]] += equations_[k];
     }
+  }
+  void add_marker_forces(int entry, const Evaluation& evaluation, Ports& ports) const override {
+    const Entry& e = entries_[static_cast<std::size_t>(entry)];
+    if (!is_active(e.parameters)) return;
+    take_unknowns(e, evaluation);
+    auto x = exchange(e, evaluation, ports, ports.forces.data());
+    K::template evaluate<double>(e.parameters, context(e, evaluation), x);
   }
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
     for (const Entry& e : entries_) {

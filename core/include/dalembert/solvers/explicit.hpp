@@ -73,6 +73,7 @@ class ExplicitSolver : public Solver {
   void compute_stage_rates(int stage);
   // Derivatives of positions at a stage become those of the Lie algebra.
   void turn_stage_rates(std::size_t stage);
+  void find_first_accelerations();
   // With `y_t`, also the rates of ODE1 coordinates.
   bool accelerations(Vector& a, std::span<double> y_t = {});
   bool divide_by_masses(Vector& a);

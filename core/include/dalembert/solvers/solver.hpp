@@ -224,6 +224,7 @@ class Solver {
   void warn_of_contradiction(std::span<const double> misfit);  // once
   void warn_of_undecided_start();  // once
   void warn_of_free_motion(std::span<const int> rows);
+  void warn_of_instability(int directions, std::span<const int> rows);
   void warn_of_velocities(std::span<const int> rows, double largest_force);  // in statics
   // With the equations that have the largest residuals.
   void diagnose(FailureReason reason, std::span<const double> residual);
@@ -316,6 +317,18 @@ class Solver {
     double time, second_angle;
   };
   std::vector<Lock> locks_;
+  // ---- contacts that add energy (rebounds.cpp) ---------------------------------------------------------------------
+  void watch_rebounds();
+  void doubt_rebounds();
+  struct Rebound {
+    StepCount closed_at = -1, steps = 0;  // steps: in contact, at the largest growth
+    double approach = 0;                  // velocity before the step that has closed it
+    double growth = 0, largest = 0;       // logarithm of velocities after over before, since these were smallest
+    double time = 0;
+    Switch what{""};
+  };
+  std::vector<Rebound> rebounds_;  // by switch of items
+  bool watches_rebounds_ = false;
   // ---- the parts of solve_steps ------------------------------------------------------------------------------------
   void start_steps();
   bool next_step();

@@ -56,6 +56,13 @@ class StaticSolver : public NewtonSolver {
   // Coordinates that move where nothing resists (free_motion.cpp); `last` is the matrix of the factors at hand.
   std::vector<int> free_coordinates(std::span<const double> last);
   std::vector<int> free_of_resistance() const;
+  // Motions whose stiffness is negative, by the matrix at hand (static_stability.cpp).
+  struct Instability {
+    int directions = 0;
+    std::vector<double> direction;  // one of them, of ODE2 coordinates; empty: there is none
+  };
+  Instability find_instability() const;
+  void look_for_instability();
 
   // ---- paths by their length (arc_length.cpp) ----------------------------------------------------------------------
   struct Path;

@@ -237,6 +237,8 @@ struct SystemParts {
   std::vector<double> total;     // reference + displacement, of the state being evaluated
   std::vector<double> output_total;  // the same for outputs, which user functions ask for in the middle of an evaluation; empty before
   std::vector<int> free_numbers;     // memory for lists of outputs
+  AlignedVector<double> output_forces;     // on markers, of one object
+  std::vector<double> output_multipliers;  // with the sign that they have in equations of motion
   std::vector<double> work;
   std::vector<double> data_before;   // items switch over
   bool evaluating = false;

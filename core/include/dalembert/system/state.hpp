@@ -8,6 +8,9 @@
 
 namespace dalembert {
 
+// Static solvers keep Lagrange multipliers with the opposite sign; of values that a user has set, the sign is not known.
+enum class MultiplierSign : unsigned char { motion, statics, unknown };
+
 // ODE2 coordinates count from the reference configuration: total = reference + q.
 struct State {
   std::vector<double> q, v, a;  // ODE2: displacements, velocities, accelerations
@@ -15,6 +18,7 @@ struct State {
   std::vector<double> lambda;   // algebraic: Lagrange multipliers
   std::vector<double> data;     // history: friction, contact, ...
   double time = 0;
+  MultiplierSign sign = MultiplierSign::motion;  // of lambda
   bool waits = false;  // not used since assembly: its vectors are not yet allocated
 };
 

@@ -226,6 +226,7 @@ class System {
   // ---- results: written into `values`, whose memory is used again ----------------------------------------------
   using Values = std::vector<double>;
   void node_output(int node, OutputVariableType variable, ConfigurationType configuration, Values& values);
+  void wrench_output(int object, OutputVariableType variable, ConfigurationType configuration, Values& values);
   void object_output(int object, OutputVariableType variable, ConfigurationType configuration, Values& values);
   void body_output(int object, OutputVariableType variable, std::array<double, 3> local, ConfigurationType configuration,
                    Values& values);

@@ -189,6 +189,7 @@ void Solver::look_back() {
                       ": use smaller steps, or more discontinuous.maxIterations");
   }
   doubt_angles();
+  doubt_rebounds();
   const auto& s = settings_->initialConditions;
   if (s.checkConstraints && sizes_.ae > 0) {
     const double tolerance = (conditions_.rate_level ? tolerated_drift : 1) * s.positionTolerance;

@@ -28,6 +28,7 @@ DALEMBERT_INLINE inline void take_all_but_motion(const System& system, const Sta
   for (const auto part : {&State::y, &State::y_t, &State::lambda, &State::data})  // most systems have few of these
     if (!(from.*part).empty()) take(system, from.*part, to.*part);
   to.time = from.time;
+  to.sign = from.sign;
 }
 
 }  // namespace
@@ -75,6 +76,7 @@ bool Solver::initialize() {
   diagnosis_ = Diagnosis();
   doubts_.clear();
   locks_.clear();
+  rebounds_.clear();
   stop_ = silent_ = false;
   unwritten_ = nullptr;
   output.cpuStartTime = output.cpuLastTimePrinted = output.cpuSolverStartTime = SolverTimer::now();
@@ -90,6 +92,7 @@ bool Solver::initialize() {
   if (!starts_finite()) return false;
   find_angles();
   initial_conditions();
+  if (!is_static()) current().sign = start_of_step().sign = MultiplierSign::motion;
   if (!continues()) check_constraints();
   post_initialize();
   if (!diagnosis_.failed() && !all_finite(current())) {
@@ -234,6 +237,7 @@ void Solver::initial_conditions() {
   end_reached_ = false;
   step_completed_ = true;
   begin_to_watch_events();
+  watches_rebounds_ = !is_static() && !it.automaticStepSize && !locates_switches() && system_->has_switches() && !system_->searches();
   multipliers_may_wait_ = !asks_for_multipliers_in_steps();
   if (continues()) return continue_steps();
   finish_step(settings_->solutionSettings.writeInitialValues);
@@ -360,6 +364,7 @@ void Solver::step_succeeded() {
   if (it.automaticStepSize) [[unlikely]] steps_.count_accepted(conditions_.step_size);
   if (watch_) [[unlikely]] switch_over();
   if (!angles_.empty()) watch_angles();
+  if (watches_rebounds_ && (it.discontinuousIteration > 1 || conv.discontinuousIterationError > 0)) [[unlikely]] watch_rebounds();
   if (!silent_) finish_step(true);
   if (watch_ && event_reached()) [[unlikely]] act_on_events();
   if (steps_.is_recovered()) {
@@ -526,7 +531,8 @@ double Solver::post_newton() {
       it.recommendedStepSize = verdict.recommended_step_size;
     }
   }
-  if (!discontinuous.useRecommendedStepSize) it.recommendedStepSize = -1;
+  // A contact that is about to close at the start of the step, within round-off, is closed in all of it.
+  if (!discontinuous.useRecommendedStepSize || it.recommendedStepSize < it.minStepSize) it.recommendedStepSize = -1;
   return error;
 }
 

@@ -126,6 +126,8 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
   add_largest(d.values, residual, "equation", 0);
   d.advice.push_back(is_static() ? "use more load steps (staticSolver.numberOfLoadSteps)"
                                  : "use smaller steps (timeIntegration.numberOfSteps)");
+  if (is_static() && settings_->staticSolver.loadStepGeometric)
+    d.advice.push_back("use load steps of equal size (staticSolver.loadStepGeometric=False): these become smaller where Newton's method fails (adaptiveStep), geometric ones do not");
   d.advice.push_back("check initial values, and parameters of the items named above for wrong units");
   if (newton_settings.useModifiedNewton) d.advice.push_back("use full Newton (newton.useModifiedNewton=False)");
   if (reason == FailureReason::discontinuous) d.advice.push_back("allow more discontinuous.maxIterations");
@@ -143,6 +145,12 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
 [[gnu::noinline]] void Solver::warn_of_free_motion(std::span<const int> rows) {
   warn(name() + ": other states are in balance as well, as nothing resists a motion of:" + indented(describe_equations(system(), rows)) +
        "\n  Hold it by a constraint or a weak spring, unless any of these states will do.");
+}
+
+[[gnu::noinline]] void Solver::warn_of_instability(int directions, std::span<const int> rows) {
+  warn(name() + ": the equilibrium is unstable: the smallest disturbance leaves it in " + std::to_string(directions) +
+       (directions == 1 ? " direction" : " directions, one of them") + " with its largest share in:" + indented(describe_equations(system(), rows)) +
+       "\n  For a stable equilibrium, begin with initial values or a small load that moves the system to that side, or use SolveDynamic with damping.");
 }
 
 [[gnu::noinline]] void Solver::warn_of_velocities(std::span<const int> rows, double largest_force) {

@@ -71,7 +71,7 @@ std::string Diagnosis::text() const {
          format_number(tolerance_relative) + ", or absolute " + format_number(tolerance_absolute) + ")";
   }
   if (singular_row >= 0) {
-    t += "\n  no pivot for unknown " + std::to_string(singular_row);
+    t += "\n  singular at unknown " + std::to_string(singular_row);
     if (!singular_items.empty()) t += ": " + singular_items;
   }
   add_list(t, reason == FailureReason::contradiction ? "apart, if all others are fulfilled" : "equations that depend on each other", dependent);

@@ -21,6 +21,8 @@ constexpr int idle_iterations = 3;
 constexpr double negligible_increment = 1e-9;
 // ... and the residual is at most so many times the rounding errors of the terms that cancel in it.
 constexpr double rounding_errors = 1000;
+// Without loads, rounding errors are all that there is: with a residual of their own size, they move soft coordinates by up to this.
+constexpr double own_rounding_errors = 10, moved_by_rounding = 1e-6;
 
 // How far the first iteration takes the residual tells how much of the step is not linear, which falls with the square of the step
 // size, as errors of the step do. Below this, what may be left at the end falls with it ...
@@ -256,10 +258,11 @@ bool NewtonSolver::check_convergence() {
   }
   loop_.idle = conv.residual < 0.9 * loop_.best_residual ? 0 : loop_.idle + 1;
   loop_.best_residual = std::min(loop_.best_residual, conv.residual);
-  if (!stagnated() || !(relative_increment() < negligible_increment) ||
-      !(conv.residual <= rounding_errors * round_off_level())) {
-    return false;
-  }
+  if (loop_.idle < idle_iterations || newton_settings.newtonResidualMode != 0) return false;
+  const double moved = relative_increment();
+  if (!(moved < moved_by_rounding)) return false;
+  const double allowed = stagnated() && moved < negligible_increment ? rounding_errors : own_rounding_errors;
+  if (!(conv.residual <= allowed * round_off_level())) return false;
   conv.newtonStagnated = true;
   ++it.stagnatedNewtonSteps;
   if (verbose(2)) say(2, "    the residual does not fall any more: round-off is reached\n");

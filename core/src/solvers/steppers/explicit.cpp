@@ -112,7 +112,10 @@ void ExplicitSolver::post_initialize() {
   conditions_.unseen = nobody_interferes_ && !system().calls_user_functions();
   may_move_at_once_ = nobody_interferes_ && !verlet_ && method_.stages == 1 && eliminated_.empty() && sizes_.ode1 == 0 && conditions_.unseen &&
                       static_cast<std::size_t>(sizes_.ode2) > few_numbers && !settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations;
-  if (verlet_ && !continues() && !accelerations(now.a)) return;
+  if (!continues()) {
+    find_first_accelerations();
+    if (verlet_ && conv.linearSolverFailed) return;
+  }
   begin_to_watch();
   if (continues()) {
     growth_limit_ = continued_number(0);
@@ -121,6 +124,19 @@ void ExplicitSolver::post_initialize() {
     told_stiff_ = continued_number(3) != 0;
   }
   start_of_step() = now;
+}
+
+// For output of the start, and for the first step of Verlet's method. Steps of others name what has no mass.
+void ExplicitSolver::find_first_accelerations() {
+  State& now = current();
+  if (system().searches() && !conditions_.direct) search();
+  if (constrained_ && motion_.to_be_examined(now)) motion_.examine(system(), now, conditions_);
+  if (!accelerations(now.a, verlet_ ? std::span<double>() : now.y_t) && !verlet_) {
+    diagnosis_ = Diagnosis();
+    conv.linearSolverFailed = conv.massMatrixNotInvertible = false;
+    for (auto* part : {&now.a, &now.y_t, &now.lambda}) std::ranges::fill(*part, 0.0);
+  }
+  eliminate(now.a);
 }
 
 void ExplicitSolver::prepare_motion() {

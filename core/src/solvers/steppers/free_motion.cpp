@@ -18,6 +18,7 @@ constexpr double rounding_errors = 100 * std::numeric_limits<double>::epsilon();
 constexpr double suspicious = 1e4 * rounding_errors;
 constexpr double much_softer = 0.3;
 constexpr int sweeps = 3;
+constexpr std::size_t always_counted = 1000;  // unknowns of systems whose negative pivots are
 constexpr double negligible_share = 1e-4;  // of a coordinate in a motion
 
 struct Stiffness {
@@ -54,7 +55,14 @@ void StaticSolver::look_back() {
   look_for_motion();
   if (sizes_.ode2 > 0 && it.newtonJacobiCount > 0) {
     const std::vector<double> last = jacobian_;  // which users may ask for
+    // Pivots of small systems are counted always, those of large ones where the softest direction is unstable, which takes no factors.
+    const auto may_be_unstable = [this] {
+      const auto ode2 = static_cast<std::size_t>(sizes_.ode2), total = static_cast<std::size_t>(sizes_.total());
+      if (total <= always_counted) return true;
+      return factorized_ && stiffness_along(softest_direction(ode2, total, [this](std::span<double> x) { linear_->solve(x); }), pattern(), jacobian_).sum < 0;
+    };
     if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) warn_of_free_motion(rows);
+    else if (!path_ && may_be_unstable()) look_for_instability();  // a path leads through unstable equilibria, and lists where they begin
     jacobian_ = last;
   }
   NewtonSolver::look_back();

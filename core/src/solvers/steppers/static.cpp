@@ -33,6 +33,7 @@ void StaticSolver::initial_conditions() {
 
 // Load steps of equal size, or such that each load is a multiple of the last.
 void StaticSolver::update_current_time() {
+  current().sign = MultiplierSign::statics;
   if (path_) return begin_path_step();
   const auto& s = settings().staticSolver;
   const double duration = s.loadStepDuration, tolerance = time_tolerance * duration;

@@ -1,0 +1,163 @@
+// Whether a static equilibrium is stable: the inertia of its stiffness in the motions that constraints allow.
+//
+// Sylvester's law of inertia: K = L D L^T has as many negative eigenvalues as D has negative entries. Constraints G enter as stiff springs,
+// K + b G^T G, which for large b has as many negative eigenvalues as K has in the null space of G (Debreu's lemma), also with redundant constraints.
+// A negative pivot alone might be the rounding of large springs: its direction is projected onto the null space, and its curvature is what counts.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/solvers/static.hpp"
+
+namespace dalembert {
+
+namespace stability_of_equilibria {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+// In coordinates in which the stiffness of each is 1 at most.
+constexpr double spring = 1e6;             // b
+constexpr double neutral = 1e-9;           // stiffness that counts as none
+constexpr double largest_asymmetry = 1e-6; // of forces that have a potential
+constexpr double rounding = 1e-9;          // of the terms that cancel in a curvature
+
+struct Problem {
+  Sparse K, G;   // scaled
+  Vector scale;  // coordinates are `scale` times the scaled ones
+  bool has_potential = true;
+};
+
+// Coordinates without stiffness take their scale from constraints that join them to others.
+static Vector scales(int n, const Entries& stiffness, const std::vector<Entries>& rows) {
+  Vector size = Vector::Zero(n), scale = Vector::Zero(n);
+  for (const auto& e : stiffness) size[e.row()] = std::max(size[e.row()], std::abs(e.value()));
+  for (int i = 0; i < n; ++i)
+    if (size[i] > 0) scale[i] = 1 / std::sqrt(size[i]);
+  for (bool found = true; std::exchange(found, false);)
+    for (const Entries& row : rows) {
+      double reach = 0;
+      for (const auto& e : row) reach = std::max(reach, std::abs(e.value()) * scale[e.col()]);
+      if (reach == 0) continue;
+      for (const auto& e : row)
+        if (scale[e.col()] == 0 && e.value() != 0) scale[e.col()] = reach / std::abs(e.value()), found = true;
+    }
+  return scale.unaryExpr([](double x) { return x == 0 ? 1.0 : x; });
+}
+
+static Problem problem_of(const Pattern& pattern, std::span<const double> matrix, const Sizes& sizes) {
+  const int n = sizes.ode2, first = sizes.first_ae();
+  Entries stiffness, reactions;
+  std::vector<Entries> rows(static_cast<std::size_t>(sizes.ae));
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    const double value = matrix[slot];
+    if (value == 0) return;
+    if (row < n && column < n) stiffness.emplace_back(row, column, value);
+    else if (row >= first && column < n) rows[static_cast<std::size_t>(row - first)].emplace_back(row - first, column, value);
+    else if (row < n && column >= first) reactions.emplace_back(column - first, row, value);
+  });
+  Problem p;
+  p.scale = scales(n, stiffness, rows);
+  Entries constraints;
+  std::vector<double> length(rows.size(), 1.0);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    double largest = 0;
+    for (const auto& e : rows[k]) largest = std::max(largest, std::abs(e.value()) * p.scale[e.col()]);
+    if (largest > 0) length[k] = 1 / largest;
+    for (const auto& e : rows[k]) constraints.emplace_back(e.row(), e.col(), e.value() * p.scale[e.col()] * length[k]);
+  }
+  for (auto& e : reactions) e = {e.row(), e.col(), e.value() * p.scale[e.col()] * length[static_cast<std::size_t>(e.row())]};
+  for (auto& e : stiffness) e = {e.row(), e.col(), e.value() * p.scale[e.row()] * p.scale[e.col()]};
+  p.K.resize(n, n);
+  p.K.setFromTriplets(stiffness.begin(), stiffness.end());
+  p.G.resize(sizes.ae, n);
+  p.G.setFromTriplets(constraints.begin(), constraints.end());
+  Sparse R(sizes.ae, n);
+  R.setFromTriplets(reactions.begin(), reactions.end());
+  const Sparse KT = p.K.transpose(), asymmetry = p.K - KT, beside = p.G - R;
+  const auto largest = [](const Sparse& m) { return m.nonZeros() == 0 ? 0.0 : m.coeffs().abs().maxCoeff(); };
+  p.has_potential = largest(asymmetry) < largest_asymmetry && largest(beside) < largest_asymmetry;
+  p.K = 0.5 * (p.K + KT);
+  return p;
+}
+
+// What is left of x where constraints hold: the method of multipliers for the nearest such point.
+static Vector projected(const Problem& p, const Vector& x) {
+  constexpr double penalty = 1e8;
+  constexpr int sweeps = 8;
+  if (p.G.nonZeros() == 0) return x;
+  Sparse one(p.K.rows(), p.K.cols());
+  one.setIdentity();
+  const Sparse GT = p.G.transpose();
+  Eigen::SimplicialLDLT<Sparse> factors(one + penalty * GT * p.G);
+  Vector y = x, multipliers = Vector::Zero(p.G.rows());
+  for (int sweep = 0; sweep < sweeps && factors.info() == Eigen::Success; ++sweep) {
+    y = factors.solve(x - GT * multipliers);
+    multipliers += penalty * (p.G * y);
+  }
+  return y;
+}
+
+struct Found {
+  int directions = 0;
+  std::vector<double> direction;
+};
+
+// Counts directions, and finds one of them, in which the stiffness is negative; none where forces have no potential.
+static Found find(const Pattern& pattern, std::span<const double> matrix, const Sizes& sizes) {
+  const Problem p = problem_of(pattern, matrix, sizes);
+  if (!p.has_potential || !p.K.coeffs().allFinite() || !p.G.coeffs().allFinite()) return {};
+  Sparse shift(p.K.rows(), p.K.cols());
+  shift.setIdentity();
+  Sparse all = p.K + neutral * shift;
+  if (p.G.nonZeros() > 0) all += spring * Sparse(p.G.transpose()) * p.G;
+  const Eigen::SimplicialLDLT<Sparse> factors(all);
+  if (factors.info() != Eigen::Success) return {};
+  const Vector& pivots = factors.vectorD();
+  Found found;
+  for (Eigen::Index k = 0; k < pivots.size(); ++k) {
+    if (!(pivots[k] < 0)) continue;
+    ++found.directions;
+    if (!found.direction.empty()) continue;
+    Vector x = Vector::Unit(pivots.size(), k);
+    factors.matrixU().solveInPlace(x);
+    x = projected(p, factors.permutationPinv() * x);
+    const double curvature = x.dot(p.K * x), terms = x.cwiseAbs().dot(p.K.cwiseAbs() * x.cwiseAbs());
+    if (!(curvature < -rounding * terms)) continue;
+    const Vector own = p.scale.cwiseProduct(x);
+    found.direction.assign(own.data(), own.data() + own.size());
+  }
+  if (found.direction.empty()) found.directions = 0;
+  return found;
+}
+
+}  // namespace stability_of_equilibria
+
+// For the matrix of the equilibrium, with the loads.
+StaticSolver::Instability StaticSolver::find_instability() const {
+  if (sizes_.ode1 > 0) return {};
+  for (int k = 0; k < sizes_.ae; ++k)
+    if (!system().constrains_motion(k)) return {};
+  auto found = stability_of_equilibria::find(pattern(), jacobian_, sizes_);
+  return {found.directions, std::move(found.direction)};
+}
+
+void StaticSolver::look_for_instability() {
+  constexpr double large_share = 0.5;  // of the largest one
+  const Instability found = find_instability();
+  if (found.directions == 0) return;
+  double largest = 0;
+  for (const double x : found.direction) largest = std::max(largest, std::abs(x));
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < found.direction.size(); ++i)
+    if (std::abs(found.direction[i]) >= large_share * largest) rows.push_back(static_cast<int>(i));
+  warn_of_instability(found.directions, rows);
+}
+
+}  // namespace dalembert
