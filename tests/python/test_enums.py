@@ -40,7 +40,6 @@ def test_flags() -> None:
         "NodeGroup",
         "NodeType",
         "ObjectType",
-        "OutputVariableType",
     }
 
 

@@ -132,7 +132,7 @@ def test_codes_of_characters():
 def test_what_is_no_system_or_solution_is_named(model, tmp_path):
     with pytest.raises(ValueError, match="SetSolutionState: mbs: expected a system"):
         utilities.SetSolutionState(None, {}, 0)
-    with pytest.raises(ValueError, match="AnimateSolution: solution: expected what LoadSolutionFile"):
+    with pytest.raises(ValueError, match="AnimateSolution: solution: expected the result of LoadSolutionFile"):
         utilities.AnimateSolution(exu.SystemContainer().AddSystem(), None)
     with pytest.raises(ValueError, match="InitializeFromRestartFile: mbs: expected a system"):
         utilities.InitializeFromRestartFile(None, exu.SimulationSettings(), tmp_path / "a")

@@ -531,8 +531,8 @@ double Solver::post_newton() {
       it.recommendedStepSize = verdict.recommended_step_size;
     }
   }
-  // A contact that is about to close at the start of the step, within round-off, is closed in all of it.
-  if (!discontinuous.useRecommendedStepSize || it.recommendedStepSize < it.minStepSize) it.recommendedStepSize = -1;
+  // A contact that closes within the smallest step is closed in all of it.
+  if (!discontinuous.useRecommendedStepSize || steps_.at_minimum()) it.recommendedStepSize = -1;
   return error;
 }
 
