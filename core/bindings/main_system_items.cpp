@@ -283,8 +283,8 @@ void register_reading(Class& main_system, ItemKind kind) {
       py::arg(number.c_str()), py::arg("parameterName"), ("A parameter of the " + noun + ", which is given by its index or name; visualization parameters begin with 'V'.").c_str());
 }
 
-// Set...Parameter(number, name, value), which functions of the user call at each step: pybind11 takes a quarter of its time to find
-// arguments. What is called otherwise goes to the function that pybind11 has made, which knows names, and errors.
+// Set...Parameter(number, name, value), which user functions call at each step: pybind11 takes a quarter of its time to find
+// arguments. Other calls, such as those with keywords, are passed to the function made by pybind11, which also raises the errors.
 std::array<PyObject*, item_kinds> general_setters{};
 
 template <ItemKind K>

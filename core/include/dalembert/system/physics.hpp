@@ -27,7 +27,7 @@ struct Physics {
   virtual std::string doubt(const void* /*record*/) const { return {}; }
   // Refuses parameters that do not fit the nodes and markers of the item.
   virtual void check(const void* /*record*/, const Placement&, const Ports&, const ItemLabel& /*item*/) const {}
-  // The same after a change of one row since the last check.
+  // Checks the parameters again after a change of one row.
   virtual void check_row(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item, const Row& /*row*/) const {
     check(record, on, ports, item);
   }

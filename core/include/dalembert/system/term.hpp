@@ -133,7 +133,7 @@ class Batch {
   virtual void reserve(int /*entries*/) {}
   virtual void add(const void* record, const Placement& placement, const Ports& ports) = 0;
   virtual void refresh(int entry, const void* record) = 0;
-  // The same where one row of the record has changed.
+  // Updates the entry after a change of one row of its record.
   virtual void refresh_row(int entry, const void* record, const Row& /*row*/) { refresh(entry, record); }
   // Nodes without coordinates, under the entry, have new parameters.
   virtual void refresh_resting(int /*entry*/, const void* /*record*/, const Placement& /*placement*/) {}
