@@ -233,7 +233,7 @@ class MarkerBatch : public Batch {
   // J, or its rows of forces, is independent of coordinates and other variables; rows of moments are not queried if
   // there are no moments.
   virtual bool constant_pull_back(bool /*of_moments*/) const { return false; }
-  // The same of one marker; that of the batch is that of all of them.
+  // Whether one marker has a constant pull-back; the value of the batch holds for all of its markers.
   virtual bool passes_constantly(int /*entry*/, bool of_moments) const { return constant_pull_back(of_moments); }
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;

@@ -35,7 +35,7 @@ void find_jacobian(std::span<const Link> links, std::span<const Pose> joints, in
 // Forces and torques of the weight in all joints.
 void find_static_torques(std::span<const Link> links, std::span<const Pose> joints, const Vec3<double>& gravity, double* torques);
 
-// What is missing from `pose` to `goal`: translation and rotation vector, in the global frame.
+// The error of `pose` with respect to `goal`: translation and rotation vector, in the global frame.
 Vec<double, 6> pose_error(const Pose& goal, const Pose& pose);
 
 // A search for coordinates of the joints, see reach().

@@ -98,7 +98,7 @@ class TreeBody {
       if (!p.linkTorques.empty()) loads_[i].couple = p.linkTorques[i];
     }
   }
-  // What the drives of the joints do.
+  // Reads the control laws and user functions that drive the joints.
   void read_drives(const Record& record) {
     law_.read(law_of(record.parameters), false);
     read_controllers(record.parameters);

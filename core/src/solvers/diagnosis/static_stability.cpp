@@ -87,7 +87,7 @@ static Problem problem_of(const Pattern& pattern, std::span<const double> matrix
   return p;
 }
 
-// What is left of x where constraints hold: the method of multipliers for the nearest such point.
+// Projects x onto the null space of the constraint Jacobian, by the method of multipliers.
 static Vector projected(const Problem& p, const Vector& x) {
   constexpr double penalty = 1e8;
   constexpr int sweeps = 8;
