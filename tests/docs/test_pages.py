@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import doctest
+import operator
 import os
 import re
 import shutil
@@ -12,8 +13,10 @@ import textwrap
 from pathlib import Path
 
 import example_runs
+import item_drawings
 import pytest
 
+import dalembert as exu
 from codegen.load import load
 
 ROOT = Path(__file__).parents[2]
@@ -97,7 +100,7 @@ def test_readme_shows_the_first_example() -> None:
 PAGES = {path.relative_to(ROOT / "docs").as_posix(): path for path in sorted((ROOT / "docs").rglob("*.rst"))}
 WRITTEN = {name: path for name, path in PAGES.items() if not name.startswith("_generated/")}
 SESSIONS = [name for name, path in WRITTEN.items() if ">>> " in path.read_text()]
-BLOCK = re.compile(r"^\.\. (?:shown-before: |code-block:: )python\n\n((?:(?:   .*)?\n)+)", re.MULTILINE)
+BLOCK = re.compile(r"^\.\. (?:shown-before: |checked: |code-block:: )python\n\n((?:(?:   .*)?\n)+)", re.MULTILINE)
 BLOCKS = {name: blocks for name, path in WRITTEN.items() if (blocks := BLOCK.findall(path.read_text() + "\n"))}
 
 
@@ -116,6 +119,22 @@ def test_code_of_pages_runs(page: str, tmp_path: Path, monkeypatch: pytest.Monke
     code = "\n".join(textwrap.dedent(block) for block in BLOCKS[page])
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=os.environ)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("kind", ["SimulationSettings", "VisualizationSettings"])
+def test_first_settings_exist(kind: str) -> None:
+    text = (ROOT / f"docs/_extensions/first_settings/{kind}.rst").read_text()
+    names = re.findall(r"``([a-z]\w*(?:\.\w+)+|linearSolverType)``", text)
+    assert len(names) > 12
+    settings = exu.SimulationSettings() if kind == "SimulationSettings" else exu.SystemContainer().visualizationSettings
+    for name in names:
+        if not name.startswith("mbs."):
+            operator.attrgetter(name)(settings)  # AttributeError if there is none
+
+
+def test_drawings_are_of_items() -> None:
+    ready = {item.name for item in load(ROOT).items if item.ready and item.example is not None}
+    assert len(item_drawings.DRAWINGS) >= 20 and item_drawings.DRAWINGS.keys() <= ready
 
 
 def test_the_example_of_a_new_item_is_complete(tmp_path: Path) -> None:
