@@ -11,6 +11,8 @@ import sys
 from importlib.util import find_spec
 from pathlib import Path
 
+from item_drawings import DRAWINGS, draw_items
+
 from codegen.load import load
 from codegen.model import Item
 
@@ -112,18 +114,27 @@ def draw(items: list[Item]) -> set[str]:
     return {path.stem for path in FOLDER.glob("*.png")}
 
 
+def figure(folder: str, file: str, words: str) -> str:
+    place = f".. figure:: /_generated/reference/items/{folder}/{file}\n   :width: 50%\n   :align: right\n"
+    return f"{place}   :alt: {Path(file).stem}\n\n   {words}\n\n"
+
+
 def with_pictures(pages: dict[str, str]) -> dict[str, str]:
-    """Put the picture of each item below the summary on its page; pictures require the compiled package."""
-    if find_spec("dalembert") is None:
-        return pages
+    """Put a figure below the summary of each item: its annotated drawing, or else the picture of its mini example.
+
+    The picture of an item with a drawing is next to the example. Pictures require the compiled package.
+    """
     items = [item for item in load(ROOT).items if item.ready and item.example is not None]
-    drawn = draw(items)
+    drawn = draw(items) if find_spec("dalembert") is not None else set()
+    draw_items()
     for item in items:
         path = f"reference/items/{item.stem}.rst"
-        if item.name in drawn and path in pages:
-            figure = (
-                f".. figure:: /_generated/reference/items/pictures/{item.name}.png\n   :width: 50%\n   :align: right\n"
-            )
-            words = f"   :alt: {item.name}\n\n   The model of the example below.\n\n"
-            pages[path] = pages[path].replace(":Kind: ", f"{figure}{words}:Kind: ", 1)
+        place = ":Kind: "
+        if item.name in DRAWINGS:
+            sketch = figure("drawings", f"{item.name}.svg", "Symbols of the equations below.")
+            pages[path] = pages[path].replace(place, sketch + place, 1)
+            place = "Before it, ``mbs`` is an empty system;"
+        if item.name in drawn:
+            picture = figure("pictures", f"{item.name}.png", "The model of the mini example.")
+            pages[path] = pages[path].replace(place, picture + place, 1)
     return pages

@@ -16,9 +16,11 @@ from create_pages import create_pages, heading
 from example_pages import example_pages
 from item_pictures import with_pictures
 from sphinx.application import Sphinx
+from theory_figures import draw_figures
 
 ROOT = Path(__file__).parents[2]
 TARGET = ROOT / "docs/_generated"
+FIRST_SETTINGS = Path(__file__).parent / "first_settings"  # what everybody sets, above the table of all settings
 
 NOT_BUILT = """\
 .. note::
@@ -56,6 +58,10 @@ def toctree(names: list[str], depth: int = 1) -> str:
 def reference_pages() -> dict[str, str]:
     source = ROOT / "generated/docs"
     pages = {f"reference/{p.relative_to(source).as_posix()}": p.read_text("utf-8") for p in source.rglob("*.rst")}
+    for file in FIRST_SETTINGS.glob("*.rst"):
+        label = f".. _settings-{file.stem}-{file.stem}:"
+        words = f"{file.read_text('utf-8')}\n{label}\n\n{heading('All settings', '-')}"
+        pages = {path: text.replace(label, words) for path, text in pages.items()}
     return with_pictures(pages)
 
 
@@ -118,6 +124,7 @@ def module_pages() -> dict[str, str]:
 
 def write(app: Sphinx) -> None:
     """Write only changed files, so that Sphinx reads only these; remove outdated files."""
+    draw_figures()
     pages = reference_pages() | create_pages() | example_pages() | module_pages()
     wanted = {TARGET / path: text for path, text in pages.items()}
     for path in TARGET.rglob("*.rst"):
