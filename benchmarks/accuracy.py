@@ -1,6 +1,6 @@
-"""Errors of published benchmarks against the size of the step, with the models and references of tests/models.
+"""Errors of published benchmarks against the size of the step, with the models and references of tests/validation.
 
-`python benchmarks/accuracy.py docs/accuracy.csv` writes the table of the documentation: quantity by quantity, for
+`python benchmarks/accuracy.py docs/data/accuracy.csv` writes the table of the documentation: quantity by quantity, for
 numbers of steps that are doubled three times, the error against an independent solution, and the order observed
 between a row and the one above it.
 """
@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-sys.path.extend(str(Path(__file__).parents[1] / folder) for folder in ("", "tests/models", "tests/items"))
+sys.path.extend(str(Path(__file__).parents[1] / folder) for folder in ("", "tests/validation", "tests/items"))
 
 import test_andrews as andrews
 import test_bicycle as bicycle

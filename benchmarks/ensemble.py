@@ -1,6 +1,6 @@
 """Time for many slider-cranks with rods of different lengths: SolveVariations against ParameterVariation.
 
-`python benchmarks/ensemble.py --peer PYTHON > docs/tutorial/ensemble.txt` compares with Exudyn as
+`python benchmarks/ensemble.py --peer PYTHON > docs/data/ensemble.txt` compares with Exudyn as
 well, if the interpreter PYTHON has it. ParameterVariation builds, assembles and solves each model in Python, in so many
 processes; SolveVariations uses as many threads. Seconds are those of a clock, and those that all cores together have
 computed, which other work on the machine hardly changes.

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests/models"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests/validation"))
 
 from solving import Solver, Variable, settings
 from test_four_bar import GRAVITY, Bars, parallelogram

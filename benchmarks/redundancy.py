@@ -24,7 +24,7 @@ from instructions import count_all
 
 TESTS = Path(__file__).parents[1] / "tests"
 SETUP = f"""
-sys.path[:0] = [{str(TESTS / "models")!r}, {str(TESTS)!r}]
+sys.path[:0] = [{str(TESTS / "validation")!r}, {str(TESTS)!r}]
 from redundant_models import ladder, platform
 from test_bricard import Bricard
 from test_four_bar import Bars

@@ -1,6 +1,6 @@
 """Errors against the size of the step at the default tolerances of Newton's method, and what it leaves of them.
 
-`python benchmarks/refinement.py docs/refinement.csv` writes the table of the documentation: for numbers of steps
+`python benchmarks/refinement.py docs/data/refinement.csv` writes the table of the documentation: for numbers of steps
 that are multiplied by four, the error of the coordinates at the end, that error with tolerances of 1e-12, and the
 iterations per step of either. References are extrapolated from the two finest solutions with tight tolerances.
 """
@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests/models"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests/validation"))
 
 import models
 import test_andrews as andrews

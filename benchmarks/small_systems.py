@@ -1,6 +1,6 @@
 """Time for 1000 small systems of different stiffness: SolveVariations on one core against a loop in Python.
 
-`python benchmarks/small_systems.py > docs/tutorial/small_systems.txt`. The loop sets the parameter and
+`python benchmarks/small_systems.py > docs/data/small_systems.txt`. The loop sets the parameter and
 calls SolveDynamic. Both ways take turns; the fastest of three runs counts, in seconds that the core has computed.
 """
 

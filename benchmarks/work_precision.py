@@ -1,6 +1,6 @@
 """Work against accuracy: what solvers with error control need for the error that is left at the end.
 
-`python benchmarks/work_precision.py docs/work_precision.csv docs/_static/work_precision.png` writes table and diagrams
+`python benchmarks/work_precision.py docs/data/work_precision.csv docs/_static/work_precision.png` writes table and diagrams
 of the documentation. Work is the number of factorizations, one per stage of explicit methods and one per Jacobian of
 implicit ones: it does not depend on the machine. Models and references are those of the tests.
 """
@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests/models"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests/validation"))
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests/solvers"))
 
 import test_andrews as andrews

@@ -17,7 +17,7 @@ LEVELS = 4
 
 
 def stored() -> list[tuple[str, ...]]:
-    with open(ROOT / "docs/accuracy.csv", newline="", encoding="utf-8") as file:
+    with open(ROOT / "docs/data/accuracy.csv", newline="", encoding="utf-8") as file:
         header, *rows = (tuple(row) for row in csv.reader(file))
     assert header == accuracy.HEADER and len(rows) == LEVELS * len(accuracy.CASES)
     return rows

@@ -16,7 +16,7 @@ import refinement
 
 
 def stored() -> dict[str, list[tuple[str, ...]]]:
-    with open(ROOT / "docs/refinement.csv", newline="", encoding="utf-8") as file:
+    with open(ROOT / "docs/data/refinement.csv", newline="", encoding="utf-8") as file:
         header, *rows = (tuple(row) for row in csv.reader(file))
     assert header == refinement.HEADER
     lines = iter(rows)

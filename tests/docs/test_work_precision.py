@@ -16,7 +16,7 @@ import work_precision
 
 
 def stored() -> list[tuple[str, ...]]:
-    with open(ROOT / "docs/work_precision.csv", newline="", encoding="utf-8") as file:
+    with open(ROOT / "docs/data/work_precision.csv", newline="", encoding="utf-8") as file:
         header, *rows = (tuple(row) for row in csv.reader(file))
     assert header == work_precision.HEADER
     return rows
