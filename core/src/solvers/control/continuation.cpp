@@ -1,4 +1,4 @@
-// Going on from a restart file as if the solution had not been stopped.
+// Continuation from a restart file: the solution is bit-identical to an uninterrupted one.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,8 +16,8 @@ namespace dalembert {
 
 namespace {
 
-// What the loop over steps has to know, in the order of the numbers in the file. Those of the solver follow, then what has been counted, and where
-// angles have locked.
+// Numbers of the loop over steps, in the order of the restart file. The numbers of the solver, the counts and the
+// gimbal-lock records follow.
 enum RunNumber : std::size_t {
   start_time, step_index, last_step_size, solution_written, sensors_written, image_recorded, singular_position_step, passing_steps, largest_misfit,
   smallest_step_size, largest_step_size, first_of_sizes, count = first_of_sizes + StepController::restart_size
@@ -43,7 +43,7 @@ void Solver::read_continuation() {
   continuation_ = std::move(data);
 }
 
-// Into the current state; files have been opened.
+// Copies the restart data into the current state; output files are open.
 void Solver::take_continuation() {
   const std::string& name = settings_->continuation.restartFileName;
   const RestartData& data = *continuation_;
@@ -81,7 +81,8 @@ void Solver::continue_steps() {
   it.smallestStepSize = run[smallest_step_size];
   it.largestStepSize = run[largest_step_size];
   take_counts(run);
-  if (!watch_ && !continuation_->events.empty()) watch_ = std::make_unique<EventWatch>();  // which there should be
+  // The restart file has events.
+  if (!watch_ && !continuation_->events.empty()) watch_ = std::make_unique<EventWatch>();
   if (watch_) {
     const std::span<const double> numbers(continuation_->events);
     const std::size_t all = numbers.size(), of_events = hooks().schedule ? std::min(all, EventWatch::numbers_per_function * watch_->count()) : all;
@@ -125,10 +126,10 @@ double Solver::continued_number(std::size_t i) const { return continuation_->run
 
 // ---- output at requested times -----------------------------------------------------------------------------------------
 
-// How many periods are over; a millionth of one does not count.
+// Returns the number of completed periods, with a tolerance of a millionth of a period.
 double Solver::requested(double time, double period) const { return std::floor((time - it.startTime) / period + 1e-6); }
 
-// Calls `write` with the times that are asked for in the last step, and with its end if that is the end of all.
+// Calls `write` with all requested times in the last step, and with its end at the end of the simulation.
 template <class Write>
 void Solver::write_between(double period, Write&& write) {
   const double end = current().time;

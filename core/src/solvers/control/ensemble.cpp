@@ -28,7 +28,7 @@ class ValuesOf final : public VariedValues {
   std::vector<T> values_;
 };
 
-// Files, console and clock belong to one simulation at a time.
+// Disables files, console output and realtime: they belong to one simulation at a time.
 void keep_to_itself(SimulationSettings& settings, bool histories) {
   auto& solution = settings.solutionSettings;
   solution.writeSolutionToFile = solution.writeRestartFile = solution.sensorsAppendToFile = false;
@@ -42,7 +42,7 @@ void keep_to_itself(SimulationSettings& settings, bool histories) {
 
 bool belongs_to_node(const VariedParameter& parameter) { return parameter.kind == ItemKind::node; }
 
-// Nodes are read by Assemble only, and what has no fixed size, counts or chooses may change the structure.
+// Assemble alone reads nodes. Values without a fixed size, counts and switches may change the structure.
 bool calls_for_assemble(const VariedParameter& parameter) {
   if (belongs_to_node(parameter) || parameter.row->needs_assemble) return true;
   return with_type(parameter.row->storage, []<class T>(TypeTag<T>) {
@@ -59,7 +59,7 @@ Sizes sizes_of(const State& state) {
   return {.ode2 = size(state.q), .ode1 = size(state.y), .ae = size(state.lambda), .data = size(state.data)};
 }
 
-// One thread's copy of everything that a variation changes.
+// A thread's copy of everything that a variation changes.
 class Workplace {
  public:
   Workplace(const Ensemble& ensemble, const Model& model, const State& initial, const std::atomic<bool>& stop)
@@ -81,7 +81,7 @@ class Workplace {
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
 
-  // Whatever goes wrong is told in the result.
+  // Solves a variation alone; errors are stored in the result.
   VariationResult solve(int variation) {
     VariationResult result;
     try {
@@ -96,8 +96,8 @@ class Workplace {
     return result;
   }
 
-  // The solver of a variation, about to take its first step. Null: it has to be solved alone; `obstacle` is why those of other
-  // variations have to, too, or empty.
+  // Returns the solver of a variation, ready for its first step. A null pointer means that the variation has to be
+  // solved alone; `obstacle` is the reason if it holds for all variations, else empty.
   SecondOrderSolver* begin(int variation, std::string& obstacle) {
     obstacle.clear();
     try {
@@ -110,10 +110,10 @@ class Workplace {
       solver->timer.reset(settings_.displayComputationTime);
       return solver;
     } catch (const std::exception&) {
-      return nullptr;  // which will tell
+      return nullptr;  // solve() reports the error
     }
   }
-  // After its last step.
+  // Finishes a variation after its last step.
   VariationResult end() {
     VariationResult result;
     result.solved = true;
@@ -181,13 +181,13 @@ class Workplace {
   bool reassembles_ = false, starts_from_nodes_ = false;
 };
 
-// One thread's workplaces for variations that take their steps together.
+// The workplaces of one thread, for variations that take their steps side by side.
 class Workplaces {
  public:
   Workplaces(const Ensemble& ensemble, const Model& model, const State& initial, const std::atomic<bool>& stop)
       : make_workplace_([&] { return std::make_unique<Workplace>(ensemble, model, initial, stop); }) {}
 
-  // Variations from `first` on, into their results.
+  // Solves the variations from `first` on.
   void solve(int first, std::span<VariationResult> results) {
     const bool together = obstacle_.empty() && results.size() > 1;
     const std::vector<bool> solved = together ? solve_together(first, results.size()) : std::vector<bool>(results.size());
@@ -197,7 +197,7 @@ class Workplaces {
     for (std::size_t i = 0; i < results.size(); ++i) {
       if (solved[i]) results[i] = workplace(i).end();
     }
-    for (std::size_t i = 0; i < results.size(); ++i) {  // one workplace is enough: systems may be large
+    for (std::size_t i = 0; i < results.size(); ++i) {  // one workplace suffices: systems may be large
       if (solved[i]) continue;
       results[i] = workplace(0).solve(first + static_cast<int>(i));
       results[i].alone = alone;
@@ -205,7 +205,7 @@ class Workplaces {
   }
 
  private:
-  // False for those that have to be solved alone, where errors are told as well.
+  // Returns false for variations that have to be solved alone, which also reports their errors.
   std::vector<bool> solve_together(int first, std::size_t count) {
     std::vector<SecondOrderSolver*> solvers;
     std::vector<std::size_t> who;
@@ -236,10 +236,10 @@ class Workplaces {
   std::function<std::unique_ptr<Workplace>()> make_workplace_;
   std::vector<std::unique_ptr<Workplace>> workplaces_;
   Lockstep lockstep_;
-  std::string obstacle_;  // why none go together; found with the first ones
+  std::string obstacle_;  // reason why no variations are solved side by side; set by the first ones
 };
 
-// Threads that take some variations after the others until none is left.
+// A thread pool: each thread takes the next variations until all are solved.
 class Crew {
  public:
   Crew(const Ensemble& ensemble, const Model& model, const State& initial, int threads)
@@ -285,7 +285,7 @@ class Crew {
     if (!error_) error_ = std::move(error);
   }
 
-  // As many variations as go together at most, so that all threads take as many turns.
+  // Returns the number of variations per turn, at most Lockstep::most, such that all threads have equally many turns.
   static int even_share(int variations, int threads) {
     const auto rounded_up = [](int a, int b) { return (a + b - 1) / b; };
     const int turns = std::max(1, rounded_up(variations, threads * Lockstep::most));
@@ -299,7 +299,7 @@ class Crew {
   std::condition_variable finished_;
   int working_;
   std::exception_ptr error_;
-  std::vector<std::jthread> threads_;  // last: they end before the rest goes
+  std::vector<std::jthread> threads_;  // the last member: threads end before other members are destroyed
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
-// Steps that end where functions of the user change their sign, where items switch, or at times that are known beforehand.
+// Event location: a step ends where a user function changes its sign, where an item switches, or at a scheduled time.
 //
-// The place is found first on the Hermite polynomial through both ends of the step, then by steps that end there: the method of
-// Dowell and Jarratt (Illinois), BIT 11 (1971).
+// The time is located on the Hermite polynomial through both ends of the step first, and then by steps that end there,
+// with the method of Dowell and Jarratt (Illinois), BIT 11 (1971).
 #include "control/events.hpp"
 
 #include <algorithm>
@@ -23,23 +23,25 @@ namespace dalembert {
 
 namespace {
 
-constexpr int most_solutions = 40;    // for one event; each takes as much as a step
-constexpr int most_in_a_row = 20;     // events of one function, close to each other
-constexpr double close_of_user = 1, close_of_item = 2;  // in steps; a contact that is shorter than a step takes little more
-constexpr int most_rounds = 10;       // in which items settle at the start
-constexpr int inner_points = 3;       // of a step, where functions may have changed their sign twice
-constexpr double leaves_zero = 10;    // times what was left at the event
-constexpr double on_zero = 1e-10;     // of the value at the start: the end of the step is where the function of a user vanishes, but for round-off
+constexpr int most_solutions = 40;    // solutions of a step for one event
+constexpr int most_in_a_row = 20;     // successive events of one function, close to each other
+// In steps; a contact that is shorter than a step lasts little longer.
+constexpr double close_of_user = 1, close_of_item = 2;
+constexpr int most_rounds = 10;       // iterations until the items are consistent at the start
+constexpr int inner_points = 3;       // samples inside a step, to detect two changes of sign
+constexpr double leaves_zero = 10;    // relative to the value that remained at the event
+// Relative to the value at the start: a user function that is zero at the end of a step, except for round-off.
+constexpr double on_zero = 1e-10;
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-// A place between two values of different sign.
+// An interval with a change of sign, as parts of a step.
 struct Bracket {
   double a = 0, b = 1, at_a = 0, at_b = 0;
-  int moved = 0;  // last, to the right or to the left
-  // A function that begins at zero has no place to be found before.
+  int moved = 0;  // the end that moved last: 1 right, -1 left
+  // A function that is zero at the start has no earlier root.
   double estimate() const { return at_a == 0 ? b : at_a == at_b ? 0.5 * (a + b) : b - at_b * (b - a) / (at_b - at_a); }
-  // The value of the end that stays is halved when it stays a second time.
+  // Illinois method: halve the value of an end that remains twice in succession.
   void take(double x, double value, bool beyond) {
     if (beyond) {
       if (moved > 0) at_a *= 0.5;
@@ -56,7 +58,8 @@ struct Bracket {
 
 }  // namespace
 
-// ---- what is known at the start of a step ------------------------------------------------------------------------------
+// ---- values at the start of a step
+// -------------------------------------------------------------------------------------
 
 void EventWatch::begin(std::vector<WatchedValue> values) {
   start_ = std::move(values);
@@ -72,7 +75,7 @@ bool EventWatch::just_after_event() const {
 
 bool EventWatch::counts(int event, double value) const { return std::abs(value) > dead_band_[static_cast<std::size_t>(event)]; }
 
-// The sign of zero is that of the next value.
+// A function that is zero keeps its previous sign.
 void EventWatch::go_on(const std::vector<WatchedValue>& values) {
   for (std::size_t i = 0; i < start_.size(); ++i) {
     if (values[i].value == 0 || !counts(static_cast<int>(i), values[i].value)) continue;
@@ -149,7 +152,7 @@ void EventWatch::take_numbers(std::span<const double> numbers, const std::string
 
 // ---- steps -------------------------------------------------------------------------------------------------------------
 
-// Of the user, then those of items; until they are asked for again.
+// Returns the values of user events, then of item events; the reference is valid until the next call.
 const std::vector<WatchedValue>& Solver::event_values(std::vector<Switch>& of_items) {
   std::vector<WatchedValue>& values = look_->values;
   values.clear();
@@ -189,7 +192,8 @@ void Solver::begin_to_watch_events() {
   look_ = std::make_unique<EventLook>();
   system_->forget_switches();
   const auto wrong = [](const WatchedValue& value) { return value.holds && value.value < 0; };
-  if (locates && !continues() && std::ranges::any_of(event_values(), wrong)) {  // data coordinates are not those of the initial state
+  // Data coordinates differ from the initial state.
+  if (locates && !continues() && std::ranges::any_of(event_values(), wrong)) {
     settle_switches();
     renew_accelerations();
   }
@@ -198,10 +202,11 @@ void Solver::begin_to_watch_events() {
   hooks().schedule->begin(current(), is_static());
   if (continues()) return;
   hooks().schedule->act(current());
-  renew_accelerations();  // those that are known may be under forces of the last solution
+  renew_accelerations();  // the stored accelerations may belong to loads of the previous solution
 }
 
-// ---- times that are known beforehand -----------------------------------------------------------------------------------
+// ---- scheduled times
+// ---------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -211,7 +216,7 @@ double round_off_of(double time) { return 8 * std::numeric_limits<double>::epsil
 
 void Solver::end_as_scheduled() {
   if (!watch_) throw ModelError(ErrorKind::state, name() + ": sampled controllers act while solver.SolveSteps(...) solves the steps, not in single parts of it");
-  constexpr double last_stretch = 1e-6;  // of a step, which no step is made for
+  constexpr double last_stretch = 1e-6;  // part of a step; the remainder is not a step of its own
   const double end = hooks().schedule->next(), start = start_of_step().time;
   if (end > it.endTime || it.currentTime < end - std::max(round_off_of(end), last_stretch * it.currentStepSize)) return;
   if (std::abs(it.currentTime - end) > round_off_of(end)) {
@@ -221,7 +226,7 @@ void Solver::end_as_scheduled() {
   it.currentTime = current().time = end;
 }
 
-// What it changes are forces: accelerations jump.
+// Scheduled actions change forces, so accelerations jump.
 void Solver::act_as_scheduled() {
   steps_.use(std::max(it.currentStepSize, std::exchange(watch_->unscheduled_step_size, 0.0)));
   if (hooks().schedule->act(current()) || step_was_cut()) renew_accelerations();
@@ -231,7 +236,7 @@ bool Solver::step_was_cut() const { return !it.automaticStepSize && it.currentSt
 
 // ---- switches of items ---------------------------------------------------------------------------------------------------
 
-// One item that switches may make others do so.
+// An item that switches may cause others to switch.
 void Solver::settle_switches() {
   const auto unsettled = [](const WatchedValue& value) { return value.holds && value.value < -value.noise; };
   int rounds = 0;
@@ -240,12 +245,12 @@ void Solver::settle_switches() {
   if (system_->searches()) search();
 }
 
-// At the end of a step: items go on with what they have come to, those that switch and those that do not.
+// Sets the states of all items at the end of a step.
 [[gnu::noinline]] void Solver::switch_over() {
   if (locates_switches()) system_->switch_over(current(), conditions_);
 }
 
-// Another end for the step that has just been solved; false: it fails.
+// Repeats the step that has just been solved with another size. Returns false if it fails.
 bool Solver::solve_again(double step_size) {
   reset_to_start_of_step();
   current().data = start_of_step().data;
@@ -258,7 +263,8 @@ bool Solver::solve_again(double step_size) {
 
 namespace {
 
-// Places of the step, as parts of it, where functions are looked at. One that was zero at an event may be so again very soon.
+// Returns the sampled parts of a step. Short distances are included after an event, because the function may return to
+// zero soon.
 std::span<const double> places_to_look(bool after_event) {
   static constexpr std::array places{1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.25, 0.5, 0.75, 1.0};
   return std::span(places).last(after_event ? places.size() : inner_points + 1);
@@ -266,8 +272,8 @@ std::span<const double> places_to_look(bool after_event) {
 
 }  // namespace
 
-// Part of the step after which functions have changed their sign, as far as the Hermite polynomial tells; negative: none. `seen` becomes
-// what is known of them at the last place before, at part `before`.
+// Returns the part of the step at which a function has changed its sign, on the Hermite polynomial; negative if there
+// is no such function. `seen` receives the values at the previous sample, `before` its part of the step.
 double Solver::look_into_step(double& before) {
   const State& end = look_->end;
   EventWatch& seen = look_->seen;
@@ -309,7 +315,7 @@ double Solver::look_into_step(double& before) {
   return found;
 }
 
-// After a step has been solved: it ends with the first event, on its far side. False: a step on the way has failed.
+// Locates the first event in a solved step and ends the step on its far side. Returns false if a repeated step fails.
 bool Solver::end_with_event() {
   if (!hooks().events && !locates_switches()) return true;
   EventWatch& watch = *watch_;
@@ -332,7 +338,7 @@ bool Solver::end_with_event() {
   std::vector<Bracket> brackets;
   for (std::size_t i = 0; i < values.size(); ++i) brackets.push_back({.a = a, .b = b, .at_a = seen.at_start(static_cast<int>(i)), .at_b = values[i].value});
   watch.events = seen.changed(values);
-  bool beyond = !watch.events.empty(), before_is_known = a == 0;  // or the polynomial has told it
+  bool beyond = !watch.events.empty(), before_is_known = a == 0;  // or it follows from the polynomial
   for (int i = 0; i < most_solutions; ++i) {
     if (x < b || watch.events.empty()) {
       if (!solve_again(x)) return false;
@@ -344,7 +350,7 @@ bool Solver::end_with_event() {
       before_is_known |= !beyond;
       for (std::size_t k = 0; k < brackets.size(); ++k) brackets[k].take(x, values[k].value, beyond);
     }
-    if (watch.events.empty()) {  // the polynomial was wrong
+    if (watch.events.empty()) {  // the polynomial was inaccurate: no event
       if (!solve_again(whole)) return false;
       steps_.use(next);
       watch.go_on(event_values());
@@ -375,7 +381,7 @@ bool Solver::event_reached() const {
 
 namespace {
 
-// Whether items have to switch because of what an action has done, in which their functions do not pass zero.
+// Returns whether an action has changed states of items such that they must switch without passing zero.
 bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedValue>& before) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (values[i].holds && values[i].value < std::min(before[i].value, -values[i].noise)) return true;
@@ -384,7 +390,7 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
 
 }  // namespace
 
-// At the end of a step, which has been written: actions of the user, and a new start from the state that they leave.
+// Calls the user's actions at the end of a written step, and restarts from the resulting state.
 [[gnu::noinline]] void Solver::act_on_events() {
   EventWatch& watch = *watch_;
   const double time = current().time;
@@ -395,7 +401,7 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
   const bool acts = hooks().event_action || hooks().item_event_action, settles = acts && locates_switches();
   const std::vector<double> gaps = acts ? gaps_and_rates() : std::vector<double>();
   const std::vector<double> positions = acts ? current().q : std::vector<double>();
-  std::vector<Switch> at_end;  // those of the events are as they were when it happened
+  std::vector<Switch> at_end;  // switches of the events, with their states at the event
   const std::vector<WatchedValue> before = settles ? event_values(at_end) : std::vector<WatchedValue>();
   for (const EventWatch::Event& event : watch.events) {
     if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + position_text() + "\n");
@@ -420,7 +426,7 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
   watch.events_over(event_values());
 }
 
-// False: the solver stops.
+// Returns false if the solver has to stop.
 bool Solver::let_user_act(int event, int direction) {
   const bool of_user = event < static_cast<int>(*watch_->users);
   if (of_user ? !hooks().event_action : !hooks().item_event_action) return true;
@@ -446,7 +452,8 @@ std::vector<double> Solver::gaps_and_rates() {
   return gaps;
 }
 
-// That an action has left, as a plastic impact of the joints does: by the smallest change in the metric of the masses.
+// Removes velocities across constraints after an action, like a plastic impact: the change is minimal in the metric of
+// the mass matrix.
 [[gnu::noinline]] void Solver::end_velocities_against_constraints(bool keeps_positions) {
   if (sizes_.ae == 0 || is_static() || !enforces_constraints()) return;
   State moved = current();
@@ -455,11 +462,11 @@ std::vector<double> Solver::gaps_and_rates() {
     prepare(own);
     motion = &own;
   } else if (motion->is_examined()) {
-    motion->examine(*system_, moved, conditions_);  // actions switch constraints on and off
+    motion->examine(*system_, moved, conditions_);  // actions may have switched constraints
   }
   const int row = motion->factorize(*system_, moved, conditions_);
   if (row == LinearSolver::success && motion->project(*system_, moved, conditions_)) {
-    std::ranges::copy(moved.v, current().v.begin());  // in place: there are views of them
+    std::ranges::copy(moved.v, current().v.begin());  // in place: other objects refer to these vectors
     if (!keeps_positions) std::ranges::copy(moved.q, current().q.begin());
   }
   warn_of_actions_against_constraints(row);

@@ -26,10 +26,10 @@ namespace {
 
 struct Idle {
   std::string path;
-  std::size_t offset;  // in SimulationSettings
+  std::size_t offset;  // offset in SimulationSettings
   Storage storage;
   const SettingRule* rule;
-  std::vector<std::size_t> flags;  // offsets of those, one of which gives it an effect
+  std::vector<std::size_t> flags;  // offsets of flags: the setting acts if one of them is set
 };
 
 void collect(const SettingsGroup& group, const std::string& path, std::size_t offset, std::vector<Idle>& found) {

@@ -1,4 +1,4 @@
-// What solvers look for in settings that are each within their range.
+// Checks of settings that depend on each other.
 #pragma once
 
 #include <functional>
@@ -8,14 +8,14 @@
 
 namespace dalembert {
 
-// ModelError if there is nothing to integrate.
+// Raises a ModelError if the duration is not positive.
 void require_duration(double start_time, double end_time);
 
-// Settings that differ from their defaults although nothing depends on them are told to `warn`, with the reason: each once in
-// the life of the process. Without `warn`, none counts as told.
+// Reports settings without effect that differ from their defaults, with the reason, by `warn`: each once per process. A
+// setting is not marked as reported if `warn` is empty.
 void tell_settings_without_effect(const SimulationSettings& settings, const std::function<void(std::string_view)>& warn);
 
-// Warns, once for each setting, of tolerances that differ from their defaults although the solver takes steps of equal size.
+// Warns, once per setting, of tolerances that differ from their defaults if the solver takes equal steps.
 void warn_of_unused_tolerances(const SimulationSettings& settings, const std::function<void(std::string_view)>& warn);
 
 }  // namespace dalembert

@@ -1,4 +1,4 @@
-// The loop over steps: starting, repeating with other step sizes, discontinuous iterations.
+// The loop over steps: start, repetition with other step sizes, discontinuous iteration.
 #include "dalembert/solvers/solver.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace dalembert {
 
 namespace {
 
-// In place: one state has been assigned to the other before, so their vectors are of the same sizes.
+// Copies in place; both vectors have the same size.
 void take(const System& system, const std::vector<double>& from, std::vector<double>& to) {
   copy_numbers(system, from.data(), from.size(), to.data());
 }
@@ -129,8 +129,8 @@ bool Solver::check_system() {
   return true;
 }
 
-// Dense factors list their operations up to 32 unknowns; above, sparse ones take less time. Choices that only dense solvers know, and users
-// who write into matrices, need dense ones.
+// Dense factors have a list of their operations up to 32 unknowns; sparse factors are faster above. Options of dense
+// solvers, and users who write into matrices, require dense ones.
 void Solver::choose_linear_solver() {
   constexpr int most_dense_unknowns = 32;
   const auto& s = *settings_;
@@ -160,14 +160,14 @@ void Solver::initialize_data() {
     system_->begin_history();
     system_->search(initial(), conditions_);
   }
-  if (continues()) system_->forget_searches();  // that of the initial values was not the last one
-  static const int cores = static_cast<int>(std::thread::hardware_concurrency());  // it takes a look into files
+  if (continues()) system_->forget_searches();  // the search for the initial values was not the last one
+  static const int cores = static_cast<int>(std::thread::hardware_concurrency());  // reads files of the system
   system_->use_threads(std::min(settings_->parallel.numberOfThreads, cores));
   output.numberOfThreadsUsed = system_->threads();
   output.lastNewtonStepsCount = output.lastNewtonJacobiCount = output.lastDiscontinuousIterationsCount = 0;
 }
 
-// Step sizes that contradict each other; none, if the end is not known yet.
+// Warns of contradictory step sizes; does nothing if the end time is unknown.
 void Solver::warn_of_step_sizes() {
   if (!(it.maxStepSize > 0)) return;
   const std::string group = is_static() ? "staticSolver." : "timeIntegration.";
@@ -244,16 +244,18 @@ void Solver::initial_conditions() {
   ++it.currentStepIndex;
 }
 
-// Parts of each step are inlined: calls take as long as what they do.
+// Inlines the parts of a step: calls would take as long as the work.
 [[gnu::flatten]] bool Solver::solve_steps() {
-  if (it.endTime == it.startTime && !is_static()) return true;  // nothing is asked for: whoever integrates piece by piece may begin so
+  // An empty interval is allowed: users integrate piece by piece.
+  if (it.endTime == it.startTime && !is_static()) return true;
   require_duration(it.startTime, it.endTime);
   if (diagnosis_.failed() && it.currentStepIndex == 0) return false;  // a part of initialize has failed
   try {
     start_steps();
     start_of_step() = current();
     while (next_step()) {
-      start_is_told_ = multipliers_may_wait_ && it.endTime - it.currentTime < 1.5 * it.currentStepSize;  // the last start remains to be seen
+      // The start of the last step remains visible.
+      start_is_told_ = multipliers_may_wait_ && it.endTime - it.currentTime < 1.5 * it.currentStepSize;
       if (start_is_told_) told_multipliers();
       save_start_of_step();
       take_step();
@@ -266,7 +268,8 @@ void Solver::initial_conditions() {
   return output.finishedSuccessfully;
 }
 
-// After an exception, which is what the user is to see, whatever else fails: multipliers that are not the smallest ones then belong to the same forces.
+// Called after an exception, which has priority over any other failure. Multipliers that are not minimum-norm ones
+// belong to the same forces.
 [[gnu::noinline]] void Solver::return_to_start_of_step() {
   if (!step_completed_) current() = start_of_step();
   try {
@@ -305,7 +308,7 @@ void Solver::save_start_of_step() {
 
 void Solver::save_all_but_motion() { take_all_but_motion(system(), current(), start_of_step()); }
 
-// False: there is none, or the solver was stopped.
+// Returns false at the end, or if the solver was stopped.
 bool Solver::next_step() {
   if (conv.stepReductionFailed || end_reached_ || stop_) return false;
   if (time_to_look()) poll();
@@ -329,16 +332,17 @@ void Solver::begin_step() {
   initialize_step();
   if (newton_settings.modifiedNewtonJacUpdatePerStep) conv.jacobianUpdateRequested = true;
   it.lastStepSize = it.currentStepSize;
-  diagnosis_.reason = FailureReason::none;  // of an earlier attempt
+  diagnosis_.reason = FailureReason::none;  // resets the reason of an earlier attempt
   if (system_->searches()) [[unlikely]] search();
 }
 
 [[gnu::noinline]] void Solver::step_failed() {
   if (!conv.discontinuousIterationSuccessful) ++it.rejectedDiscontinuousSteps;
-  else if (!conv.newtonConverged && it.newtonSteps > 0) ++it.rejectedNewtonSteps;  // explicit methods have no iterations
+  // Explicit methods have no iterations.
+  else if (!conv.newtonConverged && it.newtonSteps > 0) ++it.rejectedNewtonSteps;
   current() = start_of_step();
   if (system_->searches()) system_->restore_history();
-  // No step mends a singular matrix, joints that do not fit, round-off, or a singular position that is not left.
+  // Smaller steps do not mend a singular matrix, inconsistent joints, round-off, or a singular configuration.
   const FailureReason reason = diagnosis_.reason;
   const bool beyond_repair = conv.linearSolverFailed || reason == FailureReason::contradiction || reason == FailureReason::round_off ||
                              reason == FailureReason::singular_position;
@@ -475,7 +479,7 @@ void Solver::accept_newton() {
   while (it.discontinuousIteration < discontinuous.maxIterations && !conv.discontinuousIterationSuccessful) {
     if (!newton()) {
       conv.discontinuousIterationError = 2 * discontinuous.iterationTolerance;
-      conv.discontinuousIterationSuccessful = true;  // Newton is to blame
+      conv.discontinuousIterationSuccessful = true;  // the failure is that of Newton's method
       return false;
     }
     accept_newton();
@@ -488,7 +492,7 @@ void Solver::accept_newton() {
     } else if (it.discontinuousIteration < discontinuous.maxIterations) {
       if (system_->searches()) search();
       reset_to_start_of_step();
-      steps_.use(conditions_.step_size);  // error control may have chosen that of the next step
+      steps_.use(conditions_.step_size);  // error control may have set the size of the next step
       const double recommended = it.recommendedStepSize;
       if (recommended != -1 && recommended < (1 + 1e-8) * it.currentStepSize) return false;
     } else if (discontinuous.ignoreMaxIterations) {
@@ -508,7 +512,7 @@ void Solver::accept_newton() {
              ", tolerance = " + number(discontinuous.iterationTolerance) + "\n");
 }
 
-// Dense patterns are never revised.
+// Dense patterns do not change.
 void Solver::search() {
   if (system_->search(current(), conditions_) && !dense()) pattern_revised();
 }
@@ -531,7 +535,7 @@ double Solver::post_newton() {
       it.recommendedStepSize = verdict.recommended_step_size;
     }
   }
-  // A contact that closes within the smallest step is closed in all of it.
+  // A contact that closes within a step of minimum size is closed during the whole step.
   if (!discontinuous.useRecommendedStepSize || steps_.at_minimum()) it.recommendedStepSize = -1;
   return error;
 }
@@ -542,7 +546,7 @@ void Solver::poll_interrupt() {
   }
 }
 
-// Whether the clock is due: every step at first, then as seldom as keeps looks about 2 ms apart.
+// Returns whether to check the clock: at every step first, then about every 2 ms.
 bool Solver::time_to_look() { return (steps_taken_++ & look_mask_) == 0; }
 
 void Solver::show(bool record_image) {

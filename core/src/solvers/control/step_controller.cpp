@@ -8,10 +8,11 @@ namespace dalembert {
 
 namespace {
 
-constexpr double smallest_factor = 0.2;  // of the step size after a step with a large error
-constexpr double not_worth_it = 1.2;     // an increase, which costs a factorization and accuracy of algorithmic accelerations
-constexpr double last_stretch = 1.1;     // the rest of the simulation is one step if it is at most so many steps long
-constexpr int most_above_tolerance = 100;  // in a row; a jump is passed in a few steps
+constexpr double smallest_factor = 0.2;  // of the step size, after a step with a large error
+// Smaller increases do not pay for a factorization and the loss of accuracy of algorithmic accelerations.
+constexpr double not_worth_it = 1.2;
+constexpr double last_stretch = 1.1;     // the remaining time is one step if it is at most this many steps long
+constexpr int most_above_tolerance = 100;  // in succession; a jump is passed in a few steps
 
 }  // namespace
 
