@@ -32,7 +32,7 @@ void put(std::vector<double>& x, std::size_t r, const Vector& value) {
   for (std::size_t k = 0; k < 3; ++k) x[r + k] = value[static_cast<int>(k)];
 }
 
-// Along the motion x + s rate, the derivative of an operator at x, times a vector.
+// Returns the derivative along x + s rate, at s = 0, of an operator at x, times a vector.
 template <class Operator>
 Vector derivative_times(const Operator& at, const Vector& x, const Vector& rate, const Vector& vector) {
   constexpr double step = 1e-4;
@@ -74,7 +74,7 @@ void StepInterpolation::prepare(System& system, const State& start, const State&
   }
 }
 
-// The rotation from the start to the end, the rates of this vector and their rates.
+// Computes the rotation vector from start to end of the step, and its first and second derivatives.
 void StepInterpolation::turn_ends() {
   const std::vector<double>& reference = system_->state(ConfigurationType::Reference).q;
   std::vector<double> back(first_.q.size()), total(back.size()), turn(back.size());
@@ -126,7 +126,7 @@ void StepInterpolation::evaluate(double time, State& state) const {
   system_->restore_unit_lengths(state, 1);
 }
 
-// From rotations since the start to rotation vectors and angular velocities.
+// Converts rotations since the start of the step to rotation vectors and angular velocities.
 void StepInterpolation::turn_back(const Ends& now, double h, State& state) const {
   system_->compose(start_->q, now.q, state.q);
   for (const System::LieBlock& block : system_->lie_blocks()) {

@@ -1,6 +1,7 @@
-// Three angles that turn a body one after the other, near where they lock: there, the first and the last turn against each other, the faster the closer,
-// by up to half a turn while the second comes and goes. Steps that do not see this give wrong motions. Torques about the third direction do no work
-// there: forces on angles may be in equilibrium where those on the body are not.
+// Gimbal lock of three angles: at 90 degrees of the second angle, the axes of the first and third rotation coincide.
+// Close to it, both angles rotate by up to half a turn in opposite directions within a short time. Steps that are too
+// large for this produce wrong motions. Torques about the lost direction do no work on the angles, so that these may be
+// in equilibrium although the body is not.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,13 +15,13 @@ namespace dalembert {
 
 namespace {
 
-constexpr double close_to_lock = 0.2;  // rad, of the second angle
-constexpr double largest_turn = 0.3;   // rad, of the others in a step
-constexpr double no_turn = 1e-6;       // straight through: about one axis, as in a plane, or about two, as in a gimbal
-constexpr double at_lock = 1e-6;       // where Newton's method ends that leads there
+constexpr double close_to_lock = 0.2;  // rad, distance of the second angle from 90 degrees
+constexpr double largest_turn = 0.3;   // rad, change of the other angles in a step
+constexpr double no_turn = 1e-6;       // rad: motion about a single axis, or about two axes as in a gimbal
+constexpr double at_lock = 1e-6;       // rad, accuracy of Newton's method at gimbal lock
 constexpr std::size_t most_told = 3;
 
-// Where the second angle is: the number of half turns that it is next to, and how far from there.
+// Position of the second angle: the nearest multiple of half a turn, and the distance from it.
 struct Place {
   double half_turns, beside;
   explicit Place(double angle) : half_turns(std::nearbyint(angle / std::numbers::pi)), beside(std::abs(angle - half_turns * std::numbers::pi)) {}
@@ -69,8 +70,8 @@ void Solver::watch_angles() {
     const Place place(angle), before(reference[second] + start.q[second]);
     const bool goes_beyond = is_odd(place.half_turns - before.half_turns);
     if (!goes_beyond && !place.is_close_to_lock() && !before.is_close_to_lock()) [[likely]] continue;
-    // A second angle that goes beyond a quarter turn, while the others move, has missed what happens there. Error control has seen to it that what
-    // turns far does so rightly, but not what it has jumped over.
+    // The motion near gimbal lock was missed if the second angle passes a quarter turn while the other ones move. Error
+    // control resolves large rotations, but may step over the lock.
     const double turns = std::min(turn(first), turn(third));
     if (!(turns > (goes_beyond ? no_turn : largest_turn)) || (!goes_beyond && it.automaticStepSize)) continue;
     const auto known = std::ranges::find(locks_, first, &Lock::first);
@@ -79,7 +80,8 @@ void Solver::watch_angles() {
   }
 }
 
-// Who puts a body there himself may well know that it rests.
+// A user who places a body at gimbal lock may know that it is in equilibrium, so only solutions that reach it are
+// reported.
 void Solver::doubt_equilibrium_of_angles() {
   const std::vector<double>& reference = system_->state(ConfigurationType::Reference).q;
   for (const Angles& angles : angles_) {
@@ -97,7 +99,7 @@ void Solver::doubt_angles() {
   const std::size_t told = std::min(locks_.size(), most_told), others = locks_.size() - told;
   for (const Lock& lock : std::span(locks_).first(told)) {
     const auto angles = std::ranges::find(angles_, lock.first, &Angles::first);
-    if (angles == angles_.end()) continue;  // a solution has gone on with another model
+    if (angles == angles_.end()) continue;  // the solution continues another model
     doubts_.push_back(text_of(*angles, lock.second_angle) + " at time " + format_number(lock.time) + "; " + std::to_string(lock.steps) +
                       (lock.steps == 1 ? " step was" : " steps were") + " too large for it: use " + steps + ", or " + remedy_of(angles->node));
     if (&lock == &locks_[told - 1] && others > 0) doubts_.back() += "; the same of " + std::to_string(others) + (others == 1 ? " other" : " others");
@@ -105,7 +107,7 @@ void Solver::doubt_angles() {
   }
 }
 
-// What has been missed before, or may be what has failed now.
+// Adds advice on gimbal lock, found earlier or at the time of the failure.
 [[gnu::noinline]] void Solver::advise_on_angles() {
   const State& last = current();
   const std::vector<double>& reference = system_->state(ConfigurationType::Reference).q;

@@ -1,7 +1,9 @@
-// Contacts and stops that bodies leave faster than they came, because a contact lasts a few steps only: that is energy from nowhere.
+// Detects contacts and stops that bodies leave faster than they came, because a contact lasts for a few steps only: the
+// solver adds energy.
 //
-// Between bodies without other forces, the relative velocity along the normal does not grow by a passive contact. Other forces have little time in
-// a contact of a few steps; where they have, as from a spring that presses a body against a stop, the body comes slowly, or contact lasts long.
+// The relative velocity along the normal does not increase in a passive contact between bodies without other forces.
+// Other forces have little effect in a contact of a few steps. If they matter, such as a spring that presses a body
+// against a stop, the approach is slow or the contact is long.
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -13,22 +15,23 @@ namespace dalembert {
 
 namespace rebounds {
 
-constexpr StepCount few_steps = 6;       // of a contact that closes and opens
-constexpr double noticeable_gain = 1.1;  // of the velocity, by all contacts since it was smallest
-constexpr double probe = 1e-4;           // of a step
+constexpr StepCount few_steps = 6;       // duration of a contact
+constexpr double noticeable_gain = 1.1;  // ratio of velocities over all contacts since the velocity was smallest
+constexpr double probe = 1e-4;           // part of a step, for finite differences
 constexpr std::size_t most_told = 3;
 
 static bool is_contact(const Switch& at) {
   const std::string_view what = at.what;
   return at.owner == nullptr && (what == "contact" || what == "stop");
 }
-// Negative where bodies overlap.
+// Returns the gap; it is negative if bodies overlap.
 static double gap(const Switch& at) { return at.direction > 0 ? at.value : -at.value; }
 static bool is_open(const Switch& at) { return at.direction > 0; }
 
 }  // namespace rebounds
 
-// Called after steps in which something has switched: velocities are those before the step that closes, and after the step that opens.
+// Called after steps in which an item has switched. Velocities are those before the step that closes the contact, and
+// after the step that opens it.
 [[gnu::noinline]] void Solver::watch_rebounds() {
   std::vector<Switch> before, after;
   system_->find_switches(start_of_step(), conditions_, before);

@@ -1,4 +1,4 @@
-// What a solver writes: files, messages, statistics.
+// Output of a solver: files, messages, statistics.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -20,7 +20,7 @@ std::string duration(double seconds, int precision) {
   return format_number(seconds / 86400, precision) + " days";
 }
 
-// With the initial values and the last step.
+// Number of rows, including the initial values and the last step.
 double expected_sensor_rows(const SimulationSettings& settings, bool is_static) {
   if (is_static) return settings.staticSolver.numberOfLoadSteps + 2.0;
   const auto& t = settings.timeIntegration;
@@ -67,7 +67,7 @@ void Solver::initialize_output() {
   if (verbose(1)) say(1, "+++++++++++++++++++++++++++++++\ndalembert solver: " + name() + "\n");
 }
 
-// Two that write one file destroy what the other has written.
+// Warns if two outputs write the same file, which destroys both.
 void Solver::warn_of_files_written_twice() {
   std::vector<const OutputFile*> files{&solution_file_.file(), &information_file_};
   for (const OutputFile& file : sensors_.files()) files.push_back(&file);
@@ -103,7 +103,7 @@ std::string Solver::position_text() const {
   return ", t = " + number(it.currentTime);
 }
 
-// No messages, no files, no pauses, and no functions that could ask for them.
+// Returns whether a step ends without messages, files, pauses, and user functions that could read the state.
 bool Solver::steps_end_silently() const {
   const auto& s = settings_->solutionSettings;
   const bool speaks = output.verboseMode != 0 || output.verboseModeFile != 0 || (output.stepInformation & step_information::every_step);
@@ -112,20 +112,21 @@ bool Solver::steps_end_silently() const {
   return !speaks && !writes && !waits && !hooks().pre_step && !hooks().post_step && !has_replaced_parts();
 }
 
-// Between steps that are not looked at, forces that follow from the motion are enough; states within steps are made of those at both ends.
+// Returns whether multipliers within the solution must be minimum-norm ones at each step. States that nobody reads only
+// need forces of the motion; interpolated states need multipliers at both ends.
 bool Solver::asks_for_multipliers_in_steps() const {
   const bool within = watch_ || it.automaticStepSize || settings_->denseOutput.atRequestedTimes;
   return is_static() || within || hooks().pre_step || hooks().post_newton || has_replaced_parts() || system_->has_discontinuities(conditions_);
 }
 
-// In place: there are views of these numbers.
+// Reports minimum-norm multipliers in place, because other objects refer to the vector.
 Solver::Told::Told(Solver& solver) : solver_(solver), told_(solver.told_multipliers()) {
   if (told_ == nullptr) return;
   own_ = solver.current().lambda;
   std::ranges::copy(*told_, solver.current().lambda.begin());
 }
 
-// What users have written is kept.
+// Restores the multipliers, except values that the user has changed.
 Solver::Told::~Told() {
   std::vector<double>& lambda = solver_.current().lambda;
   if (told_ != nullptr && lambda == *told_) std::ranges::copy(own_, lambda.begin());
@@ -214,13 +215,13 @@ void Solver::print_progress(bool to_console, bool to_file) {
   per_step(discontinuous_iterations, ", Dit/step = ", it.discontinuousIterationsCount,
            output.lastDiscontinuousIterationsCount);
   output.lastVerboseStepIndex = it.currentStepIndex;
-  // What is printed now and then may be overwritten by what follows it.
+  // Progress on the console may be overwritten by the next line.
   const bool passing = output.verboseMode == 1 && !at_end;
   if (to_console && hooks().print) hooks().print(passing ? "\r" + text : text + '\n');
   if (to_file && information_file_.is_open()) information_file_.text() += text + '\n';
 }
 
-// verboseMode 3.
+// Prints the state (verboseMode 3).
 [[gnu::noinline]] void Solver::announce_solution() {
   const Told told(*this);
   const State& now = current();
@@ -236,7 +237,7 @@ void Solver::write_solution_header() {
   sensors_.write_headers(run_description(), *system_);
 }
 
-// Written at the first time, and whenever a period is over.
+// Writes a row at the start, and after each period.
 void Solver::write_coordinates() {
   const double t = current().time;
   if (!solution_file_.is_open() || (t != it.startTime && t - output.lastSolutionWritten < -same_time())) return;
@@ -275,14 +276,14 @@ void Solver::write_restart() {
   if (!last && t - last_restart_ < settings_->solutionSettings.restartWritePeriod - same_time()) return;
   const TimedPart time(timer, timer.writeSolution);
   last_restart_ = t;
-  if (multipliers_may_wait_) told_multipliers();  // as the state has them that the solver goes on with
+  if (multipliers_may_wait_) told_multipliers();  // the solver continues with the multipliers of the restart file
   write_restart_file(settings_->solutionSettings.restartFileName, restart_data());
   if (last) return;
   forget();
   compare_constraints_with(current());
 }
 
-// A file that cannot be written is an error of the run, and a warning if the run has failed anyway.
+// A file that cannot be written is an error, or a warning if the simulation has failed already.
 void Solver::finalize() {
   const auto& s = settings_->solutionSettings;
   const std::string footer = solution_footer(it, conv, timer.total);
@@ -299,13 +300,13 @@ void Solver::finalize() {
   warn(unwritten_text());
 }
 
-// Threads go, too: none is there when the user's processes fork.
+// Closes files and ends threads: no threads may exist when the user's process forks.
 void Solver::leave() {
   close_files();
   system_->use_threads(1);
 }
 
-// While an exception ends the run.
+// Closes files while an exception ends the simulation.
 void Solver::abandon() {
   try {
     throw;
