@@ -1,4 +1,4 @@
-// What a solver can tell about its failure.
+// Diagnosis of failures.
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -22,10 +22,10 @@ namespace {
 constexpr std::size_t most_named = 5, most_items = 10;
 
 struct Part {
-  const char* name;  // as methods of systemData are named
+  const char* name;  // as in methods of systemData
   std::vector<double> State::*vector;
 };
-// Causes come before what follows from them.
+// Causes are listed before their consequences.
 constexpr Part parts[] = {{"Data", &State::data},    {"ODE2", &State::q},     {"ODE2_t", &State::v}, {"ODE1", &State::y},
                           {"AE", &State::lambda},    {"ODE2_tt", &State::a},  {"ODE1_t", &State::y_t}};
 
@@ -34,11 +34,11 @@ int first_row_of(const Sizes& sizes, std::vector<double> State::*vector) {
   return vector == &State::lambda ? sizes.first_ae() : 0;
 }
 
-// Outputs that say what a connector or joint does to its markers.
+// Outputs of connectors and joints that act on their markers.
 constexpr OutputVariableType efforts[] = {OutputVariableType::Force, OutputVariableType::Torque, OutputVariableType::ForceLocal,
                                           OutputVariableType::TorqueLocal};
 
-// Whether `read(values)` gives a number that is not finite; what cannot be read is not to blame.
+// Returns whether `read(values)` gives a number that is not finite. Outputs that cannot be read are not a cause.
 template <class Read>
 bool gives_not_finite(Read&& read) {
   std::vector<double> values;
@@ -50,7 +50,7 @@ bool gives_not_finite(Read&& read) {
   return !all_finite(values);
 }
 
-// One line per item, with its equations: their descriptions differ in what follows the last blank.
+// Returns one line per item with its equations. Descriptions of equations of one item differ after the last blank only.
 std::vector<std::string> describe_equations(const System& system, std::span<const int> rows) {
   std::vector<std::string> lines;
   std::string item, numbers, text;
@@ -174,8 +174,8 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
               "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
 }
 
-// Joints that fit at the start do so in any motion that they allow, unless something drives them apart: what opens then is the motion's. Where
-// rates are constrained, what is left of them tells nothing of the gaps that there are. Static solutions close gaps of the start.
+// Returns whether joints opened by the motion: they fitted at the start, and are not driven. Velocity constraints are
+// not conclusive, because their residuals are not gaps of positions. Static solutions close gaps of the start.
 bool Solver::has_left_constraints(std::span<const double> misfit) {
   return have_fitted(is_static() ? start_of_step() : initial(), misfit) &&
          std::ranges::none_of(driven_equations(system(), initial(), conditions_, last_time()), [](char d) { return d != 0; });
@@ -189,7 +189,7 @@ bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
 }
 
 [[gnu::noinline]] void Solver::diagnose_contradiction(std::span<const double> misfit) {
-  // Actions may have closed a joint that does not fit.
+  // An action may have closed an inconsistent joint.
   const bool begun_before = largest_misfit_ > RedundantConstraints::silent_misfit || have_fitted(start_of_step(), misfit);
   if (begun_before && has_left_constraints(misfit)) {
     Diagnosis& d = diagnose(FailureReason::open_constraints);
@@ -212,7 +212,7 @@ bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
               "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the mechanism)"};
 }
 
-// One line per item, the worst equation of each.
+// Warns with one line per item: its equation with the largest residual.
 [[gnu::noinline]] void Solver::warn_of_contradiction(std::span<const double> misfit) {
   if (!told_contradiction_.empty() || (is_static() && has_left_constraints(misfit))) return;
   const RedundantConstraints& constraints = redundant_constraints();
@@ -237,7 +237,8 @@ bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
   warn(name() + ": " + told_contradiction_);
 }
 
-// Where round-off has hidden which constraints are redundant, it is what has grown; gaps may hide it as well, and are told by themselves.
+// Adds advice if round-off hides redundant constraints, so that it was amplified. Gaps of joints may hide them as well,
+// and have their own warning.
 [[gnu::noinline]] void Solver::advise_on_weak_constraints() {
   const RedundantConstraints& constraints = redundant_constraints();
   if (constraints.certain() || constraints.allows_for_gaps()) return;
@@ -254,7 +255,7 @@ bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
 }
 
 void Solver::add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const {
-  const auto larger = [](double x, double y) {  // in size; what is not a number comes first
+  const auto larger = [](double x, double y) {  // by magnitude; NaN first
     if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && !std::isnan(y);
     return std::abs(x) > std::abs(y);
   };
@@ -318,7 +319,7 @@ void Solver::advise_on_growth() {
                                           : "use smaller steps (timeIntegration.numberOfSteps)");
 }
 
-// Loads and connectors whose values are not finite in the current state, although its coordinates are.
+// Returns loads and connectors with values that are not finite although the coordinates are finite.
 std::vector<std::string> Solver::sources_of_not_finite() {
   std::vector<std::string> found;
   if (environment_->model == nullptr) return found;

@@ -1,4 +1,4 @@
-// Lists in texts about failures.
+// Lists in error messages.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace dalembert {
 
-// Long lists end with how many more there are.
+// Shortens a long list; the last line is the number of omitted lines.
 void shorten(std::vector<std::string>& lines);
-// One below the other, with `shorten`.
+// Returns a shortened list with one indented line per entry.
 std::string indented(std::vector<std::string> lines);
 
 }  // namespace dalembert

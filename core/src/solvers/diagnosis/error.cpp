@@ -9,10 +9,10 @@ namespace dalembert {
 namespace {
 
 struct Words {
-  std::string_view name, sentence, values;  // the last is the title of the list of values
+  std::string_view name, sentence, values;  // values: title of the list of values
 };
 
-// In the order of FailureReason.
+// The order is that of FailureReason.
 constexpr std::array<Words, 17> words{{
     {"", "no failure", ""},
     {"newton", "Newton's method did not converge", "largest residuals"},

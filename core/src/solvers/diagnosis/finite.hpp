@@ -1,4 +1,4 @@
-// Whether numbers are such that a solver may go on with them.
+// Checks for finite numbers.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,12 @@
 
 namespace dalembert {
 
-// Beyond every physical quantity, whatever its unit: the universe measures 1e62 Planck lengths. Squares of such numbers can still be added.
+// A bound above all physical quantities, independent of units: the universe measures 1e62 Planck lengths. The sum of
+// squares of such numbers does not overflow.
 constexpr double unbounded = 1e100;
 
 inline bool all_finite(std::span<const double> numbers) {
-  constexpr std::size_t lanes = 8;  // sums beside each other: one alone would wait for itself
+  constexpr std::size_t lanes = 8;  // independent partial sums, which hide the latency of additions
   std::array<double, lanes> sums{};
   const std::size_t whole = numbers.size() / lanes * lanes;
   for (std::size_t i = 0; i < whole; i += lanes)

@@ -1,4 +1,4 @@
-// Vectors and matrices in messages of solvers, as Python writes them.
+// Vectors and matrices in messages of solvers, in the notation of Python.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ inline std::string vector_text(std::span<const double> values, int precision) {
   return text + "]";
 }
 
-// `values` row by row.
+// Writes `values` row by row.
 inline std::string matrix_text(std::span<const double> values, int size, int precision) {
   std::string text = "[";
   const auto n = static_cast<std::size_t>(size);
@@ -28,7 +28,7 @@ inline std::string matrix_text(std::span<const double> values, int size, int pre
   return text + "]";
 }
 
-// The leading rows and columns of what is stored in the order of a pattern.
+// Writes the leading rows and columns of a matrix that is stored in the order of a pattern.
 inline std::vector<double> dense_rows(const Pattern& pattern, std::span<const double> values, int size) {
   std::vector<double> rows(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 0.0);
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {

@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 
 constexpr int power_iterations = 100;
 
-// y = A x, of the ODE2 coordinates.
+// y = A x, for the ODE2 coordinates.
 void multiply(const Pattern& pattern, const Vector& values, const Vector& x, Vector& y) {
   std::fill(y.begin(), y.end(), 0.0);
   const int n = static_cast<int>(x.size());
@@ -32,7 +32,7 @@ double dot(const Vector& x, const Vector& y) {
   return sum;
 }
 
-// Entries of all sizes and signs: no mode is left out.
+// Returns a start vector with components in all modes.
 Vector mixed_numbers(std::size_t count) {
   Vector x(count);
   for (std::size_t i = 0; i < count; ++i) x[i] = std::sin(1.0 + 2.7 * static_cast<double>(i));
@@ -41,7 +41,7 @@ Vector mixed_numbers(std::size_t count) {
 
 }  // namespace
 
-// Power iterations with M^-1 K and with M^-1 D, and Rayleigh quotients, which for symmetric matrices are never above the true values.
+// Uses power iterations with M^-1 K and M^-1 D. Rayleigh quotients of symmetric matrices are lower bounds.
 Vibration fastest_vibration(System& system, const State& state, const Conditions& conditions, const std::function<bool(std::vector<double>&)>& accelerate,
                             const std::vector<int>& held) {
   const Pattern& pattern = system.pattern(false);
@@ -93,7 +93,8 @@ double amplification(const RungeKuttaMethod& method, const Vibration& vibration,
   return largest;
 }
 
-// Velocities between the steps, u: u+ = u - h (damping u + frequency^2 q), q+ = q + h u+, so that r^2 - b r + d = 0.
+// Velocities u are those between the steps: u+ = u - h (damping u + frequency^2 q), q+ = q + h u+, so that r^2 - b r +
+// d = 0.
 double verlet_amplification(const Vibration& vibration, double step_size) {
   const double z = vibration.frequency * step_size, loss = vibration.damping * step_size, b = 2 - loss - z * z, d = 1 - loss;
   const double discriminant = 0.25 * b * b - d;

@@ -1,4 +1,4 @@
-// Linear stability of explicit methods: how the fastest vibration of a system grows from step to step.
+// Linear stability of explicit methods: growth of the fastest vibration per step.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,18 @@
 
 namespace dalembert {
 
-// Of the system linearized about `state`, without accelerations and multipliers. `accelerate` makes accelerations of forces, as constraints
-// allow; false: it cannot. Coordinates of `held` stay at zero.
+// Computes the fastest vibration of the system, linearized about `state` without accelerations and multipliers.
+// `accelerate` computes constrained accelerations from forces, and returns false if it cannot. Coordinates of `held`
+// remain zero.
 Vibration fastest_vibration(System& system, const State& state, const Conditions& conditions, const std::function<bool(std::vector<double>&)>& accelerate,
                             const std::vector<int>& held);
 
-// Largest factor by which one step changes the amplitude.
+// Returns the largest amplification of one step.
 double amplification(const RungeKuttaMethod& method, const Vibration& vibration, double step_size);
 double verlet_amplification(const Vibration& vibration, double step_size);
 
-// The step size itself, or the next smaller one that lets the vibration grow by less than a hundredth in a period; 0: none does.
+// Returns the step size, or the next smaller one for which the vibration grows by less than a hundredth per period; 0
+// if there is no such step size.
 double largest_stable_step(const Vibration& vibration, double step_size, const std::function<double(double)>& amplified);
 
 }  // namespace dalembert

@@ -1,8 +1,9 @@
-// Whether a static equilibrium is stable: the inertia of its stiffness in the motions that constraints allow.
+// Stability of a static equilibrium: inertia of the stiffness matrix on the null space of the constraints.
 //
-// Sylvester's law of inertia: K = L D L^T has as many negative eigenvalues as D has negative entries. Constraints G enter as stiff springs,
-// K + b G^T G, which for large b has as many negative eigenvalues as K has in the null space of G (Debreu's lemma), also with redundant constraints.
-// A negative pivot alone might be the rounding of large springs: its direction is projected onto the null space, and its curvature is what counts.
+// Sylvester's law of inertia: K = L D L^T has as many negative eigenvalues as D has negative entries. Constraints G
+// enter as stiff springs, K + b G^T G, which for large b has as many negative eigenvalues as K has in the null space of
+// G (Debreu's lemma), also with redundant constraints. A negative pivot alone may be round-off of large springs: its
+// direction is projected onto the null space, and the curvature of the projection decides.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,19 +23,19 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-// In coordinates in which the stiffness of each is 1 at most.
+// Constants for scaled coordinates, in which each stiffness is at most 1.
 constexpr double spring = 1e6;             // b
-constexpr double neutral = 1e-9;           // stiffness that counts as none
-constexpr double largest_asymmetry = 1e-6; // of forces that have a potential
-constexpr double rounding = 1e-9;          // of the terms that cancel in a curvature
+constexpr double neutral = 1e-9;           // stiffness that counts as zero
+constexpr double largest_asymmetry = 1e-6; // of forces with a potential
+constexpr double rounding = 1e-9;          // relative to the terms that cancel in a curvature
 
 struct Problem {
   Sparse K, G;   // scaled
-  Vector scale;  // coordinates are `scale` times the scaled ones
+  Vector scale;  // coordinates = scale * scaled coordinates
   bool has_potential = true;
 };
 
-// Coordinates without stiffness take their scale from constraints that join them to others.
+// Coordinates without stiffness get their scale from constraints that connect them with other coordinates.
 static Vector scales(int n, const Entries& stiffness, const std::vector<Entries>& rows) {
   Vector size = Vector::Zero(n), scale = Vector::Zero(n);
   for (const auto& e : stiffness) size[e.row()] = std::max(size[e.row()], std::abs(e.value()));
@@ -109,7 +110,8 @@ struct Found {
   std::vector<double> direction;
 };
 
-// Counts directions, and finds one of them, in which the stiffness is negative; none where forces have no potential.
+// Counts directions with negative stiffness, and returns one of them. The result is empty for forces without a
+// potential.
 static Found find(const Pattern& pattern, std::span<const double> matrix, const Sizes& sizes) {
   const Problem p = problem_of(pattern, matrix, sizes);
   if (!p.has_potential || !p.K.coeffs().allFinite() || !p.G.coeffs().allFinite()) return {};
@@ -139,7 +141,7 @@ static Found find(const Pattern& pattern, std::span<const double> matrix, const 
 
 }  // namespace stability_of_equilibria
 
-// For the matrix of the equilibrium, with the loads.
+// Uses the matrix of the equilibrium, including loads.
 StaticSolver::Instability StaticSolver::find_instability() const {
   if (sizes_.ode1 > 0) return {};
   for (int k = 0; k < sizes_.ae; ++k)
@@ -149,7 +151,7 @@ StaticSolver::Instability StaticSolver::find_instability() const {
 }
 
 void StaticSolver::look_for_instability() {
-  constexpr double large_share = 0.5;  // of the largest one
+  constexpr double large_share = 0.5;  // relative to the largest one
   const Instability found = find_instability();
   if (found.directions == 0) return;
   double largest = 0;
