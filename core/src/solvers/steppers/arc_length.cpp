@@ -1,5 +1,6 @@
-// Paths of equilibria by their length: M. A. Crisfield, A fast incremental/iterative solution procedure that handles "snap-through", 1981; the
-// constraint is linear, a plane across the tangent at the start of the step (E. Riks, 1979; H. B. Keller, 1977).
+// Arc-length continuation of static equilibria: M. A. Crisfield, A fast incremental/iterative solution procedure that
+// handles "snap-through", 1981. The constraint is linear: a plane normal to the tangent at the start of the step (E.
+// Riks, 1979; H. B. Keller, 1977).
 #include "steppers/arc_length.hpp"
 
 #include <algorithm>
@@ -13,16 +14,18 @@ namespace dalembert {
 
 namespace {
 
-// Of the whole duration, for the derivative of the residual by the load: most loads are linear in it.
+// Part of the duration, for the finite difference of the residual with respect to the load; most loads are linear in
+// it.
 constexpr double probe = 1e-5;
-// Steps change their length by no more than this from one to the next.
+// Largest ratio of the lengths of successive steps.
 constexpr double most_growth = 2;
-// Directions of one mode in two states.
+// Smallest correlation of a mode in two states.
 constexpr double same_direction = 0.3;
-// A singular point is known when its eigenvalue is so much smaller than at the ends of the step, or its place so well.
+// A singular point is located if its eigenvalue is this small relative to the ends of the step, or its position this
+// accurate.
 constexpr double small_eigenvalue = 1e-8, small_length = 1e-10;
 constexpr int most_trials = 40;
-// At a limit point, the load stands still in comparison with the start of the step.
+// At a limit point, the rate of the load is this small relative to the start of the step.
 constexpr double standstill = 1e-4;
 
 double norm(std::span<const double> x) { return std::sqrt(dalembert::dot(x, x)); }
@@ -48,7 +51,7 @@ void StaticSolver::begin_path() {
   path_ends_ = &path_->at_end;
 }
 
-// A step that follows another one takes over what was found at the end of that.
+// A step uses the results at the end of the previous one.
 void StaticSolver::begin_path_step() {
   Path& path = *path_;
   if (path.has_next && it.currentStepIndex != path.step) {
@@ -63,7 +66,7 @@ void StaticSolver::begin_path_step() {
   set_quasi_time(it.currentTime + (path.begun ? path.tangent.rate * path.length_scale * it.currentStepSize : it.currentStepSize));
 }
 
-// Of the current state.
+// Computes the derivative of the residual with respect to quasi-time, in the current state.
 std::vector<double> StaticSolver::residual_by_quasi_time() {
   const double time = it.currentTime, step = probe * settings().staticSolver.loadStepDuration;
   std::vector<double> kept = residual_;
@@ -77,7 +80,7 @@ std::vector<double> StaticSolver::residual_by_quasi_time() {
   return rate;
 }
 
-// With the matrix of the current state in factors.
+// Computes the tangent with the factors of the matrix of the current state.
 StaticSolver::PathTangent StaticSolver::path_tangent() {
   PathTangent tangent;
   std::vector<double> response = residual_by_quasi_time();
@@ -100,7 +103,7 @@ void StaticSolver::find_modes() {
   path_->modes.find(solve, static_cast<std::size_t>(sizes_.ode2), static_cast<std::size_t>(sizes_.total()));
 }
 
-// The first tangent, in the initial state; false, with the flags set, if there is none.
+// Computes the tangent in the initial state. Returns false, with the flags set, if there is none.
 bool StaticSolver::find_first_tangent() {
   Path& path = *path_;
   set_quasi_time(start_of_step().time);
@@ -121,7 +124,7 @@ bool StaticSolver::find_first_tangent() {
   return true;
 }
 
-// To the prediction along the tangent; or to the place where the path ends, between the states before.
+// Moves along the tangent, or to the end of the path between the previous states.
 void StaticSolver::predict_on_path() {
   Path& path = *path_;
   if (!path.begun && !find_first_tangent()) return;
@@ -142,7 +145,7 @@ void StaticSolver::predict_on_path() {
   set_quasi_time(start_of_step().time + path.tangent.rate * path.length);
 }
 
-// The increment of Newton's method and the response to the load are combined such that the step has its length.
+// Combines the increment of Newton's method and the response to the load such that the step keeps its length.
 void StaticSolver::correct_on_path() {
   Path& path = *path_;
   std::vector<double> response = residual_by_quasi_time();
@@ -183,7 +186,7 @@ bool StaticSolver::discontinuous_iteration() {
 
 bool StaticSolver::writes_each_step() const { return path_ != nullptr; }
 
-// The last step has been too long: it is solved again, with the load given.
+// Repeats the last step, which was too long, with the given load.
 bool StaticSolver::end_path_at(double time) {
   Path& path = *path_;
   path.share = (time - start_of_step().time) / (it.currentTime - start_of_step().time);
@@ -202,7 +205,7 @@ bool StaticSolver::solve_step_again() {
 bool StaticSolver::factorize_at_end() {
   compute_jacobian();
   if (factorize()) return true;
-  conv.linearSolverFailed = false;  // a step of another length ends elsewhere
+  conv.linearSolverFailed = false;  // the repeated step ends in another state
   return false;
 }
 
@@ -216,7 +219,7 @@ void StaticSolver::prepare_next_step(const Crossing& crossing, double length) {
   path.has_next = true;
 }
 
-// On, not back.
+// Selects the sign of the tangent that continues the path.
 void StaticSolver::orient(PathTangent& tangent) const {
   if (dot(displacements(tangent.direction), displacements(path_->tangent.direction)) >= 0) return;
   for (double& number : tangent.direction) number = -number;
@@ -230,7 +233,7 @@ double StaticSolver::next_length() const {
   return s.largestStep > 0 ? std::min(length, s.largestStep) : length;
 }
 
-// A mode whose eigenvalue has changed its sign.
+// Finds a mode whose eigenvalue has changed its sign.
 StaticSolver::Crossing StaticSolver::find_crossing() const {
   Crossing crossing;
   for (const NearestModes::Mode& now : path_->modes.modes()) {
@@ -250,7 +253,8 @@ StaticSolver::Crossing StaticSolver::find_crossing() const {
   return crossing;
 }
 
-// Shortens the step until it ends at the singular point: regula falsi in the form of M. Dowell and P. Jarratt, 1971 ("Illinois").
+// Shortens the step until it ends at the singular point, by regula falsi in the form of M. Dowell and P. Jarratt, 1971
+// ("Illinois").
 bool StaticSolver::go_to_singular_point(const Crossing& crossing) {
   Path& path = *path_;
   double low = 0, high = path.length, at_low = crossing.before, at_high = crossing.after;
@@ -277,11 +281,12 @@ bool StaticSolver::go_to_singular_point(const Crossing& crossing) {
   return true;
 }
 
-// The matrix at the singular point does not tell how to go on: along what was walked, or along the null vector onto the branch.
+// The matrix is singular at this point: the path continues along its previous direction, or along the null vector to
+// the branch.
 void StaticSolver::pass_singular_point(const Crossing& crossing) {
   Path& path = *path_;
   NearestModes::Mode& found = *NearestModes::most_like(path.end_modes, crossing.mode);
-  found.eigenvalue = std::numeric_limits<double>::quiet_NaN();  // it has no sign that the next could differ from
+  found.eigenvalue = std::numeric_limits<double>::quiet_NaN();  // NaN: no change of sign is possible
   const bool along_mode = std::abs(dot(displacements(path.next.direction), found.vector)) > std::sqrt(0.5);
   SingularPoint point{.step = it.currentStepIndex, .load_factor = load_factor(), .limit = false, .mode = found.vector};
   point.limit = along_mode && std::abs(path.next.rate) < standstill * std::abs(path.tangent.rate);

@@ -1,4 +1,4 @@
-// Sums of weighted vectors in one pass over memory; terms are added from left to right.
+// Linear combinations of vectors in one pass over memory; terms are added from left to right.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ void add_weighted(const System& system, double* sum, const double* base, const W
   });
 }
 
-// sum = base + all terms, none of which is `sum`.
+// sum = base + all terms. `sum` must not be one of the terms.
 inline void combine(const System& system, std::vector<double>& sum, const std::vector<double>& base, std::span<const WeightedVector> terms) {
   const std::size_t n = sum.size();
   const double* from = base.data();

@@ -14,9 +14,9 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::size_t stages = 6;  // the first one is the end of the step before
+constexpr std::size_t stages = 6;  // the first one is the end of the previous step
 constexpr double gamma = 1.0 / 4;
-// ESDIRK4(3)6L[2]SA: below the diagonal, which is gamma; the last row holds the weights of the solution.
+// ESDIRK4(3)6L[2]SA: entries below the diagonal; the diagonal is gamma. The last row has the weights of the solution.
 constexpr double coefficients[stages][stages - 1] = {
     {},
     {1.0 / 4},
@@ -26,17 +26,17 @@ constexpr double coefficients[stages][stages - 1] = {
     {82889.0 / 524892, 0, 15625.0 / 83664, 69875.0 / 102672, -2260.0 / 8211}};
 constexpr double nodes[stages] = {0, 1.0 / 2, 83.0 / 250, 31.0 / 50, 17.0 / 20, 1};
 
-constexpr double still_good = 0.2;      // factor of an iteration, with which the matrix is kept for the next step
-constexpr double too_slow = 0.5;        // with which it is renewed at once
-constexpr double other_step = 0.15;     // change of the step size that the matrix bears
-constexpr int most_iterations = 10;     // with a matrix of before
-// What is known of iterations fades with each step whose stages take a single one, which tells nothing of a matrix that gets older, as E. Hairer and
-// G. Wanner let it do (Solving Ordinary Differential Equations II).
+constexpr double still_good = 0.2;      // contraction of an iteration below which the next step reuses the matrix
+constexpr double too_slow = 0.5;        // contraction above which the matrix is updated at once
+constexpr double other_step = 0.15;     // relative change of the step size for which the matrix is still used
+constexpr int most_iterations = 10;     // with a matrix of an earlier state
+// The estimated contraction decreases with each step whose stages take a single iteration, because such a step gives no
+// information on an older matrix: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II.
 constexpr double forgetting = 0.8, least_rate = 1e-10;
-constexpr double part_of_tolerance = 0.01;  // that Newton's method may leave
-constexpr double negligible = 1e-11;    // change of velocities, relative to the largest, that may be round-off of accelerations
+constexpr double part_of_tolerance = 0.01;  // tolerance of Newton's method relative to that of errors
+constexpr double negligible = 1e-11;    // change of velocities relative to the largest one: round-off of accelerations
 
-// Polynomial through the values at the stages before: weights at the node of a stage.
+// Returns the weight of stage j in the polynomial through all previous stages, at the node of a stage.
 double extrapolation(std::size_t stage, std::size_t j) {
   double weight = 1;
   for (std::size_t m = 0; m < stage; ++m)
@@ -109,7 +109,7 @@ void DiagonallyImplicitSolver::prepare_factors() {
   untold_ = 0;
 }
 
-// Factors remember the pivots of earlier matrices.
+// Discards the factors, which depend on pivots of earlier matrices.
 void DiagonallyImplicitSolver::forget() {
   Solver::forget();
   prepare_factors();
@@ -127,7 +127,8 @@ ConstrainedMotion* DiagonallyImplicitSolver::motion_under_constraints() {
   return &masses_;
 }
 
-// Stages add changes of multipliers, which are the smallest ones where they have been found; what is idle of their sum turns with the bodies.
+// Stages add increments of minimum-norm multipliers. The component of their sum in the null space rotates with the
+// bodies, and is removed here.
 const std::vector<double>* DiagonallyImplicitSolver::told_multipliers() {
   const State& now = current();
   if (motion_.redundant().count() == 0 || !motion_.redundant().in_use()) return nullptr;
@@ -140,7 +141,7 @@ const std::vector<double>* DiagonallyImplicitSolver::told_multipliers() {
   return &smallest_.told;
 }
 
-// Accelerations, rates and multipliers of the current state, not as the end of a step has left them.
+// Computes accelerations, rates and multipliers of the current state.
 void DiagonallyImplicitSolver::find_accelerations() {
   State& state = current();
   motion_under_constraints();
@@ -155,7 +156,7 @@ void DiagonallyImplicitSolver::find_accelerations() {
   }
 }
 
-// Coordinates without mass go where forces stay in balance: one iteration of a very short step, of the current state.
+// Coordinates without mass move to equilibrium, by one iteration of a very short step from the current state.
 bool DiagonallyImplicitSolver::find_accelerations_without_masses() {
   constexpr double very_short = 1e-3;
   State& now = current();
@@ -180,7 +181,8 @@ double DiagonallyImplicitSolver::misfit_of_accelerations() {
   return sum_of_squares(system(), std::span<const double>(x_).first(static_cast<std::size_t>(sizes_.first_ae())));
 }
 
-// The first stage is the end of the step before, unless user functions, contact or friction have changed forces in between.
+// The first stage is the end of the previous step, unless user functions, contact or friction have changed forces in
+// between.
 void DiagonallyImplicitSolver::accelerations_that_fit() {
   State &now = current(), &start = start_of_step();
   now.time = start.time;
@@ -193,7 +195,8 @@ void DiagonallyImplicitSolver::accelerations_that_fit() {
   now.time = it.currentTime;
 }
 
-// ---- stages ------------------------------------------------------------------------------------------------------------
+// ---- stages
+// ------------------------------------------------------------------------------------------------------------
 
 bool DiagonallyImplicitSolver::newton() {
   conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.newtonStagnated = conv.stopNewton = false;
@@ -238,7 +241,7 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::solve_stage(int stag
   predict(stage);
   const bool regular = factorize(true);
   if (regular) outcome = iterate(stage, newton_settings.maxIterations);
-  factorized_for_ = 0;  // they serve no other stage
+  factorized_for_ = 0;  // the factors are not valid for another stage
   return regular ? outcome : Outcome::singular;
 }
 
@@ -264,7 +267,7 @@ void DiagonallyImplicitSolver::begin_stage(int stage) {
   sum(base_turn_, turn_, stage_q_);
 }
 
-// Accelerations and multipliers go on as they have gone through the stages before.
+// Extrapolates accelerations and multipliers from the previous stages.
 void DiagonallyImplicitSolver::predict(int stage) {
   State& now = current();
   const auto last = static_cast<std::size_t>(stage);
@@ -292,7 +295,7 @@ void DiagonallyImplicitSolver::follow_rates() {
   if (lie_) turn_rotations();
 }
 
-// x = X + gamma h T(x)^-1 omega, and q = q_n o exp(x): implicit, but hardly.
+// Solves x = X + gamma h T(x)^-1 omega with q = q_n o exp(x) by fixed-point iteration; the equation is almost explicit.
 [[gnu::noinline]] void DiagonallyImplicitSolver::turn_rotations() {
   constexpr int most = 20;
   State& now = current();
@@ -339,7 +342,8 @@ void DiagonallyImplicitSolver::evaluate_residual() {
   if (sizes_.ae > 0) std::ranges::copy(motion_.gap_accelerations(system(), current(), conditions_), x_.begin() + sizes_.first_ae());
 }
 
-// `constraints_follow_motion`: beside a singular position, where Newton's method does not converge otherwise.
+// `constraints_follow_motion` adds the change of constraints along the motion, for convergence close to singular
+// configurations.
 bool DiagonallyImplicitSolver::factorize(bool constraints_follow_motion) {
   const double g = diagonal();
   const Weights weights{.q = g * g, .v = g, .a = 1, .y = g, .y_t = 1};
@@ -416,7 +420,7 @@ bool DiagonallyImplicitSolver::at_round_off() const {
   return diagonal() * size_of(std::span(x_).first(now.v.size())) <= negligible * std::max(1.0, size_of(now.v));
 }
 
-// In units of what Newton's method has to achieve, root mean square.
+// Returns the root mean square of the increment in units of the tolerance of Newton's method.
 double DiagonallyImplicitSolver::increment_size() const {
   const State &now = system().state(ConfigurationType::Current), &start = system().state(ConfigurationType::StartOfStep);
   const double g = diagonal();
@@ -432,7 +436,7 @@ double DiagonallyImplicitSolver::increment_size() const {
   return std::sqrt(sum / std::max(1, 2 * sizes_.ode2 + sizes_.ode1));
 }
 
-// Equal steps have no tolerances for errors; those of Newton's method take their place.
+// Equal steps have no error tolerances, and use those of Newton's method.
 double DiagonallyImplicitSolver::weight(double value, double before) const {
   const auto& t = settings().timeIntegration;
   const double size = std::max(std::abs(value), std::abs(before));
@@ -440,7 +444,7 @@ double DiagonallyImplicitSolver::weight(double value, double before) const {
                               : newton_settings.absoluteTolerance + newton_settings.relativeTolerance * size;
 }
 
-// False, always. Other factors are made for the next attempt.
+// Always returns false. The next attempt uses new factors.
 [[gnu::noinline]] bool DiagonallyImplicitSolver::fail(Outcome outcome) {
   factorized_for_ = 0;
   if (outcome == Outcome::singular) {
@@ -459,7 +463,7 @@ double DiagonallyImplicitSolver::weight(double value, double before) const {
   return false;
 }
 
-// With the factors at hand, or with new ones, which the next step takes.
+// Projects onto the constraints with the present factors, or with new ones, which the next step reuses.
 bool DiagonallyImplicitSolver::back_onto_constraints() {
   if (sizes_.ae == 0) return true;
   if (!motion_.project(system(), current(), conditions_)) {
@@ -472,7 +476,7 @@ bool DiagonallyImplicitSolver::back_onto_constraints() {
   return true;
 }
 
-// False, always. Beside a singular position, steps of other sizes may end where gaps can be closed.
+// Always returns false. Close to a singular configuration, steps of other sizes may end where gaps can be closed.
 [[gnu::noinline]] bool DiagonallyImplicitSolver::leave_open_gaps() {
   diagnose_open_gaps();
   const bool may_be_reduced = (it.adaptiveStep || it.automaticStepSize) && !steps_.at_minimum();

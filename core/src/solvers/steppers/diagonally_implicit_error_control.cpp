@@ -1,5 +1,5 @@
-// Diagonally implicit methods: step sizes from an estimated error. Hairer, Wanner: Solving Ordinary Differential Equations II, section IV.8,
-// for the filter that keeps stiff components, whose errors vanish in the next steps, from making steps small.
+// Error control of diagonally implicit methods. The filter keeps errors of stiff components, which decay in the next
+// steps, from reducing the step size: Hairer, Wanner, Solving Ordinary Differential Equations II, section IV.8.
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +10,9 @@ namespace dalembert {
 
 namespace {
 
-constexpr double order_of_error = 4;  // of the embedded method, in a single step
+constexpr double order_of_error = 4;  // of the embedded method, within a step
 
-// Weights of the solution minus those of the embedded method of third order.
+// Weights of the solution minus weights of the embedded method of third order.
 constexpr double differences[] = {82889.0 / 524892 - 4586570599.0 / 29645900160,
                                   0,
                                   15625.0 / 83664 - 178811875.0 / 945068544,
@@ -22,7 +22,8 @@ constexpr double differences[] = {82889.0 / 524892 - 4586570599.0 / 29645900160,
 
 }  // namespace
 
-// In units of the tolerances, root mean square. After a jump nothing is left out: what would die in the next steps is what follows from it.
+// Returns the root mean square of errors in units of the tolerances. The filter is not used after a jump, because
+// decaying components are then part of the solution.
 double DiagonallyImplicitSolver::estimated_error() {
   const TimedPart time(timer, timer.errorEstimator);
   const State &now = current(), &start = start_of_step();
@@ -50,8 +51,8 @@ double DiagonallyImplicitSolver::estimated_error() {
   return std::sqrt(sum / std::max(1, 2 * sizes_.ode2 + sizes_.ode1));
 }
 
-// With the factors at hand, errors e become (1 - gamma h J)^-1 e, where J is that of the equations of first order: M a' = M e_v - gamma h K e_q
-// comes from two residuals, with the coordinates moved by -gamma h e_q.
+// Replaces errors e by (1 - gamma h J)^-1 e, with the Jacobian J of the first-order system and the present factors: M
+// a' = M e_v - gamma h K e_q follows from two residuals, with coordinates moved by -gamma h e_q.
 void DiagonallyImplicitSolver::filter(Vector& error_of_q, Vector& error_of_v, Vector& error_of_y) {
   State& now = current();
   const double g = diagonal();
@@ -79,7 +80,7 @@ void DiagonallyImplicitSolver::filter(Vector& error_of_q, Vector& error_of_v, Ve
   std::copy_n(x_.begin() + sizes_.ode2, error_of_y.size(), error_of_y.begin());
 }
 
-// False: the step has to be repeated, or the solver gives up.
+// Returns false if the step has to be repeated, or if the solver stops.
 bool DiagonallyImplicitSolver::control_step_size() {
   const auto& s = settings().timeIntegration;
   const double error = it.automaticStepSizeError;
@@ -111,7 +112,8 @@ bool DiagonallyImplicitSolver::reduce_step_size() {
     return false;
   }
   const bool beside = may_be_singular && steps_aside();
-  if (may_be_singular && !beside && near_singular_position()) ++it.stepsAboveTolerance;  // small steps there may lead to another branch
+  // Small steps may lead to another branch.
+  if (may_be_singular && !beside && near_singular_position()) ++it.stepsAboveTolerance;
   steps_.reject(it.currentStepSize, beside ? StepController::aside : steps_.decrease());
   return true;
 }

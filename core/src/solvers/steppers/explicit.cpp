@@ -29,7 +29,7 @@ const char* type_name(DynamicSolverType type) {
   }
 }
 
-// `keep(i)` comes before number i moves.
+// Calls `keep(i)` before number i changes.
 template <class Keep>
 void kick_and_drift(const System& system, State& state, double h, Keep&& keep) {
   each_number(system, state.q.size(), [=, a = state.a.data(), v = state.v.data(), q = state.q.data()](std::size_t i) {
@@ -38,7 +38,7 @@ void kick_and_drift(const System& system, State& state, double h, Keep&& keep) {
     q[i] += h * v[i];
   });
 }
-// In one pass over memory.
+// Updates velocities and positions in one pass over memory.
 void kick_and_drift_from(const System& system, State& start, State& state, double h) {
   const auto keep = [a = state.a.data(), v = state.v.data(), q = state.q.data(), start_a = start.a.data(), start_v = start.v.data(),
                      start_q = start.q.data()](std::size_t i) {
@@ -74,7 +74,8 @@ void ExplicitSolver::pre_initialize() {
 }
 
 void ExplicitSolver::initialize_data() {
-  conditions_.holds_contact = settings().events.ofItems && system().has_switches();  // a step ends where that changes
+  // A step ends where the state of contact changes.
+  conditions_.holds_contact = settings().events.ofItems && system().has_switches();
   conditions_.direct = !conditions_.holds_contact;
   Solver::initialize_data();
   const auto n = static_cast<std::size_t>(sizes_.ode2), n1 = static_cast<std::size_t>(sizes_.ode1);
@@ -83,7 +84,7 @@ void ExplicitSolver::initialize_data() {
     of_stages.resize(stages);
     for (std::size_t s = first; s < stages; ++s) of_stages[s].assign(size, 0.0);
   };
-  make_room(stage_q_, n, 1);  // the first one has the velocities at the start
+  make_room(stage_q_, n, 1);  // the first stage has the velocities at the start
   make_room(stage_v_, n);
   make_room(stage_y_, n1);
   const bool compares = controls_step_size(),
@@ -126,7 +127,8 @@ void ExplicitSolver::post_initialize() {
   start_of_step() = now;
 }
 
-// For output of the start, and for the first step of Verlet's method. Steps of others name what has no mass.
+// Computes accelerations for output of the initial state and for the first step of Verlet's method. Steps of other
+// methods report coordinates without mass.
 void ExplicitSolver::find_first_accelerations() {
   State& now = current();
   if (system().searches() && !conditions_.direct) search();
@@ -158,19 +160,19 @@ bool ExplicitSolver::update_masses() {
   return row == LinearSolver::success;
 }
 
-// Factors remember the pivots of earlier matrices.
+// Discards the factors, which depend on pivots of earlier matrices.
 void ExplicitSolver::forget() {
   Solver::forget();
   first_stage_known_ = end_known_ = false;
   prepare_factors();
 }
 
-// Runge-Kutta methods find those at the start of each step.
+// Does nothing for Runge-Kutta methods, which compute accelerations at the start of each step.
 void ExplicitSolver::renew_accelerations() {
   if (verlet_) accelerations(current().a);
 }
 
-// Those at the start belong to the first stage.
+// Accelerations and rates at the start are those of the first stage.
 Solver::KnownDerivatives ExplicitSolver::complete_ends() {
   if (verlet_) return {true, it.currentStepIndex > 1};
   start_of_step().a = at_once_ ? current().a : stage_v_.front();
@@ -179,8 +181,8 @@ Solver::KnownDerivatives ExplicitSolver::complete_ends() {
   return {settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations, true};
 }
 
-// Constraints that fix one coordinate are kept by setting it back to zero; others by their multipliers, and so are those where masses
-// couple the coordinate with others: what holds the one accelerates the other.
+// Finds coordinates fixed by a constraint, which are reset to zero. Other constraints have multipliers, including those
+// on coordinates that the mass matrix couples with others, because the constraint force accelerates these.
 void ExplicitSolver::find_eliminated_coordinates() {
   eliminated_.clear();
   constrained_ = false;
@@ -200,7 +202,7 @@ void ExplicitSolver::find_eliminated_coordinates() {
   if (fixed && (verlet_ || !constrained_)) eliminated_ = std::move(*fixed);
 }
 
-// Whether masses couple these coordinates with others.
+// Returns whether the mass matrix couples these coordinates with others.
 bool ExplicitSolver::mass_couples(const std::vector<int>& coordinates) {
   std::vector<char> among(static_cast<std::size_t>(sizes_.total()), 0);
   for (const int i : coordinates) among[static_cast<std::size_t>(i)] = 1;
@@ -222,7 +224,7 @@ void ExplicitSolver::eliminate(Vector& x) const {
 bool ExplicitSolver::reduce_step_size() {
   it.currentTime = current().time;
   if (conv.stopNewton) return false;
-  if (conv.discontinuousIterationSuccessful) return true;  // the error control has chosen a step size
+  if (conv.discontinuousIterationSuccessful) return true;  // error control has selected a step size
   if (!(it.lastStepSize > it.minStepSize)) return false;
   steps_.reject(it.lastStepSize, steps_.decrease());
   return true;
@@ -231,7 +233,7 @@ bool ExplicitSolver::reduce_step_size() {
 void ExplicitSolver::save_start_of_step() {
   first_stage_known_ = sums_known_ = false;
   at_once_ = may_move_at_once_ && constant_mass_ && mass_.factors() != nullptr;
-  if ((verlet_ && nobody_interferes_) || at_once_) return save_all_but_motion();  // the step does the rest
+  if ((verlet_ && nobody_interferes_) || at_once_) return save_all_but_motion();  // the step saves the motion
   Solver::save_start_of_step();
   if (!end_known_ || verlet_) return;
   std::swap(stage_v_[0], end_a_);
@@ -264,8 +266,9 @@ void ExplicitSolver::compute_step() {
   else runge_kutta_step();
 }
 
-// What grows shows in the velocities, as forces change them and they carry the coordinates. Accelerations at the end of a step are in
-// the velocities of Verlet's method; others have to be numbers. The end of the solution is looked at whole.
+// Checks velocities only, since any growth shows there: forces change velocities, and velocities change coordinates.
+// Velocities of Verlet's method include the accelerations at the end of the step; accelerations of other methods are
+// checked separately. The last state of a solution is checked completely.
 DALEMBERT_INLINE inline bool ExplicitSolver::stays_bounded() const {
   const State& now = system().state(ConfigurationType::Current);
   double motion = 0, rest = 0;
@@ -287,7 +290,7 @@ DALEMBERT_INLINE inline bool ExplicitSolver::stays_bounded() const {
   return motion < growth_limit_ && std::isfinite(rest) && (!last || all_finite(now));
 }
 
-// Its parts are inlined: calls take as long as what they compute in small systems.
+// Inlines its parts: calls would take as long as the computation of small systems.
 [[gnu::flatten]] void ExplicitSolver::runge_kutta_step() {
   for (int stage = 0; stage < method_.stages; ++stage) {
     compute_stage(stage);
@@ -302,12 +305,12 @@ DALEMBERT_INLINE inline bool ExplicitSolver::stays_bounded() const {
   end_of_step();
 }
 
-// State at a stage, and its derivative.
+// Computes state and derivative of a stage.
 void ExplicitSolver::compute_stage(int stage) {
   State& now = current();
   if (stage > 0) {
     move_from_start(rows_[static_cast<std::size_t>(stage)], now.q, now.v, now.y);
-  } else if (!nobody_interferes_) {  // a discontinuous iteration may have left the state elsewhere
+  } else if (!nobody_interferes_) {  // a discontinuous iteration may have changed the state
     const State& start = start_of_step();
     now.q = start.q;
     now.v = start.v;
@@ -355,7 +358,7 @@ const double* ExplicitSolver::position_rates(std::size_t stage) {
   return stage == 0 ? start_of_step().v.data() : stage_q_[stage].data();
 }
 
-// Start of the step plus weighted derivatives of the stages.
+// Adds weighted derivatives of the stages to the start of the step.
 void ExplicitSolver::move_from_start(const StageWeights& weights, Vector& q, Vector& v, Vector& y) {
   const State& start = start_of_step();
   const double h = it.currentStepSize;
@@ -399,7 +402,8 @@ void ExplicitSolver::end_of_step() {
   eliminate(now.a);
 }
 
-// v(t+h/2) = v + h/2 a;  q(t+h) = q + h v(t+h/2);  v(t+h) = v(t+h/2) + h/2 a(t+h). ODE1 coordinates: explicit Euler.
+// v(t+h/2) = v + h/2 a;  q(t+h) = q + h v(t+h/2);  v(t+h) = v(t+h/2) + h/2 a(t+h). ODE1 coordinates use explicit Euler
+// steps.
 void ExplicitSolver::verlet_step() {
   State& now = current();
   const double h = it.currentStepSize;
@@ -438,7 +442,7 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
   return divide_by_masses(a) && (!searching_ || is_good(a, y_t));
 }
 
-// Forces become accelerations.
+// Solves for accelerations, in place of forces.
 bool ExplicitSolver::divide_by_masses(Vector& a) {
   if (constant_mass_ && masses_are_old()) [[unlikely]]
     if (!prepare_factors() || !(constant_mass_ || update_masses())) return false;

@@ -1,4 +1,5 @@
-// Explicit solvers with joints: accelerations and multipliers at each stage, and the way back onto the constraints at the end of a step.
+// Explicit solvers with joints: accelerations and multipliers of each stage, and projection onto the constraints at the
+// end of a step.
 #include <algorithm>
 
 #include "dalembert/solvers/explicit.hpp"
@@ -23,7 +24,7 @@ bool ExplicitSolver::constrained_accelerations(Vector& a, std::span<double> y_t)
   return !searching_ || is_good(a, y_t);
 }
 
-// The factors of the last stage are close enough to close what a step opens.
+// Projects with the factors of the last stage, which are accurate enough for the violation of one step.
 bool ExplicitSolver::back_onto_constraints() {
   State& now = current();
   off_constraints_ = !motion_.project(system(), now, conditions_);
@@ -34,7 +35,7 @@ bool ExplicitSolver::back_onto_constraints() {
   return true;
 }
 
-// False, always. With error control, a smaller step may do.
+// Always returns false. A smaller step may succeed with error control.
 [[gnu::noinline]] bool ExplicitSolver::lose_constraints() {
   constexpr double much_smaller = 0.25;
   conv.newtonConverged = false;

@@ -1,4 +1,4 @@
-// Explicit solvers: step sizes from an estimated error. Hairer, Norsett, Wanner I, section II.4.
+// Error control of explicit solvers: Hairer, Norsett, Wanner I, section II.4.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,12 +11,12 @@ namespace dalembert {
 
 namespace {
 
-constexpr int few_steps = 4;  // of the smallest size, after which it is asked whether their errors grow because they are not stable
+constexpr int few_steps = 4;  // number of steps of minimum size before the stability of their errors is checked
 
 }  // namespace
 
-// In units of the tolerances. Signed values enter the scale of the methods of the interface, not magnitudes: step sizes are to be those
-// that its users know; but the scale does not vanish where value and tolerances cancel.
+// Returns an error in units of the tolerances. The scale has signed values instead of magnitudes, for the same step
+// sizes as in Exudyn, and is bounded from below where value and tolerance cancel.
 double ExplicitSolver::scaled_error(double second, double first, double old) const {
   const double absolute = settings().timeIntegration.absoluteTolerance, relative = settings().timeIntegration.relativeTolerance;
   if (!third_.empty()) return (second - first) / (absolute + relative * std::max(std::abs(first), std::abs(old)));
@@ -24,14 +24,14 @@ double ExplicitSolver::scaled_error(double second, double first, double old) con
   return (second - first) / std::max(std::abs(scale), 0.01 * absolute);
 }
 
-// A third approximation keeps the other two from being trusted where they agree by chance.
+// Uses a third approximation, since two may agree by chance.
 double ExplicitSolver::estimated_error() {
   if (third_.empty()) return distance_of(second_);
   const double third = distance_of(third_), second = distance_of(second_);
   return second == 0 ? 0 : second * second / std::sqrt(second * second + 0.01 * third * third);
 }
 
-// Of another approximation from the solution, root mean square over ODE1, positions and velocities.
+// Returns the root mean square of the difference from the solution over ODE1, positions and velocities.
 double ExplicitSolver::distance_of(const StageWeights& approximation) {
   move_from_start(approximation, second_q_, second_v_, second_y_);
   eliminate(second_q_);
@@ -50,7 +50,7 @@ double ExplicitSolver::distance_of(const StageWeights& approximation) {
   return std::sqrt(sum / (sizes_.ode1 + 2 * sizes_.ode2));
 }
 
-// False: the step has to be repeated, or the solver gives up.
+// Returns false if the step has to be repeated, or if the solver stops.
 bool ExplicitSolver::control_step_size() {
   const TimedPart time(timer, timer.errorEstimator);
   const auto& s = settings().timeIntegration;
@@ -64,7 +64,7 @@ bool ExplicitSolver::control_step_size() {
     const bool grows = (steps_.above_tolerance() + 1) % few_steps == 0 && at_stability_limit(h);
     if (grows) diagnose_error_control();
     if (!grows && hold_at_minimum()) {
-      steps_.use(it.minStepSize);  // the last step of all may be smaller
+      steps_.use(it.minStepSize);  // the last step may be smaller
       return true;
     }
     conv.newtonConverged = false;
@@ -89,7 +89,7 @@ bool ExplicitSolver::discontinuous_iteration() {
   return settled;
 }
 
-// Items hold during a step what they were at its start, and so do all approximations that are compared.
+// Warns of items that switch: they keep their state during a step, and so do all approximations that are compared.
 [[gnu::noinline]] void ExplicitSolver::tell_of_switches() {
   State end = current();
   end.data = start_of_step().data;
@@ -106,7 +106,7 @@ bool ExplicitSolver::discontinuous_iteration() {
 void ExplicitSolver::diagnose_error_control() {
   const auto& tolerances = settings().timeIntegration;
   const State& reference = system().state(ConfigurationType::Reference);
-  double noise = 0;  // of coordinates, in units of the tolerances
+  double noise = 0;  // round-off of coordinates, in units of the tolerances
   for (std::size_t i = 0; i < current().q.size(); ++i) {
     const double q = std::abs(current().q[i]);
     noise = std::max(noise, std::numeric_limits<double>::epsilon() * (q + std::abs(reference.q[i])) /

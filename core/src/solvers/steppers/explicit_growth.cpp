@@ -1,4 +1,4 @@
-// Explicit solvers: steps that lead to numbers that are not finite, or out of all bounds.
+// Divergence detection of explicit solvers: values that are not finite or out of bounds.
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -13,10 +13,10 @@ namespace dalembert {
 
 namespace {
 
-// When the sum of squares of coordinates and velocities has grown by so much, and by the last factor again and again, theory is asked whether
-// the steps are the reason: where velocities change within a step by as much as they are, or at the latest when the sum has grown enormously.
+// Growth of the sum of squares of coordinates and velocities after which linear theory is evaluated, and the factor for
+// further evaluations: if velocities change within a step by their own size, or after enormous growth.
 constexpr double noticeable_growth = 100, enormous_growth = 1e20, further_growth = 4;
-// They are if it predicts at least so much for the numbers themselves.
+// Predicted amplification that makes the steps the cause of the growth.
 constexpr double predicted_growth = 1e5;
 
 double size_of_motion(const System& system, const State& state) { return sum_of_squares(system, state.q) + sum_of_squares(system, state.v); }
@@ -27,13 +27,13 @@ void ExplicitSolver::begin_to_watch() {
   fastest_.reset();
   growth_limit_ = std::min(newton_settings.maximumSolutionNorm, unbounded * unbounded);
   watches_coordinates_ = newton_settings.maximumSolutionNorm < NewtonSettings{}.maximumSolutionNorm;
-  if (it.automaticStepSize) return;  // keeps to stable steps
+  if (it.automaticStepSize) return;  // error control keeps steps stable
   growth_limit_ = std::min(growth_limit_, noticeable_growth * size_at_start());
 }
 
 double ExplicitSolver::size_at_start() { return std::max(1.0, size_of_motion(system(), initial())); }
 
-// Whether the state is lost, not only larger than was to be expected at the start.
+// Returns whether the state has diverged, as opposed to large initial values.
 [[gnu::noinline]] bool ExplicitSolver::outgrown() {
   const State& now = current();
   const double largest = std::min(newton_settings.maximumSolutionNorm, unbounded * unbounded);
@@ -52,7 +52,7 @@ double ExplicitSolver::amplification_of(const Vibration& vibration, double step_
   return verlet_ ? verlet_amplification(vibration, step_size) : amplification(method_, vibration, step_size);
 }
 
-// User functions may raise what they like: then nothing is known.
+// User functions may raise any exception; the result is then empty.
 const Vibration& ExplicitSolver::fastest_at_start() {
   if (fastest_) return *fastest_;
   fastest_.emplace();
@@ -85,7 +85,7 @@ Vibration ExplicitSolver::fastest_with_constraints(const State& still) {
   return fastest_vibration(system(), still, conditions_, accelerate, {});
 }
 
-// False, always: with error control, a much smaller step may do; otherwise the solver gives up.
+// Always returns false. A much smaller step may succeed with error control; otherwise the solver stops.
 [[gnu::noinline]] bool ExplicitSolver::lose_step() {
   conv.newtonConverged = conv.linearSolverFailed = conv.massMatrixNotInvertible = false;
   if (it.automaticStepSize && !steps_.at_minimum()) {
@@ -109,7 +109,7 @@ void ExplicitSolver::diagnose_growth() {
                      "coordinates and velocities are compared");
 }
 
-// Repeats the step up to the first evaluation that is not finite; the current state is that of this evaluation.
+// Repeats the step up to the first evaluation that is not finite, and leaves its state as the current one.
 bool ExplicitSolver::find_bad_evaluation() {
   const State after = current();
   current() = start_of_step();

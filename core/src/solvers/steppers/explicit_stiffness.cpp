@@ -1,5 +1,5 @@
-// Explicit solvers with error control: steps that are small because larger ones would be unstable. Hairer, Wanner: Solving Ordinary
-// Differential Equations II, section IV.2, for the way to tell it from steps that are small for accuracy.
+// Stiffness detection of explicit solvers with error control: steps that are limited by stability instead of accuracy.
+// Hairer, Wanner, Solving Ordinary Differential Equations II, section IV.2.
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +11,9 @@ namespace dalembert {
 
 namespace {
 
-constexpr StepCount look_every = 200;    // steps, as long as there is no sign
-constexpr int sure = 15, wrong = 6;      // steps with and without the sign
-constexpr double near_limit = 0.7;       // of the stable step
+constexpr StepCount look_every = 200;    // steps between checks without indication
+constexpr int sure = 15, wrong = 6;      // steps with and without indication that decide
+constexpr double near_limit = 0.7;       // part of the stable step
 
 double length_of(std::span<const double> x, std::span<const double> y) {
   double sum = 0;
@@ -24,8 +24,9 @@ double length_of(std::span<const double> x, std::span<const double> y) {
 
 }  // namespace
 
-// The error of a step that is hardly stable lies along the fastest modes: so do the changes of accelerations and rates that a small part of
-// it makes, larger by their eigenvalue. Zero: there is nothing to tell.
+// The error of a step close to the stability limit is in the direction of the fastest modes. The change of
+// accelerations and rates for a small part of this error is larger by the eigenvalue, which is returned; zero if it is
+// not available.
 double ExplicitSolver::eigenvalue_along_error() {
   constexpr double small = 1e-6;
   State& now = current();
@@ -50,7 +51,7 @@ double ExplicitSolver::eigenvalue_along_error() {
   return known ? length_of(difference(a, moved_a), difference(y_t, moved_y_t)) / (part * length) : 0;
 }
 
-// Of modes with damping; those without are hardly stable below it.
+// Returns the limit for damped modes; undamped ones are hardly stable below it.
 double ExplicitSolver::stability_limit() const {
   double limit = 1;
   const auto stable = [&](double z) { return amplification(method_, {.frequency = z, .damping = 2 * z, .coordinate = -1}, 1.0) <= 1; };
@@ -60,7 +61,7 @@ double ExplicitSolver::stability_limit() const {
 
 bool ExplicitSolver::at_stability_limit(double step_size) { return step_size * eigenvalue_along_error() > near_limit * stability_limit(); }
 
-// After a step that is kept.
+// Called after an accepted step.
 void ExplicitSolver::look_for_stiffness(double step_size) {
   if (told_stiff_ || (it.currentStepIndex % look_every != 0 && stiff_signs_ == 0)) return;
   if (at_stability_limit(step_size)) {

@@ -1,4 +1,5 @@
-// Motions of a static equilibrium that nothing resists: states along them are in balance as well, and rounding has chosen one.
+// Zero-energy modes of a static equilibrium: states along them are in equilibrium as well, so that the computed one is
+// arbitrary.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,17 +13,17 @@ namespace dalembert {
 
 namespace {
 
-// Of the terms that cancel in the stiffness of a motion, what rounding leaves ...
+// Round-off relative to the terms that cancel in the stiffness of a mode.
 constexpr double rounding_errors = 100 * std::numeric_limits<double>::epsilon();
-// ... and what errors of a motion leave of it, which have been found with the factors of an earlier iteration.
+// Larger bound for errors of a mode that was computed with factors of an earlier iteration.
 constexpr double suspicious = 1e4 * rounding_errors;
 constexpr double much_softer = 0.3;
 constexpr int sweeps = 3;
-constexpr std::size_t always_counted = 1000;  // unknowns of systems whose negative pivots are
-constexpr double negligible_share = 1e-4;  // of a coordinate in a motion
+constexpr std::size_t always_counted = 1000;  // number of unknowns up to which negative pivots are always counted
+constexpr double negligible_share = 1e-4;  // of a coordinate in a mode
 
 struct Stiffness {
-  double sum = 0, terms = 0;  // x_i K_ij x_j, and their magnitudes
+  double sum = 0, terms = 0;  // x_i K_ij x_j and its magnitude
 };
 Stiffness stiffness_along(std::span<const double> x, const Pattern& pattern, std::span<const double> matrix) {
   Stiffness s;
@@ -35,10 +36,11 @@ Stiffness stiffness_along(std::span<const double> x, const Pattern& pattern, std
   return s;
 }
 
-// The direction in which the matrix of these factors is softest, by inverse iteration.
+// Computes the direction with the lowest stiffness by inverse iteration.
 std::vector<double> softest_direction(std::size_t ode2, std::size_t total, const NearestModes::Solve& solve) {
   std::vector<double> x(ode2);
-  for (std::size_t i = 0; i < ode2; ++i) x[i] = std::sin(1.0 + 2.7 * static_cast<double>(i));  // no direction is left out
+  // Components in all directions.
+  for (std::size_t i = 0; i < ode2; ++i) x[i] = std::sin(1.0 + 2.7 * static_cast<double>(i));
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     x.resize(total, 0.0);
     solve(x);
@@ -54,34 +56,36 @@ std::vector<double> softest_direction(std::size_t ode2, std::size_t total, const
 void StaticSolver::look_back() {
   look_for_motion();
   if (sizes_.ode2 > 0 && it.newtonJacobiCount > 0) {
-    const std::vector<double> last = jacobian_;  // which users may ask for
-    // Pivots of small systems are counted always, those of large ones where the softest direction is unstable, which takes no factors.
+    const std::vector<double> last = jacobian_;  // users may request this matrix
+    // Negative pivots of small systems are always counted; those of large systems only if the softest direction is
+    // unstable, which needs no factorization.
     const auto may_be_unstable = [this] {
       const auto ode2 = static_cast<std::size_t>(sizes_.ode2), total = static_cast<std::size_t>(sizes_.total());
       if (total <= always_counted) return true;
       return factorized_ && stiffness_along(softest_direction(ode2, total, [this](std::span<double> x) { linear_->solve(x); }), pattern(), jacobian_).sum < 0;
     };
     if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) warn_of_free_motion(rows);
-    else if (!path_ && may_be_unstable()) look_for_instability();  // a path leads through unstable equilibria, and lists where they begin
+    // Arc-length continuation passes unstable equilibria, and lists where they begin.
+    else if (!path_ && may_be_unstable()) look_for_instability();
     jacobian_ = last;
   }
   NewtonSolver::look_back();
 }
 
-// Where the matrix has no factors.
+// Used if the matrix has no factors.
 std::vector<int> StaticSolver::free_of_resistance() const {
   std::vector<int> rows = free_unknowns(pattern(), jacobian_);
   std::erase_if(rows, [this](int row) { return row >= sizes_.first_ae(); });
   return rows;
 }
 
-// The last factors belong to an iteration before the end, without the loads: forces that turn bodies there may cancel at the end.
+// The last factors belong to an earlier iteration, without loads; moments there may cancel at the end.
 std::vector<int> StaticSolver::free_coordinates(std::span<const double> last) {
   const auto ode2 = static_cast<std::size_t>(sizes_.ode2), total = static_cast<std::size_t>(sizes_.total());
   const auto solve = [this](std::span<double> x) { linear_->solve(x); };
   const auto factorize_now = [this] {
     const bool regular = factorize();
-    conv.linearSolverFailed = false;  // the state itself was found
+    conv.linearSolverFailed = false;  // the state itself is a solution
     return regular;
   };
   compute_jacobian(1);

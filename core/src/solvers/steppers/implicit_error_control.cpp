@@ -1,7 +1,8 @@
-// Implicit solvers: step sizes from an estimated error, of second order.
+// Error control of implicit solvers, for second-order accurate methods.
 //
-// Arnold, Hante: Implementation details of a generalized-alpha differential-algebraic equation Lie group method, Journal of Computational and
-//   Nonlinear Dynamics 12 (2017), for changes of the step size: algorithmic accelerations belong to a time of their own.
+// The step size is changed as in Arnold, Hante: Implementation details of a generalized-alpha differential-algebraic
+// equation Lie group method, Journal of Computational and Nonlinear Dynamics 12 (2017): algorithmic accelerations have
+// a time of their own.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +20,7 @@ bool SecondOrderSolver::discontinuous_iteration() {
   return true;
 }
 
-// Of a coordinate within a step of this size, algorithmic if there are such.
+// Returns the change of a (algorithmic) acceleration within a step of this size.
 double SecondOrderSolver::change_of_accelerations(std::size_t i, double step_size) const {
   const State &now = system().state(ConfigurationType::Current), &start = system().state(ConfigurationType::StartOfStep);
   if (newmark()) return now.a[i] - start.a[i];
@@ -27,8 +28,9 @@ double SecondOrderSolver::change_of_accelerations(std::size_t i, double step_siz
   return algorithmic_[i] - (start.a[i] + ratio * (algorithmic_at_start_[i] - start.a[i]));
 }
 
-// In units of the tolerances, root mean square. Of positions: the term of third order that the formulas leave out. Of velocities: the
-// same within a step, which is of second order: estimates of third order drown in the noise that accelerations of constrained systems have.
+// Returns the root mean square of errors in units of the tolerances. Positions: the third-order term of the local
+// error. Velocities: the same term within a step, which is of second order; third-order estimates are smaller than the
+// noise of accelerations of constrained systems.
 double SecondOrderSolver::estimated_error() {
   const auto& s = settings().timeIntegration;
   const State &now = current(), &start = start_of_step();
@@ -47,7 +49,7 @@ double SecondOrderSolver::estimated_error() {
   return std::sqrt(sum / static_cast<double>(std::max(1, 2 * sizes_.ode2 + sizes_.ode1)));
 }
 
-// Positions have round-off, of which the formulas make accelerations. Smaller steps make it larger.
+// Accelerations amplify the round-off of positions, the more the smaller the steps are.
 double SecondOrderSolver::noise_of_estimates() {
   if (sizes_.ae == 0) return 0;
   const auto& s = settings().timeIntegration;
@@ -57,7 +59,7 @@ double SecondOrderSolver::noise_of_estimates() {
   return std::abs(left_out()) * noise / (s.absoluteTolerance + s.relativeTolerance * speed);
 }
 
-// False, always.
+// Always returns false.
 [[gnu::noinline]] bool SecondOrderSolver::give_up_at_round_off() {
   Diagnosis& d = diagnose(FailureReason::round_off);
   const auto& s = settings().timeIntegration;
@@ -72,7 +74,7 @@ double SecondOrderSolver::noise_of_estimates() {
   return false;
 }
 
-// False: the step has to be repeated, or the solver gives up.
+// Returns false if the step has to be repeated, or if the solver stops.
 bool SecondOrderSolver::control_step_size() {
   const TimedPart time(timer, timer.errorEstimator);
   const auto& s = settings().timeIntegration;
@@ -82,7 +84,7 @@ bool SecondOrderSolver::control_step_size() {
   if (passes && stays_in_singular_position()) return false;
   if (!(error <= 1) && !passes) {
     if (noise_of_estimates() > 1) return give_up_at_round_off();
-    if (singular_position_step_ > renewed_after_) {  // noise of accelerations lasts, without numerical damping for ever
+    if (singular_position_step_ > renewed_after_) {  // noise of accelerations persists without numerical damping
       renewed_after_ = it.currentStepIndex;
       steps_.repeat_by_error();
       return !(renews_ = true);
@@ -103,8 +105,8 @@ bool SecondOrderSolver::control_step_size() {
   return true;
 }
 
-// Constraints of velocities do not tell of a part of the accelerations that changes its sign with each step, and becomes larger whenever the size of the
-// steps changes. What constraints say of accelerations ends it.
+// Velocity constraints do not determine a part of the accelerations that alternates in sign, and grows whenever the
+// step size changes. The acceleration constraints remove it.
 void SecondOrderSolver::end_swings() {
   State& now = current();
   std::vector<double> accelerations = ConstrainedMotion::gap_accelerations_without_driving(system(), now, conditions_);

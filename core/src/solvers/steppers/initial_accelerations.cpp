@@ -11,8 +11,8 @@ namespace dalembert {
 
 namespace {
 
-// Which equations constrain velocities, if the velocities at the start do not fulfil them within the digits that people type: then the
-// first step jumps, and nothing is known of derivatives along these velocities.
+// Returns the equations that constrain velocities, if initial velocities violate them by more than the digits of typed
+// input. The first step then jumps, and derivatives along these velocities are unknown.
 std::vector<char> jumping_equations(System& system, const State& state, const Conditions& conditions, const Pattern& pattern) {
   constexpr double typed = 1e-3;
   const Sizes& s = system.sizes();
@@ -20,7 +20,7 @@ std::vector<char> jumping_equations(System& system, const State& state, const Co
   if (s.ae == 0 || std::ranges::all_of(state.v, [](double v) { return v == 0; })) return none;
   std::vector<double> gradients(static_cast<std::size_t>(pattern.values()));
   std::vector<char> of_velocities = none;
-  std::vector<double> speeds(none.size(), 0.0), gaps(none.size());  // speeds: sizes of the terms of each equation
+  std::vector<double> speeds(none.size(), 0.0), gaps(none.size());  // speeds: magnitudes of the terms of each equation
   system.tangent(state, conditions, along_velocities, pattern, gradients);
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
     if (row < s.first_ae() || column >= s.ode2) return;
@@ -45,7 +45,7 @@ InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& sy
   const std::vector<char> jumping = jumping_equations(system, still, position, motion.pattern());
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
   const std::vector<double> gap = ConstrainedMotion::gap_acceleration(system, still, position);
-  std::vector<double> now(gap.size());  // asked for only if it is needed: user functions are called once more
+  std::vector<double> now(gap.size());  // computed on demand, because it calls user functions once more
   if (!std::ranges::all_of(system.static_signs(), [](double sign) { return sign < 0; })) system.gaps(still, position, now);
   for (int i = 0; i < s.ae; ++i) x[s.first_ae() + i] = !system.constrains_motion(i) ? -now[i] : jumping[i] ? 0.0 : -gap[i];
   motion.solve(x);
@@ -55,7 +55,7 @@ InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& sy
     result.decided = motion.leave_singular_position(system, still, position, result.a, result.lambda);
   result.redundant = motion.redundant();
   for (int i = 0; i < s.ae; ++i)
-    if (!system.constrains_motion(i)) result.lambda[i] = 0;  // what has moved within the step
+    if (!system.constrains_motion(i)) result.lambda[i] = 0;  // changes within the step
   return result;
 }
 

@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// Blocks up to this size are dense in any case.
+// Blocks up to this size are dense.
 constexpr int dense_limit = 40;
 
 void MassOperator::prepare(System& system, LinearSolverType type, const LinearSolverOptions& options) {
@@ -34,7 +34,7 @@ void MassOperator::prepare_matrix(System& system) {
   });
 }
 
-// Calls f(entry) for all that are off the diagonal.
+// Calls f(entry) for all off-diagonal entries.
 template <class F>
 void MassOperator::each_coupling(F&& f) const {
   for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
@@ -42,7 +42,7 @@ void MassOperator::each_coupling(F&& f) const {
   });
 }
 
-// Blocks only grow: an entry that is zero now may return.
+// Blocks only grow, because an entry that is zero now may return.
 bool MassOperator::join_blocks() {
   bool joined = false;
   each_coupling([&](const Entry& e) {
@@ -90,7 +90,7 @@ void MassOperator::build_blocks() {
   }
 }
 
-// Success, or the coordinate, if it has no mass.
+// Returns success, or the coordinate if it has no mass.
 int MassOperator::invert(int coordinate, double mass) {
   const bool has_mass = std::abs(mass) > options_.pivot_threshold;
   inverse_[coordinate] = has_mass ? 1 / mass : 0;

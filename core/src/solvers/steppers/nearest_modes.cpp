@@ -13,12 +13,12 @@ using Vector = std::vector<double>;
 
 constexpr std::size_t most_modes = 4;
 constexpr int first_sweeps = 12, later_sweeps = 3;
-// What is left of a vector behind others is a direction of its own if it is larger than rounding errors.
+// A vector is independent of others if the remainder after orthogonalization is larger than round-off.
 constexpr double independent = 1e-10;
-// Imaginary parts, relative, that come from rounding.
+// Relative imaginary part that counts as round-off.
 constexpr double real = 1e-8;
 
-// Twice is enough: B. N. Parlett, The Symmetric Eigenvalue Problem, 1998, section 6.9.
+// Orthogonalizing twice is enough: B. N. Parlett, The Symmetric Eigenvalue Problem, 1998, section 6.9.
 void orthonormalize(std::vector<Vector>& vectors) {
   std::vector<Vector> kept;
   for (Vector& x : vectors) {
@@ -37,7 +37,7 @@ void orthonormalize(std::vector<Vector>& vectors) {
   vectors = std::move(kept);
 }
 
-// Entries of all sizes and signs: no mode is left out.
+// Returns start vectors with components in all modes.
 std::vector<Vector> mixed_vectors(std::size_t size) {
   std::vector<Vector> vectors(std::min(most_modes, size), Vector(size));
   for (std::size_t j = 0; j < vectors.size(); ++j)

@@ -1,4 +1,4 @@
-// Eigenvalues of a system matrix next to zero, by subspace iteration with its factors.
+// Eigenvalues of a system matrix close to zero, by subspace iteration with its factors.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,22 @@ inline double dot(std::span<const double> x, std::span<const double> y) {
   return sum;
 }
 
-// Pairs of J x = mu B x, where B takes the ODE2 part: eigenvectors fulfil the constraints, and the signs of real eigenvalues are those
-// of the stiffness that is left. K. J. Bathe, Finite Element Procedures, 2nd ed., 2014, section 11.6.
+// Pairs of J x = mu B x, where B selects the ODE2 part: eigenvectors fulfil the constraints, and real eigenvalues have
+// the sign of the stiffness on the null space of the constraints. K. J. Bathe, Finite Element Procedures, 2nd ed.,
+// 2014, section 11.6.
 class NearestModes {
  public:
   struct Mode {
     double eigenvalue;
-    std::vector<double> vector;  // of ODE2 coordinates, with norm 1
+    std::vector<double> vector;  // ODE2 coordinates, with norm 1
   };
-  using Solve = std::function<void(std::span<double>)>;  // with the factors of J, in place
+  using Solve = std::function<void(std::span<double>)>;  // solves with the factors of J, in place
 
-  // Starts from what has been found before, if anything.
+  // Starts from the modes found before, if there are any.
   void find(const Solve& solve, std::size_t ode2, std::size_t total);
-  // Sorted by magnitude; complex ones are left out.
+  // Modes by increasing magnitude, without complex ones.
   const std::vector<Mode>& modes() const { return modes_; }
-  // That with the direction most like x; null if there is none.
+  // Returns the mode with the largest correlation with x, or null.
   template <class Modes>
   static auto most_like(Modes& modes, std::span<const double> x) -> decltype(modes.data()) {
     const auto likeness = [&](const Mode& mode) { return std::abs(dot(mode.vector, x)); };

@@ -1,4 +1,5 @@
-// Numbers without order in [-1, 1), always the same ones: S. Vigna's mixing of a counter (splitmix64), which needs no time to begin.
+// Deterministic pseudo-random numbers in [-1, 1): S. Vigna's mixing of a counter (splitmix64), which needs no
+// initialization.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Steps of methods with one stage: what comes after the forces is one pass over memory, which bounds the speed of large systems.
+// Fused steps of methods with one stage: one pass over memory after the forces, because memory limits the speed of
+// large systems.
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -11,7 +12,7 @@ namespace dalembert {
 namespace {
 
 struct Motion {
-  const double *negative_force, *factor;  // by what forces are multiplied
+  const double *negative_force, *factor;  // factors of the forces
   const double *start_q, *start_v;
   double *q, *v, *a;
   double step;
@@ -22,7 +23,7 @@ struct Squares {
   double of_v = 0, of_a = 0;
 };
 
-// From the start; positions that do not simply add up are left alone.
+// Updates from the start of the step. Positions that are not updated by sums remain.
 template <bool drifts>
 Squares move(const Motion& motion, std::size_t begin, std::size_t end) {
   using P = Pack<4>;
@@ -59,7 +60,7 @@ Squares move(const Motion& motion, std::size_t begin, std::size_t end) {
   return {total(of_v), total(of_a)};
 }
 
-// In parts that do not depend on the number of threads.
+// Divides the work into parts that do not depend on the number of threads.
 template <bool drifts>
 Squares move_all(const System& system, const Motion& motion, std::size_t count) {
   if (count < numbers_to_share) return move<drifts>(motion, 0, count);
@@ -100,11 +101,11 @@ void ExplicitSolver::step_at_once() {
   now.time = it.currentTime;
 }
 
-// What was now is the start: vectors change places, unless somebody holds them where they are.
+// The current state becomes the start: vectors are swapped, unless other objects refer to them.
 void ExplicitSolver::move_by_forces(std::span<const double> negative) {
   const TimedPart time(timer, timer.newtonIncrement);
   State &now = current(), &start = start_of_step();
-  const bool held = system().hold_states().use_count() > 2;  // by others than the system and this line
+  const bool held = system().hold_states().use_count() > 2;  // by other objects than the system and this line
   if (held) keep_motion();
   else
     for (const auto part : {&State::q, &State::v, &State::a}) std::swap(now.*part, start.*part);
@@ -118,7 +119,7 @@ void ExplicitSolver::move_by_forces(std::span<const double> negative) {
   system().compose(start.q, std::span(&change, 1), now.q);
 }
 
-// With masses that have changed just now. False: no accelerations follow from the forces.
+// Uses masses that have just changed. Returns false if forces do not determine accelerations.
 bool ExplicitSolver::move_by_masses(std::span<const double> negative) {
   State& now = current();
   keep_motion();

@@ -1,4 +1,4 @@
-// Small rotations as vectors: operators between increments and angular velocities.
+// Rotation vectors of increments: operators between increments and angular velocities.
 #pragma once
 
 #include <cmath>

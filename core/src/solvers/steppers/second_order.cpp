@@ -16,7 +16,7 @@ namespace dalembert {
 
 namespace {
 
-// q, v and a in one loop: most systems are small.
+// Updates q, v and a in one loop, because most systems are small.
 void subtract_motion(const System& system, std::size_t n, const double* __restrict x, double rate, double acceleration, double* __restrict q,
                      double* __restrict v, double* __restrict a) {
   each_number(system, n, [=](std::size_t i) {
@@ -26,12 +26,12 @@ void subtract_motion(const System& system, std::size_t n, const double* __restri
   });
 }
 
-// What the prediction of generalized alpha needs of the scheme.
+// Parameters of the scheme for the predictor.
 struct Prediction {
   double h, beta, gamma, alpha_m, alpha_f;
 };
 
-// Without algorithmic accelerations (null), Newmark's.
+// Predictor with a_{n+1} = 0. Without algorithmic accelerations (null), it is that of Newmark's method.
 void predict_motion(const System& system, std::size_t n, const Prediction& scheme, double* __restrict increment, double* __restrict algorithmic,
                     double* __restrict q, double* __restrict v, double* __restrict a) {
   const double h = scheme.h, beta = scheme.beta, gamma = scheme.gamma, alpha_m = scheme.alpha_m, alpha_f = scheme.alpha_f;
@@ -52,7 +52,7 @@ void predict_motion(const System& system, std::size_t n, const Prediction& schem
   });
 }
 
-// The matrix of modified Newton has to serve many steps: reactions and inertia forces of the moment have no part in it.
+// Modified Newton's method uses a matrix in many steps, so it excludes present reactions and inertia forces.
 [[gnu::noinline]] State without_momentary_forces(State state) {
   std::fill(state.lambda.begin(), state.lambda.end(), 0.0);
   std::fill(state.a.begin(), state.a.end(), 0.0);
@@ -137,7 +137,8 @@ void SecondOrderSolver::initial_conditions() {
 
 bool SecondOrderSolver::find_accelerations() {
   LinearSolverOptions options = linear_options();
-  if (full_newton_ && sizes_.ae > 0) options.unsettled_matrices = 1;  // shares the analysis with Newton's first matrix; masses alone are less work by themselves
+  // Shares the symbolic analysis with Newton's first matrix; mass matrices alone are cheaper separately.
+  if (full_newton_ && sizes_.ae > 0) options.unsettled_matrices = 1;
   ConstrainedMotion motion;
   motion.prepare(system(), linear_type(), options, settings().redundantConstraints, last_time());
   return find_accelerations(motion, motion.factorize(system(), current(), conditions_));
@@ -152,16 +153,16 @@ bool SecondOrderSolver::find_accelerations(ConstrainedMotion& motion, int singul
   State& now = current();
   InitialAccelerations found = initial_accelerations(motion, system(), now, conditions_);
   if (!found.decided) warn_of_undecided_start();
-  now.a = found.a;  // in place: views stay valid
+  now.a = found.a;  // in place: other objects refer to the vector
   now.lambda = found.lambda;
   multipliers_renewed();
   if (found.decided) constraints_are_known(std::move(found.redundant));
   return true;
 }
 
-// After an event. The algorithmic accelerations of before would cost an order.
+// Called after an event. Previous algorithmic accelerations would reduce the order.
 void SecondOrderSolver::renew_accelerations() {
-  // Velocities that users have given are left as they are.
+  // Velocities given by users are not changed.
   if (may_start_steadily() && !it.automaticStepSize && it.currentStepIndex > 0) return start_steadily();
   if (settings().timeIntegration.generalizedAlpha.computeInitialAccelerations) find_accelerations();
   begin_with_accelerations();
@@ -177,7 +178,7 @@ bool SecondOrderSolver::may_start_steadily() const {
   return settings().timeIntegration.generalizedAlpha.computeInitialAccelerations && sizes_.ae > 0 && !conditions_.rate_level;
 }
 
-// Of gaps.
+// Projects velocities onto the constraints.
 bool SecondOrderSolver::end_rates(ConstrainedMotion& motion) {
   State still = current();
   if (!motion.project(system(), still, conditions_)) return false;
@@ -185,9 +186,10 @@ bool SecondOrderSolver::end_rates(ConstrainedMotion& motion) {
   return true;
 }
 
-// Equal steps leave velocities off the constraints by C h^2 times the rate of accelerations across them, C h^3 being what the formulas leave out of
-// positions. Without that from the first step on, reactions would be off by as much as h, and swing: Arnold, Bruels, Cardona: Error analysis of
-// generalized-alpha Lie group time integration methods for constrained mechanical systems, Numerische Mathematik 129 (2015).
+// Equal steps have velocities off the constraints of C h^2 times the rate of accelerations across them, where C h^3 is
+// the local error of positions. Starting with this offset avoids errors of reactions of first order that oscillate:
+// Arnold, Bruels, Cardona: Error analysis of generalized-alpha Lie group time integration methods for constrained
+// mechanical systems, Numerische Mathematik 129 (2015).
 void SecondOrderSolver::start_steadily() {
   ConstrainedMotion motion;
   prepare(motion);
@@ -197,7 +199,8 @@ void SecondOrderSolver::start_steadily() {
   if (rests && found) lean(motion);
 }
 
-// Where the size of the first step is known at its beginning only, and may become another one. Outputs have the velocities without this.
+// Does the same if the size of the first step is known only at its start, and may change. Outputs have velocities
+// without the offset.
 [[gnu::noinline]] void SecondOrderSolver::start_steadily_in_step() {
   State& now = current();
   belong_to_ = {};
@@ -211,14 +214,14 @@ void SecondOrderSolver::start_steadily() {
     start_of_step().a = now.a;
     algorithmic_at_start_ = algorithmic_;
     belong_to_at_start_ = belong_to_;
-    belong_to_at_start_.begins = true;  // in a repetition, of another size, again
+    belong_to_at_start_.begins = true;  // a repetition with another size starts again
   }
   now.time = it.currentTime;
 }
 
-// Accelerations and velocities of equal steps, from those of the motion.
+// Replaces accelerations and velocities of the motion by those of equal steps.
 void SecondOrderSolver::lean(ConstrainedMotion& motion) {
-  constexpr double moment = 1e-2;  // of a step
+  constexpr double moment = 1e-2;  // part of a step, for finite differences
   State& now = current();
   const double h = it.currentStepSize, tau = moment * h, shift = newmark() ? 0 : alpha_m - alpha_f;
   State moved = now;
@@ -267,7 +270,7 @@ bool SecondOrderSolver::reduce_step_size() {
   }
   if (steps_.take_rejection_by_error()) return true;
   if (!Solver::reduce_step_size()) return false;
-  belong_to_ = belong_to_at_start_ = {};  // steps fail where motions are not smooth
+  belong_to_ = belong_to_at_start_ = {};  // steps fail where the motion is not smooth
   return true;
 }
 
@@ -302,7 +305,7 @@ void SecondOrderSolver::reset_to_start_of_step() {
   return scale_residual(residual_);
 }
 
-// The number for the tolerances is taken before the ODE2 equations are scaled, so that it does not depend on the step size.
+// Computes the norm for the tolerances before ODE2 equations are scaled, so that it does not depend on the step size.
 template <class S>
 S SecondOrderSolver::scale_residual(std::vector<S>& residual) const {
   const S norm = norm_of(residual);
@@ -330,7 +333,7 @@ void SecondOrderSolver::predict() {
   if (lie_) predict_lie_rotations();
 }
 
-// From that of the step before.
+// Converts the values at the end of a step of another size.
 [[gnu::noinline]] void SecondOrderSolver::change_step_size() {
   constexpr double negligible = 1e-6;
   if (belong_to_.begins || was_cut()) return start_steadily_in_step();
@@ -345,19 +348,20 @@ void SecondOrderSolver::predict() {
   for (std::size_t i = 0; i < off_constraints_.size(); ++i) current().v[i] -= change * off_constraints_[i];
 }
 
-// By an event: what the step before has left is round-off beside what this one takes.
+// Returns whether an event has shortened the previous step so much that its error terms are round-off for this step.
 bool SecondOrderSolver::was_cut() const {
   return it.automaticStepSize && may_start_steadily() && belong_to_.velocities > 0 && it.currentStepSize > largest_growth * belong_to_.velocities;
 }
 
-// They stand for the time t + (alpha_m - alpha_f) h.
+// Algorithmic accelerations are those at the time t + (alpha_m - alpha_f) h.
 void SecondOrderSolver::move_algorithmic_accelerations(double ratio) {
   if (newmark()) return;
   const State& now = current();
   for (std::size_t i = 0; i < algorithmic_.size(); ++i) algorithmic_[i] = now.a[i] + ratio * (algorithmic_[i] - now.a[i]);
 }
 
-// See `start_steadily`; where there are none, zeros. Error control has factors at hand, after steps that fail as well.
+// See `start_steadily`. The offsets are zero if there are none. With error control, factors are available, also after
+// failed steps.
 void SecondOrderSolver::find_velocities_off_constraints() {
   State still = current();
   still.time = it.currentTime - it.currentStepSize;
@@ -388,7 +392,7 @@ void SecondOrderSolver::correct() {
   if (lie_) correct_lie_rotations();
 }
 
-// q = q_n o exp(increment), where the kinematic relation of higher order turns the increment by half a step of the velocity.
+// q = q_n o exp(increment). The second-order kinematic relation rotates the increment by half a step of the velocity.
 [[gnu::noinline]] void SecondOrderSolver::predict_lie_rotations() {
   State& now = current();
   if (!simplified_lie_) {
@@ -402,7 +406,8 @@ void SecondOrderSolver::correct() {
   system().compose(previous_q_, increment_of_q_, now.q);
 }
 
-// Increments are composed with the last iterate; with simplified relations their sum is composed with the start of the step.
+// Increments are composed with the last iterate; with simplified relations, their sum is composed with the start of the
+// step.
 [[gnu::noinline]] void SecondOrderSolver::correct_lie_rotations() {
   State& now = current();
   if (simplified_lie_) {
@@ -455,7 +460,7 @@ void SecondOrderSolver::evaluate_jacobian(const State& state, const Conditions& 
   }
 }
 
-// d(q_n o exp(x))/dx is the tangent operator at x, which applies to the position part of the matrix only.
+// d(q_n o exp(x))/dx is the tangent operator at x, which applies only to the position part of the matrix.
 [[gnu::noinline]] void SecondOrderSolver::simplified_lie_jacobian(const State& state, const Conditions& conditions, const Weights& weights) {
   more_values_.resize(jacobian_.size());
   Weights position = weights, rest = weights;
@@ -463,7 +468,7 @@ void SecondOrderSolver::evaluate_jacobian(const State& state, const Conditions& 
   system().tangent(state, conditions, position, pattern(), jacobian_);
   apply_tangent_operator();
   rest.q = 0;
-  // Constraint rows are divided by the weight of velocities when that of positions is zero.
+  // Constraint rows are divided by the weight of velocities if the weight of positions is zero.
   system().tangent(state, conditions, rest, pattern(), more_values_);
   const int n = sizes_.ode2, first_ae = sizes_.first_ae();
   for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
@@ -489,8 +494,9 @@ void SecondOrderSolver::apply_tangent_operator() {
   }
 }
 
-// ODE2 equations are multiplied by beta h^2 and multipliers divided by it: the condition number does not depend on h. The
-// weights of the ODE2 coordinates are scaled for that, which leaves constraints alone; the rest is set right here.
+// ODE2 equations are multiplied by beta h^2 and multipliers divided by it, so that the condition number does not depend
+// on h. The weights of ODE2 coordinates are scaled accordingly, without effect on constraints; the remaining entries
+// are scaled here.
 template <class S>
 void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
   const double scale = row_scale();

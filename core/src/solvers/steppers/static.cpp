@@ -10,9 +10,9 @@
 
 namespace dalembert {
 
-// Differences of times below this part of the whole duration are round-off.
+// Differences of times below this part of the duration are round-off.
 constexpr double time_tolerance = 1e-10;
-constexpr double negligible_share = 1e-3;  // of the largest force of velocities
+constexpr double negligible_share = 1e-3;  // of velocity-dependent forces, relative to the largest force
 
 double StaticSolver::load_factor() const {
   return (it.currentTime - it.startTime) / settings().staticSolver.loadStepDuration;
@@ -31,7 +31,7 @@ void StaticSolver::initial_conditions() {
   begin_path();
 }
 
-// Load steps of equal size, or such that each load is a multiple of the last.
+// Load steps have equal size, or each load is a multiple of the previous one.
 void StaticSolver::update_current_time() {
   current().sign = MultiplierSign::statics;
   if (path_) return begin_path_step();
@@ -55,7 +55,7 @@ void StaticSolver::set_quasi_time(double time) {
 }
 
 void StaticSolver::increase_step_size() {
-  if (!path_) steps_.recover();  // a path has chosen the length of the next step already
+  if (!path_) steps_.recover();  // arc-length continuation has selected the next step size
 }
 
 StepFactors StaticSolver::step_factors() const {
@@ -64,7 +64,7 @@ StepFactors StaticSolver::step_factors() const {
           .recovery_iterations = s.adaptiveStepRecoveryIterations};
 }
 
-// Fades out until the full load is reached.
+// Decreases to zero at full load.
 double StaticSolver::stabilizer() const {
   const double factor = load_factor();
   return (1 - factor * factor) * settings().staticSolver.stabilizerODE2term;
@@ -76,7 +76,7 @@ void StaticSolver::compute_mass_matrix() {
   system().mass_matrix(current(), pattern(), mass_);
 }
 
-// Velocities stay as they are: where damping or inertia answers them, this is the balance of a moving system.
+// Initial velocities are kept: with damping or gyroscopic forces, this is the steady state of a moving system.
 void StaticSolver::look_for_motion() {
   State& now = current();
   if (std::ranges::all_of(now.v, [](double rate) { return rate == 0; })) return;
@@ -99,7 +99,7 @@ void StaticSolver::look_for_motion() {
   warn_of_velocities(rows, largest);
 }
 
-// In statics, multipliers count with the opposite sign: applied forces + G^T lambda = 0.
+// Static multipliers have the opposite sign: applied forces + G^T lambda = 0.
 void StaticSolver::turn_multipliers() {
   const std::span<const double> signs = system().static_signs();
   std::vector<double>& lambda = current().lambda;

@@ -1,10 +1,12 @@
-// Generalized alpha with constraints of positions: velocities across the constraints.
+// Generalized alpha with position constraints: velocities across the constraints.
 //
-// The scheme determines positions across a constraint, and leaves the velocities there to a recursion with the triple root -rho. When the free
-// directions turn by th radians per step, the root splits into -rho and -rho (1 +- sqrt(3) th): for th above about (1/rho - 1)/sqrt(3) the velocities grow with
-// alternating signs. Setting them in each step removes the triple root. The value to set is not G v = 0 but the lead G v = -C h^2 G da/dt, with
-// which steps of equal size are of second order in the reactions as well: Arnold, Bruels, Cardona: Error analysis of generalized-alpha Lie group
-// time integration methods for constrained mechanical systems, Numerische Mathematik 129 (2015). docs/theory/constrained_steps.rst has the derivation.
+// The scheme determines positions across a constraint; velocities follow a recursion with the triple root -rho. If the
+// free directions rotate by th radians per step, the root splits into -rho and -rho (1 +- sqrt(3) th): for th above
+// about (1/rho - 1)/sqrt(3), velocities grow with alternating signs. Prescribing the velocities in each step removes
+// the triple root. The value is not G v = 0 but the lead G v = -C h^2 G da/dt, for which reactions of equal steps are
+// of second order: Arnold, Bruels, Cardona: Error analysis of generalized-alpha Lie group time integration methods for
+// constrained mechanical systems, Numerische Mathematik 129 (2015). docs/theory/constrained_steps.rst has the
+// derivation.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -22,20 +24,24 @@ namespace dalembert {
 
 namespace {
 
-constexpr double scale_of_rest = 10;    // motions that start from rest: speeds are compared with at least this many times h |a|
-constexpr double fastest_growth = 1.7, most_steps_to_wait = 50;  // of oscillations, per step: rho (1 + sqrt(3) th) with half a radian
-constexpr double negligible_way = 1e-6; // within a step, relative to the size of the model
-constexpr double coarse_part = 0.02;    // of the largest velocity, in the norm of the matrix of the step; the error of the energy is then a few percent
-constexpr StepCount first_judged = 4;   // steps with lead until its size is judged
+// For motions that start from rest: lower bound of the reference speed, in units of h |a|.
+constexpr double scale_of_rest = 10;
+// Growth per step of oscillations, rho (1 + sqrt(3) th) with half a radian.
+constexpr double fastest_growth = 1.7, most_steps_to_wait = 50;
+constexpr double negligible_way = 1e-6; // displacement within a step, relative to the size of the model
+// Of the largest velocity, in the norm of the step matrix; the error of the energy is then a few percent.
+constexpr double coarse_part = 0.02;
+constexpr StepCount first_judged = 4;   // number of steps with lead before its size is assessed
 
-// The largest velocity across constraints, relative to the largest velocity, that a stable smooth motion has: C th^2 at the limit of stability, with a
-// margin of 5.
+// Returns the largest velocity across constraints, relative to the largest velocity, of a stable smooth motion: C th^2
+// at the stability limit, with a margin of 5.
 double tolerated_velocity(double spectral_radius, double left_out) {
   const double limit = (1 / std::max(spectral_radius, 1e-3) - 1) / std::sqrt(3.0);
   return std::clamp(5 * left_out * limit * limit, 1e-4, 0.04);
 }
 
-// A jump of accelerations leaves velocities across the constraints that rise and fall as n^2 rho^n: steps until a hundredth of the largest value is left.
+// Returns the number of steps until n^2 rho^n has decayed to a hundredth of its maximum: the decay of velocities across
+// constraints after a jump of accelerations.
 int steps_to_decay(double spectral_radius) {
   constexpr int most = 200;
   double largest = 0;
@@ -62,8 +68,9 @@ void SecondOrderSolver::watch_velocities() {
   }
 }
 
-// Differences of accelerations raise the suspicion at the cost of two vectors; then the velocities across the constraints decide. Stiff vibrations along the constraints are
-// suspicious in each step: velocities that are far below the tolerance are not evaluated again before they could have grown to it.
+// Differences of accelerations, which cost two vectors, give a first indication; the velocities across constraints
+// decide. Stiff vibrations along the constraints give an indication in each step: velocities far below the tolerance
+// are evaluated again only when they could have grown to it.
 bool SecondOrderSolver::velocities_oscillate() {
   const bool suspicious = accelerations_alternate();
   if (lead_.steps_to_wait > 0) {
@@ -90,7 +97,9 @@ bool SecondOrderSolver::velocities_oscillate() {
   return !before.empty() && std::inner_product(before.begin(), before.end(), lead_.across.begin(), 0.0) < 0;
 }
 
-// Compares changes of accelerations in this step and in the one before: h |change - change before| / 4 is the velocity of an oscillation from step to step.
+// Compares the changes of accelerations in two successive steps: h
+// change - change before
+//  / 4 is the velocity of an alternating oscillation.
 bool SecondOrderSolver::accelerations_alternate() {
   const State& now = current();
   const std::vector<double>& accelerations = newmark() ? now.a : algorithmic_;
@@ -116,7 +125,7 @@ bool SecondOrderSolver::accelerations_alternate() {
   return ++lead_.equal_steps > 2 && 0.25 * h * std::sqrt(difference) > tolerated;
 }
 
-// Gaps and rates of the initial values close in the first step, which leaves decaying velocities across the constraints.
+// Inconsistent initial values are corrected in the first step, which causes decaying velocities across constraints.
 bool SecondOrderSolver::closes_gaps_of_start() {
   if (it.currentStepIndex >= steps_to_decay(spectral_radius)) return false;
   if (!lead_.begins_open) {
@@ -126,9 +135,10 @@ bool SecondOrderSolver::closes_gaps_of_start() {
   return *lead_.begins_open;
 }
 
-// A lead that is large in the norm of the matrix of the step, which is close to that of the masses, shows that the step is too coarse.
+// A lead that is large in the norm of the step matrix, which is close to the mass matrix, shows that steps are too
+// coarse.
 void SecondOrderSolver::lead_and_judge() {
-  const bool smooth = it.discontinuousIteration <= 1;  // accelerations have not jumped within the step
+  const bool smooth = it.discontinuousIteration <= 1;  // no jump of accelerations within the step
   const double across = lead_velocities(it.currentStepSize, it.currentStepSize, smooth);
   lead_.largest_energy = std::max(lead_.largest_energy, step_energy(current().v));
   if (++lead_.steps > first_judged && smooth && across > coarse_part * coarse_part * lead_.largest_energy) count_doubt(lead_.coarse, lead_.coarse_since);
@@ -138,8 +148,8 @@ void SecondOrderSolver::count_doubt(StepCount& steps, double& since) const {
   if (steps++ == 0) since = it.currentTime;
 }
 
-// Replaces the velocities across constraints by the lead for the step size `next`; by zero if accelerations have jumped in the step. Returns the square of the
-// change in the norm of the matrix of the step.
+// Replaces the velocities across constraints by the lead for the step size `next`, or by zero if accelerations have
+// jumped. Returns the square of the change in the norm of the step matrix.
 double SecondOrderSolver::lead_velocities(double step_size, double next, bool smooth) {
   State& now = current();
   const double factor = smooth ? left_out() * next * next / step_size : 0;
@@ -154,7 +164,8 @@ double SecondOrderSolver::lead_velocities(double step_size, double next, bool sm
   return energy;
 }
 
-// The part of the velocities across constraints that exceeds the lead, by the factors at hand; `as_driven`: with rates that are prescribed in time, which cost more.
+// Computes the part of the velocities across constraints that exceeds the lead, with the present factors. `as_driven`
+// includes rates prescribed in time, at additional cost.
 std::vector<double> SecondOrderSolver::velocities_across(double step_size, bool as_driven) {
   std::vector<double> rates;
   if (as_driven) {
@@ -169,7 +180,8 @@ std::vector<double> SecondOrderSolver::velocities_across(double step_size, bool 
   return {across.begin(), across.end()};
 }
 
-// Rates of the constraints at the velocities plus `factor` times the change of accelerations. Equations of velocities hold at the end of each step and need no lead.
+// Computes the rates of constraints at the velocities plus `factor` times the change of accelerations. Velocity
+// constraints hold at the end of each step and need no lead.
 std::vector<double> SecondOrderSolver::rates_with_lead(double factor, std::span<const double> change) {
   State moved = current();
   for (std::size_t i = 0; i < moved.v.size(); ++i) moved.v[i] += factor * change[i];
@@ -182,7 +194,7 @@ std::vector<double> SecondOrderSolver::rates_with_lead(double factor, std::span<
   return rates;
 }
 
-// User functions that prescribe positions in time need not state their rates, which are then found by differences.
+// Rates of positions that user functions prescribe in time are computed by finite differences.
 std::vector<double> SecondOrderSolver::rates_at(const State& state) {
   if (std::ranges::any_of(row_kinds().driven, [](char d) { return d != 0; }))
     return constraint_rates(system(), state, conditions_, last_time()).rates;
@@ -199,10 +211,11 @@ const SecondOrderSolver::RowKinds& SecondOrderSolver::row_kinds() {
   return row_kinds_;
 }
 
-// The motion with these rates of the constraints that is smallest in the norm of the matrix of the step, by the factors at hand.
+// Returns the velocities with these constraint rates and the smallest norm in the step matrix, with the present
+// factors.
 std::span<const double> SecondOrderSolver::move_across(std::span<const double> rates) {
   const auto first = static_cast<std::size_t>(sizes_.first_ae());
-  const double factor = conditions_.rate_level ? rate_factor() : 1;  // of rows
+  const double factor = conditions_.rate_level ? rate_factor() : 1;  // scale of the rows
   std::ranges::fill(increment_, 0.0);
   if (has_factors()) {
     for (std::size_t k = 0; k < rates.size(); ++k)
@@ -212,7 +225,8 @@ std::span<const double> SecondOrderSolver::move_across(std::span<const double> r
   return std::span<const double>(increment_).first(current().v.size());
 }
 
-// v^T J v with the ODE2 block of the matrix of the step: about twice the kinetic energy, times (1 - alpha_m)/(1 - alpha_f).
+// Returns v^T J v with the ODE2 block of the step matrix: about twice the kinetic energy, times (1 - alpha_m)/(1 -
+// alpha_f).
 double SecondOrderSolver::step_energy(std::span<const double> v) const {
   double energy = 0;
   for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
