@@ -1,4 +1,4 @@
-"""What the tests of the generator share."""
+"""Shared fixtures of the generator's tests."""
 
 from __future__ import annotations
 

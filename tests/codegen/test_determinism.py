@@ -1,4 +1,4 @@
-"""Same specs, same bytes: whatever the working directory, the hash seed and the order of the directory."""
+"""Same specs, same bytes: independently of the working directory, the hash seed and the order of the directory."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is generated for readers and editors: formulas in plain LaTeX, links to examples, stubs that parse."""
+"""Generated files for readers and editors: formulas in plain LaTeX, links to examples, stubs that parse."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_pages_lead_to_what_uses_an_item(root: Path, specs: Specs) -> None:
     for item in specs.items:
         folder = "/".join(item.path.split("/")[-2:]).removesuffix(".toml")
         page = (root / "generated/docs/items" / f"{folder}.rst").read_text()
-        assert ("\nMini example\n" in page) == (item.name != "NodeGenericAE"), item.name  # which is planned
+        assert ("\nMini example\n" in page) == (item.name != "NodeGenericAE"), item.name  # a planned item
         for name in item.create_functions:
             assert f":ref:`mbs.{name}(...) <create-{name}>`" in page, item.name
             assert f":ref:`mbs.{name}(...) <create-example-{name}>`" in page.split("\nSee also\n")[1], item.name

@@ -1,6 +1,7 @@
-"""Every mistake in a spec is refused with a message that names file, table, row, what is wrong and what is allowed.
+"""Every mistake in a spec is rejected with a message that names file, table, row, the fault and the allowed values.
 
-A file in specs_invalid/ starts with two comments: `# path:` says as which file it is read, `# message:` what is answered.
+A file in specs_invalid/ starts with two comments: `# path:` is the name under which the file is read, `# message:` the
+expected text.
 """
 
 from __future__ import annotations

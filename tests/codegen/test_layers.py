@@ -1,4 +1,4 @@
-"""Items know the system, and the system no item: what stands between them is the contracts."""
+"""Items know the system, and the system no item: the contracts are between them."""
 
 from __future__ import annotations
 

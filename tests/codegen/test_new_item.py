@@ -45,13 +45,13 @@ def with_new_items(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path
 
 @pytest.mark.parametrize(("kind", "name", "folder", "full", "stem"), CASES, ids=[case[3] for case in CASES])
 def test_new_item(with_new_items: Path, root: Path, kind: str, name: str, folder: str, full: str, stem: str) -> None:
-    """The spec passes, the kernel fits its contract, and what is generated of both compiles."""
+    """The spec passes, the kernel fits its contract, and the generated files compile."""
     item = next(item for item in load(with_new_items).items if item.name == full)
     assert (item.stem, item.physics) == (f"{folder}/{stem}", "ready")
     kernel = f"dalembert/items/{folder}/{stem}.hpp"
     assert (with_new_items / "core/include" / kernel).read_text().startswith(f"// {full}, specs/{folder}/{stem}.toml\n")
     generated = with_new_items / f"generated/src/{folder}/{stem}.cpp"
-    both = with_new_items / f"{stem}.cpp"  # the kernel first: it includes what it needs by itself
+    both = with_new_items / f"{stem}.cpp"  # the kernel first: it includes everything it needs
     both.write_text(f'#include "{kernel}"\n#include "{generated}"\n')
     check_syntax(both, with_new_items, root)
 

@@ -1,4 +1,4 @@
-"""The specs say what the reference says: same items, rows, order, types, defaults, outputs, enumerations and settings."""
+"""The specs agree with the reference: same items, rows, order, types, defaults, outputs, enumerations and settings."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ SIGNATURES = {
         "mbs", "t", "itemNumber", "displacement", "velocity", "stiffness", "damping", "offset",
     ],
 }  # fmt: skip
-# Symbols that do not say what is computed, or not how it is written elsewhere: what is wrong in them, and what is right.
+# Symbols that contradict the description, or the notation of other items: wrong part, and its correction.
 LOCAL, TURNED = r"\LU{0b}{\Rot}\pLocB", r"(\LU{0b}{\Rot}\cConfig - \LU{0b}{\Rot}\cRef) \pLocB"
 MISPRINTS = {
     **{(f"NodePointSlope{n}", "Velocity"): (r"{\mathbf{a}}", r"{\mathbf{v}}") for n in ("1", "12", "23")},
@@ -58,7 +58,8 @@ MISPRINTS = {
 }
 # Orientation is asked for where there is friction, as models of the reference have it; the kernels see to that.
 REQUESTED = {"ObjectContactSphereSphere": ["Position"], "ObjectContactSphereTriangle": ["Position"]}
-# Sizes that contradict the type or the symbol beside them: six numbers, said to be three; markers of any number of circles.
+# Sizes that contradict the type or the symbol of the row: six numbers, said to be three; markers of any number of
+# circles.
 WRONG_SIZES = {"Vector6D": "3", "ArrayMarkerIndex": "2"}
 KINDS = {"Node": "node", "Object": "object", "Marker": "marker", "Load": "load", "Sensor": "sensor"}
 
@@ -69,7 +70,8 @@ def items(specs: Specs) -> dict[str, Item]:
 
 
 def differences(items: Iterable[Item]) -> dict[str, set[str]]:
-    """By what the specs are not the reference: items that lack, and others that do not say what they add to it."""
+    """Differences between the specs and the reference: missing items, and additional ones without a description of the
+    addition."""
     names = {item.name for item in items if item.beyond_reference is None}
     return {"missing": REFERENCE.keys() - names, "without `beyond_reference`": names - REFERENCE.keys()}
 
@@ -118,7 +120,7 @@ def test_rows(items: dict[str, Item], name: str, table: str) -> None:
 
 
 def default_of(row: Parameter) -> Any:
-    """The default as Python sees it; what starts empty or not set is None."""
+    """The default as Python sees it; empty or unset values are None."""
     if row.default == "invalid":
         return -1
     return None if row.default in ([], None) or set(flat(row.default)) == {-1} and row.type.index else row.default

@@ -1,4 +1,4 @@
-"""Settings refuse what is out of the range that their spec states, whichever way a value comes."""
+"""Settings reject values out of the range in their spec, for each way of setting them."""
 
 from __future__ import annotations
 

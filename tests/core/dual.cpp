@@ -5,7 +5,7 @@ using namespace dalembert;
 
 namespace {
 
-constexpr double rounding = 1e-14;  // of numbers up to 10, after a few operations
+constexpr double rounding = 1e-14;  // numbers up to 10, after a few operations
 
 bool differs(double a, double b) { return !(std::abs(a - b) < rounding * 10); }
 template <int N>

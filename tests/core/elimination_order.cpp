@@ -13,7 +13,7 @@ using namespace dalembert;
 
 namespace {
 
-constexpr int body = 6, joint = 5, redundant = 3;  // coordinates; equations of a revolute joint; those that a planar loop in space has too many
+constexpr int body = 6, joint = 5, redundant = 3;  // coordinates; equations of a revolute joint; the redundant ones of a planar loop in space
 
 struct Ladder {
   std::vector<std::set<int>> columns;  // rows of each

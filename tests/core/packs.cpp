@@ -1,4 +1,4 @@
-// Each of the numbers side by side gets what it gets alone; they find the way from their places in memory and back.
+// Numbers in lanes get the same results as alone; they find the way from their places in memory and back.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -58,7 +58,7 @@ int memory_differs(int count) {
   return failures + (to != expected);
 }
 
-// To rounding, and whatever is in the other lanes: a few angles that the library is asked for are among those of polynomials.
+// Agreement is to rounding, independently of other lanes: a few angles that the library is asked for are among those of polynomials.
 template <int N>
 int functions_differ() {
   int failures = 0;

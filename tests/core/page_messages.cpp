@@ -62,7 +62,7 @@ std::vector<double> turned(const Array& array) {
 }
 
 struct Message {
-  std::string words;  // of the head, up to its last entry: the table of arrays
+  std::string words;  // entries of the head, up to the last one: the table of arrays
   std::vector<std::optional<Array>> arrays;
 };
 

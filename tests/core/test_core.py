@@ -1,4 +1,4 @@
-"""The C++ tests beside this file: each is a program that needs headers alone, and returns the number of its failures."""
+"""The C++ tests in this folder: each is a program that needs headers alone, and returns the number of its failures."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ int longest_path(const std::vector<FrontStructure>& tree) {
   return *std::ranges::max_element(height);
 }
 
-// The fronts are the same but for what they eliminate; a child comes before its parent, which takes over all that it leaves.
+// Both fronts differ only in the variables that they eliminate; a child comes before its parent, which takes over all that it leaves.
 bool equivalent(const std::vector<FrontStructure>& tree, const std::vector<FrontStructure>& to) {
   std::vector<std::vector<int>> fronts, expected;
   std::vector<int> pivots, expected_pivots;

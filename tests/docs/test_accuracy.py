@@ -1,4 +1,4 @@
-"""The table of errors in the pages is what its script computes, and shows the order of the methods."""
+"""The table of errors on the page is the output of its script, and shows the order of the methods."""
 
 from __future__ import annotations
 
@@ -36,6 +36,6 @@ def test_the_table_is_computed_again(computed: list[tuple[str, ...]]) -> None:
 
 
 def test_orders(computed: list[tuple[str, ...]]) -> None:
-    """At the smallest steps; references with eight to ten digits are felt."""
+    """Orders at the smallest steps; references with eight to ten digits are felt."""
     for case, row in zip(accuracy.CASES, computed[LEVELS - 1 :: LEVELS], strict=True):
         assert float(row[4]) == pytest.approx(case.order, abs=0.2), row

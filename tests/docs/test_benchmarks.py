@@ -1,4 +1,4 @@
-"""The benchmarks that compare with Exudyn: their models are what they say, and the guard of instructions knows them."""
+"""The benchmarks that compare with Exudyn: their models are correct, and the limits of instructions include them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ def test_every_case_is_assembled(case: str) -> None:
 
 
 def test_oscillator() -> None:
-    """Explicit Euler adds k h / (2 m) to the rate of decay d / (2 m); one second of 10 000 steps, error of second order in h."""
+    """Explicit Euler adds k h / (2 m) to the rate of decay d / (2 m); 10 000 steps in one second: the error is of
+    second order in h."""
     stiffness, damping, mass, step = 200.0, 0.5, 2.0, 1e-4
     job = models.oscillator(package, 10_000)
     job.solve()

@@ -1,4 +1,5 @@
-"""What the pages and the README show works: examples run, error texts are the real ones, the example item is complete."""
+"""The code on pages and in the README works: examples run, error texts are the real ones, the example item is
+complete."""
 
 from __future__ import annotations
 
@@ -26,12 +27,12 @@ AGREEMENT = {  # relative difference of compared values, and how many there are
     "belt_drive": (1e-3, 2),  # friction grows with the velocity before it slides; the mean of a quarter of the time
     "cable_laying": (1e-4, 2),  # bending stiffness; the ground gives way by 25 mm of 100 m
     "channel_beam": (1e-3, 2),  # 32 elements whose error is quadratic; small rotations
-    "clamped_plate": (3e-3, 5),  # 8 by 8 and 16 by 16 elements, with their limit
+    "clamped_plate": (3e-3, 5),  # meshes of 8 by 8 and 16 by 16 elements, and their limit
     "crane_with_rope": (1e-3, 1),  # the rope has 1 % of the mass of the load; small angles
     "leaf_spring": (2e-4, 1),  # the axial strain and the square of the load
     "band_brake": (4e-4, 2),  # the stiffness of the bent band
     "cart_on_terrain": (6e-3, 1),  # the wheels creep
-    "box_tower": (1e-4, 2),  # what still moves after 3 s; rounding of five digits
+    "box_tower": (1e-4, 2),  # motion that remains after 3 s; rounding of five digits
     "hopper": (1e-3, 2),  # a mean of 40 forces of a heap that creeps: 2e-4 to 7e-4 with starts and instruction sets
     "cantilever": (1e-3, 2),  # the bending of eight cubic elements; the axial strain of 3 N is below 3e-4
     "slider_crank": (2e-6, 2),  # rounding of six digits
@@ -54,14 +55,14 @@ AGREEMENT = {  # relative difference of compared values, and how many there are
     ),  # Ritz leaves out shear and rotary inertia, a percent of the second flap frequency
     "parameter_study": (5e-4, 2),  # rounding of four digits; the maximum lies between two steps of 1 ms
     "three_bodies": (1e-5, 2),  # rounding of six digits
-    "servo_drive": (1e-4, 2),  # what is left of the start after 0.6 s; rounding
+    "servo_drive": (1e-4, 2),  # transient that remains after 0.6 s; rounding
     "hoist": (1e-3, 2),  # the rope shortens a little less than it is wound, as it swings to rest
     "gear_pair": (2.5e-2, 2),  # teeth give way by 1.5 um, so that tips of radii of 10 mm touch 0.17 mm longer, of 11.8
     "cam_follower": (3e-3, 1),  # the stiffness of the contact under 190 N; sides of 0.5 mm
     "plate_modes": (1.5e-2, 4),  # a mesh of 12 x 12; its error falls with the square of the size
     "rolled_strip": (2e-4, 2),  # 30 micrometers of 318 mm: elements of 45 degrees; rounding of five digits
     "trolley_on_rope": (1.6e-2, 2),  # a rope bends over within an element; the trolley feels where elements meet
-    "ball_in_ring": (1e-3, 2),  # the squares of the amplitudes: 0.05^2 / 16 of the ball, 0.0032 / 4 of the barrel
+    "ball_in_ring": (1e-3, 2),  # the squares of the amplitudes: squares of amplitudes: 0.05^2 / 16 of the ball, 0.0032 / 4 of the barrel
     "hydraulic_crane": (1e-3, 2),  # speed of the piston to four digits; the load creeps while it is lifted
     "newtons_cradle": (4e-3, 2),  # contacts last 60 microseconds, of 50 a step
     "scotch_yoke": (1e-5, 2),  # rounding of seven digits; constraints hold to Newton's tolerance
@@ -81,7 +82,7 @@ AGREEMENT = {  # relative difference of compared values, and how many there are
 
 @pytest.mark.parametrize("path", example_runs.EXAMPLES, ids=[path.stem for path in example_runs.EXAMPLES])
 def test_example_runs_plots_and_agrees(path: Path) -> None:
-    folder = example_runs.run(path)  # what pages show
+    folder = example_runs.run(path)  # the pages show these results
     wanted = set(re.findall(r'fileName="(\w+\.png)"', path.read_text()))
     assert wanted and wanted == {plot.name for plot in folder.glob("*.png")}
     printed = (folder / "printed.txt").read_text("utf-8")
@@ -113,7 +114,8 @@ def test_pages_show_the_real_texts(page: str, tmp_path: Path, monkeypatch: pytes
 
 @pytest.mark.parametrize("page", BLOCKS)
 def test_code_of_pages_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """All blocks of a page, one after the other; what they stand on is in its comments `.. shown-before: python`."""
+    """All blocks of a page, one after the other; comments of the page have the code before them `.. shown-before:
+    python`."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("MPLBACKEND", "Agg")
     code = "\n".join(textwrap.dedent(block) for block in BLOCKS[page])

@@ -1,4 +1,4 @@
-"""The table of work against accuracy is what its script computes, and tells which methods pay."""
+"""The table of work against accuracy is the output of its script, and shows the most efficient methods."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_a_row_is_computed_again(case: work_precision.Case) -> None:
 
 
 def test_order_eight_pays_for_mechanisms() -> None:
-    """At a tolerance of 1e-8, DOP853 leaves a smaller error in the squeezer than ODE23 with a tenth of its work."""
+    """DOP853 has a smaller error in the squeezer at a tolerance of 1e-8 than ODE23, with a tenth of its work."""
     lines = {row[1]: row for row in stored() if row[0] == work_precision.CASES[1].model and row[2] == "1e-08"}
     assert int(lines["DOP853"][5]) < 0.1 * int(lines["ODE23"][5])
     assert float(lines["DOP853"][6]) < float(lines["ODE23"][6])
@@ -53,6 +53,6 @@ def test_order_eight_pays_for_mechanisms() -> None:
 def test_radau_takes_few_steps() -> None:
     """Errors fall by two orders while the tolerance does so, with less than three times the factorizations: 100^(1/5) = 2.5."""
     few, many = (radau.by_radau(work_precision.squeezer, 0.03, tolerance) for tolerance in (1e-6, 1e-8))
-    assert few.error == pytest.approx(1.97e-6, rel=0.02)  # errors of the method, to what iterations leave
+    assert few.error == pytest.approx(1.97e-6, rel=0.02)  # ratio of errors: method to iterations
     assert many.error == pytest.approx(6.76e-9, rel=0.02)
     assert many.factorizations < 3 * few.factorizations

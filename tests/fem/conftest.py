@@ -1,4 +1,4 @@
-"""Let tests import the meshes beside them."""
+"""Tests can import the meshes in this folder."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Flexible bodies from a mesh: by one call, as generic object, and with all coordinates of the mesh."""
+"""Flexible bodies from a mesh: created by one call, as generic object, and with all coordinates of the mesh."""
 
 import meshes
 import numpy as np

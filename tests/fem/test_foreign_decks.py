@@ -1,4 +1,5 @@
-"""What decks of other programs contain beside a plain mesh: carried over, named in a warning, or refused with the file."""
+"""Contents of other programs' decks in addition to a plain mesh: carried over, named in a warning, or refused with the
+file."""
 
 from __future__ import annotations
 
@@ -51,7 +52,7 @@ def test_names_differ_in_case_and_coordinates_may_be_missing(tmp_path: Path) -> 
     assert told == []
     assert sets(fem) == {"NALL": [0, 1, 2, 3], "Fix": [0, 1], "Both": [0, 1, 2]}
     np.testing.assert_array_equal(fem.GetNodePositionsAsArray(), [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
-    fem.AssembleMatrices()  # with the material of the section, whatever the case of its name
+    fem.AssembleMatrices()  # the material of the section; case does not matter
     assert fem.GetMassMatrix().sum() == pytest.approx(3 * 7800 / 6)
 
 
@@ -123,7 +124,7 @@ ENDDATA
     ("cp", "system", "expected"),
     [
         (5, "", [[0, 0, 0], [0, 1, 0], [-2, 0, 0], [0, 0, 3]]),
-        # by way of system 5, with numbers as NASTRAN writes them, in free format
+        # defined by system 5, with NASTRAN's numbers, in free format
         (6, "CORD2R,6,5,1.,0.,0.,1.,0.,1.,,\n,2.+0,0.,0.", [[0, 1, 0], [0, 2, 0], [-2, 1, 0], [0, 1, 3]]),
         # radius, degrees, height; radius, degrees from the axis, degrees about it
         (7, "CORD2C,7,0,0.,0.,0.,0.,0.,1.,,\n,1.,0.,0.", [[0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 0, 3]]),
@@ -131,7 +132,7 @@ ENDDATA
     ],
 )  # fmt: skip
 def test_coordinate_systems_of_grid_points(cp: int, system: str, expected: Any, tmp_path: Path) -> None:
-    """Where points lie in systems that are turned, moved, cylindrical and spherical; by formulas."""
+    """Points in rotated, shifted, cylindrical and spherical systems; by formulas."""
     from dalembert._io import nastran
 
     path = tmp_path / "deck.bdf"
@@ -158,7 +159,7 @@ def test_nastran_decks_keep_positions_and_properties(tmp_path: Path) -> None:
 
 
 def test_numbered_regions_take_materials(tmp_path: Path) -> None:
-    """Two halves of a block with numbers, as in files of medit, weigh what their materials say."""
+    """Two halves of a block, marked by numbers as in files of medit, have the masses of their materials."""
     positions, elements = meshes.block("Hex8", (2, 1, 1))
     numbers = np.arange(len(elements["Hex8"])) % 2
     mesh = meshio.Mesh(positions, [("hexahedron", elements["Hex8"])], cell_data={"medit:ref": [numbers]})

@@ -51,7 +51,7 @@ def test_abaqus_meshes(kind, tmp_path):
     np.testing.assert_allclose(read, positions)
     assert (fem.elements[0][kind] == elements[kind]).all()
     assert [s["NodeNumbers"].tolist() for s in fem.nodeSets] == [[5, 10, 15]]
-    fem.AssembleMatrices()  # with the material of the file
+    fem.AssembleMatrices()  # the material of the file
     np.testing.assert_allclose(fem.GetMassMatrix().sum(), 3 * 7850)
     assert (fem.GetSurfaceTriangles() == np.array(meshes.solid(kind, (2, 2, 1)).GetSurfaceTriangles())).all()
     every = FEM.FEMinterface()

@@ -133,8 +133,9 @@ def free_frequencies(fem, count, rigid):
 
 @pytest.mark.parametrize("mode", [HCB.RBE2, HCB.RBE3, HCB.allBoundaryNodes])
 def test_hurty_craig_bampton_modes_converge_from_above(bar, mode):
-    """The part of a motion that is left out has at most its kinetic energy, and frequencies above those that are kept: that bounds what it
-    adds to a frequency, by half the square of their ratio. The fourth frequency is one of bending, of which the ends take little part, and is
+    """The part of a motion that is left out has at most its kinetic energy, and frequencies above those that are kept:
+    this bounds the additional frequency by half the square of their ratio. The fourth frequency is one of bending, of
+    which the ends take little part, and is
     0.37 to 0.39 percent off with 16 modes."""
     exact = free_frequencies(bar, 4, mode == HCB.RBE2)
     lists, weights = bar.GetBoundaryNodeSetsAsLists()
@@ -261,7 +262,7 @@ def test_a_mesh_is_cut_where_it_has_the_fewest_nodes():
 
 
 def test_modes_of_the_same_frequency_are_all_found():
-    # 15 of them, more than the vectors of a block
+    # 15 modes, more than the vectors of a block
     squares = np.concatenate([np.ones(15), np.geomspace(100.0, 1e6, 385)])
     mass = scipy.sparse.diags(np.linspace(1.0, 2.0, len(squares))).tocsr()
     stiffness = mass.diagonal() * squares

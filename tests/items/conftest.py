@@ -1,4 +1,4 @@
-"""What the tests of items share."""
+"""Shared fixtures of the tests of items."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""What tests of all items leave out: check by check, item by item, with the reason that the spec of the item gives under
+"""Exceptions of the tests of all items: check by check, item by item, with the reason that the spec of the item gives
+under
 [scene.exempt]. `test_exemptions.py` holds each of them against the check, so that one which is not needed any more fails."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Meshes of mass points, and what ObjectFFRFreducedOrder asks of them: sums over the points."""
+"""Meshes of mass points, and the data that ObjectFFRFreducedOrder requires: sums over the points."""
 
 from __future__ import annotations
 

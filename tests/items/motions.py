@@ -1,4 +1,5 @@
-"""Motions of frames, and what the coordinates of each node type are for a given motion; the specs say of which frame they are."""
+"""Motions of frames, and the coordinates of each node type for a given motion; the specs say of which frame they
+are."""
 
 from __future__ import annotations
 
@@ -121,7 +122,7 @@ class NodeKind:
         return np.concatenate([position, self._flat(slopes) if slopes else rotation[self.frame]()])
 
     def _flat(self, vectors: list[Array]) -> Array:
-        """One after the other, without what is zero in the plane."""
+        """Return coordinates in order, without those that are zero in the plane."""
         return np.concatenate([v[:2] if self.planar else v for v in vectors])
 
     def twists(self, m: Motion) -> Array:

@@ -1,4 +1,4 @@
-"""Scripts run once more for processors with less: what they print in registers of other widths."""
+"""Scripts run once more for processors with less: their output in registers of other widths."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Small random models around an item, made from its spec: bodies in rotated and moving states, markers on them, and what acts on
-the markers. Which nodes, markers and values these are is said by the [scene] tables of the specs."""
+"""Small random models around an item, made from its spec: bodies in rotated and moving states, markers on them, and
+items that act on the markers. The [scene] tables of the specs define these nodes, markers and values."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def placed(end: End) -> tuple[str, tuple[str, str]]:
 
 
 def rests(carrier: tuple[str, str]) -> bool:
-    """On a ground node, without equations."""
+    """Marker on a ground node, without equations."""
     return carrier[1] in ITEMS and "Ground" in ITEMS[carrier[1]].provides
 
 
@@ -107,7 +107,7 @@ def draw(rng: np.random.Generator, row: Parameter, planar: bool = False) -> Any:
 
 
 def random_section(rng: np.random.Generator) -> Any:
-    """Without any symmetry."""
+    """Values without symmetry."""
     section = exu.BeamSection()
     stiffness, damping, inertia = (root @ root.T + np.eye(6) for root in rng.uniform(-0.5, 0.5, (3, 6, 6)))
     section.stiffnessMatrix, section.dampingMatrix, section.inertia = stiffness, damping, inertia[:3, :3]
@@ -116,7 +116,7 @@ def random_section(rng: np.random.Generator) -> Any:
 
 
 def one_for_each(values: list[Any], markers: int) -> list[Any]:
-    """Of a list with the values of some markers: as many, the first and the last among them."""
+    """Return an evenly spaced selection of a list with values of markers: it includes the first and the last one."""
     return [values[round(i * (len(values) - 1) / (markers - 1))] for i in range(markers)]
 
 
@@ -195,7 +195,7 @@ class Scene:
         return Carrier(made, [number], frame_motion, coordinates=coordinates, local=np.zeros((2, 3)) if point else BOX)
 
     def _slopes_with_mass(self, node: Any, coordinates: int, dimensions: int) -> None:
-        """What a cable or plate would give to slopes, where a point mass stands on their node."""
+        """Values for slopes, which a cable or plate would define, if a point mass is on their node."""
         of_vectors = np.r_[0, self.rng.uniform(0.5, 1.5, coordinates // dimensions - 1)]
         mass = np.diag(np.repeat(of_vectors, dimensions))
         self.mbs.AddObject(exu.ObjectGenericODE2(nodeNumbers=[node], massMatrix=mass))
@@ -296,7 +296,7 @@ class Scene:
         return Carrier(made, nodes, frame, np.array(item.scene.local or BOX), coordinates)
 
     def _motion_of_link(self, tree: Any, node: Any) -> Motion:
-        """Where the link is that carries markers."""
+        """Position of the link that carries markers."""
         values = self.mbs.GetNode(node)
         q = np.add(values["referenceCoordinates"], values["initialCoordinates"])
         link = ITEMS["MarkerKinematicTreeRigid"].scene.values["linkNumber"]
@@ -323,7 +323,7 @@ class Scene:
         return self.mbs.AddNode(getattr(exu, name)(referenceCoordinates=entry.mesh, **start))
 
     def _generalized_node(self, name: str, entry: NodePlace) -> Any:
-        """A node whose coordinates belong to no frame; what the spec leaves open is drawn."""
+        """A node whose coordinates belong to no frame; values without a row in the spec are random."""
         n = next(value for key, value in entry.values.items() if key.startswith("numberOf"))
         rows = ("referenceCoordinates", "initialCoordinates", "initialCoordinates_t")
         drawn = {
@@ -465,7 +465,7 @@ class Scene:
         return made
 
     def _close(self, item: Item) -> None:
-        """Choose what a constraint prescribes such that the present state meets it."""
+        """Choose the prescribed values of a constraint such that the present state fulfils it."""
         for parameter, output in item.scene.closed.items():
             if output == "gap":
                 rows = self.mbs.systemData.GetObjectLTGAE(self.target[1])

@@ -63,7 +63,7 @@ class Belt:
             self.mbs.AddObject(exu.ObjectConnectorCoordinate(markerNumbers=[self.ground, marker]))
 
     def frequencies(self, count: int) -> np.ndarray:
-        """Of transverse motion between simple supports, at the speed of the start."""
+        """Frequencies of transverse motion between simple supports, at the initial speed."""
         self.mbs.Assemble()
         s = testing.State(self.mbs)
         k, d = (testing.tangent(self.mbs, s, cq=q, cv=v, ca=0) for q, v in ((1, 0), (0, 1)))

@@ -28,7 +28,7 @@ from dalembert.itemInterface import (
 )
 
 Variable = exu.OutputVariableType
-TURN = Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()  # of models that lie anywhere
+TURN = Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()  # independent of the position of the model
 
 
 class Beam:
@@ -155,7 +155,8 @@ def test_free_free_beam() -> None:
 
 
 def test_tensioned_string() -> None:
-    """Without bending stiffness: a string under its tension swings at n pi / l sqrt(N / rho), about its stretched length."""
+    """A cable without bending stiffness: a string under its tension swings at n pi / l sqrt(N / rho), about its
+    stretched length."""
     length, tension, stiffness, mass = 2.0, 40.0, 2e3, 0.7
     beam = Beam(32, length, physicsMassPerLength=mass, physicsAxialStiffness=stiffness, physicsBendingStiffness=1e-8)
     beam.clamp((0, 1, 2))
@@ -268,7 +269,7 @@ def test_nothing_tells_an_orientation(variable: str) -> None:
 
 
 def test_position_marker_on_the_node() -> None:
-    """A force on the node's position does what the same force at the end of the element does."""
+    """A force on the node's position has the same effect as a force at the end of the element."""
     tips = []
     for on_node in (False, True):
         beam = Beam(2, 1.0, physicsBendingStiffness=2, physicsAxialStiffness=100)

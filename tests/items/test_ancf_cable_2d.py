@@ -129,7 +129,7 @@ def test_sagging_cable() -> None:
 
 
 def test_reference_strain_and_curvature() -> None:
-    """Without loads the beam takes the strain and the curvature at which it carries no force."""
+    """A beam without loads takes the strain and the curvature of zero force."""
     length, strain, curvature = 2.0, 0.01, 0.5
     beam = Beam(
         8,

@@ -143,13 +143,14 @@ def test_large_deflection_of_a_square(support: str, wanted: float) -> None:
         plate.solve_static(4)
         found.append(plate.mbs.GetNodeOutput(plate.nodes[n // 2][n // 2], Variable.Displacement)[2] / 0.01)
     errors = np.array(found) / wanted - 1
-    assert errors[0] / errors[1] == pytest.approx(3.7, abs=0.9)  # with the square of the element size
+    assert errors[0] / errors[1] == pytest.approx(3.7, abs=0.9)  # error: square of the element size
     assert (4 * found[1] - found[0]) / 3 == pytest.approx(wanted, rel=2e-3)
 
 
 @pytest.mark.parametrize("across", [False, True], ids=["along x", "along y"])
 def test_clamped_strip_bends_like_a_beam(across: bool) -> None:
-    """Without lateral contraction, tip deflection and stress at the root are those of a beam; the side that is stretched has tension."""
+    """A plate without lateral contraction has tip deflection and root stress of a beam; the side that is stretched has
+    tension."""
     length, width, thickness, young, force = 1.0, 0.1, 0.01, 1e9, 1e-3
     sides = (1, 8, width, length) if across else (8, 1, length, width)
     plate = Plate(*sides, thickness, young, 0.0, TURN)

@@ -180,7 +180,7 @@ def test_bathe_bend(kind: str, force: float) -> None:
 
 
 # Tip displacements in mm (axial, in the stiff and in the soft direction) of the Princeton beam, 0.508 m long, by load in N and its angle
-# from the stiff direction: solutions of the rod's differential equations, to all digits.
+# bending about the stiff direction: solutions of the rod's differential equations, to all digits.
 PRINCETON = {
     (8.896, 0): (-0.1355343, 10.7135971, 0),
     (8.896, 30): (-7.6599334, 10.1455436, 79.4516879),
@@ -197,7 +197,7 @@ PRINCETON = {
 
 @pytest.mark.parametrize(("load", "angle"), list(PRINCETON))
 def test_princeton_beam(load: float, angle: float) -> None:
-    """Errors fall with the square of the element length, so that two meshes tell the limit."""
+    """Errors decrease with the square of the element length, so that two meshes give the limit."""
     stiffness = [2842069.442616, 903966.107702, 903966.107702, 3.1035479832842, 2.4288718041122, 36.285519395400]
     tips = []
     for elements in (12, 24):
@@ -247,7 +247,7 @@ def test_twisted_beam(kind: str, side: int, published: float) -> None:
 
 @each_node
 def test_rigid_motion_causes_no_strain(kind: str) -> None:
-    """Forces of a deformed element turn with it, whatever the rotation, and its outputs stay."""
+    """Forces of a deformed element rotate with it, and its local outputs remain."""
     random = np.random.default_rng(3)
     of = section([1e3, 500, 400, 2, 5, 3])
     ends = [

@@ -1,4 +1,4 @@
-"""ObjectContactCircleCable2D: balance of forces, impacts, and what opens and closes a contact."""
+"""ObjectContactCircleCable2D: balance of forces, impacts, and events of contact."""
 
 from __future__ import annotations
 
@@ -95,7 +95,8 @@ def test_supports_carry_what_presses() -> None:
 
 
 def test_several_segments_in_contact() -> None:
-    """Two segments that meet under the circle press with two springs: at their common point, and at equal gaps."""
+    """Two segments that meet under the circle press with two springs: evaluated at their common point, and at equal
+    gaps."""
     press = Press(RADIUS - 0.002, fixed=True)
     s = testing.State(press.mbs)
     testing.post_newton(press.mbs, s)

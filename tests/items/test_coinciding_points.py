@@ -23,7 +23,7 @@ def law(mbs: object, t: float, item: int, deltaL: float, deltaL_t: float, k: flo
 
 
 def springs(velocities: np.ndarray, functions: bool = False) -> tuple[exu.MainSystem, list[exu.ObjectIndex]]:
-    """One spring per velocity, between two mass points at one place; the second one moves."""
+    """Two mass points at one position have one spring per velocity component; the second one moves."""
     mbs = exu.SystemContainer().AddSystem()
     made = []
     for velocity in velocities:
@@ -80,7 +80,7 @@ def test_the_tangent_by_velocities_is_that_of_the_force(functions: bool) -> None
 
 
 def test_a_spring_starts_where_its_points_part() -> None:
-    """From rest at one place, a relative velocity decides the line; energy is kept."""
+    """A relative velocity from rest determines the direction; energy is kept."""
     mbs, made = springs(np.array([[0.0, 2.0, 0.0]]))
     mbs.SetObjectParameter(made[0], "damping", 0)
     mbs.SetObjectParameter(made[0], "force", 0)

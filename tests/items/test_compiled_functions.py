@@ -1,4 +1,4 @@
-"""C functions as user functions: they do what Python functions do, and wrong signatures are refused."""
+"""C functions as user functions: they agree with Python functions, and wrong signatures are rejected."""
 
 from __future__ import annotations
 
@@ -143,7 +143,7 @@ def test_functions_of_the_main_system() -> None:
     mbs.SetPreStepUserFunction(noted("PreStep", 1))
     mbs.SetPostStepUserFunction(noted("PostStep", 0.25 - 1e-9))
     oscillator(mbs, 0)
-    # Steps of 5 ms up to the end; after each step, and at the start.
+    # Steps of 5 ms up to the end; called after each step, and at the start.
     np.testing.assert_allclose(times["PreStep"], 5e-3 * np.arange(1, 51), rtol=1e-12)
     np.testing.assert_allclose(times["PostStep"], 5e-3 * np.arange(51), rtol=1e-12)
     with pytest.raises(TypeError, match=r"SetPostStepUserFunction.*a C function with the signature int64\(double\)"):

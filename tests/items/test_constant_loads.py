@@ -11,7 +11,8 @@ import dalembert as exu
 
 G = 10.0
 END = 0.5
-# Where a load with this factor leaves a mass that falls from rest; constant accelerations are integrated exactly.
+# Return the position of a mass that falls from rest, under a load with this factor; constant accelerations are
+# integrated exactly.
 FALL = -0.5 * G * END**2
 
 
@@ -67,7 +68,7 @@ def test_load_moves_off_the_node_with_the_centre_of_mass() -> None:
     for model in (central, eccentric):
         model.height()
     turn = [model.mbs.GetNodeOutput(model.node, exu.OutputVariableType.Rotation)[1] for model in (central, eccentric)]
-    # In a uniform field nothing turns about the centre of mass, so that the node falls as well without turning.
+    # A uniform field has no torque about the center of mass, so the node falls without rotation.
     np.testing.assert_allclose(turn, [0, 0], rtol=0, atol=1e-13)
     assert eccentric.height() == pytest.approx(FALL, abs=1e-13)
 

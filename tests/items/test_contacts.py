@@ -1,4 +1,5 @@
-"""Contacts of spheres, triangles, rolls and curves against closed forms: impacts, friction, adhesion, and what they refuse."""
+"""Contacts of spheres, triangles, rolls and curves against closed forms: impacts, friction, adhesion, and rejected
+parameters."""
 
 from __future__ import annotations
 
@@ -55,7 +56,8 @@ def loss_of(model: int, e: float) -> float:
 @pytest.mark.parametrize("e", [0.9, 0.6, 0.2])
 @pytest.mark.parametrize("exponent", [1.0, 1.5])
 def test_restitution(model: int, e: float, exponent: float) -> None:
-    """Integrated over the impact, u du / (1 + chi u) vanishes: that gives the speed afterwards, whatever the exponent."""
+    """Integrated over the impact, u du / (1 + chi u) vanishes: the law that gives the speed after impact for any
+    exponent."""
     mbs = new_system()
     first, second = ball(mbs, [0, 0, 0], [1, 0, 0]), ball(mbs, [0.21, 0, 0])
     mbs.CreateSphereSphereContact(
@@ -241,7 +243,7 @@ def test_slip_is_that_of_the_nearest_point() -> None:
 
 
 def test_cradle() -> None:
-    """With gaps between equal balls, each impact hands the velocity on."""
+    """Equal balls with gaps pass the velocity on in each impact."""
     mbs = new_system()
     balls = [ball(mbs, [0.21 * i, 0, 0], [1, 0, 0] if i == 0 else [0, 0, 0]) for i in range(4)]
     for first, second in zip(balls[:-1], balls[1:], strict=True):
@@ -422,7 +424,7 @@ def test_refused(name: str, parameter: str, value: Any, expected: str) -> None:
 
 
 def test_friction_needs_orientation() -> None:
-    """Mass points touch without friction; with it, the error names marker and remedy."""
+    """Mass points touch without friction; the error with it names marker and remedy."""
     mbs = new_system()
     points = [mbs.CreateMassPoint(referencePosition=[0.3 * i, 0, 0], physicsMass=1) for i in range(2)]
     mbs.CreateSphereSphereContact(bodyNumbers=points, spheresRadii=[0.1, 0.1], contactStiffness=1e4)
@@ -441,7 +443,7 @@ def test_friction_needs_orientation() -> None:
 def test_balls_that_bounce_and_roll_off_a_plate_of_two_triangles() -> None:
     """Steps do not matter where the speed that damping is divided by is bounded: six balls, of which one rolls onto the other triangle with 1e-12 m/s.
 
-    In the end, all have rolled off, over its edges and corners.
+    All balls have rolled off in the end, over edges and corners.
     """
     ends = []
     for steps in (2500, 5000):

@@ -64,7 +64,8 @@ def trajectory(n: int) -> Trajectory:
     return made
 
 
-# ---- what is to be done ------------------------------------------------------------------------------------------------
+# ---- control laws
+# --------------------------------------------------------------------------------------------------------
 
 
 def test_controllers_follow_trajectories_to_the_last_digits() -> None:
@@ -132,7 +133,8 @@ def test_variations_are_solved_with_controllers() -> None:
     assert 0.25 + found.coordinates["ODE2"][:, 0] == pytest.approx(wanted, abs=1e-11)
 
 
-# Of each joint of a tree with branches e_tt + d e_t + k e = 0, which is that of a mass alone. With the trapezoidal rule, motions of some rad
+# Each joint of a branched tree fulfils e_tt + d e_t + k e = 0, as a single mass does. The trapezoidal rule, for motions
+# of some rad
 # per 0.1 s with 1 ms steps have errors of 1e-4.
 @pytest.mark.parametrize(("solver", "tolerance"), [(Solver.RK67, 1e-9), (Solver.TrapezoidalIndex2, 5e-4)], ids=str)
 def test_errors_under_computed_torque_fall_as_oscillators(solver: Any, tolerance: float) -> None:
@@ -152,7 +154,7 @@ def test_errors_under_computed_torque_fall_as_oscillators(solver: Any, tolerance
 
 
 def switching(period: float, dead_time: float, end: float) -> list[tuple[float, int, str]]:
-    """Times, samples and what happens, in this order: what a sample has found acts before the next is taken."""
+    """Times, samples and events, in this order: the output of a sample acts before the next sample is taken."""
     count = int(end / period) + 1
     events = [(k * period, k, "sample") for k in range(count)] + [
         (k * period + dead_time, k, "act") for k in range(count)
@@ -282,7 +284,7 @@ def test_restart_files_know_what_is_on_its_way(tmp_path: Any, monkeypatch: Any) 
 
 
 def test_another_controller_acts_from_its_first_sample_on() -> None:
-    """It is set half way, and another item changes with each step: as two solutions, one after the other."""
+    """It is set half way, and another item changes with each step: the same as two solutions in sequence."""
     pulls, brakes = (SampledController(PDController([to], STIFFNESS, DAMPING), 0.01) for to in (0.7, -0.2))
     tree = slider(pulls)
     marker = tree.mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=tree.node, coordinate=0))
@@ -312,7 +314,8 @@ def test_steps_have_their_size_again_after_a_sample() -> None:
     np.testing.assert_allclose(times, [0, 0.03, 0.07, 0.1, 0.13, 0.17, 0.2], rtol=0, atol=1e-15)
 
 
-# ---- what is refused ---------------------------------------------------------------------------------------------------
+# ---- rejected arguments
+# -------------------------------------------------------------------------------------------------
 
 
 @numba.cfunc("float64(float64)")

@@ -1,4 +1,4 @@
-"""Nodes with data coordinates: of the size that the item needs, and only where it needs one."""
+"""Nodes with data coordinates: it has the size that the item needs, and is required only by items that need one."""
 
 from __future__ import annotations
 
@@ -81,5 +81,5 @@ def test_function_after_newton_reads_and_writes_the_data_of_its_connector() -> N
     settings.timeIntegration.endTime = 0.5
     settings.solutionSettings.writeSolutionToFile = False
     mbs.SolveDynamic(settings)
-    # Without forces the body moves at 2 m/s; round-off of four steps.
+    # The body moves at 2 m/s without forces; round-off of four steps.
     np.testing.assert_allclose(mbs.systemData.GetDataCoordinates(), [4, 1], rtol=0, atol=1e-14)

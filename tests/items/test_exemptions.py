@@ -1,4 +1,4 @@
-"""Every exemption is needed: where the exempted items are tested all the same, the test fails."""
+"""Every exemption is needed: the test fails if an exempted item is tested nevertheless."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_work_on_what_takes_no_forces(name: str) -> None:
 
 @pytest.mark.parametrize("name", exemptions.OUT_OF_THE_PLANE)
 def test_equations_out_of_the_plane(name: str) -> None:
-    """In plane models, one of its reactions at least does nothing."""
+    """At least one reaction of a plane model does no work."""
     scene = next(v for v in ALL_VARIANTS if v.item == name and v.planar).build()
     s = scene.state()
     assert (~reactions(scene, s).any(axis=0) & ~free_equations(scene, s)).any()

@@ -1,4 +1,4 @@
-"""ObjectFFRFreducedOrder against what it stands for: mass points, springs between them, and their sums."""
+"""ObjectFFRFreducedOrder against the full model: mass points, springs between them, and their sums."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def free_modes() -> tuple[np.ndarray, np.ndarray]:
 
 
 def add_frame(mbs: Any, node: type, velocity: Any = (0, 0, 0), spin: Any = (0, 0, 0)) -> Any:
-    """At the origin, not turned."""
+    """The body at the origin, without rotation."""
     euler = node is NodeRigidBodyEP
     rates = [0, *(0.5 * np.array(spin))] if euler else list(spin)
     reference = [0.0, 0, 0, *([1, 0, 0, 0] if euler else [0, 0, 0])]
@@ -375,10 +375,11 @@ def dense_mesh(mbs: Any, angle: float = 0.0, modes: Any = None) -> tuple[int, An
 
 
 def test_points_of_pages_are_those_of_the_mesh(mbs: Any) -> None:
-    """In single precision, of which rounding leaves 1e-6 of a size of some meters, and modes in units of 1 / 32767 of their largest numbers."""
+    """Single precision has rounding errors of 1e-6 of a size of some meters; modes have units of 1 / 32767 of their
+    largest values."""
     body, modes = dense_mesh(mbs, 0.7)
     places, shown = exu._core._ScenePlaces(mbs), exu.ConfigurationType.Visualization
-    with_zeros = modes.reshape(700, 3, 2).copy()  # in all nodes of a block, which nothing is kept of
+    with_zeros = modes.reshape(700, 3, 2).copy()  # gravity in all nodes of a block, which is not stored
     with_zeros[:256, 1, 0] = with_zeros[256:512, :, 1] = with_zeros[512:, 2] = 0
     for basis in (modes, 2 * modes, with_zeros.reshape(2100, 2)):
         mbs.SetObjectParameter(body, "modeBasis", basis)
@@ -400,7 +401,7 @@ def test_displacements_for_colors_are_those_of_the_mesh(mbs: Any) -> None:
     for frame, scale in ((np.zeros(6), 1e-6), (np.zeros(6), 1.0), (np.array([0.5, 0, 0, 0.1, 0.2, 0.3]), 1.0)):
         mbs.systemData.SetODE2Coordinates([*frame, *(scale * deformed)], shown)
         for method in (lambda: places.mesh_points(body, places.rows(1, shown)[body], shown), lambda: None):
-            method()  # which finds the deformation; otherwise it is found for the numbers
+            method()  # it computes the deformation; otherwise it is found for the numbers
             exact = places.mesh(body, Variable.Displacement, shown)
             bound = 1e-6 * np.abs(exact).max() + 3**0.5 * scale * (deformed @ np.abs(modes).max(axis=0)) / (2 * 32767)
             for component, numbers in (
@@ -414,7 +415,8 @@ def test_displacements_for_colors_are_those_of_the_mesh(mbs: Any) -> None:
 
 
 def test_few_nodes_stand_for_the_size_of_a_mesh(mbs: Any) -> None:
-    """Those that lie farthest in 26 directions have a box that is as large as that of all, up to a tenth, however the body is turned."""
+    """The farthest points in 26 directions have a bounding box that is as large as that of all points up to a tenth,
+    for any rotation."""
     for angle in (0.0, 0.4, 2.0):
         system = exu.SystemContainer().AddSystem()
         body, _ = dense_mesh(system, angle, np.zeros((2100, 2)))

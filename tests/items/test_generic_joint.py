@@ -44,7 +44,7 @@ def test_torque_where_the_frames_agree(alternative: bool) -> None:
 
 @pytest.mark.parametrize("angle", [0.5, 2.0, 2.9])
 def test_static_solution_does_not_flip(angle: float) -> None:
-    """From any start below half a turn, the frames come to agree; products of axes also vanish after half a turn."""
+    """The frames come to agree from any start below half a turn; products of axes also vanish after half a turn."""
     turn = angle * np.array([2, -1, 2]) / 3
     mbs, body, _ = body_on_joint(turn, True)
     mbs.SolveStatic(settings())

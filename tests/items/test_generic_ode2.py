@@ -1,4 +1,4 @@
-"""ObjectGenericODE2 and ObjectGenericODE1, and what acts on them."""
+"""ObjectGenericODE2 and ObjectGenericODE1, and loads on them."""
 
 from __future__ import annotations
 

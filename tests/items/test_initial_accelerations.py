@@ -29,7 +29,8 @@ START = [v for v in CONSTRAINTS if has_motion(v) and not v.functions and not v.u
 
 
 def fulfil_constraints_of_velocities(mbs: exu.MainSystem) -> None:
-    """Take the least velocities off that make such equations hold, which are linear in the velocities; others are left alone."""
+    """Take the least velocities off that make such equations hold, which are linear in the velocities; other equations
+    are not changed."""
     s = testing.State(mbs)
     n, first = len(s.q), len(s.q) + len(s.y)
     slopes = testing.tangent(mbs, s, cq=0, cv=1, ca=0)[first:, :n]

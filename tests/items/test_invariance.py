@@ -1,4 +1,4 @@
-"""A whole model, turned and shifted, moves in the turned and shifted way, and tells turned and shifted outputs."""
+"""A rotated and shifted model has rotated and shifted motions and outputs."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def pair(variant: Variant, seed: int, **options: Any) -> tuple[Place, list[Scene
 
 
 def accelerations(scene: Scene, s: testing.State) -> np.ndarray:
-    """From M a + G^T lam = Q and the second derivatives of the constraints."""
+    """Accelerations follow from M a + G^T lam = Q and the second derivatives of the constraints."""
     n, m = len(s.q), len(s.lam)
     s.a, s.lam = 0 * s.a, 0 * s.lam
     s.rate_level = True
@@ -54,7 +54,7 @@ def accelerations(scene: Scene, s: testing.State) -> np.ndarray:
     system[:n, n:] = tangent[:n, n + ode1 :]
     system[n:, :n] = tangent[n + ode1 :, :n]
     system[n:, n:] = tangent[n + ode1 :, n + ode1 :]
-    of_motion = system[n:, :n].any(axis=1) | ~system[n:, n:].any(axis=1)  # others tell multipliers
+    of_motion = system[n:, :n].any(axis=1) | ~system[n:, n:].any(axis=1)  # the others return multipliers
     by_q = testing.tangent(scene.mbs, s, cq=1, cv=0, ca=0)[n + ode1 :, :n]
     residual = testing.residual(scene.mbs, s)[:n]
     right = np.concatenate([-residual, np.where(of_motion, -by_q @ s.v - slope, 0)])
@@ -84,7 +84,8 @@ def test_forces_are_invariant(variant: Variant) -> None:
 
 
 def coordinate_forces(scene: Scene, r: np.ndarray) -> np.ndarray:
-    """Generalised forces on coordinates that do not turn: of nodes without frame, and lengthening of slope vectors."""
+    """Generalised forces on coordinates that do not turn: positions of nodes without frame, and lengths of slope
+    vectors."""
     turning, forces = set(), []
     for number, kind, motion in scene.nodes:
         first, n = scene.mbs.GetNodeODE2Index(number), len(kind.total(motion))

@@ -1,4 +1,4 @@
-"""Kinematic trees against closed forms, published values, other formulations, and what mechanics conserves."""
+"""Kinematic trees against closed forms, published values, other formulations, and conservation laws."""
 
 from __future__ import annotations
 
@@ -163,7 +163,8 @@ def test_chain_of_ten_rods(damping: float, end: float) -> None:
     assert tip_of_chain(damping, end, round(4000 * end)) == pytest.approx(TIP_OF_CHAIN[damping, end], abs=1e-9)
 
 
-# ---- what mechanics conserves -------------------------------------------------------------------------------------------
+# ---- conserved quantities
+# ------------------------------------------------------------------------------------------------
 def floating(links: list[Link]) -> list[Link]:
     """The links on a base with six coordinates, which has no mass but in the last of its joints."""
     base = [Link(joint, i - 1) for i, joint in enumerate(["Px", "Py", "Pz", "Rz", "Ry"])]
@@ -238,7 +239,7 @@ def with_redundant_coordinates(mbs: Any, links: list[Link], base: Any, q: Any, v
         rates = {"initialVelocity": frame["Velocity"], "initialAngularVelocity": frame["AngularVelocity"]}
         body = mbs.CreateRigidBody(inertia=inertia, gravity=gravity, **start, **rates)
         before = mbs.CreateGround() if link.parent < 0 else bodies[link.parent]
-        free = list(trees.JOINTS).index(link.joint)  # of rotations first, in the order of joints
+        free = list(trees.JOINTS).index(link.joint)  # rotations first, in the order of joints
         axes = [0 if axis == (free - 3 if free > 2 else free + 3) else 1 for axis in range(6)]
         mbs.CreateGenericJoint(
             bodyNumbers=[before, body], position=frame["Position"], rotationMatrixAxes=rotation, constrainedAxes=axes
@@ -293,7 +294,7 @@ def test_force_on_a_link_accelerates_it_along() -> None:
 
 
 def test_tree_and_other_bodies_in_one_system() -> None:
-    """A mass hangs by a spring at a link, and moves alike with each solver, with or without factors of the tree's own."""
+    """A mass on a spring at a link moves equally with each solver, with and without the tree's own factors."""
     results = []
     for solver, shared in ((Solver.RK44, False), (Solver.RK44, True), (Solver.GeneralizedAlpha, False)):
         tree = make(ARM, [0.3, -0.5, 0.2], gravity=[0, 0, -G])

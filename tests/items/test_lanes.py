@@ -1,4 +1,5 @@
-"""Elements of one law, bodies and joints are computed side by side, up to as many as registers hold: each gets what it gets alone."""
+"""Elements of one law, bodies and joints are computed side by side, up to as many as registers hold: results are those
+of single evaluations."""
 
 from __future__ import annotations
 
@@ -22,7 +23,7 @@ LAW = {
     "physicsAxialDamping": 5,
 }
 WEIGHTS = {"cq": 0.7, "cv": 1.3, "ca": 0.4}
-ROUNDING = 1e-13  # of the largest entry: wide registers fuse products and sums
+ROUNDING = 1e-13  # relative to the largest entry: wide registers fuse products and sums
 
 
 def cables(laws: list[dict[str, Any]], dimension: int = 2) -> exu.MainSystem:
@@ -52,7 +53,7 @@ def difference(values: np.ndarray, others: np.ndarray) -> float:
 @pytest.mark.parametrize("different", [None, 1], ids=["one law", "one of another law"])
 @pytest.mark.parametrize("dimension", [2, 3], ids=["in the plane", "in space"])
 def test_elements_side_by_side(count: int, rule: int, different: int | None, dimension: int) -> None:
-    """Numbers move in fours; those of a spatial node are no multiple."""
+    """Numbers move in fours; sizes of a spatial node are not a multiple."""
     n = 4 * dimension
     laws = [LAW | {"useReducedOrderIntegration": rule} for _ in range(count)]
     if different is not None:
@@ -68,7 +69,7 @@ def test_elements_side_by_side(count: int, rule: int, different: int | None, dim
 
 
 def test_a_law_that_changes() -> None:
-    """One of four gets another stiffness after assembly: it alone changes."""
+    """One of four items gets another stiffness after assembly: it alone changes."""
     mbs = cables([LAW] * 4)
     q, v, a = np.random.default_rng(1).normal(scale=0.1, size=(3, 4, 8))
     before, _ = equations(mbs, q, v, a)

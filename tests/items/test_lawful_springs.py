@@ -1,4 +1,5 @@
-"""Spring-dampers are computed side by side; those with user functions go alone: each gives what its formula says."""
+"""Spring-dampers are computed side by side; items with user functions are evaluated separately: each item agrees with
+its formula."""
 
 from __future__ import annotations
 
@@ -18,8 +19,8 @@ from dalembert.itemInterface import (
     ObjectMassPoint,
 )
 
-ROUNDING = 1e-13  # of the largest force: wide registers fuse products and sums
-POSITION, VELOCITY = {"cq": 1.0, "cv": 0.0}, {"cq": 0.0, "cv": 1.0}  # by what a tangent is taken
+ROUNDING = 1e-13  # relative to the largest force: wide registers fuse products and sums
+POSITION, VELOCITY = {"cq": 1.0, "cv": 0.0}, {"cq": 0.0, "cv": 1.0}  # the weights of a tangent
 
 
 def law(i: int) -> dict[str, float]:
@@ -117,7 +118,8 @@ def test_user_functions_among_them() -> None:
 
 
 def test_laws_that_change() -> None:
-    """After assembly one gets another stiffness, one is switched off and on, one gets a user function and loses it."""
+    """One item gets another stiffness after assembly, one is switched off and on, one gets a user function and loses
+    it."""
     laws = [law(i) for i in range(9)]
     mbs = star(laws)
     q, v = motion(9)
@@ -164,7 +166,8 @@ def test_points_that_coincide() -> None:
 
 
 def check_tangent(mbs: exu.MainSystem, q: np.ndarray, v: np.ndarray) -> None:
-    """By positions and by velocities, against central differences of second order, which are exact to about 1e-10 of the largest entry."""
+    """Derivatives by positions and velocities against central differences of second order, which are exact to about
+    1e-10 of the largest entry."""
     state = testing.State(mbs)
     state.q, state.v = q.ravel(), v.ravel()
     h = 1e-5
@@ -199,7 +202,8 @@ def test_tangents_of_all_kinds_of_ends() -> None:
 
 
 def test_tangents_where_points_coincide() -> None:
-    """One spring of a block has no length: its force changes with the velocity as stated, and not with the position; others are as if alone."""
+    """One spring of a block has zero length: its force changes with the velocity as stated, and not with the position;
+    the others are not affected."""
     laws = [law(i) for i in range(5)]
     mbs = star(laws)
     q, v = motion(5)

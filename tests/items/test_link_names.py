@@ -1,4 +1,5 @@
-"""Names of links and joints of kinematic trees stand for their numbers: in items, outputs, functions of robots and trees."""
+"""Names of links and joints of kinematic trees stand for their numbers: names in items, outputs, functions of robots
+and trees."""
 
 from __future__ import annotations
 
@@ -48,7 +49,7 @@ def sensor(mbs: Any, item: Any) -> Any:
 
 
 def force_on(marker: Callable[[Any, dict[str, Any], Any], Any]) -> Callable[..., Any]:
-    """Return what tells how a load on a marker moves the arm."""
+    """Return a measure of the effect of a load on the motion of the arm."""
 
     def call(mbs: Any, made: dict[str, Any], place: Any) -> Any:
         item, load = marker(mbs, made, place)
@@ -86,7 +87,7 @@ def of_tree_links(mbs: Any, parent: Any) -> Any:
     return mbs.CreateKinematicTree("hand", links)
 
 
-# By function or parameter: a call with a link, or a joint; what it returns is the same for number and name.
+# Listed by function or parameter: a call with a link, or a joint; the result is the same for number and name.
 CASES: dict[str, Callable[[Any, dict[str, Any], Any], Any]] = {
     "MarkerKinematicTreeRigid.linkNumber": force_on(
         lambda mbs, made, i: (

@@ -1,4 +1,4 @@
-"""Markers at nodes that follow each other are evaluated as one run: what one of them is has nothing to do with the others."""
+"""Markers at nodes that follow each other are evaluated as one run: an item does not depend on the others."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def motion(mbs: Any) -> np.ndarray:
 @pytest.mark.parametrize("marker_type", [eii.MarkerBodyRigid, eii.MarkerBodyPosition])
 @pytest.mark.parametrize("beside", [[0], [2], [COUNT - 1], [1, 2, 4]])
 def test_a_marker_that_is_moved_is_as_if_it_had_been_there(node_type: Any, marker_type: Any, beside: list[int]) -> None:
-    """To the last bit, and back again."""
+    """Equality is exact, also after changing it back."""
     places = [BESIDE if k in beside else AT_NODE for k in range(COUNT)]
     moved, there = bodies(node_type, marker_type, [AT_NODE] * COUNT), bodies(node_type, marker_type, places)
     back, at_node = bodies(node_type, marker_type, places), bodies(node_type, marker_type, [AT_NODE] * COUNT)

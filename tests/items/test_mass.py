@@ -1,4 +1,5 @@
-"""Mass matrices: symmetric, positive, the derivative of the residual, and what Newton and Euler say."""
+"""Mass matrices: it is symmetric, positive, the derivative of the residual, and agrees with the equations of Newton and
+Euler."""
 
 from __future__ import annotations
 
@@ -72,7 +73,7 @@ def test_which_mass_matrices_are_constant() -> None:
         "ObjectKinematicTree",
     )
     turning = {carrier for carrier in constant if carrier[0] in names}
-    beam = "ObjectBeamGeometricallyExact"  # of which that with spins on the group is constant
+    beam = "ObjectBeamGeometricallyExact"  # the mass matrix of Lie-group velocities is constant
     turning |= {(beam, node) for node in ("NodeRigidBodyEP", "NodeRigidBodyRxyz")}
     assert all(constant[carrier] for carrier in constant.keys() - turning)
     assert not any(constant[carrier] for carrier in turning)
@@ -132,7 +133,7 @@ def test_spins_about_the_centre_of_mass_have_a_constant_mass_matrix(
 @pytest.mark.parametrize(("parameter", "value"), [("physicsMass", 30.0), ("physicsCenterOfMass", [0.0, 0.02, 0.0])])
 @pytest.mark.parametrize("solver", [exu.DynamicSolverType.RK44, exu.DynamicSolverType.VelocityVerlet])
 def test_explicit_solvers_notice_other_masses(solver: Any, parameter: str, value: Any) -> None:
-    """A constant matrix that is kept gives what one gives that is made in every evaluation, also after a change."""
+    """A stored constant matrix has the same effect as one that is computed in every evaluation, also after a change."""
 
     def end(reuse: bool, change: bool) -> np.ndarray:
         mbs = _spinning(exu.NodeType.RotationRotationVector, [0.0, 0.0, 0.0])
@@ -167,7 +168,8 @@ SLOPES = {
 
 @pytest.mark.parametrize("name", SLOPES)
 def test_point_masses_do_not_turn_with_slopes(mbs: exu.MainSystem, name: str) -> None:
-    """On a node with slopes, a point mass adds its mass to the position, and weighs; forces reach no slope, whatever their arm."""
+    """A point mass on a node with slopes adds its mass and weight to the position; forces have no moment on slopes, for
+    any lever arm."""
     size = 2 if name.endswith("2DSlope1") else 3
     node = mbs.AddNode(getattr(exu, name)(referenceCoordinates=SLOPES[name]))
     kind = exu.ObjectMassPoint2D if size == 2 else exu.ObjectMassPoint

@@ -1,4 +1,4 @@
-"""What acts between two bodies changes neither linear nor angular momentum of both."""
+"""Forces between two bodies conserve linear and angular momentum."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def in_touch(scene: Scene, s: testing.State, value: float = -0.2) -> testing.Sta
 
 
 def check_balance(variant: Variant, moments: bool) -> None:
-    """Joints with their gaps closed: where the joint is open, its forces have different points of attack."""
+    """Joints with their gaps closed: forces of an open joint have different points of application."""
     joint = ITEMS[variant.item].object_type in ("Constraint", "Joint")
     odd = ("Cable", "Beam", "Plate")  # their random states do not close a joint, nor do small deformations
     closed = joint and not any(
@@ -80,7 +80,7 @@ COORDINATE = [
 
 @pytest.mark.parametrize("variant", COORDINATE, ids=lambda variant: variant.id)
 def test_coordinates_feel_opposite_forces(variant: Variant) -> None:
-    """On coordinates, with the factors of both: the force on one is minus that on the other."""
+    """Forces on coordinates, with the factors of both: the force on one is minus that on the other."""
     scene = variant.build(seed=23)
     s = in_touch(scene, random_state(scene, seed=24))
     item = dict(scene.mbs.GetObject(scene.target[1]))

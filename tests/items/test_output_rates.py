@@ -1,4 +1,5 @@
-"""What an output tells is compared with a second formula: rates with differences along the motion, local vectors with global ones,
+"""Each output is compared with a second formula: rates with differences along the motion, local vectors with global
+ones,
 forces and torques with the power that they bring into the system."""
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ LOCAL = ("Velocity", "Acceleration", "AngularVelocity", "AngularAcceleration")
 
 
 def read_all(scene: Scene, kind: str, number: Any, item: Item, configuration: Any = Configuration.Current) -> Values:
-    """Outputs of one item; of bodies at a local point."""
+    """Outputs of one item; outputs of bodies at a local point."""
     place: tuple[Any, ...] = ()
     if kind == "Object" and item.object_type in ("Body", "FiniteElement"):
         point = moves_as_point(item)
@@ -105,7 +106,7 @@ def skew_part(matrix: np.ndarray) -> np.ndarray:
 
 
 def check_rates_of_outputs(variant: Variant, exempt: Collection[tuple[str, str]]) -> None:
-    """Of all nodes and objects of each model."""
+    """Outputs of all nodes and objects of each model."""
     scene = variant.build(seed=71)
     s = scene.state()
     rng, odd_values = np.random.default_rng(72), variant.uses & set(NOT_OF_VALUES)
@@ -139,8 +140,8 @@ def test_rates_and_frames_of_outputs(variant: Variant) -> None:
     check_rates_of_outputs(variant, exempt=RATE_OF_OUTPUTS)
 
 
-# Items that tell on which velocity their forces have the power that they take from the system, and those that act at a point between
-# two bodies, and tell the force on the second.
+# Items whose output velocity gives the power that they remove from the system, and items that act at a point between
+# two bodies, with the force on the second one as output.
 CONJUGATE = {item.name: item.scene.power for item in ITEMS.values() if item.scene.power}
 ON_SECOND_BODY = {item.name: item.scene.second_body for item in ITEMS.values() if item.scene.second_body}
 
@@ -187,7 +188,7 @@ def power_of_outputs(scene: Scene, item: Item, s: testing.State) -> float:
 
 @pytest.mark.parametrize("variant", WITH_POWER, ids=lambda variant: variant.id)
 def test_power_of_forces_and_torques(variant: Variant) -> None:
-    """Of joints, that of the forces: their torques are multipliers of equations, not components of a vector."""
+    """Power of joints, from their forces: their torques are multipliers of equations, not components of a vector."""
     scene = variant.build(seed=73, closed=is_joint(variant))
     s = in_touch(scene, scene.state())
     own = np.zeros(len(s.lam), dtype=bool)
@@ -205,7 +206,7 @@ def test_power_of_forces_and_torques(variant: Variant) -> None:
     ids=lambda variant: variant.id,
 )
 def test_force_on_the_second_body(variant: Variant) -> None:
-    """Contacts act at a point between the bodies: the sum of what acts on the second is the force that they tell."""
+    """Contacts act at a point between the bodies: the sum of forces on the second body is the output."""
     scene = variant.build(seed=75)
     if "rollingFrictionViscous" in scene.mbs.GetObject(scene.target[1]):  # acts at the center of the disc
         scene.mbs.SetObjectParameter(scene.target[1], "rollingFrictionViscous", 0)

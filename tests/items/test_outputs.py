@@ -81,7 +81,7 @@ def with_reference_coordinates(item: Item) -> bool:
 
 @pytest.mark.parametrize("item", list(filter(with_reference_coordinates, READY)), ids=lambda item: item.name)
 def test_coordinates_of_the_reference_are_its_own(item: Item) -> None:
-    """In all other configurations they count from the reference."""
+    """Other configurations are relative to the reference configuration."""
     scene = scene_with(item)
     read = reader(scene, item)
     reference = scene.mbs.GetNode(find(scene, item))["referenceCoordinates"]
@@ -103,7 +103,7 @@ def test_what_an_item_does_not_have_is_refused(item: Item) -> None:
 
 @pytest.mark.parametrize("carrier", carriers_of(ITEMS["ObjectRigidBody"]), ids="/".join)
 def test_rigid_bodies_tell_their_motion(carrier: tuple[str, str]) -> None:
-    """At a local point, from the motion that the model was made of."""
+    """Output at a local point, from the motion of which the model was made."""
     scene = Variant("ObjectRigidBody", (("", carrier), ("", carrier))).build(seed=52)
     scene.mbs.systemData.SetODE2Coordinates_tt(scene.state().a, Configuration.Current)
     local = np.array([0.3, -0.2, 0.5])
@@ -162,7 +162,7 @@ def test_total_of_a_coordinate_that_a_marker_passes_on() -> None:
 
 
 def test_every_ready_item_is_in_a_model() -> None:
-    """So that nothing escapes the tests on models: items, and each of their user functions."""
+    """Each output is tested by models: items, and each of their user functions."""
     sensors = {item.name for item in READY if item.kind == "sensor"}
     assert {item.name for item in READY if not variants_with(item)} == sensors | (
         {i.name for i in READY if is_ground((i.name, ""))} - {n for v in ALL_VARIANTS for n in v.uses}
@@ -193,7 +193,7 @@ def test_the_angle_of_planar_bodies_counts_from_the_reference_and_is_its_own_the
 
 
 def test_angles_that_are_coordinates_count_full_turns() -> None:
-    """Two seconds at 5 rad/s about an axis of symmetry; the rotation of the body is what its rotation matrix says."""
+    """Two seconds at 5 rad/s about an axis of symmetry; the rotation of the body agrees with its rotation matrix."""
     mbs = exu.SystemContainer().AddSystem()
     body = mbs.CreateRigidBody(
         inertia=exu.utilities.InertiaSphere(1, 1),

@@ -1,5 +1,5 @@
-"""No parameter is accepted and ignored: a change of each shows in forces, equations, the start, the update of data coordinates or an
-output of some model with it, or does not fit what else is there."""
+"""No parameter is accepted and ignored: changing it has an effect on forces, equations, the start, the update of data
+coordinates or an output of a model, or it does not fit the model."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ Variable, Configuration = exu.OutputVariableType, exu.ConfigurationType
 STARTS = ("GetODE2Coordinates", "GetODE2Coordinates_t", "GetODE1Coordinates", "GetDataCoordinates")
 OF_MARKERS = (Variable.Position, Variable.Velocity, Variable.Rotation, Variable.Coordinates)
 STORAGES = ("boolean", "integer", "real", "vector", "matrix3", "matrix6")
-# Numbers and arrays; texts, functions and sections have tests of their own, and what chooses other items changes the model.
-# Act beside others that make another model of the item, in tests of their own.
+# Numbers and arrays; texts, functions and sections have separate tests, and selections of other items change the model.
+# Parameters that act only in other models of the item, which have separate tests.
 BESIDE_OTHERS = {
     ("ObjectConnectorReevingSystemSprings", "coordinateFactors"),  # test_reeving_coordinates.py
     ("ObjectJointALEMoving2D", "penaltyStiffness"),  # test_ale_ancf_cable_2d.py

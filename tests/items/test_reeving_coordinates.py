@@ -17,7 +17,8 @@ WOUND, RATES = np.array([0.4, -0.5]), np.array([1.1, 0.8])
 
 
 def rope() -> tuple[Any, Any, list[Any]]:
-    """Between two points, without sheaves, with two winches; the connector, and the first coordinates of points and winches."""
+    """Rope between two points, without sheaves, with two winches; the connector, and the first coordinates of points
+    and winches."""
     mbs = exu.SystemContainer().AddSystem()
     markers, nodes = [], []
     for position, velocity in zip(AT, VELOCITY, strict=True):

@@ -1,4 +1,4 @@
-"""What an assembled system refuses, names item and parameter, and leaves the system as it was."""
+"""An error of an assembled system names item and parameter; the system remains unchanged."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ids = lambda pairs: [f"{item.name}.{row.name}" for item, row in pairs]  # noqa: 
 
 
 def model(item: Item, row: Parameter | None = None) -> tuple[Scene, int]:
-    """With the row's index set, if the item may leave it out."""
+    """Arguments with the row's index set, if it is optional."""
     variants = variants_with(item)
     if row is not None and row.type.storage == "node":
         variants = [v for v in variants if v.data] or variants
@@ -50,7 +50,7 @@ def assert_unchanged(scene: Scene, before: tuple[str, Any]) -> None:
 
 
 def bad_values(row: Parameter) -> list[Any]:
-    """Of a wrong type, a wrong length, not a number, out of range, an index of the wrong kind."""
+    """Values of a wrong type or length, not a number, out of range, or an index of the wrong kind."""
     storage = row.type.storage
     bad: list[Any] = (
         [] if storage == "opaque" else [5 if storage == "text" else {"a": 1} if storage == "user_function" else "words"]

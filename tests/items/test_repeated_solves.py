@@ -130,7 +130,8 @@ def without_functions(item: Item) -> Variant | None:
 
 
 def varied_parameter(scene: Scene, item: Item) -> tuple[Any, str, list[float]] | None:
-    """An index, the first parameter that may be any number from zero on, and three values; None if there is none."""
+    """An index, the first parameter that may be any number from zero on, and three values; Return None if there is
+    none."""
     row = next(
         (
             r

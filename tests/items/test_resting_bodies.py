@@ -38,7 +38,7 @@ def test_has_no_coordinates(carrier: tuple[str, str]) -> None:
 
 @each_resting
 def test_outputs_are_those_of_a_body_at_rest(carrier: tuple[str, str]) -> None:
-    """In all configurations, before and after a simulation."""
+    """Outputs in all configurations, before and after a simulation."""
     scene, resting, _ = scene_with(carrier)
     reference = scene.mbs.GetNode(resting.nodes[0])["referenceCoordinates"]
     wanted = {output.name: np.zeros(output.size) for output in ITEMS[carrier[0]].outputs}
@@ -55,7 +55,7 @@ def test_outputs_are_those_of_a_body_at_rest(carrier: tuple[str, str]) -> None:
 @each_resting
 @pytest.mark.parametrize("solver", [exu.DynamicSolverType.GeneralizedAlpha, exu.DynamicSolverType.RK44], ids=str)
 def test_what_acts_on_it_has_no_effect(carrier: tuple[str, str], solver: Any) -> None:
-    """Loads of all kinds that it takes; the moving body beside it does not feel them either."""
+    """Loads of all kinds that it takes; they do not affect the moving body."""
     ends = []
     for loaded in (False, True):
         scene, resting, moving = scene_with(carrier)
@@ -120,7 +120,7 @@ def test_follows_its_node(carrier: tuple[str, str]) -> None:
 
 
 def test_mesh_with_a_resting_node_follows_it(mbs: exu.MainSystem) -> None:
-    """The mean of a moving and a resting mesh node moves by half of what the resting one is moved by."""
+    """The mean of a moving and a resting mesh node moves by half of the displacement of the moving one."""
     nodes = [mbs.AddNode(exu.NodePoint(referenceCoordinates=[1, 0, 0])), mbs.AddNode(exu.NodePointGround())]
     mesh = mbs.AddObject(exu.ObjectGenericODE2(nodeNumbers=nodes, massMatrix=np.eye(3)))
     mean = exu.MarkerSuperElementPosition(bodyNumber=mesh, meshNodeNumbers=[0, 1], weightingFactors=[0.5, 0.5])

@@ -1,4 +1,5 @@
-"""Sensors tell what the outputs of their items are, at any time and in what they store; two runs store what two fresh runs do."""
+"""Values of sensors agree with outputs of their items, at any time and in stored data; two successive runs store the
+same data as two new systems."""
 
 from __future__ import annotations
 
@@ -30,7 +31,7 @@ def model_with(item: Item, seed: int) -> Scene:
 
 
 def sensors_of(scene: Scene) -> list[tuple[Any, Read]]:
-    """One for each output of each item, with the function that reads the output itself."""
+    """A sensor for each output of each item, with the function that reads the output."""
     mbs, pairs = scene.mbs, []
 
     def add(cls: Any, read: Read, **rows: Any) -> None:
@@ -104,7 +105,8 @@ def test_sensors_tell_the_outputs(item: Item) -> None:
 
 @pytest.mark.parametrize("item", SENSED, ids=lambda item: item.name)
 def test_what_sensors_store(item: Item) -> None:
-    """After every step, what a function that is called then reads; the second of two runs stores what a fresh one does."""
+    """The sensor agrees with a function that is called after every step; the second of two runs stores the same data as
+    a new system."""
     histories = []
     for runs in (2, 1):
         scene = model_with(item, seed=82)

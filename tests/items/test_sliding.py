@@ -107,7 +107,8 @@ def test_straight_wire(index2: bool, rotations: list[int]) -> None:
 
 
 def rolling(s: float, speed: float, end: float, guided: bool) -> float:
-    """Place of a bead on the valley under gravity 9: from its energy, by small steps of its equation of motion."""
+    """Place of a bead on the valley under gravity 9: computed from its energy, by small steps of its equation of
+    motion."""
     from scipy.integrate import solve_ivp
 
     wire, mass, inertia = valley(), Bead.mass, 0.3 if guided else 0.0

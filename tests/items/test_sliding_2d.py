@@ -1,4 +1,4 @@
-"""ObjectJointSliding2D against the motion of beads on wires, and against what is conserved."""
+"""ObjectJointSliding2D against the motion of beads on wires, and conserved quantities."""
 
 from __future__ import annotations
 
@@ -139,7 +139,7 @@ class Bead:
         return np.array(self.mbs.GetObjectOutput(self.joint, exu.OutputVariableType.Force))
 
     def energy(self, gravity: float = 9.0) -> float:
-        """Of the bead alone."""
+        """Energy of the bead alone."""
         x, v = (
             np.array(self.mbs.GetNodeOutput(self.node, kind))
             for kind in (exu.OutputVariableType.CoordinatesTotal, exu.OutputVariableType.Coordinates_t)
@@ -167,7 +167,8 @@ def test_along_a_straight_cable(classical: bool, index2: bool, rotation: bool, a
 
 
 def bead_on_wire(wire: Wire, mass: float, inertia: float, s: float, speed: float, end: float) -> float:
-    """Where a bead is at the end: (m t.t + J phi'^2) s'' + (m t.b + J phi' phi'') s'^2 + m g y' = 0; phi'' by a difference."""
+    """Position of a bead at the end: (m t.t + J phi'^2) s'' + (m t.b + J phi' phi'') s'^2 + m g y' = 0; phi'' by a
+    difference."""
 
     def turn(s: float) -> float:
         _, t, b = wire.at(s)
@@ -212,7 +213,7 @@ def bend_after_line() -> Wire:
 @FORMULATIONS
 @LEVELS
 def test_steps_end_between_elements(classical: bool, index2: bool) -> None:
-    """Where the force jumps; so steps keep their order."""
+    """The force jumps there; steps end there, to keep their order."""
     wire = bend_after_line()
     start, speed, end = 0.3, 2.0, 0.6
     wanted = bead_on_wire(wire, Bead.mass, 0, start, speed, end)
@@ -239,7 +240,8 @@ def test_axial_force_drives_the_body(force: float) -> None:
 @FORMULATIONS
 @ROTATIONS
 def test_with_a_cable_that_floats(classical: bool, rotation: bool) -> None:
-    """Nothing acts from outside: linear momentum stays. What the joint does to body and cable is in balance, and does no work."""
+    """Nothing acts from outside: linear momentum stays. Forces of the joint on body and cable are in equilibrium, and
+    do no work."""
     bead = Bead(
         valley(), 0.4, fixed=False, gravity=0, speed=1.0, classicalFormulation=classical, constrainRotation=rotation
     )

@@ -18,7 +18,7 @@ SWITCHED = [
     item for item in READY if item.kind == "object" and any(row.name == "activeConnector" for row in item.parameters)
 ]
 each_item = pytest.mark.parametrize("item", SWITCHED, ids=lambda item: item.name)
-TOUCHING = -0.2  # as data coordinate of a contact
+TOUCHING = -0.2  # a data coordinate of a contact
 Step = Callable[[exu.MainSystem, float], bool]
 
 
@@ -58,7 +58,7 @@ def run(scene: Scene, step: Step | None = None) -> list[np.ndarray]:
 @each_item
 @pytest.mark.parametrize("active", [True, False], ids=["on", "off"])
 def test_switching_before_the_first_step_is_being_switched_from_the_start(item: Item, active: bool) -> None:
-    """Bit for bit, and what the item does makes a difference."""
+    """Results are bit-identical, and the item has an effect."""
     scene = scene_of(item)
     switch(scene, active)
     expected = run(scene)

@@ -21,7 +21,8 @@ WEIGHTS = {
     "together": {"cq": 0.7, "cv": -1.3, "ca": 0.4, "cy": 1.1, "cy_t": 0.6},
 }
 STATES = range(3)
-# Central differences, extrapolated from two steps: what is left of third derivatives is a part of the difference of the two, and
+# Central differences, extrapolated from two steps: the error of third derivatives is a part of the difference of both,
+# and
 # rounding is eps / h of the terms that a row sums up. User functions have differences of their own inside.
 STEP = 1e-4
 LEFT, ROUNDING = 0.05, 5e-11
@@ -72,7 +73,7 @@ def differences(mbs: Any, s: testing.State, w: dict[str, float], h: float) -> np
 
 
 def check_tangent(variant: Variant, state: int, weights: Iterable[str] = WEIGHTS, exempt: bool = True) -> None:
-    """Entry by entry: an entry of 1 is held to its own digits beside one of 1e4. Constraints by gaps, then by rates."""
+    """Entry by entry: an entry of 1 has its own accuracy next to one of 1e4. Constraints by gaps, then by rates."""
     scene = variant.build(seed=3 + 10 * state)
     s = random_state(scene, seed=5 + 10 * state)
     if exempt and variant.item in HOLDS_JACOBIAN and variant.functions:

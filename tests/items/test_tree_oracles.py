@@ -37,7 +37,7 @@ def in_pinocchio(links: list[Link]) -> tuple[Any, Any, list[int]]:
     model.gravity.linear = GRAVITY
 
     def add(i: int, carrier: int) -> None:
-        """One branch after the other: Pinocchio's mass matrix asks for that."""
+        """Branches in sequence: Pinocchio's mass matrix asks for that."""
         link = links[i]
         kind = getattr(pin, f"JointModel{link.joint[0]}{link.joint[1].upper()}")()
         joint = model.addJoint(carrier, kind, pin.SE3(np.asarray(link.rotation), np.asarray(link.offset)), f"joint{i}")
@@ -150,7 +150,7 @@ def test_dynamics_are_those_of_mujoco(seed: int) -> None:
     links = [
         replace(link, inertia=np.trace(link.inertia) * np.eye(3) - link.inertia) for link in random_links(seed, 12)
     ]
-    tree, (mujoco, model, at) = tree_of(links), in_mujoco(links)  # of bodies that are possible
+    tree, (mujoco, model, at) = tree_of(links), in_mujoco(links)  # physically possible bodies
     data = mujoco.MjData(model)
     q, v, forces = state(12, seed)
     data.qpos[at], data.qvel[at], data.qfrc_applied[at] = q, v, forces

@@ -11,7 +11,7 @@ from trees import Link, Tree, make, random_links
 import dalembert as exu
 
 Solver = exu.DynamicSolverType
-FIRST_ORDER = {Solver.ExplicitEuler, Solver.VelocityVerlet}  # where forces depend on velocities
+FIRST_ORDER = {Solver.ExplicitEuler, Solver.VelocityVerlet}  # forces depend on velocities
 SECOND_ORDER = {Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.ExplicitMidpoint}
 REFUSED = {Solver.DVERK6}  # there is none
 END = 0.2
@@ -71,7 +71,8 @@ def reference(request: pytest.FixtureRequest) -> tuple[bool, np.ndarray]:
 
 @pytest.mark.parametrize("solver", sorted(set(Solver) - REFUSED, key=int), ids=lambda solver: solver.name)
 def test_all_solvers_agree(reference: tuple[bool, np.ndarray], solver: Any) -> None:
-    """Errors fall with the order: by 2 or 4 with half of the step, else by 8 or more down to what Newton's method leaves."""
+    """Errors fall with the order: error ratio 2 or 4 for half of the step, or 8 or more down to the tolerance of
+    Newton's method."""
     floating, exact = reference
     errors = [np.abs(state_at_end(floating, solver, steps) - exact).max() for steps in (100, 200)]
     if solver in FIRST_ORDER:

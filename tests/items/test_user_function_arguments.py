@@ -1,4 +1,5 @@
-"""User functions get their arguments in the order that the specs state: those named as parameters have their values."""
+"""User functions get their arguments in the order that the specs state: arguments with names of parameters have their
+values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reactions are what the virtual work of the constraint equations says, and do no work on motions that meet them."""
+"""Reactions agree with the virtual work of the constraint equations, and do no work on admissible motions."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def reactions(scene: Scene, s: testing.State) -> np.ndarray:
 
 
 def free_equations(scene: Scene, s: testing.State) -> np.ndarray:
-    """Which equations set their multiplier to zero, as those of free directions do: their gap is the multiplier."""
+    """Equations that set their multiplier to zero, such as those of free directions: their gap is the multiplier."""
     sides = []
     for step in (0.0, 1.0):
         other = s.copy()
@@ -88,7 +88,7 @@ def test_reaction_is_the_virtual_work_of_the_rates(variant: Variant) -> None:
 
 
 def check_gaps(variant: Variant) -> None:
-    """By central differences of step 1e-5: errors of 1e-10 times third derivatives, and of rounding. Euler parameters keep
+    """Central differences of step 1e-5: errors of 1e-10 times third derivatives, and of rounding. Euler parameters keep
     their norm: along it, virtual work is not defined."""
     scene = variant.build(seed=13)
     s = scene.state()

@@ -116,7 +116,7 @@ def link_frame(tree: Any, q: Any, link: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def random_links(seed: int, n: int = 9) -> list[Link]:
-    """With branches and all types of joints."""
+    """A tree with branches and all types of joints."""
     rng = np.random.default_rng(seed)
     links = []
     for i in range(n):

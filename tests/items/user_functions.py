@@ -80,7 +80,7 @@ def functions_of(item: Item, rows: dict[str, Any]) -> dict[str, Any]:
     if "massMatrixUserFunction" in names:
         made = {name: function for name, function in generic_ode2().items() if name in names}
         if {"massMatrixReduced", "massMatrixFF"} & names:
-            # in addition to that of the body, on two coordinates: a length of Euler parameters has no inertia
+            # force on two coordinates, in addition to that of the body: a length of Euler parameters has no inertia
             made["massMatrixUserFunction"] = lambda mbs, t, item, q, q_t: np.diag([0.0] * (len(q) - 2) + [1.5, 2.5])
         return made
     made = {f.name: smooth(f) for f in item.user_functions if f.name in names}

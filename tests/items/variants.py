@@ -1,4 +1,5 @@
-"""Which random models are tested: every ready item on each node type or kind of marker, with all its options and user functions, as
+"""Selection of random models for tests: every ready item on each node type or kind of marker, with all its options and
+user functions, as
 the [scene] tables of the specs say."""
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from scenes import (
 from codegen.model import Item
 from codegen.scene import End
 
-Pair = tuple[tuple[str, tuple[str, str]], ...]  # markers, each on a body and its node; without a name: a body beside
+Pair = tuple[tuple[str, tuple[str, str]], ...]  # markers, each on a body and its node; without a name: another body
 SHAPES = {"Position", "Orientation", "Coordinate", "BodyMass"}  # of what markers pass on
 
 
@@ -73,7 +74,7 @@ def made(pair: Iterable[End]) -> Pair:
 
 
 def shape(marker: str) -> set[str]:
-    """What a marker passes on, of what connectors ask for."""
+    """Quantities that a marker provides, of those that connectors request."""
     return set(ITEMS[marker].provisions) & SHAPES
 
 
@@ -94,7 +95,7 @@ def on_every_body(marker: Item) -> list[Pair]:
 
 
 def all_pairs() -> list[Pair]:
-    """Of markers first, then of bodies and nodes; those with markers of one type are the plain ones, and lead."""
+    """Markers first, then bodies and nodes; variants with markers of one type are first."""
     owners = sorted((item for item in ITEMS.values() if not on_markers(item)), key=lambda item: item.kind != "marker")
     pairs = [pair for item in owners for pair in [*map(made, item.scene.pairs), *on_every_body(item)]]
     return sorted(filter(is_ready, pairs), key=lambda pair: len({marker for marker, _ in pair if marker}))
@@ -109,7 +110,7 @@ def is_planar(pair: Pair) -> bool:
 
 
 def fitting(item: Item) -> list[Pair]:
-    """Pairs whose markers provide what the item asks for, and as little else as possible."""
+    """Pairs whose markers provide the requested quantities, and as few others as possible."""
     asked = set(item.requested_markers if item.scene.fits is None else item.scene.fits) & SHAPES
     if not asked:
         return []
