@@ -1,4 +1,4 @@
-"""Call every method of a solver with whatever may fit, in a process of its own: it must not end by a signal.
+"""Call every method of a solver with all kinds of arguments, in a separate process: it must not end by a signal.
 
 usage: call_everything.py SOLVER STATE
 """

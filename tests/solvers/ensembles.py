@@ -1,4 +1,4 @@
-"""What one variation gives by itself, and mechanisms to vary."""
+"""Separate solution of one variation, and mechanisms to vary."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def crank(rod: float) -> tuple[Any, list[Any], list[Any], list[Any]]:
 
 
 def alone(mbs: Any, solve: Callable[[], Any]) -> Result:
-    """Solve one variation by itself; what SolveVariations should give for it."""
+    """Solve one variation by itself; the expected result of SolveVariations."""
     solve()
     sensors = range(mbs.systemData.NumberOfSensors())
     tables = [np.asarray(mbs.GetSensorStoredData(sensor)) for sensor in sensors]

@@ -48,7 +48,7 @@ class Oscillator(NamedTuple):
 
 
 def mass(position: float = START, speed: float = SPEED, physics_mass: float = MASS) -> Oscillator:
-    """One mass with one coordinate, without forces; not yet assembled."""
+    """A mass with one coordinate, without forces; not yet assembled."""
     mbs = exu.SystemContainer().AddSystem()
     node = mbs.AddNode(
         Node1D(name="foot", referenceCoordinates=[0], initialCoordinates=[position], initialVelocities=[speed])

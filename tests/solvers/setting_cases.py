@@ -1,4 +1,4 @@
-"""For each setting of the solvers a model on which it makes a difference, and where that shows.
+"""A model for each setting of the solvers on which it makes a difference, and the place of the difference.
 
 A case changes one setting of a run; `given` are settings of both runs. Groups that time integration and the static solver
 share are listed once, in `SHARED`, with a model for each.
@@ -24,10 +24,11 @@ class Case(NamedTuple):
     model: Callable[[], Any] = models.oscillation
     given: Mapping[str, Any] = {}
     solver: str = "implicit"
-    times: int = 1  # so many solutions, one after the other
+    times: int = 1  # number of solutions in sequence
 
 
-# ---- where a difference may show ---------------------------------------------------------------------------------------
+# ---- effects of settings
+# -----------------------------------------------------------------------------------------------
 
 
 def steps(run: Run) -> Any:
@@ -87,7 +88,7 @@ def sensor(run: Run) -> Any:
 
 
 def during(name: str) -> Observe:
-    """What the file held after each step."""
+    """Contents of the file after each step."""
     return lambda run: [files.get(name) for files in run.seen]
 
 

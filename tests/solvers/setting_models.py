@@ -30,7 +30,7 @@ EXPLICIT = {name: getattr(exu.DynamicSolverType, name) for name in ("RK44", "DOP
 class Run(NamedTuple):
     error: str
     printed: str
-    files: dict[str, str]  # without what tells the time
+    files: dict[str, str]  # without times of the day
     seen: list[dict[str, str]]  # the files after each step, of models that watch them
     table: np.ndarray  # time and value of the sensor
     state: list[list[float]]  # and the accelerations
@@ -135,7 +135,7 @@ def starting_in_balance() -> Any:
 
 
 def many() -> Any:
-    """Springs side by side that all move alike."""
+    """Equal springs in parallel."""
     model = spring(force=30.0, law=cubic(80.0, 5e3))
     for _ in range(24):
         node = model.mbs.AddNode(exu.Node1D(referenceCoordinates=[0], initialCoordinates=[0.3]))
@@ -151,7 +151,7 @@ def many() -> Any:
 
 
 def watched() -> Any:
-    """Keeps after each step what the files hold."""
+    """Stores the contents of the files after each step."""
     model = spring()
     model.mbs.variables["seen"] = []
 

@@ -1,4 +1,4 @@
-"""What is done where items switch (events.ofItems): errors, notices, actions of users, and the end of a solution."""
+"""Actions at switches of items (events.ofItems): errors, notices, actions of users, and the end of a solution."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ from test_events_of_items import (
 import dalembert as exu
 from dalembert.solver import SolverError
 
-# ---- what ends with an error, and what has no effect -----------------------------------------------------------------------
+# ---- errors, and actions without effect
+# --------------------------------------------------------------------------------
 
 
 def floor_of(mbs: Any) -> int:

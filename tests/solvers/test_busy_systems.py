@@ -1,4 +1,5 @@
-"""A system that is being solved: what user functions and other threads may do to it, and what is refused."""
+"""A system that is being solved: operations of user functions and other threads on a system in use, and rejected
+ones."""
 
 from __future__ import annotations
 
@@ -44,7 +45,7 @@ def initialize(solver: Any) -> Callable[[Any], None]:
     return lambda mbs: solver.InitializeSolver(mbs, exu.SimulationSettings())
 
 
-# By the call that the error names: what would pull the system away from under its solver, or solve it once more.
+# Calls with the name that the error has: calls that would change the system during a solution, or solve it again.
 REFUSED: dict[str, Callable[[Any], Any]] = {
     "mbs.Assemble": lambda mbs: mbs.Assemble(),
     "mbs.AssembleCoordinates": lambda mbs: mbs.AssembleCoordinates(),
@@ -72,7 +73,7 @@ REFUSED: dict[str, Callable[[Any], Any]] = {
 
 
 def refusals(mbs: Any) -> dict[str, str]:
-    """Try everything; the errors by what was tried, and what went through."""
+    """Try everything; the errors by operation, and operations without error."""
     texts = {}
     for call, action in REFUSED.items():
         try:
@@ -278,7 +279,7 @@ def test_functions_that_replace_themselves(solver: Any) -> None:
     sensor = model.mbs.AddSensor(SensorUserFunction(sensorUserFunction=measure, storeInternal=True))
     solve(model, solverType=solver)
     assert sorted(calls) == ["load", "sensor", "spring"]
-    assert model.position == pytest.approx(0.5 / MASS * END**2, rel=0.2)  # one evaluation has seen 3
+    assert model.position == pytest.approx(0.5 / MASS * END**2, rel=0.2)  # one evaluation has 3 values
     assert model.mbs.GetSensorStoredData(sensor)[1:, 1] == pytest.approx(7)
 
 
@@ -316,7 +317,7 @@ def solving() -> Iterator[tuple[Oscillator, Callable[[Callable[[], Any]], Any]]]
     def run() -> None:
         try:
             solve(model)
-        except BaseException as error:  # the test tells of it
+        except BaseException as error:  # the test reports it
             errors.append(error)
 
     model.mbs.SetPreStepUserFunction(pre_step)
@@ -375,7 +376,7 @@ def test_what_other_threads_may_read(solving: Any) -> None:
 
 
 def test_threads_that_solve_one_system_at_once() -> None:
-    """One of them at a time gets it; no result is mixed up."""
+    """One thread at a time gets it; no result is mixed up."""
     model = oscillator()
     expected = solve(model)
     settings = [dynamic_settings(END, 4000) for _ in range(4)]

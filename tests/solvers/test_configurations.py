@@ -1,4 +1,4 @@
-"""What the configurations hold after Assemble: the reference values, and the initial ones in all others."""
+"""Contents of the configurations after Assemble: the reference values, and the initial ones in all others."""
 
 from __future__ import annotations
 

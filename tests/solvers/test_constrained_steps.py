@@ -1,6 +1,7 @@
 """Equal steps of generalized alpha across constraints that turn: velocities stay right, or the solution says that the steps are too coarse.
 
-Without the lead of velocities (docs/theory/constrained_steps.rst), the speeds below leave the exact ones by factors of 10 to 1000 in all cases but the finest steps.
+The speeds below differ from the exact ones by factors of 10 to 1000 in all cases but the finest steps if velocities
+have no lead (docs/theory/constrained_steps.rst).
 """
 
 from __future__ import annotations
@@ -294,7 +295,8 @@ def test_heavy_top(kind: str) -> None:
     assert error / 5.3e3 < 1e-3 and doubts == []
 
 
-# ---- what drives, what switches, what goes on --------------------------------------------------------------------------
+# ---- drives, switches, restart
+# -----------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("by", ["function", "parameter"])

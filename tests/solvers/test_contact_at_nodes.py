@@ -1,4 +1,4 @@
-"""Explicit steps read the nodes under spheres themselves: with the bytes of steps that evaluate their markers."""
+"""Explicit steps read the nodes under spheres themselves: bit-identical to steps that evaluate their markers."""
 
 from __future__ import annotations
 
@@ -119,7 +119,7 @@ def in_two_contacts(heap: Heap) -> None:
 
 
 def beside_an_element(heap: Heap) -> None:
-    """It reads coordinates, and no marker of it tells."""
+    """A read of coordinates shows the same, without a marker."""
     ends = [
         heap.mbs.AddNode(eii.NodePoint2DSlope1(referenceCoordinates=[5 + k, 0, 1, 0], initialVelocities=[0, k, 0, 0]))
         for k in (0, 1)

@@ -14,7 +14,7 @@ from dalembert import itemInterface as eii
 from dalembert._core import testing
 from dalembert.utilities import InertiaCuboid, InertiaSphere
 
-K = 2e5  # of one surface; two of them are half as stiff
+K = 2e5  # the stiffness of one surface; two of them are half as stiff
 VERLET = exu.DynamicSolverType.VelocityVerlet
 
 
@@ -34,7 +34,8 @@ def stored(world: World, number: Any) -> np.ndarray:
 
 
 def brick(world: World, slope: float, damping: float = 100.0) -> Any:
-    """2 kg on four spheres, sunk as deep as it rests; it is so wide that the slope hardly changes what they bear."""
+    """2 kg on four spheres, sunk as deep as it rests; it is wide, so that the slope hardly changes the normal
+    forces."""
     mass, gravity = 2.0, [G * np.sin(slope), 0, -G * np.cos(slope)]
     sink = mass * G * np.cos(slope) / (4 * K / 2)
     world.mesh(*grid_mesh(1.0, 30), stiffness=K, damping=damping)
@@ -77,7 +78,7 @@ def test_brick_above_the_angle_of_friction_slides(solver: Any) -> None:
 
 
 def test_without_bristles_the_brick_creeps() -> None:
-    """What the option is for: the regularized law lets it go with tan(slope)/mu of the zone's speed."""
+    """Purpose of the option: the regularized law lets it go with tan(slope)/mu of the zone's speed."""
     slope, world = np.radians(25), World(0.5)
     body = brick(world, slope)
     world.solve(0.5, 4000, EXPLICIT)
@@ -118,9 +119,11 @@ def crossings(t: np.ndarray, v: np.ndarray, level: float, falling: bool) -> np.n
 
 @pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT])
 def test_stick_slip_on_a_belt(solver: Any) -> None:
-    """With e the spring's length and A the half of its fall: it slips at e = mu_s N / k, for (2 / w) (pi - atan(A w / V)), and sticks for 2 A / V.
+    """Let e be the elongation of the spring, and A half of its fall: it slips at e = mu_s N / k, for (2 / w) (pi -
+    atan(A w / V)), and sticks for 2 A / V.
 
-    The belt is 1e4 times stiffer than the spring, which is what times may differ by, besides 1.5 steps, after which contact knows that it slides.
+    The belt is 1e4 times stiffer than the spring, so times may differ by this part, plus 1.5 steps until the contact
+    slides.
     """
     k, mu, static, speed = 100.0, 0.3, 1.5, 0.2
     world, block = on_belt(static, speed, k)
@@ -131,7 +134,7 @@ def test_stick_slip_on_a_belt(solver: Any) -> None:
     w, a = np.sqrt(k), (static - 1) * mu * G / k
     first = static * mu * G / (k * speed)
     slip, stick = 2 / w * (np.pi - np.arctan(a * w / speed)), 2 * a / speed
-    # relative to the belt; in the middle of the belt's speed, which the block crosses within an angle that is known
+    # relative to the belt; at the middle of the belt's speed, which the block passes within a known angle
     level = 0.5 * speed
     lag = brief_angle(level, a * w, speed) / w
     leaves = crossings(v[:, 0], v[:, 1], level, True)[:2] - lag
@@ -206,7 +209,8 @@ def test_a_bristle_is_a_spring_as_long_as_it_holds() -> None:
 def test_what_sticks_turns_as_one() -> None:
     """Two balls that springs press together and twist against each other turn once: the stretch of the bristle that holds them turns along.
 
-    Springs and contact act between them alone, so that angular momentum stays, and what is left after damping is a rigid body.
+    Springs and contact are internal forces, so that angular momentum is constant, and a rigid-body motion remains after
+    damping.
     """
     world, radius, spin = gripping(0.8, 1.0, 1.0), 0.1, 20.0
     surface = {"stiffness": K, "damping": 200.0}
@@ -237,7 +241,8 @@ def test_what_sticks_turns_as_one() -> None:
 
 @pytest.mark.parametrize("damping", [0.0, 1.0])
 def test_momentum_and_energy_of_a_cloud(damping: float) -> None:
-    """Action is reaction, with moments; what bristles hold at the end of a contact is lost, so that energy falls."""
+    """Action is reaction, with moments; the energy of bristles at the end of a contact is lost, so that energy
+    decreases."""
     world, bodies = cloud(0.4)
     world.contact.SetFrictionBristles(0.8, damping)
     world.mbs.Assemble()
@@ -285,7 +290,7 @@ def test_implicit_and_explicit_integration_agree() -> None:
 
 @pytest.mark.parametrize("weights", [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
 def test_tangent_is_the_derivative_of_the_residual(weights: tuple[float, float, float]) -> None:
-    """With bristles of balls on a body of triangles and on each other, some of which hold and others slide."""
+    """Balls on a body of triangles and on each other, with bristles that stick and slide."""
     rng, world = np.random.default_rng(7), gripping(0.3, 0.7, 0.5, 1.3)
     for i in range(6):
         place, speed = rng.uniform(-0.12, 0.12, 3), rng.uniform(-1, 1, 3)
@@ -346,7 +351,8 @@ def test_wrong_ratios_are_refused(arguments: tuple[float, ...], text: str) -> No
 def test_the_smallest_heap_stands_from_a_friction_of_its_geometry(part: float, stands: bool) -> None:
     """A ball on three that touch each other: its forces point to the places where those stand, at half the angle of its contacts.
 
-    The line between two centres is inclined by arcsin(1 / sqrt(3)) from the vertical. On the ground, a quarter of that friction would do.
+    The line between two centres is inclined by arcsin(1 / sqrt(3)) from the vertical. A quarter of this friction
+    suffices on the ground.
     """
     radius, mass, stiffness, damping = 0.1, 1.0, 2e6, 6e2
     needed = np.tan(0.5 * np.arcsin(1 / np.sqrt(3)))
@@ -362,7 +368,7 @@ def test_the_smallest_heap_stands_from_a_friction_of_its_geometry(part: float, s
     top = world.ball([0, 0, above], surface=law, **weight)
     world.solve(2.0, 20000, VERLET)
     fallen = above - world.output(top, "Position")[2]
-    if stands:  # what slides while the weight comes, at once
+    if stands:  # spheres that slide immediately while the weight is applied
         assert 0 < fallen < 2e-3 * radius
         assert np.linalg.norm(world.output(top, "Velocity")) < 1e-8
     else:

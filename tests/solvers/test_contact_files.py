@@ -217,7 +217,7 @@ def test_solutions_do_not_depend_on_earlier_ones(solver: Any) -> None:
 
 
 def sliding_cloud(grips: bool = False) -> Any:
-    """Balls that rub on each other and on triangles; in the second half, others are near each other than in the first."""
+    """Balls that rub on each other and on triangles; neighbours in the second half differ from those in the first."""
     world, bodies = cloud(0.3, gravity=[0, 0, -9.81])
     if grips:
         world.contact.SetFrictionBristles(0.8, 1.0, 1.2)

@@ -1,4 +1,4 @@
-"""What general contact tells, how it is changed, copied and deleted, and what it refuses; sensors of distances on it."""
+"""Outputs of general contact, changes, copies, deletion, and rejected arguments; sensors of distances on it."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ class Swarm:
         self.world.mbs.Assemble()
 
     def check(self, places: np.ndarray, count: int = 120, wide: float = 0.0) -> None:
-        """All lines meet what they should in these places; some of them meet something."""
+        """All lines hit the expected objects at these positions; some of them meet something."""
         numbers = set()
         for _ in range(count):
             start = self.rng.uniform(-2, 2, 3)
@@ -129,7 +129,7 @@ def test_many_lines_meet_what_one_line_meets() -> None:
 
 
 def test_lines_are_of_the_state_of_the_moment() -> None:
-    """Whoever moves the spheres, and however: by functions, by views that are there and by views that have been, by a solver, by radii."""
+    """All ways of moving the spheres: user functions, present and previous views, a solver, radii."""
     swarm = Swarm()
     data, contact = swarm.world.mbs.systemData, swarm.world.contact
     swarm.check(swarm.places)
@@ -245,7 +245,7 @@ def test_lidar() -> None:
         along = np.stack([np.cos(angles), np.sin(angles)])
         place = np.array([[time], [-0.5 * time]])
         with np.errstate(divide="ignore"):  # rays along a wall
-            walls = ((np.copysign(4, along) - place) / along).min(axis=0)  # along the ray, of both axes the nearer one
+            walls = ((np.copysign(4, along) - place) / along).min(axis=0)  # along the ray, the nearer one of both axes
         measured = [world.mbs.GetSensorValues(sensor) for sensor in sensors]
         np.testing.assert_allclose(measured, walls, atol=1e-9)
 
@@ -376,7 +376,7 @@ def test_spheres_and_triangles_are_read_and_changed() -> None:
 
 
 def test_active_contacts() -> None:
-    """Global numbers are those of spheres, then triangles; what slips is negative."""
+    """Global numbers are those of spheres, then triangles; a negative result is a slip."""
     world = World(friction=0.1)
     for x in (0.0, 0.19, 0.38):
         world.ball([x, 0, 0.09], [5, 0, 0] if x == 0 else [0, 0, 0])
@@ -392,7 +392,7 @@ def test_active_contacts() -> None:
 
 
 def test_settings_that_change_nothing_say_so_once() -> None:
-    """In a process of its own, as others may have told it already."""
+    """A separate process is used, because other tests may have caused the warning already."""
     script = """
 import dalembert as exu
 for _ in range(2):
@@ -428,7 +428,7 @@ def test_copies_go_on_like_the_system(copied: Any) -> None:
     other.mbs = copied(world.mbs)
     other.contact = other.mbs.GetGeneralContact(0)
     assert other.contact.verboseMode == 2
-    world.contact.isActive = False  # of the first alone
+    world.contact.isActive = False  # properties of the first alone
     other.solve(0.2, 500, EXPLICIT)
     assert other.mbs.systemData.GetODE2Coordinates_t()[2] == pytest.approx(1, abs=1e-3)
     world.solve(0.2, 500, EXPLICIT)

@@ -18,7 +18,7 @@ TYPES = exu.ContactTypeIndex
 
 
 def cable(world: World, ends: Any, velocities: Any = ((0,) * 4,) * 2, damping: float = 0.0) -> Any:
-    """One element between (x, y, slope x, slope y) and another; returns its object."""
+    """An element between (x, y, slope x, slope y) and another one; returns its object."""
     nodes = [
         world.mbs.AddNode(eii.NodePoint2DSlope1(referenceCoordinates=list(end), initialVelocities=list(velocity)))
         for end, velocity in zip(ends, velocities, strict=True)

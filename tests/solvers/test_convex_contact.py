@@ -21,7 +21,7 @@ from dalembert.utilities import (
     RotationMatrixZ,
 )
 
-K = 2e5  # of one surface; two of them are half as stiff
+K = 2e5  # the stiffness of one surface; two of them are half as stiff
 FLOORS = ["plane", "triangles", "mesh", "heights", "box"]
 
 
@@ -137,10 +137,12 @@ def test_a_box_that_slides_over_a_fine_mesh_keeps_its_height() -> None:
 
 @pytest.mark.parametrize("damping", [150.0, 5000.0])
 def test_a_tower_of_ten_boxes_stands(damping: float) -> None:
-    """For 10 s; each joint is a spring that bears what is above.
+    """For 10 s; each contact is a spring that carries the weight above.
 
-    Boxes are 1 mm to the left and to the right, in turn: the sole of the lowest one is 1 mm beside the weight, which leans it by 10 m g e / (k a^2 / 4) = 4e-4. As a column that
-    its own weight would buckle at 1.26 m, with k a^3 / 4 as bending stiffness, the tower leans twice as much, 0.8 mm of 1 m. It begins upright, so that it sways; damped more, it rests.
+    Boxes are 1 mm to the left and to the right, in turn: the lowest sole is 1 mm off the weight, which tilts it by 10 m
+    g e / (k a^2 / 4) = 4e-4. The tower is a column that its own weight would buckle at 1.26 m, with k a^3 / 4 as
+    bending stiffness, so it tilts twice as much: 0.8 mm of 1 m. It begins upright, so that it sways; damped more, it
+    rests.
     """
     world, n, side = ConvexWorld(0.5), 10, 0.1
     world.damped(damping)
@@ -156,7 +158,7 @@ def test_a_tower_of_ten_boxes_stands(damping: float) -> None:
     world.solve(10.0, 2000, IMPLICIT)
     for i, (place, h) in enumerate(zip(places, heights, strict=True)):
         x = world.stored(place)
-        assert x[-1, 3] == pytest.approx(h, abs=5e-6)  # 0.1 % of what all joints sink
+        assert x[-1, 3] == pytest.approx(h, abs=5e-6)  # 0.1 % of the total compression of all contacts
         assert x[-1, 1:3] == pytest.approx([1e-3 * (-1) ** i, 0], abs=1.5e-3)
         early, late = np.ptp(x[:500, 1:], axis=0), np.ptp(x[1500:, 1:], axis=0)
         assert late[0] < 0.9 * early[0]
@@ -224,7 +226,7 @@ def test_a_box_below_the_angle_of_friction_does_not_creep(floor: str) -> None:
 @pytest.mark.parametrize("floor", [*FLOORS, "box behind"])
 @pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT])
 def test_a_cylinder_rolls_down(floor: str, solver: Any) -> None:
-    """By 2/3 g sin(slope), as round as it is; its lever arm is as much shorter as it sinks."""
+    """Its acceleration is 2/3 g sin(slope), as that of a round body; its lever arm is as much shorter as it sinks."""
     slope, radius, end, world = 0.3, 0.1, 0.5, ConvexWorld(0.8)
     sink = G * np.cos(slope) / (K / 2)
     world.damped(100.0)
@@ -232,7 +234,7 @@ def test_a_cylinder_rolls_down(floor: str, solver: Any) -> None:
         world.floor(floor)
     gravity = [G * np.sin(slope), 0, -G * np.cos(slope)]
     body = world.cylinder(radius, 0.3, [-1.0, 0.01, radius - sink], gravity=gravity)
-    if floor == "box behind":  # which of two is the first one makes no difference
+    if floor == "box behind":  # the order of both makes no difference
         world.floor("box")
     height = world.position_sensor(body)
     world.solve(end, 2000, solver)
@@ -274,7 +276,7 @@ def crowd(
 
 @pytest.mark.parametrize("seed", range(4))
 def test_action_is_reaction(seed: int) -> None:
-    """Of everything in random motion, with friction: neither momentum nor moment is left over."""
+    """Bodies in random motion, with friction: neither momentum nor moment is left over."""
     world = ConvexWorld(0.4)
     world.contact.frictionProportionalZone = 0.3
     world.damped(5.0)
@@ -291,7 +293,7 @@ def test_action_is_reaction(seed: int) -> None:
     for body in [*bodies, plate, half]:
         own = forces[data.GetObjectLTGODE2(body)]
         total += own[:3]
-        # At zero, coordinates of the rotation vector are conjugate to moments in the axes of the body.
+        # Coordinates of the rotation vector at zero are conjugate to moments in the axes of the body.
         rotation = world.output(body, "RotationMatrix").reshape(3, 3)
         moment += np.cross(world.output(body, "Position"), own[:3]) + rotation @ own[3:]
     places = world.contact.GetConvexContacts()
@@ -337,7 +339,8 @@ def test_forces_do_not_jump_where_faces_are_flush(yaw: float) -> None:
 
 
 def test_a_box_that_bounces_keeps_its_energy() -> None:
-    """Its corners are springs of k / 4 that stay what they are; what is left comes from steps in which one of some ten contacts begins or ends.
+    """Its corners are constant springs of k / 4; the remaining error comes from steps in which one of about ten
+    contacts begins or ends.
 
     There, the impulse is wrong by a part of k v h^2, and so is the energy by a part of k v^2 h^2: 2e-3 of m v^2 / 2 with h = 0.1 ms.
     """
@@ -364,10 +367,11 @@ def test_a_box_that_bounces_keeps_its_energy() -> None:
 
 @pytest.mark.parametrize("floor", ["plane", "mesh", "box"])
 def test_flush_bounces_are_unstable_as_the_springs_at_the_corners_say(floor: str) -> None:
-    """A tilt grows between two apexes by the eigenvalue of flight and contact: what rocks on corners for a time of contact flies on tilting.
+    """A tilt grows between two apexes by the eigenvalue of flight and contact: a body that rocks on corners during
+    contact continues to rotate in flight.
 
-    In contact, I theta'' = (-k a^2 + N c) theta: corners at the half length a, the centre c above them. The rest is what tilt does to the
-    times at which corners begin to touch, of the second order in it.
+    Rotation during contact: I theta'' = (-k a^2 + N c) theta: corners at the half length a, the centre c above them.
+    The remainder is the effect of tilt on the times of contact of the corners, which is of second order.
     """
     size, fall, tilt = [0.2, 0.2, 0.1], 0.02, 1e-9
     a, c, k = 0.1, 0.05, K / 2
@@ -388,7 +392,7 @@ def test_flush_bounces_are_unstable_as_the_springs_at_the_corners_say(floor: str
     world.solve(4 * (contact + flight), 30000, EXPLICIT)
     times, tilts = np.asarray(world.mbs.GetSensorStoredData(sensor))[:, [0, 8]].T
     apexes = np.interp((contact + flight) * np.arange(4), times, tilts)
-    assert growth == pytest.approx(60.46, abs=0.01)  # as the page says
+    assert growth == pytest.approx(60.46, abs=0.01)  # a value of the page
     np.testing.assert_allclose(apexes[2:] / apexes[1:-1], growth, rtol=2e-3)
 
 

@@ -1,4 +1,4 @@
-"""Where convex shapes touch, against independent computations; what their methods tell, keep and refuse."""
+"""Contact points of convex shapes against independent computations; outputs and rejected arguments of their methods."""
 
 from __future__ import annotations
 
@@ -39,12 +39,13 @@ def overlap(a: np.ndarray, b: np.ndarray) -> float:
     return float(-differences.equations[:, 3].max())
 
 
-BESIDE_ITS_FACE = (192, 208, 494, 606)  # where the place is that is deepest
+BESIDE_ITS_FACE = (192, 208, 494, 606)  # position of the deepest point
 
 
 @pytest.mark.parametrize("seed", [*range(30), *BESIDE_ITS_FACE])
 def test_overlap_of_random_hulls(seed: int) -> None:
-    """As of the hull of all differences of points; a face is taken up to a sine of 0.1 from the best direction, so depths there are longer by up to 1 / cos."""
+    """The same as the hull of all differences of points: a face is taken up to a sine of 0.1 from the best direction,
+    so depths there are longer by up to 1 / cos."""
     rng, world = np.random.default_rng(seed), ConvexWorld()
     points = [rng.normal(0, 0.1, (rng.integers(4, 14), 3)) for _ in range(2)]
     places = [(np.zeros(3), turned(rng)), (rng.uniform(-0.15, 0.15, 3), turned(rng))]
@@ -136,7 +137,7 @@ def least_over_directions(f: Support, starts: int = 6) -> tuple[float, np.ndarra
 @pytest.mark.parametrize("seed", range(8))
 @pytest.mark.parametrize("other", ["box", "hull", "cylinder", "capsule"])
 def test_cylinders_touch_exactly_where_they_overlap(other: str, seed: int) -> None:
-    """As deep as the least overlap over all directions, by support functions alone. A face is taken up to a sine of 0.1
+    """Depth of the least overlap over all directions, by support functions alone. A face is taken up to a sine of 0.1
     from the best direction, so depths there are longer by up to 1 / cos; chords of rims on faces may leave out 1 %."""
     rng = np.random.default_rng(seed)
     for case in range(4):
@@ -169,7 +170,7 @@ def test_cylinders_touch_exactly_where_they_overlap(other: str, seed: int) -> No
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("below", ["hull", "mesh"])
 def test_a_rim_on_an_edge(below: str, seed: int) -> None:
-    """A line touches a circle of any inclination where it is lowest, if the tangent there crosses it: in closed form."""
+    """A line touches a circle of any inclination where it is lowest, if the tangent there crosses it: closed form."""
     rng, world, radius, depth = np.random.default_rng(seed), ConvexWorld(), 0.1, 1e-4
     axis = np.array([rng.choice([-1, 1]) * rng.uniform(0.2, 0.5), rng.uniform(-0.5, 0.5), -1.0])
     axis /= np.linalg.norm(axis)
@@ -292,7 +293,7 @@ def test_balls_are_as_far_as_their_centers(seed: int) -> None:
 
 @pytest.mark.parametrize("place", [(0.0, 0.0, 0.24), (0.14, 0.0, 0.05), (0.1, 0.12, 0.22), (0.03, 0.02, 0.0)])
 def test_balls_on_cylinders(place: tuple[float, float, float]) -> None:
-    """On the cap, on the mantle, on the rim and within: closed forms in the cylinder's coordinates."""
+    """Points on the cap, on the lateral surface, on the rim and inside: closed forms in the cylinder's coordinates."""
     world, radius, length, ball = ConvexWorld(), 0.1, 0.4, 0.05
     world.contact.AddCylinderWithMarker(placed(world, [0, 0, 0], np.eye(3)), radius, [0, 0, length], **world.surface)
     world.point(place, radius=ball, stiffness=K)
@@ -397,7 +398,7 @@ def test_lines_meet_convex_shapes_and_planes() -> None:
 
 
 def test_active_contacts_of_convex_shapes() -> None:
-    """By global numbers: one sphere, two triangles, then boxes 3 and 4, then plane 5."""
+    """Global numbers: a sphere, two triangles, then boxes 3 and 4, then plane 5."""
     world, sink = ConvexWorld(0.3), 1e-4
     world.floor("plane")
     world.box([0.2, 0.2, 0.2], [0, 0, 0.1 - sink])
@@ -443,7 +444,7 @@ def test_copies_have_the_same_contacts(make: Any) -> None:
 
 @pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT])
 def test_a_restart_goes_on_bit_for_bit(solver: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With bristles that hold and slide at that moment."""
+    """Some bristles stick and some slide at that moment."""
     monkeypatch.chdir(tmp_path)
     settings = exu.SimulationSettings()
     time, solution = settings.timeIntegration, settings.solutionSettings

@@ -98,7 +98,8 @@ def test_a_step_that_does_not_settle() -> None:
 
 @pytest.mark.parametrize("solver", [Solver.ODE23, Solver.DOPRI5, Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2])
 def test_repeated_steps_are_the_same_steps(solver: exu.DynamicSolverType) -> None:
-    """A discontinuous iteration that changes nothing leads to the same numbers, whatever error control has in mind for the next step."""
+    """A discontinuous iteration without changes gives the same result, for any step size that error control has
+    selected for the next step."""
     tables = []
     for repeats in (False, True):
         model = oscillator()

@@ -1,4 +1,4 @@
-"""What has finished and is not to be trusted says so."""
+"""Solutions that are finished but not trusted report it."""
 
 from __future__ import annotations
 
@@ -95,7 +95,8 @@ def turned(node_type: Any, omega: list[float], settings: Any, solver: Any) -> tu
 
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2])
 def test_angles_that_lock(solver: Any) -> None:
-    """A body that turns about its middle axis, almost: at a quarter turn, its first and third angle turn by half a turn within a few milliseconds.
+    """A body that turns about its middle axis, almost: its first and third angle change by half a turn within a few
+    milliseconds at a quarter turn.
     Error control finds them, equal steps miss them, and say so; Euler parameters do not notice."""
     omega = [0.03, 10.0, 0.02]
     right, found = turned(
@@ -104,7 +105,7 @@ def test_angles_that_lock(solver: Any) -> None:
     assert found == []
     angles = exu.NodeType.RotationRxyz
     wrong, (doubt,) = turned(angles, omega, dynamic_settings(1.0, 1000), solver)
-    assert np.abs(wrong - right).max() > 0.01  # of Euler parameters with these steps, it is 2e-5
+    assert np.abs(wrong - right).max() > 0.01  # it is 2e-5 for Euler parameters with these steps
     assert doubt.startswith(
         "node 0 'Node:stone' (NodeRigidBodyRxyz) turns by three angles, which lock where the second is at 90 degrees; it came to "
     )
@@ -123,12 +124,12 @@ def test_angles_that_lock_are_advised_on() -> None:
 
 
 def test_angles_that_are_in_equilibrium_alone() -> None:
-    """A rod on a ball joint, and two springs. With three angles, Newton's method ends where these lock, and springs turn the rod about the direction
-    that is lost there; with Euler parameters, they do not turn it."""
+    """A rod on a ball joint, and two springs. Newton's method for three angles ends at gimbal lock, and springs rotate
+    the rod about the lost direction; springs do not rotate it with Euler parameters."""
     springs = [([-0.5, -0.4, 0.6], [-0.2, 0.1, 0.1]), ([-0.6, -0.9, -0.5], [0.1, 0.0, -0.2])]
 
     def rest(node_type: Any) -> tuple[Any, float]:
-        """What is returned, and the moment of the springs about the joint."""
+        """Return the result of the solver, and the moment of the springs about the joint."""
         mbs = exu.SystemContainer().AddSystem()
         ground = mbs.CreateGround()
         rod = mbs.CreateRigidBody(

@@ -1,4 +1,4 @@
-"""The state in which a system is left when a solution ends early, and what tells of it."""
+"""The state of a system when a solution ends early, and the outputs that report the end."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def calm(t: float, u: float) -> float:
 
 
 def hopeless(t: float, u: float) -> float:
-    """From 0.03 s on, no position is in equilibrium."""
+    """No equilibrium exists from 0.03 s on."""
     return 80 * u if t < 0.0301 else 1e7 * (1 if u > 0.1 * np.sin(1e5 * u) else -1)
 
 
@@ -187,7 +187,7 @@ def with_load_steps(steps: int, adaptive: bool = False) -> Any:
 
 @pytest.mark.parametrize("solver", [*IMPLICIT, *EXPLICIT, Solver.DOPRI5])
 def test_an_interrupt_between_steps_keeps_the_last_one(solver: Any) -> None:
-    """What a function raises between steps, a Ctrl-C among them, leaves the state that sensors have written last."""
+    """Exceptions of functions between steps, including Ctrl-C, leave the state that sensors have written last."""
 
     def post_step(mbs: Any, t: float) -> bool:
         if t > 0.02 and not sent:
@@ -265,7 +265,7 @@ def test_time_limit_of_variations(time_limit: Any) -> None:
 @pytest.mark.parametrize("solver", [*IMPLICIT, *EXPLICIT])
 @pytest.mark.parametrize("name", ["PreStep", "PostStep"])
 def test_functions_that_end_a_simulation(solver: Any, name: str) -> None:
-    """That is a success, as in Exudyn; the solver tells how it has ended."""
+    """That is a success, as in Exudyn; the solver reports the kind of end."""
     model = oscillator()
     model.mbs.Assemble()
     getattr(model.mbs, f"Set{name}UserFunction")(lambda mbs, t: t < 0.0301)

@@ -1,4 +1,4 @@
-"""Steps that end where functions of the state change their sign, and what is done there."""
+"""Steps that end where functions of the state change their sign, and their actions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ AFTER_TWO_SECONDS = 0.0074473638  # pieces of exact motion, twelve digits
 
 
 class Ball:
-    """1 kg that falls; `touches` tells whether the floor is felt."""
+    """1 kg that falls; `touches` selects whether the floor has contact."""
 
     def __init__(self, height: float = HEIGHT) -> None:
         self.model = mass(position=height, speed=0, physics_mass=1)

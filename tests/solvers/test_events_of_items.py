@@ -16,7 +16,7 @@ from dalembert.utilities import InertiaSphere
 
 Solver = exu.DynamicSolverType
 GRAVITY, STIFFNESS, DAMPING, HEIGHT, RADIUS = 9.81, 1e5, 50.0, 0.5, 0.1
-AFTER_TWO_SECONDS = 0.0074473638  # of a ball whose floor does not pull: pieces of exact motion, twelve digits
+AFTER_TWO_SECONDS = 0.0074473638  # a ball on a floor without tension: pieces of exact motion, twelve digits
 
 
 def solve(
@@ -185,7 +185,7 @@ def height(mbs: Any, ball: Any) -> float:
 
 @pytest.mark.parametrize("build", MODELS)
 def test_second_order_although_forces_jump(build: Callable[[], Any]) -> None:
-    """As acceptance number P8, whose bounds these are, with the items' own events."""
+    """The same as acceptance number P8, whose bounds these are, with events of items."""
     steps = [4000, 8000, 16000]
     errors = []
     for n in steps:
@@ -222,7 +222,7 @@ def test_steps_with_error_control_find_events(
 
 
 def test_it_is_a_choice() -> None:
-    """Without it, items switch at the ends of steps, which costs the order; and solvers do not look for events."""
+    """Items without events switch at the ends of steps, which reduces the order; and solvers do not look for events."""
     errors = []
     for n in (16000, 32000):
         mbs, ball = on_sphere()
@@ -239,7 +239,8 @@ def test_it_is_a_choice() -> None:
 @pytest.mark.parametrize("speed", [2.0, -2.0])
 @pytest.mark.parametrize("steps", [17, 170])
 def test_friction_stops_a_mass(speed: float, steps: int) -> None:
-    """It slides v^2 m / (2 F): exactly, whatever the steps; what stick holds springs back by F / k, at worst as numerical damping lets it."""
+    """It slides v^2 m / (2 F): times are exact for all steps; stiction holds springs by up to F / k, subject to
+    numerical damping."""
     friction, stiffness = 5.0, 1e3
     model = mass(position=0.0, speed=speed)
     friction_or_stop(
@@ -427,7 +428,8 @@ def test_a_disc_falls_slides_and_rolls() -> None:
 
 
 def test_the_direction_of_slip_turns() -> None:
-    """A disc slides along its axis and rolls up at the same time: friction follows the direction, which no event tells of."""
+    """A disc slides along its axis and rolls up at the same time: friction follows the direction, which has no
+    event."""
     stiffness, friction, end = 1e4, 0.3, 0.3
 
     def motion(t: float, x: np.ndarray) -> np.ndarray:
@@ -454,7 +456,8 @@ def test_the_direction_of_slip_turns() -> None:
 
 
 def test_a_circle_sticks_and_slides_on_a_cable() -> None:
-    """As the mass on a bristle above, without viscous friction: the weight presses the circle on a cable that does not move."""
+    """The mass on a bristle above, without viscous friction: the weight presses the circle on a cable that does not
+    move."""
     bound, stiffness, damping, contact, radius = 2.0, 400.0, 20.0, 1e4, 0.2
 
     def pulled(force: Callable[[np.ndarray], float]) -> Callable[[float, np.ndarray], list[float]]:

@@ -17,7 +17,7 @@ import dalembert as exu
 
 
 def settings_of(values: dict[str, Any], path: str = "") -> dict[str, dict[str, Any]]:
-    """What is known of each setting, by its path."""
+    """Data of each setting, by its path."""
     found: dict[str, dict[str, Any]] = {}
     for name, value in values.items():
         if "description" in value and "value" in value:
@@ -68,7 +68,8 @@ mbs.SolveDynamic(settings)
 
 
 def told_after(changes: dict[str, Any]) -> list[str]:
-    """Settings of which two solutions say that they have no effect; in a process of its own, as what was told is not told again."""
+    """Settings of which two solutions say that they have no effect; a separate process is used, because warnings are
+    not repeated."""
     lines = [f"settings.{path} = {value!r}" for path, value in sorted(changes.items())]
     script = "\n".join([SCRIPT, 'print("---")', *lines, "mbs.SolveDynamic(settings)", "mbs.SolveDynamic(settings)"])
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
@@ -84,7 +85,8 @@ def test_those_without_effect_say_so_once() -> None:
     assert told_after({path: other_value(ALL[path]["value"]) for path in IDLE}) == sorted(IDLE)
 
 
-# ---- what acts with a flag beside it only --------------------------------------------------------------------------------
+# ---- settings that act with a flag only
+# ----------------------------------------------------------------------------------
 
 FLAGS = {
     path: [f"{path.rpartition('.')[0]}.{flag}" for flag in said.group(1).split(" or ")]
@@ -112,7 +114,8 @@ def test_it_says_that_its_flag_is_missing(on: bool) -> None:
     assert told_after({**changes, **flags}) == ([] if on else sorted(FLAGS))
 
 
-# ---- where more than one solver reads a setting, or there are more than two values ---------------------------------------
+# ---- settings that several solvers read, or with more than two values
+# ----------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -141,7 +144,7 @@ def test_verbose_modes(level: int, solver: str, shown: str) -> None:
 
 
 def test_shown_matrices() -> None:
-    """One mass on one spring with the trapezoidal rule: J = h^2 beta (K + D 2 / h + M 4 / h^2), and its inverse."""
+    """A mass on a spring with the trapezoidal rule: J = h^2 beta (K + D 2 / h + M 4 / h^2), and its inverse."""
     change = {
         "timeIntegration.verboseMode": 5,
         "timeIntegration.generalizedAlpha.useNewmark": True,
@@ -193,7 +196,7 @@ def test_there_must_be_something_to_integrate(start: float, end: float, solver: 
 
 
 def test_a_solver_may_be_initialized_before_the_end_is_known() -> None:
-    """As environments do that integrate piece by piece: steps to the time where it is are none."""
+    """Usage of environments, which integrate piece by piece: steps to the time where it is are none."""
     mbs, settings = models.oscillation(), exu.SimulationSettings()
     settings.timeIntegration.endTime = 0
     settings.solutionSettings.writeSolutionToFile = False

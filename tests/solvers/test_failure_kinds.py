@@ -1,4 +1,4 @@
-"""Each kind of failure that solvers tell apart: what it says, whom it names, and what it advises."""
+"""Each kind of failure of solvers: text, named items, and advice."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def failure(solve: Any, *arguments: Any, **options: Any) -> SolverError:
 
 
 def test_a_massless_coordinate() -> None:
-    """Of two nodes without mass, both are named, and nobody else."""
+    """Two nodes without mass are both named, and no others."""
     model = oscillator()
     for name in ("loose", "looser"):
         node = model.mbs.AddNode(Node1D(name=name, referenceCoordinates=[0]))
@@ -120,7 +120,7 @@ def stiff_pendulum() -> Any:
 
 @pytest.mark.parametrize("solver", EXPLICIT)
 def test_steps_that_stability_keeps_small(solver: Any, capfd: Any) -> None:
-    """One warning, with the step size: 3 to 6 through 1e4 rad/s; the solution goes on."""
+    """A single warning, with the step size: 3 to 6 through 1e4 rad/s; the solution goes on."""
     stiff_pendulum().SolveDynamic(quiet(0.3, 10, 1e-4), solverType=solver)
     (line,) = (line for line in capfd.readouterr().out.splitlines() if "the system is stiff for this method" in line)
     assert 2e-4 < float(line.split("steps of ")[1].split()[0]) < 8e-4

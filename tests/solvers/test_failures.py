@@ -54,7 +54,7 @@ def test_redundant_constraints() -> None:
 
 
 def hopeless(mbs: Any, t: float, item: int, u: float, v: float, k: float, d: float, offset: float) -> float:
-    """From 0.35 s on, no position is in equilibrium."""
+    """No equilibrium exists from 0.35 s on."""
     return k * u if t < 0.35 else 1e7 * (1 if u > 0.1 * np.sin(1e5 * u) else -1)
 
 
@@ -128,7 +128,7 @@ def test_wrong_results_of_a_system_function(result: Any) -> None:
 
 @pytest.fixture
 def interruptible() -> Iterator[None]:
-    """Where tests run in the background, Python starts with interrupts ignored."""
+    """Python ignores interrupts at the start if tests run in the background."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
@@ -173,7 +173,7 @@ def test_systems_that_cannot_be_solved_are_refused() -> None:
 
 @pytest.mark.parametrize("solver", ["GeneralizedAlpha", "TrapezoidalIndex2", "ESDIRK43", "ExplicitEuler", "DOPRI5"])
 def test_the_state_stays_finite_when_no_step_is_possible(solver: str) -> None:
-    """The square of this velocity is not a number, and with it the force of the rod; what is left is the initial state."""
+    """The square of this velocity is not a number, and with it the force of the rod; the initial state remains."""
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround()
     fast = mbs.CreateMassPoint(

@@ -1,4 +1,4 @@
-"""Files that solvers write, and what reads them again."""
+"""Files of solvers, and functions that read them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Static equilibria of which there are many: what moves without resistance is named, what is only soft is not."""
+"""Static equilibria of which there are many: zero-energy modes are named, soft ones are not."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_a_body_that_turns_freely(linear: Any, modified: bool, capfd: Any) -> No
     told = capfd.readouterr().out
     assert told.count(WORDS) == 1
     assert "swivel" in told
-    # The point is where its springs carry the force, to the tolerance of Newton's method, whatever the angle is.
+    # The springs carry the force at this position, to the tolerance of Newton's method, for any angle.
     where = mbs.GetObjectOutputBody(body, exu.OutputVariableType.Position, [-0.2, -0.1, 0])
     np.testing.assert_allclose(where, [2 / 200, 0, 0], rtol=0, atol=1e-10)
 
@@ -107,5 +107,6 @@ def test_slender_beams_are_soft_but_held(capfd: Any) -> None:
     moved = mbs.GetNodeOutput(nodes[-1], exu.OutputVariableType.Displacement)
     bent = 1e-4 / 3e-2  # F L^3 / (3 EI), to the square of bent / L
     assert np.dot(moved, [-0.8, 0.6, 0]) == pytest.approx(bent, rel=3e-5)
-    # The tip comes nearer by the integral of half the squared slope, 3/5 bent^2 / L; what 64 elements and the rest of the series leave: 1 %.
+    # The tip comes nearer by the integral of half the squared slope, 3/5 bent^2 / L; remaining errors of 64 elements
+    # and of the series: 1 %.
     assert np.dot(moved, [0.6, 0.8, 0]) == pytest.approx(-0.6 * bent**2, rel=0.01)

@@ -129,7 +129,7 @@ def grid_mesh(size: float, count: int, height: Any = lambda x, y: 0 * x) -> tupl
 
 @pytest.mark.parametrize("largest", [0.05, 2.0])
 def test_forces_of_a_cloud_are_the_sum_over_all_pairs(largest: float) -> None:
-    """Radii that differ by a factor of 80 too: whatever the search does, no pair is missed or counted twice."""
+    """Radii that differ by a factor of 80 too: no pair is missed or counted twice by any search."""
     rng, world = np.random.default_rng(3), World()
     n = 300
     x, v = rng.uniform(-0.4, 0.4, (n, 3)), rng.uniform(-1, 1, (n, 3))
@@ -165,7 +165,8 @@ CUBE_FACES = np.array(
 
 @pytest.mark.parametrize("friction", [0.0, 0.4])
 def test_forces_on_meshes_are_the_sum_of_all_pushes(friction: float) -> None:
-    """Spheres over faces are pushed four at once; one by one, with what else they touch, each push is the same."""
+    """Spheres over faces are pushed four at once; each contact force is the same when pairs are evaluated one by
+    one."""
     rng, world = np.random.default_rng(8), World(friction=friction, zone=0.05)
     world.mesh(*grid_mesh(1.0, 14, lambda x, y: 0.1 * np.sin(4 * x) * np.cos(3 * y)), damping=1.0)
     tilted = world.mbs.CreateGround(
@@ -205,7 +206,8 @@ def test_forces_on_meshes_are_the_sum_of_all_pushes(friction: float) -> None:
     [(0.2, 0.3, 1), (1, 0.3, 1), (-1, 1, 0.2), (1, 1, 1), (-1, 1, -1), (0.5, 0.5, 1), (0.5, -0.5, 1), (0, 1, 0), (1.0 - 1e-13, 1, 0.4)],
 )  # fmt: skip
 def test_a_ball_at_a_cube_is_pushed_once(place: tuple[float, float, float]) -> None:
-    """On faces, edges, corners and diagonals of faces, the force is that of the nearest point, however many triangles meet there."""
+    """Forces on faces, edges, corners and diagonals of faces are those of the nearest point, independently of the
+    number of triangles there."""
     world, depth, radius, stiffness = World(), 0.01, 0.1, 2e4
     outwards = np.where(np.abs(place) >= 1 - 1e-9, np.sign(place), 0.0)
     outwards /= np.linalg.norm(outwards)
@@ -247,7 +249,7 @@ def test_action_is_reaction() -> None:
     for body in [*bodies, plate]:
         own = forces[data.GetObjectLTGODE2(body)]
         total += own[:3]
-        # At the reference rotation, coordinates of the rotation vector are conjugate to moments in the axes of the body.
+        # Coordinates of the rotation vector at the reference rotation are conjugate to moments in the axes of the body.
         rotation = world.output(body, "RotationMatrix").reshape(3, 3)
         moment += np.cross(world.output(body, "Position"), own[:3]) + rotation @ own[3:]
         mesh_force = own[:3]
@@ -309,7 +311,7 @@ def test_time_of_contact() -> None:
 
 @pytest.mark.parametrize("solver", [IMPLICIT, EXPLICIT])
 def test_material_minus_one_has_no_friction(solver: Any) -> None:
-    """As a material with a row of zeros, to the bit: of triangles and balls that rub others."""
+    """A material with a row of zeros gives identical results: friction of triangles and balls."""
     spins = []
     for none, table in ((-1, [[0.5]]), (1, [[0.5, 0.0], [0.0, 0.0]])):
         world, rng = World(friction=table), np.random.default_rng(6)
@@ -416,7 +418,7 @@ def test_the_list_of_pairs_does_not_show() -> None:
 
 @pytest.mark.parametrize("direction", [(1, 0), (1, 1), (-1, 1), (0.83, -0.37)])
 def test_ball_rolls_over_a_mesh_as_over_a_plane(direction: tuple[float, float]) -> None:
-    """Along edges, through corners, and across: it keeps its height to 1e-6 radii, and its speed."""
+    """Motion along edges, through corners, and across: it keeps its height to 1e-6 radii, and its speed."""
     radius, k, mass = 0.1, 2e4, 1.0
     sink = mass * G / (k / 2)
     along = np.array([*direction, 0]) / np.linalg.norm(direction)
@@ -463,7 +465,7 @@ def test_ball_on_an_incline(mu: float, rolls: bool, solver: Any) -> None:
 def test_what_leaves_a_plate_is_neither_pulled_nor_driven(gap: float, rise: float, slip: float) -> None:
     """Foot of a robot that slides and rises, or sinks or sticks: the normal force is cut at zero, so friction takes power only.
 
-    Without the cut, friction of a negative normal force would act along the slip: in the second state with 30 W.
+    Friction of a negative normal force would act along the slip without the limit: the second state has 30 W.
     """
     stiffness, damping, friction, zone, radius = 5e4, 500.0, 0.8, 0.01, 0.05
     normal_force = max(0.0, -0.5 * stiffness * gap - 2 * damping * rise)
@@ -487,7 +489,7 @@ def test_what_leaves_a_plate_is_neither_pulled_nor_driven(gap: float, rise: floa
 
 @pytest.mark.parametrize("slip", [0.0, 1.5])
 def test_a_damped_bounce_takes_energy_at_every_step(slip: float) -> None:
-    """A ball falls on a plate, slides, and leaves it: contact never gives energy, whatever the damping."""
+    """A ball falls on a plate, slides, and leaves it: contact never supplies energy, for any damping."""
     world, k = World(0.8, 1e-2), 5e4
     surface = {"stiffness": k, "damping": 500.0}
     body = world.ball([0, 0, 0.051], [slip, 0, -0.5], [0, -10.0 * slip, 0], radius=0.05, surface=surface)
@@ -520,7 +522,7 @@ def test_materials_make_pairs() -> None:
 
 
 def test_several_contacts_in_one_system() -> None:
-    """Spheres meet those of the same contact alone; without it, they pass."""
+    """Spheres meet those of the same contact alone; they pass each other without it."""
     for shared in (True, False):
         world = World()
         first = world.point([0, 0, 0], [1, 0, 0])

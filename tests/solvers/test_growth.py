@@ -52,7 +52,7 @@ def stiff(stiffness: float = 1e7) -> Oscillator:
 
 
 def with_law(law: Any, **parameters: float) -> Oscillator:
-    """Compiled expressions give what they like; results of functions are checked where they arrive."""
+    """Compiled expressions return any value; results of functions are checked where they arrive."""
     model = oscillator(law=law, **parameters)
     spring = model.mbs.GetObjectNumber("spring")
     symbolic = CreateSymbolicUserFunction(model.mbs, law, "springForceUserFunction", spring)
@@ -87,7 +87,7 @@ def test_steps_that_are_too_long_for_an_explicit_solver(solver: Any, steps: int)
     assert error.reason == "unbounded"
     assert "the solution grows without bound in step" in str(error)
     assert error.values[0]["items"] == "node 0 'foot' (Node1D), coordinate 0"
-    assert error.values[0]["vector"] == "ODE2_t"  # at 3162 rad/s, speeds are larger than positions
+    assert error.values[0]["vector"] == "ODE2_t"  # speeds are larger than positions at 3162 rad/s
     assert "the fastest vibration at the start, 3162.28 rad/s at node 0 'foot'" in error.advice[0]
     assert any("GeneralizedAlpha" in line for line in error.advice)
     assert_before(model, error)
@@ -123,7 +123,8 @@ def test_damping_limits_steps_as_well(solver: Any) -> None:
 
 
 def test_growth_that_a_nonlinear_model_ends_by_itself() -> None:
-    """A cable that is bent beyond recognition within some steps, and then only trembles: of a support and masses that couple all coordinates. Its bending
+    """A cable that is bent beyond recognition within some steps, and then only trembles: a support and masses that
+    couple all coordinates. Its bending
     is damped by 0.02 of its stiffness, which has a rate of 5e3 1/s and more."""
     mbs = exu.SystemContainer().AddSystem()
     cable = Cable2D(
@@ -193,14 +194,14 @@ def test_a_function_that_gives_no_number_is_named(solver: Any) -> None:
 @pytest.mark.parametrize("useNewtonSolver", [True, False])
 @pytest.mark.parametrize("modified", [True, False])
 def test_implicit_steps_end_with_numbers(useNewtonSolver: bool, modified: bool) -> None:
-    """A step of Newton's method without iterations took whatever came out."""
+    """A step of Newton's method without iterations accepted any result."""
     model = with_law(until_0_555)
     settings = settings_of(1, 10)
     settings.timeIntegration.newton.useNewtonSolver = useNewtonSolver
     settings.timeIntegration.newton.useModifiedNewton = modified
     error = failure(model, settings)
     assert error.reason == "notFinite"
-    assert error.stepSize == pytest.approx(settings.timeIntegration.minimumStepSize)  # others have been tried
+    assert error.stepSize == pytest.approx(settings.timeIntegration.minimumStepSize)  # several others fail
     assert 0.555 < error.time < 0.5551
 
 
@@ -291,7 +292,7 @@ def test_a_jump_is_passed(solver: Any) -> None:
 
 @pytest.mark.parametrize("solver", [Solver.ODE23, Solver.DOPRI5])
 def test_tolerances_that_cancel_with_a_value(solver: Any) -> None:
-    """At -1, absolute and relative tolerance give a scale of zero: nothing over nothing is no error."""
+    """Absolute and relative tolerance give a scale of zero at -1: nothing over nothing is no error."""
     model = mass(position=-1, speed=0)
     model.mbs.Assemble()
     settings = settings_of(1, 10)

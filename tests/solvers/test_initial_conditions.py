@@ -1,4 +1,4 @@
-"""Initial values that contradict constraints are told of, and can be made consistent."""
+"""Inconsistent initial values cause a warning, and can be made consistent."""
 
 from __future__ import annotations
 
@@ -85,7 +85,8 @@ def coordinate_of(mass: Any, start: float = 0.0) -> tuple[Any, Any, Any]:
     return mbs, ground, mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
 
 
-# ---- what is told at the start of a solution ------------------------------------------------------------------------
+# ---- warnings at the start of a solution
+# ---------------------------------------------------------------------------------
 
 
 def test_a_hinge_with_a_gap_is_named_once(capfd: pytest.CaptureFixture[str]) -> None:
@@ -267,7 +268,7 @@ def circles_meet(a: np.ndarray, ra: float, b: np.ndarray, rb: float) -> np.ndarr
 
 
 class FourBar:
-    """Crank at 50 degrees, coupler and rocker roughly placed; in the plane, or of hinges in space."""
+    """Crank at 50 degrees, coupler and rocker roughly placed; a mechanism in the plane, or of hinges in space."""
 
     def __init__(self, nodeType: Any = None, rough: float = 0.1) -> None:
         self.mbs = mbs = new_system()
@@ -309,7 +310,7 @@ class FourBar:
     "nodeType", [None, Node.RotationEulerParameters, Node.RotationRotationVector, Node.RotationRxyz]
 )
 def test_a_four_bar_closes_around_its_crank(nodeType: Any) -> None:
-    """Three equations of hinges in space are redundant for each loop. What is held does not move by a bit."""
+    """Three equations of hinges in space are redundant for each loop. Fixed coordinates do not change at all."""
     bar = FourBar(nodeType)
     crank = bar.mbs.systemData.GetNodeLTGODE2(0)
     before = bar.mbs.systemData.GetODE2Coordinates(Initial)[crank]
@@ -326,7 +327,8 @@ def test_redundant_equations_are_counted(nodeType: Any) -> None:
 
 
 def test_rotation_parameters_do_not_matter() -> None:
-    """Increments of Euler parameters and of rotation vectors are the same turns: what follows from them agrees to round-off."""
+    """Increments of Euler parameters and of rotation vectors are the same turns: dependent values agree to
+    round-off."""
     ends = []
     for nodeType in (Node.RotationEulerParameters, Node.RotationRotationVector):
         bar = FourBar(nodeType, rough=0.2)

@@ -284,4 +284,4 @@ def test_euler_parameters_with_velocity_level_constraints_converge() -> None:
             ends[node_type, steps] = mbs.GetObjectOutputBody(body, Variable.Position)
     coarse, fine = (np.linalg.norm(ends["RotationEulerParameters", n] - ends["RotationRxyz", n]) for n in (200, 400))
     assert coarse > 1e-9  # different unknowns, different errors
-    assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)  # which vanish with the order of the method
+    assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)  # the differences vanish with the order of the method

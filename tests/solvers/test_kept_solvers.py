@@ -1,4 +1,4 @@
-"""Solver objects that are kept: before they are initialized, after their system was assembled again, or is gone."""
+"""Solver objects that are kept: solvers that are not initialized, whose system was assembled again, or is gone."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SOLVERS = [
 
 
 def run_in_process(*arguments: str) -> None:
-    """Run the script beside; a crash shows what was called last."""
+    """Run the script in this folder; a crash shows the last call."""
     script = Path(__file__).parent / "call_everything.py"
     done = subprocess.run(
         [sys.executable, script, *arguments], capture_output=True, text=True, timeout=120, check=False
@@ -76,7 +76,7 @@ def test_refused_matrices_change_nothing() -> None:
 
 
 def test_settings_that_change_while_a_static_solver_runs() -> None:
-    """With the stabilizer set in the middle, the last load step has none of it: the deflection is that of statics."""
+    """The last load step has no stabilizer, if it was set in the middle: the deflection is that of statics."""
     model = oscillator(speed=0)
     model.load(8.0)
     settings = dynamic_settings(1.0, 1)

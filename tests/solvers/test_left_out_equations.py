@@ -1,4 +1,5 @@
-"""Equations that follow from others and are left out of a matrix: the smallest multipliers, and what is left out instead when they change."""
+"""Equations that follow from others and are left out of a matrix: the minimum-norm multipliers, and the dropped
+equations after a change."""
 
 from __future__ import annotations
 
@@ -34,7 +35,7 @@ class Model:
         )
 
     def smallest(self, multipliers: np.ndarray) -> np.ndarray:
-        """By the pseudo-inverse."""
+        """Computed by the pseudo-inverse."""
         root = np.sqrt(self.weights)
         forces = self.gradients.T @ multipliers
         return np.asarray(np.linalg.pinv(self.gradients.T / root, rcond=1e-9) @ forces / root)
@@ -69,7 +70,7 @@ def test_multipliers_become_the_smallest(dense: bool) -> None:
 
 
 def test_one_solution_finds_what_has_nothing_in_common() -> None:
-    """Which of its terms belong to which combination is known from parts."""
+    """Parts know which terms belong to which combination."""
     gradients = np.random.default_rng(3).normal(size=(9, 12))
     gradients[2], gradients[5], gradients[8] = gradients[0] + gradients[1], gradients[3] - gradients[4], gradients[7]
     model = Model(gradients)
@@ -79,7 +80,8 @@ def test_one_solution_finds_what_has_nothing_in_common() -> None:
 
 
 def test_combinations_may_gain_equations() -> None:
-    """As where a mechanism leaves a symmetric position: those without equations in common have some then."""
+    """The same occurs when a mechanism leaves a symmetric position: combinations without common equations have some
+    then."""
     model = doubled()
     left_out = model.leave_out(PARTS)
     model.assert_smallest(left_out)
@@ -100,7 +102,7 @@ def test_what_follows_no_more_is_told() -> None:
 
 
 def test_forces_may_miss_each_other_by_round_off_alone() -> None:
-    """What is left of a combination is compared with what each of its equations causes, to 1e-8."""
+    """The residual of a combination is compared with the effect of each of its equations, to 1e-8."""
     for off, follows in ((1e-10, True), (1e-6, False)):
         model = doubled()
         model.gradients[9] += off * np.random.default_rng(4).normal(size=12)
@@ -109,7 +111,8 @@ def test_forces_may_miss_each_other_by_round_off_alone() -> None:
 
 
 def test_outgrown_equations_are_taken_for_others() -> None:
-    """Errors of what is left out grow with multipliers of others in its combination: more than 10 times are too many."""
+    """Errors of dropped equations grow with multipliers of others in their combination: more than 10 times are too
+    many."""
     model = doubled()
     model.weights[:] = 1
     left_out = model.leave_out(PARTS)
@@ -127,9 +130,9 @@ def test_outgrown_equations_are_taken_for_others() -> None:
 
 @pytest.mark.parametrize("unit", [1e-11, 1e11])
 def test_moments_may_be_measured_in_other_units(unit: float) -> None:
-    """Terms are small beside others by their weights, not by their numbers."""
+    """Terms are small relative to others by their weights, not by their values."""
     model = doubled()
-    model.gradients[[1, 4, 7]] /= unit  # such that their multipliers are as much larger
+    model.gradients[[1, 4, 7]] /= unit  # their multipliers are larger accordingly
     model.weights[[1, 4, 7]] /= unit**2
     left_out = model.leave_out(PARTS)
     multipliers = model.rng.normal(size=10)
@@ -157,7 +160,9 @@ def test_equations_without_weight_have_a_part() -> None:
 
 @pytest.mark.parametrize(("count", "found"), [(40, True), (60, False)])
 def test_large_models_do_not_look_at_all_equations_for_each(count: int, found: bool) -> None:
-    """Of masses that are held one by one: what is left out follows from two, one of which its part does not know of. Beyond a million terms, they are
+    """Masses with separate constraints: the dropped equation follows from two others, one of which is outside of its
+    part.
+    Beyond a million terms, they are
     included again."""
     n = 20_000
     dependent = sp.coo_array(

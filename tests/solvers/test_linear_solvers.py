@@ -23,7 +23,7 @@ def csc(matrix: np.ndarray) -> sp.csc_array:
 
 
 def backward_error(matrix: sp.csc_array, x: np.ndarray, b: np.ndarray) -> float:
-    """Of Oettli and Prager, by norm: how much the matrix must change to have x as its exact solution."""
+    """Error bound of Oettli and Prager, by norm: how much the matrix must change to have x as its exact solution."""
     residual = np.abs(b - matrix @ x).max()
     return float(residual / (abs(matrix).sum(axis=1).max() * np.abs(x).max() + np.abs(b).max()))
 
@@ -148,7 +148,8 @@ def test_the_order_of_the_unknowns_does_not_matter(seed: int) -> None:
 
 
 def test_patterns_are_completed() -> None:
-    """Rows in any order, entries without those opposite to them, a diagonal with gaps: as the dense matrix solves it."""
+    """Rows in any order, entries without those opposite to them, a diagonal with gaps: the solution of the dense
+    matrix."""
     rng = np.random.default_rng(33)
     n = 40
     dense = np.where(rng.uniform(size=(n, n)) < 0.1, rng.normal(size=(n, n)), 0) + np.diag([4.0, 0] * (n // 2))
@@ -187,7 +188,7 @@ def rigid_chain(bodies: int) -> exu.MainSystem:
 
 
 def test_the_order_keeps_the_factors_of_an_aligned_chain_sparse() -> None:
-    """Where the bodies stand along the axes many entries are zero, among them the inertia of one Euler parameter."""
+    """Many entries are zero if bodies are along the axes, among them the inertia of one Euler parameter."""
     entries = []
     for bodies in (50, 100):
         mbs = rigid_chain(bodies)
@@ -244,7 +245,7 @@ def on_pattern(pattern: sp.csc_array, dense: np.ndarray) -> sp.csc_array:
 
 
 def test_pivots_that_vanish_are_searched_again() -> None:
-    """Masses and gradients of one matrix are what vanishes in the other one; the statistics tell of the second search."""
+    """Masses and gradients are nonzero in one matrix and zero in the other; the statistics count the second search."""
     matrix = chain(10, 20)
     solver = solver_of(matrix)
     solver.factorize(matrix.data)
@@ -488,7 +489,7 @@ def test_an_unknown_without_equation_or_neighbours(loose: int) -> None:
 
 @pytest.mark.parametrize("dense", [False, True])
 def test_unknowns_that_are_left_out_are_zero(dense: bool) -> None:
-    """The others are solutions of what is left of the matrix; a column without pivot is that of the whole one."""
+    """The others are solutions of the remaining matrix; a column without pivot is that of the whole one."""
     matrix, left_out = chain(8, seed=4), [77, 60, 100]
     kept = np.setdiff1d(np.arange(matrix.shape[0]), left_out)
     b = np.random.default_rng(1).normal(size=matrix.shape[0])
@@ -505,8 +506,8 @@ def test_unknowns_that_are_left_out_are_zero(dense: bool) -> None:
 @pytest.mark.parametrize("noise", [0.0, 1e-27, 1e-15])
 @pytest.mark.parametrize("seed", range(5))
 def test_what_rounding_leaves_on_the_diagonal_is_no_size(seed: int, noise: float) -> None:
-    """Bodies with one spring each, as in static solutions. Beside zeros that rounding has spoilt, unknowns were scaled by 1e-27, and solutions wrong by 1e12
-    without a word."""
+    """Bodies with one spring each, as in static solutions. Unknowns were scaled by 1e-27 next to zeros with round-off,
+    and solutions were wrong by 1e12 without a message."""
     bodies = 6
     matrix, n = chain(bodies, seed).toarray(), 7 * bodies
     matrix[:n, :n] = 0

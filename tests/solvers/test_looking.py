@@ -1,4 +1,4 @@
-"""The visualized state is renewed for whoever looks at it, at the end, and not otherwise: then nothing is paid for it."""
+"""The visualized state is updated for readers, at the end, and not otherwise: then nothing is paid for it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from oscillators import dynamic_settings, oscillator
 import dalembert as exu
 
 Visualization = exu.ConfigurationType.Visualization
-STEPS = 300_000  # of a few microseconds: many of the looks that are 2 ms apart
+STEPS = 300_000  # a few microseconds: many of the looks that are 2 ms apart
 
 
 def looks(model: Any, times: list[float]) -> list[float]:
@@ -31,7 +31,7 @@ def looks(model: Any, times: list[float]) -> list[float]:
 
 
 def test_nobody_looks() -> None:
-    """Whoever looks for the first time finds the state before the simulation; from then on it is renewed."""
+    """The first reader gets the state before the simulation; it is updated from then on."""
     model = oscillator()
     model.mbs.Assemble()
     first, second = looks(model, [15.0, 25.0])

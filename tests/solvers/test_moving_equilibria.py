@@ -1,4 +1,4 @@
-"""Static solutions keep velocities: what answers them belongs to the balance, and is named."""
+"""Static solutions keep velocities: velocity-dependent forces belong to the balance, and are named."""
 
 from __future__ import annotations
 

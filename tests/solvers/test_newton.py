@@ -1,4 +1,4 @@
-"""Newton's method: full and modified, its counts, and what users add to its matrix."""
+"""Newton's method: full and modified, its counts, and contributions of users to its matrix."""
 
 from __future__ import annotations
 
@@ -153,7 +153,7 @@ def test_entries_of_users_outside_the_system_are_refused() -> None:
 
 
 def swinging_rod(steps: int, tolerance: float | None) -> np.ndarray:
-    """Coordinates after 1/8 s; without a tolerance, those that settings begin with."""
+    """Coordinates after 1/8 s; the initial tolerances of settings, unless one is given."""
     mbs = exu.SystemContainer().AddSystem()
     node = mbs.AddNode(exu.NodeRigidBody2D(referenceCoordinates=[0.5, 0, 0]))
     rod = mbs.AddObject(exu.RigidBody2D(physicsMass=1, physicsInertia=0.1, nodeNumber=node))
@@ -174,8 +174,9 @@ def swinging_rod(steps: int, tolerance: float | None) -> np.ndarray:
 
 
 def test_finer_steps_come_nearer_at_default_tolerances() -> None:
-    """What Newton's method leaves stays below a hundredth of the error of the step, whose square law tells it. Without the correction
-    at the end of fine steps, it would be a third with 1000 steps and more, where one iteration meets the tolerance."""
+    """The error of Newton's method is below a hundredth of the error of the step, which decreases with its square.
+    It would be a third with 1000 steps and more without the correction at the end of fine steps, where one iteration
+    meets the tolerance."""
     for steps in (500, 1000, 2000):
         precise, finer = (swinging_rod(n, 1e-13) for n in (steps, 2 * steps))
         error = 4 / 3 * np.linalg.norm(precise - finer)
@@ -214,7 +215,7 @@ def chain(count: int, by_differences: bool) -> tuple[np.ndarray, float, Any]:
 
 def test_columns_that_share_no_row_are_differentiated_together() -> None:
     short, long = chain(9, True), chain(36, True)
-    # Three groups of columns, whatever the length of the chain: two residuals each.
+    # Three groups of columns, for any length of the chain: two residuals each.
     assert long[1] / long[2].newtonJacobiCount == pytest.approx(short[1] / short[2].newtonJacobiCount, rel=0.1)
     for count, found in ((9, short), (36, long)):
         expected = chain(count, False)

@@ -1,4 +1,4 @@
-"""Progress of long solutions: one line that is written over on a terminal, hardly any in a file, and nothing to go at the end."""
+"""Progress of long solutions: a line that is overwritten on a terminal, few in a file, and no remainder at the end."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_steps_of_another_size_than_the_largest_are_told(automatic: bool, capfd:
     mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.DOPRI5)
     lines = [line for line in capfd.readouterr().out.splitlines() if line.startswith("STEP") and "%" in line]
     told = [", dt = " in line for line in lines]
-    assert len(lines) > 10 and not told[-1]  # the end is what it is
+    assert len(lines) > 10 and not told[-1]  # the end is complete
     assert all(told[1:-1]) if automatic else not any(told)
 
 
@@ -62,7 +62,8 @@ def shown_on(main: int) -> str:
 
 
 def outputs() -> tuple[str, str]:
-    """What is seen on a terminal and in a file; both solutions, at the same time, take some seconds, most of which they sleep."""
+    """Output on a terminal and in a file; both solutions, at the same time, take some seconds, most of which they
+    sleep."""
     pty = pytest.importorskip("pty")
     main, side = pty.openpty()
     of_file, of_terminal = start(stdout=subprocess.PIPE), start(stdout=side, stderr=side)
@@ -104,7 +105,7 @@ print("also what is left in a buffer")
 
 
 def test_a_reader_that_has_seen_enough_ends_no_solution() -> None:
-    """As `python model.py | head -1`: the solution goes on to its end, files and all, and nothing is said."""
+    """Test of `python model.py | head -1`: the solution goes on to its end, files and all, and nothing is said."""
     with subprocess.Popen(
         [sys.executable, "-c", TALKATIVE], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as run:

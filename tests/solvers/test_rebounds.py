@@ -1,4 +1,5 @@
-"""Contacts of few steps: those that add energy are told, others are not; and contact that begins where a step begins."""
+"""Contacts of few steps: those that add energy cause a warning, others do not; and contact that begins where a step
+begins."""
 
 from __future__ import annotations
 

@@ -188,11 +188,11 @@ def test_pendulums_and_tops_on_spherical_joints(spin: Any, level: bool) -> None:
 
 
 def beside_the_lock(apart: float, floats: bool = False) -> tuple[Any, Any]:
-    """A ball under a constant torque: its z axis passes beside the axis of the first turn, in the distance `apart`."""
+    """A ball under a constant torque: its z axis has the distance `apart` from the first axis of rotation."""
     mbs = exu.SystemContainer().AddSystem()
     ball = {"inertia": InertiaSphere(2.5, 1.0)}  # 1 kg m^2
     bodies = [mbs.CreateRigidBody(name="ball", **ball)]
-    if floats:  # with another one, on a joint through its center, that turns along
+    if floats:  # another one, on a joint through its center, that rotates with it
         bodies.append(mbs.CreateRigidBody(name="core", inertia=InertiaSphere(1e-9, 0.01)))
         mbs.CreateGenericJoint(bodyNumbers=bodies, position=[0, 0, 0], constrainedAxes=[1] * 6)
     else:
@@ -218,7 +218,8 @@ def doubts(trees: Any) -> list[str]:
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.RK44])
 @pytest.mark.parametrize("apart", [0.03, 0.001])
 def test_what_locks_is_named(apart: float, solver: Any, floats: bool, name: str, capfd: Any) -> None:
-    """At the time of a quarter turn: steps there turn the body by about as much as it is apart, or by far more."""
+    """State at the time of a quarter turn: steps there turn the body by about as much as it is apart, or by far
+    more."""
     trees, sensor = beside_the_lock(apart, floats)
     try:
         solve(trees, 2.5, 200, solver)
@@ -235,7 +236,7 @@ def test_what_locks_is_named(apart: float, solver: Any, floats: bool, name: str,
 
 @pytest.mark.parametrize("apart", [0.03, 0.001, 0.0])
 def test_small_steps_pass_where_turns_lock(apart: float) -> None:
-    """With error control; about one axis, in any steps: there is nothing to see."""
+    """Solutions with error control: about one axis, in any steps: there is nothing to see."""
     trees, sensor = beside_the_lock(apart)
     if apart:
         settings = exu.SimulationSettings()
@@ -253,9 +254,9 @@ def test_small_steps_pass_where_turns_lock(apart: float) -> None:
 @pytest.mark.parametrize("solver", [Solver.DOPRI5, Solver.ESDIRK43, Solver.GeneralizedAlpha])
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-5])
 def test_error_control_that_jumps_over_a_lock_says_so(tolerance: float, solver: Any, capfd: Any) -> None:
-    """From one side of the lock to the other in one step: what the first turn does there has not been seen.
+    """A step from one side of the lock to the other: the motion of the first angle there was missed.
 
-    Where it has been seen, the error control vouches for the motion: no more error than the tolerance in each step.
+    Error control resolves the motion if it was detected: no more error than the tolerance in each step.
     """
     trees, sensor = beside_the_lock(0.001)
     settings = exu.SimulationSettings()
@@ -287,7 +288,7 @@ def test_fixed_joints_make_one_link_and_what_is_bolted_to_ground_becomes_ground(
         bodyNumbers=[base, second], position=[1, 0, 0], rotationMatrixAxes=RotationMatrixZ(0.4), **fixed
     )
     mbs.CreateRevoluteJoint(bodyNumbers=[second, arm], position=[2, 0, 0], axis=[0, 1, 0])
-    swing = rod(mbs, [2.5, 0.3, 0], [0, 0.4, 0], [2, 0, 0], DOWN)  # a link between the arm and what is fixed to that
+    swing = rod(mbs, [2.5, 0.3, 0], [0, 0.4, 0], [2, 0, 0], DOWN)  # a link between the arm and the fixed link
     mbs.CreateRevoluteJoint(bodyNumbers=[arm, swing], position=[2.5, 0.1, 0], axis=[0, 0, 1])
     mbs.CreateGenericJoint(
         bodyNumbers=[tool, arm], position=[3, 0, 0], rotationMatrixAxes=RotationMatrixZ(0.4), **fixed
@@ -315,14 +316,14 @@ def test_bodies_that_nothing_holds_float(spin: Any, gravity: Any) -> None:
     mbs.CreatePrismaticJoint(bodyNumbers=[middle, last], position=[2.5, 0.2, 0], axis=[1, 0, 0])
     sensors = watched(mbs, [*bodies, last])
     compare(mbs, sensors, 11, tolerance=1e-4)
-    explicit = RecogniseTrees(mbs)  # by forward dynamics without a mass matrix
+    explicit = RecogniseTrees(mbs)  # forward dynamics without a mass matrix
     solve(explicit, steps=500, solver=Solver.RK44)
     for sensor in sensors:
         assert explicit.GetSensorValues(sensor) == pytest.approx(mbs.GetSensorValues(sensor), abs=1e-4)
 
 
 def test_a_loop_that_floats_is_closed_by_its_last_joint() -> None:
-    """A ring of five bars, whose last joint leaves to the plane what the others hold."""
+    """A ring of five bars, whose last joint constrains motion in the plane only."""
     mbs = exu.SystemContainer().AddSystem()
     angles = 2 * np.pi / 5 * np.arange(6)
     corners = np.column_stack([np.cos(angles), 0 * angles, np.sin(angles)])

@@ -1,4 +1,4 @@
-"""Sensors with storeInternal: what is stored of many, over long and continued runs."""
+"""Sensors with storeInternal: stored data of many sensors, over long and continued simulations."""
 
 from __future__ import annotations
 

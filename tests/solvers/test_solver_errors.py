@@ -157,7 +157,7 @@ def test_mass_matrix_of_explicit_solvers(solver: Any, reuse: bool) -> None:
 
 
 def test_it_is_said_once(capfd: pytest.CaptureFixture[str]) -> None:
-    """By the error, not on the console as well."""
+    """The error has the text; the console does not repeat it."""
     settings = settings_of()
     settings.staticSolver.verboseMode = 1
     error = error_of(massless().SolveStatic, settings)

@@ -38,7 +38,7 @@ def loaded(force: float, **parameters: Any) -> Oscillator:
 def test_linear_spring_follows_the_load() -> None:
     model = loaded(6.0, stiffness=80.0)
     model.mbs.SolveStatic(static_settings(4))
-    # One iteration is exact for a linear system: rounding errors are left.
+    # A single iteration is exact for a linear system: rounding errors are left.
     np.testing.assert_allclose(model.table(), [[f, f * 6 / 80] for f in (0, 0.25, 0.5, 0.75, 1)], rtol=0, atol=1e-15)
     it = model.mbs.sys["staticSolver"].it
     assert (it.currentStepIndex - 1, it.newtonStepsCount) == (4, 4)
@@ -87,7 +87,7 @@ def test_full_load_in_every_step_without_load_factor() -> None:
 
 
 def test_small_steps_where_newton_fails_with_large_ones() -> None:
-    """From zero, Newton's method overshoots on the weak tangent of a spring that hardens; few iterations are allowed."""
+    """Newton's method overshoots from zero on the weak tangent of a hardening spring; few iterations are allowed."""
     model = loaded(9.0, law=hardening(0.01, 1000.0))
     settings = static_settings(1)
     settings.staticSolver.newton.maxIterations = 12
@@ -178,7 +178,7 @@ def test_ground_may_be_moved_between_solutions() -> None:
 @pytest.mark.parametrize("angle", [0.0, 0.7, 1.9, np.pi / 2])
 @pytest.mark.parametrize("load", [0.0, 1e-9, 1.0])
 def test_a_stiff_beam_in_any_direction(angle: float, load: float) -> None:
-    """Without load, rounding errors are all that is left of forces. A cantilever of steel bends by F l^3 / (3 E I)."""
+    """Forces without loads are round-off only. A cantilever of steel bends by F l^3 / (3 E I)."""
     E, diameter, length, count = 200e9, 0.01, 0.785, 16
     area, inertia = np.pi * diameter**2 / 4, np.pi * diameter**4 / 64
     G = E / 2.6

@@ -36,7 +36,8 @@ def unstable_directions(mbs: exu.MainSystem, capfd: Any) -> int:
 @pytest.mark.parametrize("node", NODES)
 @pytest.mark.parametrize(("share", "expected"), [(1.001, 0), (0.999, 1), (1e-3, 1), (-1e-3, 0)])
 def test_a_pendulum_upright(node: Any, share: float, expected: int, capfd: Any) -> None:
-    """On a hinge with a spring of `share` times m g l it stands or not; where that is negative, it hangs."""
+    """A spring of `share` times m g l at the hinge makes the upright position stable or not; it hangs if this is
+    negative."""
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround()
     inertia = InertiaCuboid(1000, [0.1, 1, 0.1])

@@ -1,4 +1,5 @@
-"""Explicit Euler moves large systems in one pass over memory: with the bytes of steps that evaluate their ends as well."""
+"""Explicit Euler moves large systems in one pass over memory: bit-identical to steps that evaluate their ends as
+well."""
 
 from __future__ import annotations
 
@@ -61,7 +62,7 @@ def motion(mbs: Any, **options: Any) -> tuple[bytes, bytes]:
 
 @pytest.mark.parametrize("count", [2, 3, 5, 41, 3500])
 def test_points_move_as_with_ends_that_are_evaluated(count: int) -> None:
-    """With numbers that fill registers and that do not; so many that threads share them."""
+    """Numbers of coordinates that fill registers and that do not; one is large enough for threads."""
     found = motion(points(count), ends=True)
     for threads in (1, 2, 3) if count > 1000 else (1,):
         assert motion(points(count), threads=threads) == found
@@ -101,7 +102,7 @@ def test_views_show_the_configuration_that_they_were_asked_for(steps: int) -> No
 
 
 def test_an_energy_that_grows_is_seen() -> None:
-    """Without damping, explicit Euler multiplies energies by 1 + (h omega)^2 at each step."""
+    """Explicit Euler multiplies energies by 1 + (h omega)^2 at each step without damping."""
     mbs = points(10)
     coarse = settings(400)
     coarse.timeIntegration.endTime = 400.0
@@ -122,7 +123,7 @@ def test_what_cannot_be_evaluated_leaves_the_last_step() -> None:
         )
     mbs.Assemble()
     steps = settings(16)
-    steps.timeIntegration.endTime = 2.0  # steps of 1/8: after eight of them all are at the origin
+    steps.timeIntegration.endTime = 2.0  # steps of 1/8: all are at the origin after eight steps
     with pytest.raises(ValueError, match="one and the same centre"):
         mbs.SolveDynamic(steps, solverType=EULER)
     data = mbs.systemData

@@ -116,7 +116,8 @@ def test_energy_between_walls() -> None:
 
 
 def test_history_is_set_back_when_a_step_fails() -> None:
-    """A step in which a bristle gives way is refused, and taken in two halves: bit for bit what two steps give from the start."""
+    """A step in which a bristle gives way is refused, and taken in two halves: bit-identical to two steps from the
+    start."""
     results = []
     for steps in (1, 2):
         world = World(0.3)

@@ -1,4 +1,4 @@
-"""Times of steps do not drift, and what is written belongs to the times that were asked for."""
+"""Times of steps do not drift, and output has the requested times."""
 
 from __future__ import annotations
 
@@ -142,7 +142,7 @@ def test_rotations_between_steps(node_type: str) -> None:
 
 
 def test_output_does_not_disturb() -> None:
-    """Nor does it depend on what has been asked for before."""
+    """It does not depend on previous requests."""
     ends = []
     for period in (0.0, 0.0013, 0.5):
         model = oscillator()

@@ -1,4 +1,4 @@
-"""mbs.SolveVariations: bit for bit what each variation gives by itself, whatever the number of threads."""
+"""mbs.SolveVariations: results of variations are bit-identical to separate solutions, for any number of threads."""
 
 from __future__ import annotations
 
@@ -155,7 +155,8 @@ def test_variations_start_from_the_initial_state_and_leave_the_system_alone() ->
 
 
 def test_amplitudes_and_frequencies_of_oscillators() -> None:
-    """Without damping, x = x0 cos(wt) with w^2 = k/m; the error of the trapezoidal rule is w^3 h^2 t / 12 in the phase."""
+    """The solution without damping is x = x0 cos(wt) with w^2 = k/m; the error of the trapezoidal rule is w^3 h^2 t /
+    12 in the phase."""
     stiffness, weight = np.meshgrid([20.0, 80.0, 180.0], [0.5, 2.0, 8.0])
     masses, stiffnesses = weight.ravel(), stiffness.ravel()
     model = with_sensors(lambda: oscillator(damping=0, speed=0))
@@ -192,7 +193,8 @@ def test_results_do_not_depend_on_the_number_of_threads() -> None:
 
 
 def test_a_variation_that_fails_leaves_the_others_alone() -> None:
-    """Without mass and stiffness the coordinate is singular; the settings of another variation are refused by the solver."""
+    """The coordinate is singular without mass and stiffness; the settings of another variation are refused by the
+    solver."""
     model = with_sensors(lambda: oscillator(damping=0))
     stiffness, masses = np.full(6, STIFFNESS), np.array([1, 0, 2, 3, 0, 4.0])
     stiffness[masses == 0] = 0

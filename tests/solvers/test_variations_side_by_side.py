@@ -1,4 +1,5 @@
-"""Variations whose steps are computed together, in the lanes of registers: bit for bit what each gives by itself."""
+"""Variations whose steps are computed together, in the lanes of registers: results are bit-identical to separate
+solutions."""
 
 from __future__ import annotations
 
@@ -74,7 +75,7 @@ def test_cranks_are_what_each_gives_by_itself(count: int, modified: bool, thread
     assert_equal(results, cranks_alone(s, count))
     slow = (
         torques(count)[:, 2] < 3
-    )  # others turn by more than equal steps are stable with: their velocities are corrected, alone
+    )  # others rotate by more than the stability limit of equal steps: their velocities are corrected, alone
     assert modified or threads > 1 or results.sideBySide[slow].all()
 
 
@@ -238,7 +239,7 @@ def hanging_masses() -> tuple[Any, dict[str, Any]]:
 
 @pytest.mark.parametrize("modified", [False, True], ids=["full", "modified"])
 def test_mass_points_in_space(modified: bool) -> None:
-    """From slack to stiff springs: from two to some iterations in a step."""
+    """Springs from slack to stiff: two to several iterations per step."""
     count = 13
     mbs, items = hanging_masses()
     varied = {
@@ -270,7 +271,7 @@ def test_mass_points_in_space(modified: bool) -> None:
 
 
 def test_points_that_coincide_are_solved_alone() -> None:
-    """A spring whose ends lie on each other has no direction: what it does then is for the solver of one system."""
+    """A spring whose ends lie on each other has no direction: the solver of a single system handles it."""
     mbs = exu.SystemContainer().AddSystem()
     mass = mbs.CreateMassPoint(physicsMass=1)
     mbs.CreateSpringDamper(bodyNumbers=[mbs.CreateGround(), mass], referenceLength=0.5, stiffness=10)
@@ -288,7 +289,7 @@ def test_points_that_coincide_are_solved_alone() -> None:
 
 
 def test_a_variation_that_fails_leaves_those_beside_it_alone() -> None:
-    """Without mass, springs and dampers a coordinate is singular; a tolerance below round-off takes iterations."""
+    """A coordinate is singular without mass, springs and dampers; a tolerance below round-off takes iterations."""
     count, singular, hasty, strict = 11, 2, 5, 7
     masses, stiffness = np.linspace(1, 2, count), np.full(count, 200.0)
     masses[singular] = 0

@@ -1,4 +1,4 @@
-"""Variations without a solution: each tells why, and leaves those beside it as they are."""
+"""Variations without a solution: each has a reason, and others are not affected."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_steps_that_are_too_long_for_some(solver: Any) -> None:
 
 
 def cranks(bad: dict[int, Any], count: int = LANES) -> Any:
-    """Slider-cranks that start with different speeds; those of `bad` are replaced."""
+    """Slider-cranks that start with different speeds; variations of `bad` are replaced."""
     mbs, *_ = crank(0.3)
     speeds = np.zeros((count, 9))
     speeds[:, 2] = np.linspace(0, 1e-3, count)

@@ -1,4 +1,4 @@
-"""Welds that hold half a turn, and static solutions of what weight holds on a hinge: what warnings and errors say."""
+"""Welds with half a turn, and static solutions of hinges with weight: texts of warnings and errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files that cannot be written fail the solution, and what was there before stays."""
+"""Files that cannot be written make the solution fail, and previous contents remain."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def test_a_full_disk_fails_static_solutions_as_well() -> None:
 
 @pytest.mark.parametrize("early", [True, False])
 def test_the_last_completed_step_stays(early: bool) -> None:
-    """With flushing, the header already fails, which the first row tells: nothing has been computed then."""
+    """With flushing, the header fails already, as the first row shows: nothing has been computed then."""
     made = model()
     with pytest.raises(OSError, match="No space left"):
         made.mbs.SolveDynamic(settings_of(**solution_to(FULL, flushFilesImmediately=early)))
@@ -189,7 +189,7 @@ def test_the_restart_file_before_is_kept() -> None:
 
 
 def test_two_solutions_may_write_one_restart_file() -> None:
-    """At the same time: the last one wins, none is disturbed, and nothing else is left."""
+    """Outputs at the same time: the last one wins, none is disturbed, and nothing else is left."""
     models = [model() for _ in range(3)]
     with ThreadPoolExecutor(3) as pool:
         solved = list(pool.map(lambda made: made.mbs.SolveDynamic(restart_settings(steps=100, period=0)), models))
