@@ -11,7 +11,7 @@ import dalembert as exu
 from dalembert.rigidBodyUtilities import RigidBodyInertia
 
 GRAVITY, TILT, BASE, TRAIL = 9.81, np.pi / 10, 1.02, 0.08
-# Of the paper, with x forward and z upward: place of the centre of mass, mass, inertia xx, yy, zz, xz.
+# Data of the paper, with x forward and z upward: place of the centre of mass, mass, inertia xx, yy, zz, xz.
 REAR, FRONT = 0.3, 0.35
 BODIES = {
     "rear wheel": ((0, REAR), 2, (0.0603, 0.12, 0.0603, 0)),
@@ -90,7 +90,8 @@ class Bicycle:
 
 
 def eigenvalues(speed: float, steps: int = 240, period: float = 0.06, samples: int = 8) -> np.ndarray:
-    """Of small motions about riding straight: those of the map of lean, steer and their rates over a period of some steps."""
+    """Eigenvalues of small motions about straight running: those of the map of lean, steer and their rates over a
+    period of some steps."""
     bicycle = Bicycle(speed, 1e-3)
     bicycle.ride(period * samples, steps * samples)
     states = bicycle.lean_and_steer()[::steps]

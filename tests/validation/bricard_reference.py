@@ -49,7 +49,8 @@ def slopes(angles: np.ndarray) -> np.ndarray:
 
 
 def closed(first: float, guess: np.ndarray) -> np.ndarray:
-    """The other five angles, by Newton's method in the sense of least squares: one of the six equations is redundant."""
+    """The other five angles, by Newton's method in the sense of least squares: one of the six equations is
+    redundant."""
     angles = np.array([first, *guess[1:]])
     for _ in range(50):
         step = np.linalg.lstsq(slopes(angles)[:, 1:], -gaps(angles), rcond=1e-8)[0]
@@ -79,7 +80,7 @@ def energies(angles: np.ndarray) -> tuple[float, float, np.ndarray]:
 
 @cache
 def third_corners() -> dict[float, np.ndarray]:
-    """At some times (s), to ten digits."""
+    """Values at some times (s), to ten digits."""
     first_angles = (INTERVAL[1] + INTERVAL[0] + (INTERVAL[1] - INTERVAL[0]) * chebpts1(POINTS)) / 2
     angles, values = np.zeros(6), []
     for first in first_angles:

@@ -56,7 +56,7 @@ def derivative(_: float, state: np.ndarray) -> list[float]:
 
 @cache
 def heights_of_slider() -> dict[float, float]:
-    """At some times (s), to ten digits."""
+    """Values at some times (s), to ten digits."""
     heights, state, before = {}, [ANGLE, START, 0, 0], 0.0
     for end in (0.1, 0.5, 1.0, 2.0, 5.0):
         state = solve_ivp(derivative, (before, end), state, method="Radau", rtol=1e-10, atol=1e-12).y[:, -1]

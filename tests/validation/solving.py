@@ -1,4 +1,4 @@
-"""What the tests of whole models share: settings, and orders of convergence."""
+"""Shared parts of the tests of whole models: settings, and orders of convergence."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ CENTRES = [(RA, 0), (D - DA, 0), (SB, -SA), (0, EA), (TA, TB), (-FA, 0), (-UB, -
 
 
 def angles(q: Any) -> np.ndarray:
-    """Of the bodies, from those of the book: some are relative."""
+    """Data of the bodies, from those of the book: some are relative."""
     beta, theta, gamma, phi, delta, omega, epsilon = q
     return np.array([beta, beta + theta, gamma, phi + delta, delta, omega + epsilon, epsilon])
 
@@ -60,7 +60,7 @@ class Squeezer:
         self.mbs.Assemble()
 
     def marker(self, body: int | None, point: np.ndarray) -> Any:
-        """At a global point."""
+        """Force at a global point."""
         if body is None:
             return self.mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=self.ground, localPosition=[*point, 0]))
         position, axes = self.frames[body]

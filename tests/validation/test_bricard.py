@@ -68,7 +68,8 @@ def test_one_equation_is_redundant() -> None:
 @pytest.mark.parametrize("freed", [{5: 0}, {5: 4}, {0: 3}], ids=["translation", "rotation", "first joint"])
 @pytest.mark.parametrize("end", third_corners())
 def test_regular_without_one_equation(freed: dict[int, int], end: float) -> None:
-    """The loop holds the freed direction as well. Second order: at h = 2 ms the error is 8e-7 at 0.5 s and 3.4e-6 at 1 s."""
+    """The loop holds the freed direction as well. Second order: the error is 8e-7 at 0.5 s and 3.4e-6 at 1 s for h = 2
+    ms."""
     wanted = third_corners()[end]
     assert 4e-7 < np.linalg.norm(final(freed, end, int(500 * end)) - wanted) < 7e-6
 
@@ -96,8 +97,8 @@ def test_energy_of_ten_seconds() -> None:
 
 
 def test_a_singular_matrix_names_the_joints() -> None:
-    """Whether a redundant equation leaves an exact zero is up to round-off; with a threshold it is refused, and the text tells
-    which equations depend on each other, some of every joint, and what to try."""
+    """Whether a redundant equation leaves an exact zero is up to round-off; it is rejected with a threshold, and the
+    text has the dependent equations, some of every joint, and advice."""
     bricard, s = Bricard({}), settings(1.0, 100)
     s.linearSolverSettings.pivotThreshold = 1e-10
     s.redundantConstraints.treat = False

@@ -43,7 +43,7 @@ def test_columns_of_euler(node: type, pinned: bool, halves: tuple[int, ...]) -> 
 
 
 def test_large_columns() -> None:
-    """By an iteration that finds a few eigenvalues."""
+    """Computed by an iteration that finds a few eigenvalues."""
     small, large = (column(n).mbs.ComputeBucklingLoads(2).factors for n in (16, 96))
     wanted = np.array([SOFT, STIFF]) * (np.pi / (2 * LENGTH)) ** 2
     assert np.abs(large / wanted - 1) == pytest.approx(np.abs(small / wanted - 1) / 36, rel=0.05)

@@ -45,8 +45,8 @@ def fall(elements: int, steps: int, in_space: bool, end: float) -> list[np.ndarr
 @pytest.mark.parametrize("in_space", [False, True])
 @pytest.mark.parametrize("end", list(PLACES))
 def test_falling_cable(end: float, in_space: bool) -> None:
-    """Errors fall with the square of the step, which leaves a third of what halving it has changed; of half of that, the rest is for
-    elements, whose errors fall with a higher power of their length."""
+    """Errors decrease with the square of the step, so that a third of the change by halving remains; half of this is
+    allowed for elements, whose errors decrease with a higher power of their length."""
     coarse, fine = (fall(16, int(end * n), in_space, end) for n in (1000, 2000))
     for place, a, b in zip(PLACES[end], coarse, fine, strict=True):
         if place is not None:

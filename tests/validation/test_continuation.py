@@ -65,7 +65,7 @@ def watched(mbs: Any, node: int = 0) -> Any:
 
 
 def bricard() -> Any:
-    """With a redundant equation."""
+    """A model with a redundant equation."""
     return watched(Bricard({}).mbs)
 
 
@@ -149,7 +149,8 @@ def bouncing() -> Any:
 
 
 def gathering() -> Any:
-    """Balls that fly together and apart again, beside a pendulum on a joint: the pattern of the system matrix grows on the way."""
+    """Balls that fly together and apart again, and a pendulum on a joint: the pattern of the system matrix grows on the
+    way."""
     mbs = new_system()
     ground = mbs.CreateGround()
     contact = mbs.AddGeneralContact()
@@ -299,7 +300,7 @@ def written() -> dict[str, bytes]:
 
 
 def without_times(files: dict[str, bytes]) -> dict[str, list[bytes]]:
-    """Without the times of day in headers and footers, and without how long it took."""
+    """File contents without the times of day in headers and footers, and without durations."""
     times = rb"\d{4}-\d\d-\d\d.?\d\d:\d\d:\d\d|cpuTime=[^,]*"
     return {name: re.sub(times, b"", content).splitlines() for name, content in files.items()}
 
@@ -324,7 +325,7 @@ def test_interrupted_and_continued(case: Any) -> None:
     Path(NAME + ".bck").unlink()
     with ctrl_c_at(0.8 * end), pytest.raises(KeyboardInterrupt):
         model().SolveDynamic(s, solverType=solver)
-    for name in ("solution.txt", "sensor.txt"):  # as if it had been writing when it was stopped
+    for name in ("solution.txt", "sensor.txt"):  # it was writing when it was stopped
         with Path(name).open("ab") as file:
             file.write(b"something else" * 40)
     s.continuation.restartFileName = NAME
@@ -386,7 +387,8 @@ mbs.SolveDynamic(frequent())
 
 
 def test_a_process_that_dies(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Between two restart files; nothing but the time of the start, in comments, tells one from the other. Another process goes on."""
+    """Outputs between two restart files; they differ by the time of the start in comments only.
+    Another process goes on."""
     results = []
     for dies in (False, True):
         place = tmp_path / str(dies)

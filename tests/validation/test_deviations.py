@@ -1,4 +1,4 @@
-"""Where Exudyn is not followed: what is computed here against formulas that are written out, and what theirs would give."""
+"""Differences from Exudyn: results are compared with formulas, and with the values of Exudyn."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ OFFSET = np.array([0.1, -0.2, 0.05])
 
 
 def spring_force(turn: np.ndarray, offset: np.ndarray) -> np.ndarray:
-    """On a body of 1 kg at an offset from a turned ground: its acceleration from rest."""
+    """A body of 1 kg at an offset from a rotated ground: its acceleration from rest."""
     mbs = new_system()
     ground = mbs.CreateGround(referenceRotationMatrix=turn)
     node = mbs.AddNode(exu.NodeRigidBodyRotVecLG(referenceCoordinates=[*offset, 0, 0, 0]))
@@ -40,8 +40,8 @@ def force_in(frame: np.ndarray, offset: np.ndarray) -> np.ndarray:
 
 
 def test_frame_of_the_rigid_body_spring_damper() -> None:
-    """The joint frame is marker times rotationMarker0, so that a model that is turned as a whole has turned forces. In the other
-    order, the frame does not turn with its body."""
+    """The joint frame is marker times rotationMarker0, so that a model that is turned as a whole has turned forces. The
+    frame does not rotate with its body in the other order."""
     np.testing.assert_allclose(spring_force(BODY, OFFSET), force_in(BODY @ JOINT, OFFSET), rtol=0, atol=1e-9)
     turned = spring_force(ALL @ BODY, ALL @ OFFSET)
     np.testing.assert_allclose(turned, ALL @ spring_force(BODY, OFFSET), rtol=0, atol=1e-9)
@@ -50,8 +50,8 @@ def test_frame_of_the_rigid_body_spring_damper() -> None:
 
 
 def test_intrinsic_spring_by_matrix_functions() -> None:
-    """Force and torque on a body from the logarithm of its pose, a matrix of four rows: the mean of the axes is half of it. From them,
-    the accelerations from rest of 1 kg and 1 kg m^2."""
+    """Force and torque on a body from the logarithm of its pose, a matrix of four rows: the mean of the axes is half of
+    it. Accelerations from rest of 1 kg and 1 kg m^2 follow from them."""
     stiffness = np.diag([100.0, 200, 300, 5, 7, 9]) + np.diag([4.0] * 5, 1)
     pose = np.eye(4)
     pose[:3, :3], pose[:3, 3] = BODY, OFFSET
@@ -78,7 +78,7 @@ def test_intrinsic_spring_by_matrix_functions() -> None:
 
 @pytest.mark.parametrize(("node", "scheme"), ERRORS)
 def test_first_force_of_the_heavy_top(node: str, scheme: str) -> None:
-    """With reference rotations that are not zero. From the balance of angular momentum, 319.5 N inwards and 317.3 N downwards."""
+    """Reference rotations are not zero. The balance of angular momentum gives 319.5 N inwards and 317.3 N downwards."""
     mbs, _, joint = heavy_top(node)
     force = mbs.AddSensor(exu.SensorObject(objectNumber=joint, outputVariableType=Variable.Force, storeInternal=True))
     mbs.Assemble()
@@ -145,7 +145,7 @@ def test_factors_of_the_coordinate_spring_are_in_its_tangent() -> None:
 
 
 def torus_force(frame: np.ndarray, centre: np.ndarray) -> np.ndarray:
-    """On a sphere at rest in the tube of a torus whose axis is the third of the frame."""
+    """A sphere at rest in the tube of a torus whose axis is the third of the frame."""
     mbs = new_system()
     ground = mbs.CreateGround(referenceRotationMatrix=frame)
     sphere = mbs.CreateRigidBody(referencePosition=centre, inertia=exu.utilities.InertiaSphere(1, 0.1))
@@ -163,8 +163,9 @@ def torus_force(frame: np.ndarray, centre: np.ndarray) -> np.ndarray:
 
 
 def test_sphere_out_of_the_plane_of_a_torus() -> None:
-    """The force points to the circle of radius 1 around the axis, 1000 N/m times what the distance exceeds the clearance of 0.02,
-    and turns with the torus. Taking the distance from the plane off every coordinate moves the foot point along the plane."""
+    """The force points to the circle of radius 1 around the axis, has 1000 N/m times the excess of the distance over
+    the clearance of 0.02, and rotates with the torus. Taking the distance from the plane off every coordinate moves the
+    foot point along the plane."""
     foot = np.array([np.cos(0.3), np.sin(0.3), 0])
     offset = 0.02 * foot + [0, 0, 0.03]
     distance = np.linalg.norm(offset)
@@ -256,7 +257,8 @@ def angular_momentum(mbs: exu.MainSystem, disc: int, nodes: list[int], length: f
 
 @pytest.mark.parametrize("segment_normals", [True, False])
 def test_friction_on_a_cable_keeps_angular_momentum(segment_normals: bool) -> None:
-    """Nothing acts from outside. With the radius as lever arm of friction, without the gap, the sum would grow by friction times gap."""
+    """Nothing acts from outside. The sum would grow by friction times gap if the radius, without the gap, was the lever
+    arm of friction."""
     mbs, disc, nodes, sensors = disc_on_a_free_cable(segment_normals)
     before = angular_momentum(mbs, disc, nodes, 0.25)
     chosen = settings(0.05, 500)

@@ -130,7 +130,8 @@ def test_steps_do_not_feel_stiffness_that_has_died(stiffness: float) -> None:
     ids=["four-bar linkage", "Bricard, redundant", "Bricard, regular"],
 )
 def test_small_steps_hold_the_tolerance_as_well(mechanism: Any, tolerance: float) -> None:
-    """Where outputs limit steps, one iteration is enough in most of them, and tells nothing of a matrix that gets older: errors were up to 36 times the
+    """If output limits steps, most of them need one iteration, which gives no information on an older matrix: errors
+    were up to 36 times the
     tolerance, and grew with the number of steps."""
 
     def end(tolerance: float) -> np.ndarray:

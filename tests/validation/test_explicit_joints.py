@@ -68,7 +68,8 @@ def test_a_light_cart_with_a_heavy_pole(method: Any, tolerance: float) -> None:
 
 
 def test_a_light_cart_with_the_default_solver() -> None:
-    """With tolerances, it holds the bound of the acceptance number P5; equal steps are too coarse, and say so."""
+    """The solution with tolerances meets the bound of the acceptance number P5; equal steps are too coarse, and say
+    so."""
     mbs, cart, mass = cart_pole()
     s = tolerances(10, 1e-5, 1000)
     s.stepSizeControl.implicitSolvers = True
@@ -135,8 +136,8 @@ def test_a_driven_constraint() -> None:
 @pytest.mark.parametrize("by_velocity", [False, True])
 @pytest.mark.parametrize("solver", [Solver.RK44, Solver.DOPRI5, Solver.ESDIRK43])
 def test_a_driven_motion(solver: Any, by_velocity: bool) -> None:
-    """Second differences of what is a rate already let it lag by steps, or follow another motion; one-sided first ones of positions left velocities
-    off by 2e-6, whatever the tolerance."""
+    """Second differences of a rate lag by steps, or follow another motion; one-sided first differences of positions
+    gave velocity errors of 2e-6, for any tolerance."""
     mbs, node = carried_mass(by_velocity)
     s = settings(1, 200)
     s.timeIntegration.automaticStepSize = False
@@ -170,7 +171,8 @@ def test_a_driven_rotation(solver: Any, node: Any) -> None:
 
 @pytest.mark.parametrize("solver", [Solver.RK44, Solver.DOPRI5, Solver.ESDIRK43])
 def test_user_functions_are_not_asked_long_after_the_end(solver: Any) -> None:
-    """Tables end there. What drives constraints is looked for at a few times, and by differences; loads do not tell."""
+    """Tables end there. Drives of constraints are detected at a few times, and by differences; loads are not
+    affected."""
     mbs, node = carried_mass()
     times: dict[str, list[float]] = {"offset": [], "load": []}
 
@@ -228,7 +230,8 @@ def test_long_steps_of_a_pendulum(node: Any, method: Any) -> None:
     "method", [Solver.ExplicitEuler, Solver.RK44, Solver.DOPRI5, Solver.ODE23, Solver.ExplicitMidpoint]
 )
 def test_the_first_row_of_outputs(method: Any) -> None:
-    """At the start, a swinging pendulum has the accelerations and the force of Newton's second law, as in all other rows."""
+    """A swinging pendulum has the accelerations and the force of Newton's second law at the start, as in all other
+    rows."""
     mbs = new_system()
     ground = mbs.CreateGround()
     inertia = exu.rigidBodyUtilities.InertiaCuboid(1000, [0.1, 0.1, 0.1])

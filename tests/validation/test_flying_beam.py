@@ -45,7 +45,7 @@ class Thrown:
         self.places = np.array([[data[round(2 * time), 1:] for data in told] for time in THROWN])
 
     def momentum_and_energy(self) -> tuple[np.ndarray, float]:
-        """Of linear shapes: masses and inertias of an element are those of its halves, at their nodes."""
+        """Linear shape functions: masses and inertias of an element are those of its halves, at their nodes."""
         mbs, length = self.rod.mbs, 10.0 / len(self.rod.beams)
         velocities, spins = (
             np.array([mbs.GetNodeOutput(n, v) for n in self.rod.nodes])

@@ -107,7 +107,8 @@ def test_what_a_singular_start_shows_is_not_kept_by_explicit_solvers() -> None:
 @pytest.mark.parametrize("loops", [2, 5])
 @pytest.mark.parametrize("solver", [Solver.TrapezoidalIndex2, Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43])
 def test_reactions_after_a_start_in_the_singular_position(solver: Any, loops: int) -> None:
-    """The mean of starts 1e-4 rad beside it, on both sides; the trapezoidal rule keeps errors of the first multipliers for good."""
+    """Mean of starts 1e-4 rad next to it, on both sides; the trapezoidal rule keeps errors of the first multipliers for
+    good."""
 
     def multipliers(angle: float) -> np.ndarray:
         bars = Bars(loops, angle, rate=-3)
@@ -123,7 +124,7 @@ def test_reactions_after_a_start_in_the_singular_position(solver: Any, loops: in
 @pytest.mark.parametrize("loops", [1, 2, 5])
 @pytest.mark.parametrize("solver", [Solver.TrapezoidalIndex2, Solver.GeneralizedAlpha])
 def test_small_steps_lead_out_of_the_singular_position(solver: Any, loops: int) -> None:
-    """At tolerances at which accelerations of another motion at the start would be taken for errors of steps, however small."""
+    """Tolerances at which accelerations of another motion at the start would count as errors of any step."""
     bars = Bars(loops, angle=0, rate=-3)
     bars.mbs.SolveDynamic(by_tolerance(settings(0.03, 50), 1e-8), solverType=solver)
     wanted = parallelogram(loops, [0.03], (0, -3))[0][:2]

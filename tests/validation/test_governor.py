@@ -49,14 +49,14 @@ class Governor:
         self.mbs.Assemble()
 
     def rod(self, side: int, turn: np.ndarray) -> Any:
-        """With a tip mass; the body's point is the middle of the rod, not its centre of mass."""
+        """A rod with a tip mass; the body's point is the middle of the rod, not its centre of mass."""
         mass, inertia = block([LENGTH, WIDTH, WIDTH])
         inertia += TIP * (LENGTH / 2) ** 2 * np.array([0, 1, 1])
         middle = np.array([side * HINGE, 0, LENGTH]) + turn @ [LENGTH / 2, 0, 0]
         return self.body(middle, turn, mass + TIP, inertia, [TIP * LENGTH / 2 / (mass + TIP), 0, 0])
 
     def body(self, position: Any, turn: np.ndarray, mass: float, inertia: np.ndarray, centre: Any = (0, 0, 0)) -> Any:
-        """In a rotation of the whole about the shaft."""
+        """Motion in a rotation about the shaft."""
         omega = turn.T @ [0, 0, OMEGA]
         r = Rotation.from_matrix(turn)
         if self.node_type == "NodeRigidBodyEP":
@@ -97,7 +97,8 @@ def final(node_type: str, end: float, steps: int) -> float:
 @pytest.mark.parametrize("node_type", ["NodeRigidBodyEP", "NodeRigidBodyRotVecLG"])
 @pytest.mark.parametrize("end", heights_of_slider())
 def test_height_of_the_slider(node_type: str, end: float) -> None:
-    """The slider swings by 0.25 m with some 6 rad/s: at h = 1 ms, (6e-3)^2 / 12 of 0.25 m per radian are 0.75e-6 m, which add up."""
+    """The slider swings by 0.25 m with some 6 rad/s: (6e-3)^2 / 12 of 0.25 m per radian are 0.75e-6 m for h = 1 ms,
+    which add up."""
     error = abs(final(node_type, end, int(1000 * end)) - heights_of_slider()[end])
     assert 1e-9 < error < 1e-6 + 5e-6 * end
 

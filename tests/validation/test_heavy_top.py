@@ -15,7 +15,8 @@ import dalembert as exu
 
 POSITION = np.array([0.173343964098, 0.640088592070, -0.748490791134])  # after one second
 OMEGA = np.array([-0.822078101691, 150, -5.923291348116])
-# Rotation vectors need more damping than the default in their default scheme: with a spectral radius of 0.9 it is unstable here.
+# Rotation vectors need more damping than the default in their default scheme: it is unstable here with a spectral
+# radius of 0.9.
 ERRORS = {
     ("NodeRigidBodyEP", ""): (1e-3, 4e-3),
     ("NodeRigidBodyRxyz", ""): (1.6e-5, 6.5e-5),
@@ -80,7 +81,7 @@ def heavy_top(node: str) -> tuple[Any, Any, Any]:
 
 
 def top(node: str, scheme: str, steps: int) -> tuple[Any, Any, Any]:
-    """After one second: position, angular velocity in the axes of the paper, and the force of the joint."""
+    """State after one second: position, angular velocity in the axes of the paper, and the force of the joint."""
     mbs, number, joint = heavy_top(node)
     mbs.Assemble()
     simulation = settings(1.0, steps)
@@ -95,7 +96,7 @@ def top(node: str, scheme: str, steps: int) -> tuple[Any, Any, Any]:
 
 @each_model
 def test_second_order(node: str, scheme: str) -> None:
-    """In position, angular velocity and multipliers."""
+    """Errors of position, angular velocity and multipliers."""
     results = {n: top(node, scheme, n) for n in STEPS}
     for k, wanted in enumerate((POSITION, OMEGA, axis_motion(1.0)[2])):
         (order,) = orders(lambda n, k=k, wanted=wanted: results[n][k] - wanted, STEPS)
@@ -103,7 +104,7 @@ def test_second_order(node: str, scheme: str) -> None:
 
 
 def test_published_values() -> None:
-    """Those of the motion of the axis alone, where the published angular velocity is across the axis and about it."""
+    """Errors of the motion of the axis; the published angular velocity is across the axis and about it."""
     position, velocity, _ = axis_motion(1.0)
     np.testing.assert_allclose(position, POSITION, rtol=0, atol=1e-10)
     assert np.linalg.norm(velocity) == pytest.approx(np.hypot(OMEGA[0], OMEGA[2]), abs=1e-9)

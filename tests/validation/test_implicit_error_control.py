@@ -60,7 +60,8 @@ def test_what_limits_steps() -> None:
 
 @pytest.mark.parametrize("cause", ["rejectedNewtonSteps", "rejectedDiscontinuousSteps"])
 def test_why_steps_are_repeated(cause: str) -> None:
-    """Two iterations are not enough for a large step of a pendulum; one discontinuous iteration is none for a contact that begins."""
+    """Two iterations are not enough for a large step of a pendulum; a single discontinuous iteration does not include a
+    beginning contact."""
     mbs = new_system()
     s = settings(0.5, 5)
     if cause == "rejectedNewtonSteps":

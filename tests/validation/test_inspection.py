@@ -37,7 +37,7 @@ def oscillator(force: Any = None) -> tuple[Any, Any]:
 
 
 def test_what_a_damper_takes(tmp_path: Path) -> None:
-    """All of the energy that the spring has at the start, but for what is left; trapezoidal rule with 2000 steps."""
+    """The initial energy of the spring, less the remainder; trapezoidal rule with 2000 steps."""
     mbs, _ = oscillator()
     found = solved(mbs, settings(2, 2000), tmp_path)
     assert len(found.times) == 2001 and found.times[-1] == pytest.approx(2)
@@ -66,7 +66,7 @@ def test_what_a_motor_gives(tmp_path: Path) -> None:
     times, way = mbs.GetSensorStoredData(sensor)[:, :2].T
     forces = 5 * times
     work = np.sum((forces[1:] + forces[:-1]) / 2 * np.diff(way))
-    # The load counts as potential -F(t) u at each time; what is stored there is no work that was supplied.
+    # The load counts as potential -F(t) u at each time; stored energy is not supplied work.
     supplied = found.supplied[-1] + 5 * times[-1] * way[-1]
     assert supplied == pytest.approx(work, rel=1e-4) and abs(work) > 0.01
 

@@ -1,4 +1,5 @@
-"""Joints of closed loops that do not fit together, or are apart at the start or by drift: what is fitted, found and told."""
+"""Joints of closed loops that do not fit together, or are apart at the start or by drift: fits, detection, and
+messages."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ OF_POSITIONS = (Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43)  # that
 @pytest.mark.parametrize("solver", OF_POSITIONS)
 @pytest.mark.parametrize("node", NODES)
 def test_misplaced_hinges_are_fitted_with_a_warning(node: Any, solver: Any, capfd: Any) -> None:
-    """The closest fit halves what is misplaced, and so much are the edges apart.
+    """The least-squares fit halves the misplacement, and so do the gaps of the edges.
 
     Stages of ``ESDIRK43`` leave Euler parameters off unit length, where such hinges act against each other.
     """
@@ -51,7 +52,7 @@ def test_hinges_that_do_not_fit_are_refused(misplaced: float, solver: Any) -> No
 
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ODE23])
 def test_errors_of_hinges_that_do_not_fit_are_not_laid_on_jumps(solver: Any) -> None:
-    """Tolerances are smaller than what the first step has to close, however short it is."""
+    """Tolerances are smaller than the gap that the first step has to close, for any step size."""
     door = Door(misplaced=1e-6)
     (doubt,) = door.mbs.SolveDynamic(by_tolerance(settings(0.2, 20), 1e-8), solverType=solver).doubts
     assert doubt.startswith("errors above the tolerances in ") and "jumps" not in doubt
@@ -70,7 +71,8 @@ def test_steps_that_never_close_hinges_that_do_not_fit_say_so() -> None:
 @pytest.mark.parametrize("gap", [5e-8, 1e-7, 3e-7])
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5])
 def test_errors_of_doors_beside_their_hinges_are_not_laid_on_jumps(solver: Any, gap: float) -> None:
-    """Where these could fit, initial values are to blame. The smallest steps end at round-off, also of multipliers that closing the gap leaves idle."""
+    """If they could fit, initial values are the cause. The smallest steps end at round-off, also of multipliers that
+    closing the gap leaves idle."""
     door = Door()
     moved = np.array(door.mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Initial))
     moved[0] += gap
@@ -82,7 +84,7 @@ def test_errors_of_doors_beside_their_hinges_are_not_laid_on_jumps(solver: Any, 
 
 
 def freedoms(mbs: Any) -> list[int]:
-    """By elimination, by singular values, and by eigenvalues."""
+    """Count by elimination, by singular values, and by eigenvalues."""
     counts = [mbs.ComputeSystemDegreeOfFreedom(useSVD=by)["degreeOfFreedom"] for by in (False, True)]
     return [*counts, len(mbs.ComputeODE2Eigenvalues()[0])]
 
@@ -110,7 +112,7 @@ def test_degrees_of_freedom_where_hinges_are_turned(turned: float) -> None:
 
 @pytest.mark.parametrize("gap", [1e-8, 1e-6, 3e-5, 1e-3, 1e-2])
 def test_degrees_of_freedom_beside_hinges(gap: float) -> None:
-    """Of initial values that are off, which hide what is redundant: counted all the same, or told."""
+    """Initial values with gaps that hide redundant constraints: they are counted nevertheless, or reported."""
     door = Door()
     assert freedoms(door.mbs) == [1, 1, 1]
     moved = np.array(door.mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Initial))
@@ -129,7 +131,7 @@ def test_degrees_of_freedom_beside_hinges(gap: float) -> None:
 
 
 def clamped_beam(apart: float) -> Any:
-    """A beam of 2 m, 5 cm thick, whose ends are clamped twice, the second time so far beside (m)."""
+    """A beam of 2 m, 5 cm thick, whose ends are clamped twice, the second time with an offset (m)."""
     rod, E, thick = Rod(), 2e9, 0.05
     area, second_moment = thick**2, thick**4 / 12
     shear = E / 2.6 * 0.85 * area
@@ -146,7 +148,8 @@ def clamped_beam(apart: float) -> Any:
 
 @pytest.mark.parametrize("solver", [None, *OF_POSITIONS[::2]])
 def test_what_is_tolerated_at_a_clamp_is_relative_to_the_beam(solver: Any) -> None:
-    """Not to the radius of gyration of its node, beside which 1e-6 m were too much. The closest fit is off by half of what clamps are apart."""
+    """The reference is not the radius of gyration of its node, for which 1e-6 m would be too much. The least-squares
+    fit is off by half of the distance of the clamps."""
 
     def solve(apart: float) -> None:
         mbs, s = clamped_beam(apart), settings(0.01, 10)
@@ -172,7 +175,7 @@ def test_a_larger_misfit_may_be_allowed() -> None:
 @pytest.mark.parametrize("misplaced", [1e-8, 1e-7, 1e-6])
 @pytest.mark.parametrize("node", NODES[:2])
 def test_joints_that_hardly_fit_are_fitted_at_the_start(misplaced: float, node: Any) -> None:
-    """As solvers fit them: all turn as far, and as fast, as they do where hinges fit; further apart, they are refused."""
+    """Fit of solvers: all turn as far, and as fast, as they do where hinges fit; further apart, they are refused."""
     angles, speeds = [], []
     for apart in (misplaced, 1e-9):
         door = Door(misplaced=apart, node=node)
@@ -194,7 +197,8 @@ def test_joints_that_hardly_fit_are_fitted_at_the_start(misplaced: float, node: 
 @pytest.mark.parametrize("gap", [1e-5, 1e-4, 1e-3])
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.DOPRI5])
 def test_what_is_redundant_is_found_where_joints_are_apart_at_the_start(solver: Solver, gap: float) -> None:
-    """Six bars whose coordinates are off move as those with one equation less; without the redundant one they were 0.25 m apart."""
+    """Six bars whose coordinates are off move as those with one equation less; they were 0.25 m apart without the
+    redundant one."""
     ends = []
     for free in ({}, {5: 0}):
         mechanism = Bricard(free)
@@ -209,7 +213,8 @@ def test_what_is_redundant_is_found_where_joints_are_apart_at_the_start(solver: 
 
 @pytest.mark.parametrize("gap", [1e-3, 1e-2])
 def test_what_is_redundant_is_found_when_gaps_have_been_closed(gap: float) -> None:
-    """The first matrix does not tell where joints are far apart; reactions became 1e5 times as large as the smallest ones."""
+    """The first matrix does not show redundancy if joints have large gaps; reactions became 1e5 times as large as the
+    smallest ones."""
     found = []
     for apart in (0, gap):
         mbs, initial = Bricard({}).mbs, exu.ConfigurationType.Initial
@@ -245,8 +250,9 @@ def test_what_iterates_leave_open_is_no_contradiction(steps: int) -> None:
 
 @pytest.mark.parametrize("steps", [30, 40, 50, 80])
 def test_what_is_redundant_is_found_again_where_joints_have_drifted_apart(steps: int) -> None:
-    """Of index 2, by up to 2e-4 of their size: an action of an event begins anew there. Beside what joints leave open by drift, motions are those
-    with one equation less; without the redundant equation, the third corner is 0.2 m and more from there.
+    """Velocity constraints, with gaps of up to 2e-4 of their size: an action of an event begins anew there. Motions
+    with gaps due to drift are those with one equation less; the third corner is off by 0.2 m and more without the
+    redundant equation.
     """
 
     def turn_back(mbs: Any, t: float, event: int, direction: int) -> bool:
@@ -267,7 +273,8 @@ def test_what_is_redundant_is_found_again_where_joints_have_drifted_apart(steps:
 
 
 def test_motions_that_leave_joints_are_told_from_joints_that_do_not_fit(capfd: Any) -> None:
-    """Without damping, equal steps of index 3 are unstable, and are not corrected where a function sets parameters of constraints in each step."""
+    """Equal steps of index 3 without damping are unstable, and are not corrected if a function sets parameters of
+    constraints in each step."""
     mbs = Bricard({}).mbs
     mbs.SetPreStepUserFunction(lambda mbs, t: mbs.SetObjectParameter(7, "activeConnector", True) or True)
     with pytest.raises(SolverError) as refused:

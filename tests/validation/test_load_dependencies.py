@@ -149,7 +149,8 @@ def test_loads_depend_on_the_coordinates_that_they_act_on(node: exu.NodeType) ->
 
 
 def fewer_iterations(mbs: exu.MainSystem, sparse: bool = False) -> int:
-    """Of the controlled pendulum with derivatives by all coordinates: about two a step, and four times as many without."""
+    """Linearization of the controlled pendulum with derivatives by all coordinates: about two a step, and four times as
+    many without."""
     chosen = settings(END, STEPS, tolerance=1e-9)
     chosen.timeIntegration.computeLoadsJacobian = 2
     if sparse:

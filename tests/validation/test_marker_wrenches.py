@@ -1,4 +1,5 @@
-"""What joints exert on their bodies, against balances of forces written down by hand: one sign, in statics and dynamics."""
+"""Forces of joints on their bodies, against balances of forces written down by hand: a single sign, in statics and
+dynamics."""
 
 from __future__ import annotations
 
@@ -50,7 +51,7 @@ def alternative_weld(mbs: exu.MainSystem, ground: Any, body: Any, turn: np.ndarr
 
 
 def locked_hinge(mbs: exu.MainSystem, ground: Any, body: Any, turn: np.ndarray) -> Any:
-    """What is free is held by a stiff spring, which takes the moment about the axis."""
+    """Free motions are held by a stiff spring, which takes the moment about the axis."""
     return mbs.CreateRevoluteJoint(bodyNumbers=[ground, body], position=turn @ PLACE, axis=turn @ [0.6, 0.8, 0])
 
 
@@ -77,7 +78,7 @@ def universal(mbs: exu.MainSystem, ground: Any, body: Any, turn: np.ndarray) -> 
     "joint", [weld, alternative_weld, locked_hinge, locked_slider, ball, universal], ids=lambda f: f.__name__
 )
 def test_a_loaded_body_on_a_joint_and_a_spring(joint: Joint, turned: bool, static: bool) -> None:
-    """The joint and the spring that holds what it leaves free carry the load; turned with the model, nothing else changes."""
+    """The joint and the spring of its free motions carry the load; turned with the model, nothing else changes."""
     turn = Rotation.from_rotvec([0.4, -1.1, 0.7] if turned else [0, 0, 0]).as_matrix()
     mbs = new_system()
     ground = mbs.CreateGround()
@@ -97,7 +98,7 @@ def test_a_loaded_body_on_a_joint_and_a_spring(joint: Joint, turned: bool, stati
     arm = turn @ PLACE
     held = np.concatenate([turn @ FORCE, turn @ TORQUE])
     both = on_body + of_spring + np.concatenate([np.zeros(3), np.cross(arm, on_body[:3])])
-    # all balances, also with what accelerates; tolerance: those of Newton's method and of positions, 1e-8 m
+    # all balances, including accelerations; tolerance: tolerances of Newton's method and of positions, 1e-8 m
     a, alpha = (
         np.asarray(mbs.GetObjectOutputBody(body, v)) for v in (Variable.Acceleration, Variable.AngularAcceleration)
     )
@@ -144,7 +145,8 @@ def test_statics_and_dynamics_have_one_sign() -> None:
 
 @pytest.mark.parametrize("node", [exu.NodeType.RotationEulerParameters, exu.NodeType.RotationRotationVector])
 def test_inverse_dynamics_of_a_driven_body(node: Any) -> None:
-    """A body turns by a prescribed angle about an oblique axis beside its centre: Newton's and Euler's equations give all."""
+    """A body rotates by a prescribed angle about an oblique axis off its center: Newton's and Euler's equations give
+    all."""
     turn = Rotation.from_rotvec([0.5, 0.2, -0.3]).as_matrix()  # axes of the joint
     start = Rotation.from_rotvec([0.1, 0.9, 0.4]).as_matrix()  # of the body
     inertia = InertiaCuboid(1000, [0.3, 0.1, 0.2])
@@ -192,7 +194,7 @@ def test_inverse_dynamics_of_a_driven_body(node: Any) -> None:
 
 @pytest.mark.parametrize("static", [True, False])
 def test_planar_joints(static: bool) -> None:
-    """A beam on a hinge, whose axis slides over a point beside its other end: balances of moments about the hinge."""
+    """A beam on a hinge, whose axis slides over a point near its other end: balances of moments about the hinge."""
     mbs = new_system()
     ground = mbs.CreateGround()
     beam = mbs.CreateRigidBody(inertia=InertiaCuboid(1e9, [4, 0.1, 0.1]), referencePosition=[2, 0, 0], create2D=True)
@@ -209,7 +211,7 @@ def test_planar_joints(static: bool) -> None:
     mbs.CreateForce(bodyNumber=beam, localPosition=[-1, 0, 0], loadVector=[30, -80, 0])
     solve(mbs, static)
     assert wrench(mbs, hinge, 1) == pytest.approx([-30, 64, 0, 0, 0, 0], abs=1e-5)
-    # the force of the point, 80 N * 1 m / 5 m, acts 1 m beside the marker of the beam
+    # the force of the point, 80 N * 1 m / 5 m, acts 1 m off the marker of the beam
     assert wrench(mbs, slider, 1) == pytest.approx([0, 16, 0, 0, 0, 16], abs=1e-5)
     assert wrench(mbs, slider, 0) == pytest.approx([0, -16, 0, 0, 0, 0], abs=1e-5)
 

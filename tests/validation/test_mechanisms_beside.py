@@ -14,7 +14,8 @@ from dalembert.rigidBodyUtilities import InertiaCuboid
 
 
 def add_door(mbs: Any, ground: Any, length: float, place: Any, misplaced: float) -> tuple[Any, list[Any]]:
-    """On two hinges, the second one misplaced by that share of the length; of a mass that Newton's tolerances do not notice."""
+    """A door on two hinges, the second one misplaced by that part of the length; a mass that does not affect Newton's
+    tolerances."""
     size = length * np.array([0.45, 0.02, 1.0])
     center, start = length * np.array([0.225, 0, 0.5]), np.asarray(place, dtype=float)
     door = mbs.CreateRigidBody(
@@ -32,7 +33,7 @@ def add_door(mbs: Any, ground: Any, length: float, place: Any, misplaced: float)
 
 
 def motion_and_reactions(beside: float, solver: Any, misplaced: float) -> tuple[np.ndarray, np.ndarray]:
-    """Of a door of 1 m, with one of that length beside it, if any."""
+    """A door of 1 m, with another one of that length, if any."""
     mbs = new_system()
     ground = mbs.CreateGround()
     door, hinges = add_door(mbs, ground, 1, [0, 0, 0], misplaced)
@@ -50,7 +51,8 @@ def motion_and_reactions(beside: float, solver: Any, misplaced: float) -> tuple[
 @pytest.mark.parametrize("misplaced", [0, 1e-6], ids=["fits", "misplaced"])
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.DOPRI5, Solver.ESDIRK43])
 def test_a_large_mechanism_beside_changes_nothing(solver: Any, misplaced: float) -> None:
-    """With the size of the model for both, edges of misplaced hinges were 1e-7 m off, and moments shared in another way."""
+    """Edges of misplaced hinges were 1e-7 m off with the size of the model for both, and moments were distributed
+    differently."""
     motion, reactions = motion_and_reactions(0, solver, misplaced)
     beside, reactions_beside = motion_and_reactions(1000, solver, misplaced)
     np.testing.assert_allclose(beside, motion, rtol=0, atol=1e-9)
@@ -58,7 +60,7 @@ def test_a_large_mechanism_beside_changes_nothing(solver: Any, misplaced: float)
 
 
 def add_four_bar(mbs: Any, ground: Any, length: float, place: Any) -> None:
-    """In a plane in space, so that three equations follow from others."""
+    """A planar mechanism in space, so that three equations are redundant."""
     corners = np.asarray(place) + length * np.array([[0, 0, 0], [0.3, 0, 0.9], [1.5, 0, 1.2], [1.6, 0, 0]])
     bodies = [ground]
     for start, end in zip(corners[:-1], corners[1:], strict=True):
@@ -88,7 +90,8 @@ def doubts_of_drift(beside: float) -> str:
 
 
 def test_drift_of_a_small_mechanism_is_told() -> None:
-    """Constraints of velocities let joints of a linkage of 7 cm drift apart: by little of the one beside it, by more than 1e-5 of itself."""
+    """Constraints of velocities let joints of a linkage of 7 cm drift apart: a little by the neighbour, by more than
+    1e-5 by itself."""
     told = doubts_of_drift(0)
     assert told.startswith("open at the end: ")
     assert doubts_of_drift(6) == told

@@ -25,7 +25,7 @@ G = 9.81
 @pytest.mark.parametrize("length", [1.0, 1e3], ids=["m", "mm"])
 @pytest.mark.parametrize("beside", [0.3, 0.1, 0.03, 0.01])
 def test_slider_on_a_spring_beside_its_axis(node: Any, length: float, beside: float) -> None:
-    """omega^2 = k/m (1 - (d/L)^2) of a spring of length L fixed d beside the axis, where its force is zero.
+    """omega^2 = k/m (1 - (d/L)^2) of a spring of length L that is fixed d off the axis, where its force is zero.
 
     Rotations of the size of round-off gave the first Euler parameter a mass of 1e-34, and the shift drowned all forces.
     """
@@ -71,7 +71,7 @@ def planar_chain(links: int, stiffness: float = 500.0, damping: float = 0.1) -> 
     """Eigenvalues of the same chain in absolute angles, linearized about its equilibrium by hand."""
     a, m, J = 0.4, 4.0, 4.0 * (0.4**2 + 0.1**2) / 12
     n = links
-    lever = a * np.tri(n, k=-1) + 0.2 * np.eye(n)  # of angle j in the position of centre i
+    lever = a * np.tri(n, k=-1) + 0.2 * np.eye(n)  # derivative of the position of center i by angle j
     weights = m * G * lever.sum(axis=0)
     difference = np.eye(n) - np.eye(n, k=-1)
     D = stiffness * difference.T @ difference
@@ -133,7 +133,7 @@ def pendulum(node: Any, stiffness: float, gravity: Any) -> exu.MainSystem:
 @node_types
 @pytest.mark.parametrize("stiffness", [0.0, 20.0, 200.0])
 def test_equilibrium_next_to_the_start(node: Any, stiffness: float) -> None:
-    """A pendulum that hangs beside the direction of gravity turns to it by 0.3 rad, not to the inverted position."""
+    """A pendulum that hangs off the direction of gravity rotates to it by 0.3 rad, not to the inverted position."""
     found = pendulum(node, stiffness, [3, -G, 0]).ComputeVibrationModes(1)
     m, J, g = 6.0, 6.0 * (0.1**2 + 0.2**2) / 12 + 6.0, np.hypot(3, G)
     angle, direction = 0.0, np.arctan2(3, G)
@@ -251,7 +251,7 @@ def test_what_rods_and_balls_carry_counts_as_well(node: Any) -> None:
 
 
 def test_states_that_are_no_equilibrium_are_named() -> None:
-    """Forces of constraints are unknown there: a warning says what to call. Without preload, there is none."""
+    """Forces of constraints are unknown there: a warning names the function to call. There is none without preload."""
     horizontal = pendulum(NODES[0], 0.0, [G, 0, 0])
     with pytest.warns(UserWarning, match=r"no equilibrium: forces of constraints.*ComputeVibrationModes"):
         horizontal.ComputeODE2Eigenvalues()
@@ -288,7 +288,7 @@ def test_loaded_beam(node: Any) -> None:
     mbs.SolveStatic(settings, updateInitialValues=True)
     frequencies = mbs.ComputeODE2Eigenvalues(numberOfEigenvalues=3, convert2Frequencies=True)[0]
     assert frequencies == pytest.approx(mbs.ComputeVibrationModes(3).frequencies, rel=1e-6)
-    # with rotation vectors on the Lie group, where no constraint of parameters takes part
+    # rotation vectors on the Lie group, without constraints of parameters
     assert frequencies == pytest.approx([2.82021898, 2.82134407, 18.26966846], rel=1e-6)
 
 

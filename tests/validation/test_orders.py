@@ -112,7 +112,7 @@ def test_order_with_rotations(node_type: str, method: str) -> None:
 
 
 def test_all_nodes_make_the_same_motion() -> None:
-    """By RK67 with small steps, to rounding."""
+    """Computed by RK67 with small steps, to rounding."""
     results = []
     for node_type in ROTATING:
         mbs, body = tumbling(node_type)

@@ -74,9 +74,9 @@ def by_tolerance(tolerance: float, spectral_radius: float) -> Any:
 def test_reactions_are_of_second_order_in_steps_by_tolerances(
     solver: Any, spectral_radius: float, events: bool
 ) -> None:
-    """Where accelerations hardly change for a moment, steps become longer: errors are compared with squares of sizes there.
+    """Steps become longer while accelerations hardly change: errors are compared with squares of sizes there.
 
-    A tenth of the tolerance is a third of the step; of the first order, they would be three times as large beside them.
+    A tenth of the tolerance is a third of the step; they would be three times as large if they were of first order.
     """
     sizes = []
     for tolerance in (1e-5, 1e-6, 1e-7):
@@ -100,6 +100,6 @@ def test_reactions_of_the_diagonally_implicit_method_are_of_fourth_order() -> No
 
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8])
 def test_reactions_of_the_diagonally_implicit_method_follow_tolerances(tolerance: float) -> None:
-    """Of forces of up to 45 N."""
+    """Errors of forces of up to 45 N."""
     errors = errors_of_reactions(by_tolerance(tolerance, 1), Solver.ESDIRK43)[1]
     assert tolerance < errors.max() < 1000 * tolerance

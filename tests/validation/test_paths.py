@@ -43,7 +43,7 @@ class Truss:
         self.mbs.Assemble()
 
     def force(self, y: Any) -> Any:
-        """In balance with the apex at height y in the middle."""
+        """Equilibrium with the apex at height y in the middle."""
         return 2 * RIGIDITY * (self.length / np.hypot(HALF, y) - 1) * y
 
     def limit(self) -> float:
@@ -73,7 +73,8 @@ def singular_points(mbs: exu.MainSystem) -> list[dict[str, Any]]:
 
 @pytest.mark.parametrize("user_function", [False, True])
 def test_snap_through(user_function: bool) -> None:
-    """The load rises, falls below zero and rises again, at each step what the closed form asks; limit points are met exactly."""
+    """The load rises, falls below zero and rises again, and agrees with the closed form at each step; limit points are
+    met exactly."""
     truss = Truss(0.5, 200.0, user_function=user_function)
     chosen = path_settings()
     chosen.staticSolver.useLoadFactor = not user_function
@@ -93,7 +94,7 @@ def test_snap_through(user_function: bool) -> None:
 
 
 def test_load_steps_jump_where_the_path_goes_on() -> None:
-    """Without the length, the state jumps over all that lies between the limit load and the other side."""
+    """Load steps without arc length jump from the limit load to the other side."""
     truss = Truss(0.5, 200.0)
     chosen = path_settings(200)
     chosen.staticSolver.arcLength.active = False
@@ -112,7 +113,8 @@ def test_path_that_ends_below() -> None:
 
 @pytest.mark.parametrize("side", [0, 1, -1])
 def test_sway_of_a_steep_truss(side: int) -> None:
-    """The apex goes aside long before the limit load; on the branch as before it, both bars are in balance with the load."""
+    """The apex goes aside long before the limit load; both bars are in equilibrium with the load before and on the
+    branch."""
     truss = Truss(3.0, 3000.0, held=False)
     truss.mbs.SolveStatic(path_settings(40, branchStep=0.1 * side, lowestLoadFactor=0.0))
     load, x, y, _ = truss.mbs.GetSensorStoredData(truss.sensor).T
@@ -163,7 +165,7 @@ def test_lateral_buckling_of_a_frame(load: float, wanted: float) -> None:
 
 
 def test_path_of_ten_thousand_unknowns() -> None:
-    """As many steps as with few elements; the error of the mesh is 2e-7 there, and rounding leaves as much."""
+    """The number of steps is that of few elements; the error of the mesh is 2e-7 there, and rounding leaves as much."""
     told, points = frame_path(840, 1.2)
     assert len(told) == len(frame_path(32, 1.2)[0])
     assert [p["type"] for p in points] == ["bifurcation"]
@@ -171,7 +173,7 @@ def test_path_of_ten_thousand_unknowns() -> None:
 
 
 def test_post_buckling_of_a_frame() -> None:
-    """Along the branch of the perfect frame, and along the path of one that is pushed across by 1 mN: far above, both meet."""
+    """Branch of the perfect frame, and path of one with a transverse force of 1 mN: far above, both meet."""
     told = {branch: frame_path(16, 1.2, branchStep=branch)[0] for branch in (1.0, -1.0)}
     assert told[1.0][-1, 3] == pytest.approx(-told[-1.0][-1, 3], rel=1e-6)
     coarse, pushed = (frame_path(elements, 1.2, across=1e-3)[0] for elements in (8, 16))

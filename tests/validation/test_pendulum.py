@@ -23,7 +23,7 @@ STRETCHES = {"NodeRigidBodyEP", "NodeRigidBodyRxyz", "NodeRigidBodyRotVecLG"}
 
 
 def exact(t: float) -> np.ndarray:
-    """From rest at the left: sin(angle / 2) = k cd(omega t), with the modulus k = sin(45 deg)."""
+    """Start from rest at the left: sin(angle / 2) = k cd(omega t), with the modulus k = sin(45 deg)."""
     m, omega = 0.5, np.sqrt(GRAVITY)
     sn, _, _, _ = ellipj(omega * t + ellipk(m), m)
     half = np.arcsin(np.sqrt(m) * sn)

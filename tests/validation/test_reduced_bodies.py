@@ -22,7 +22,7 @@ from dalembert._fem.elements import KINDS, hexahedron_rule
 
 
 def bar(elements: int, length: float, young: float, density: float) -> Any:
-    """Along the first axis, with its center at the origin; without contraction across, it stretches as a rod does."""
+    """A rod along the first axis, with its center at the origin; it stretches as a rod without lateral contraction."""
     width = 0.1 * length
     material = FEM.KirchhoffMaterial(young, 0.0, density)
     return meshes.solid(
@@ -50,8 +50,8 @@ def stretch(mbs: Any, body: Any, fem: Any, length: float, speed: float) -> float
 
 @pytest.mark.parametrize(("young", "density", "length", "speed"), [(2.1e11, 7850, 2.0, 100.0), (1e8, 1000, 1.0, 50.0)])
 def test_spinning_rod(young: float, density: float, length: float, speed: float) -> None:
-    """tan(a L/2)/a - L/2 with a^2 = rho w^2 / E, as the load acts where the rod has moved to; at its reference it would be
-    rho w^2 L^3 / (24 E), 1.5e-4 and 2.5e-3 less. Errors fall with the square of the element length."""
+    """tan(a L/2)/a - L/2 with a^2 = rho w^2 / E, as the load acts where the rod has moved to; it would be rho w^2 L^3 /
+    (24 E) at its reference, 1.5e-4 and 2.5e-3 less. Errors fall with the square of the element length."""
     a = speed * np.sqrt(density / young)
     exact = np.tan(a * length / 2) / a - length / 2
     found = []
@@ -109,7 +109,7 @@ def test_interface_modes_of_a_beam(modes: int) -> None:
     )  # fmt: skip
     basis = fem.modeBasis["matrix"]
     ends = basis[[1, 2, 3 * elements + 1, 3 * elements + 2]]
-    free, clamped, supported = ([], [0, 1], [0, 2])  # what of the ends is held
+    free, clamped, supported = ([], [0, 1], [0, 2])  # constrained coordinates of the ends
     for held, wanted in zip((free, clamped, supported), INTERFACES[modes], strict=True):
         kept = basis @ scipy.linalg.null_space(ends[held]) if held else basis
         reduced = (kept.T @ (matrix @ kept) for matrix in (fem.stiffnessMatrix, fem.massMatrix))
@@ -132,7 +132,7 @@ def shaft() -> Any:
 
 
 def stress_stiffness(fem: Any, displacements: np.ndarray) -> np.ndarray:
-    """Of boxes of one size, by the stresses that the displacements make."""
+    """Mean stresses of boxes of one size, from the displacements."""
     nodes, points = fem.elements[0]["Hex8"], fem.GetNodePositionsAsArray()
     half = np.ptp(points[nodes[0]], axis=0) / 2
     rule = hexahedron_rule(2)
@@ -192,8 +192,8 @@ def whirl_of_the_body(fem: Any, speed: float, modes: int) -> np.ndarray:
 
 @pytest.mark.parametrize("speed", [0.0, 600.0])
 def test_whirl_of_a_rotor(shaft: Any, speed: float) -> None:
-    """A body of interface modes on bearings against the rotating mesh itself. With the modes kept, errors are at most half the
-    square of the ratio of frequencies."""
+    """A body of interface modes on bearings against the rotating mesh itself. Errors with these modes are at most half
+    the square of the ratio of frequencies."""
     wanted = whirl_of_the_mesh(shaft, speed)[:4]
     for modes in (2, 16):
         errors = whirl_of_the_body(shaft, speed, modes)[:4] / wanted - 1

@@ -1,4 +1,5 @@
-"""Closed loops whose constraints follow from each other: motion, smallest reactions, and who is told of contradictions."""
+"""Closed loops whose constraints follow from each other: motion, minimum-norm reactions, and reports of
+contradictions."""
 
 from __future__ import annotations
 
@@ -34,7 +35,7 @@ LENGTH_OF_CUBE = 3**0.5  # m, of the model of bars along its edges
 def multipliers_of_joints(mbs: Any, length: float) -> tuple[np.ndarray, np.ndarray]:
     """Multipliers, and those with the same forces whose sum of squares, moments divided by a length, is smallest.
 
-    Conditions of unit length belong to nodes: they take what is normal to motions, and do not count.
+    Conditions of unit length belong to nodes: reactions normal to motions do not count.
     """
     state = testing.State(mbs)
     lam, first = np.asarray(state.lam), len(state.q) + len(state.y)
@@ -53,7 +54,7 @@ def multipliers_of_joints(mbs: Any, length: float) -> tuple[np.ndarray, np.ndarr
 
 
 def equations_without_unique_reactions(mbs: Any) -> int:
-    """Those of joints that take part in combinations from which no force comes."""
+    """Equations of joints in combinations without a force."""
     state = testing.State(mbs)
     forces = testing.tangent(mbs, state)[: len(state.q), len(state.q) + len(state.y) :]
     sizes, combinations = np.linalg.svd(forces)[1:]
@@ -75,7 +76,7 @@ def redundancy(mbs: Any, solver: str = "dynamicSolver") -> dict[str, Any]:
 
 
 def not_unique(mbs: Any, joints: Sequence[Any]) -> list[float]:
-    """How many reactions of each are not unique, as the last solution has told."""
+    """Return the number of non-unique reactions of each joint, from the last solution."""
     return [mbs.GetObjectOutput(joint, Variable.NonUniqueReactions) for joint in joints]
 
 
@@ -150,7 +151,8 @@ def test_hinges_share_the_weight_of_a_door(linear: Any, node: Any, heights: Sequ
 
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43])
 def test_hinges_of_a_large_door_do_not_notice_those_of_a_small_one(solver: Any) -> None:
-    """A lid of 0.2 g beside a gate of 72 t: with one metric for all mechanisms, hinges of the gate differed by 6e-4 of what they carry."""
+    """A lid of 0.2 g and a gate of 72 t: hinges of the gate differed by 6e-4 of their load with one metric for all
+    mechanisms."""
     mbs = new_system()
     ground = mbs.CreateGround()
     carried = []
@@ -207,7 +209,7 @@ def test_sensors_tell_of_reactions_that_are_not_unique(solver: Any) -> None:
 
 
 def falling(steps: int = 50) -> Any:
-    """By equal steps of this method, which makes no other; weights of moments as in `assert_smallest`."""
+    """Equal steps of this method, which has no others; weights of moments as in `assert_smallest`."""
     s = settings(0.5, steps)
     s.timeIntegration.automaticStepSize = False
     s.redundantConstraints.momentLength = 1.0
@@ -217,7 +219,8 @@ def falling(steps: int = 50) -> Any:
 @pytest.mark.parametrize("node", NODES)
 @pytest.mark.parametrize("linear", [Linear.EXUdense, Linear.EigenSparse])
 def test_reactions_of_a_falling_door_stay_the_smallest(linear: Any, node: Any) -> None:
-    """What is idle turns with the door. Ends of solutions are compared; sensors and functions of the user are told the same on the way there."""
+    """The null-space component rotates with the door. Ends of solutions are compared; sensors and user functions get
+    the same values on the way."""
     told: list[Any] = []
     ends = []
     for steps in (25, 50):
@@ -256,7 +259,7 @@ def test_reactions_of_a_falling_door_stay_the_smallest(linear: Any, node: Any) -
     ],
 )
 def test_output_has_no_influence_on_motions_with_redundant_reactions(make: Callable[[], Any], solver: Any) -> None:
-    """To the last bit, at times of steps and between them."""
+    """Values are bit-identical, at times of steps and between them."""
     ends = []
     for looks in (False, True):
         mbs = make()
@@ -295,7 +298,7 @@ def test_symmetric_hinges_of_a_falling_door_have_symmetric_reactions(solver: Any
 
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.DOPRI5, Solver.ESDIRK43])
 def test_hinges_that_actions_open_leave_nothing_redundant(solver: Any) -> None:
-    """The second hinge opens on the way: from there on, the first one carries all of the weight along their axis, and nobody else could."""
+    """The second hinge opens on the way: the first one carries all of the weight along their axis from then on."""
     door = Door()
     mbs, second = door.mbs, door.hinges[1]
 
@@ -326,9 +329,11 @@ def test_hinges_that_actions_open_leave_nothing_redundant(solver: Any) -> None:
 )
 @pytest.mark.parametrize("by", ["events", "function before steps", "function after steps"])
 def test_reactions_follow_hinges_that_are_switched(active: Sequence[tuple[int, int]], solver: Any, by: str) -> None:
-    """Those of a door that are active in turn carry its weight, which tells nothing of those before; the motion is that on one of them.
+    """Doors with alternating active hinges carry their weight, independently of earlier hinges; the motion is that on
+    one of them.
 
-    With functions before and after steps, ``ESDIRK43`` let a hinge that joined another one carry nothing, and numbers of reactions that are not unique were those of before.
+    Functions before and after steps made ``ESDIRK43`` leave a hinge that joined another one without load, and numbers
+    of non-unique reactions were those of before.
     """
 
     def moved(active: Sequence[tuple[int, int]]) -> tuple[Door, np.ndarray]:
@@ -379,13 +384,14 @@ def test_reactions_follow_hinges_that_are_switched(active: Sequence[tuple[int, i
     reference, _ = moved([(1, 0)] * 3)
     assert door.edge() == pytest.approx(
         reference.edge(), abs=1e-9
-    )  # what the tolerance of Newton's method leaves of velocities
+    )  # remaining velocities, by the tolerance of Newton's method
 
 
 @pytest.mark.parametrize("node", NODES)
 @pytest.mark.parametrize("steps", [2, 50])
 def test_functions_that_do_nothing_change_no_reactions(steps: int, node: Any) -> None:
-    """Of constraints of velocities, whose steps end with Euler parameters of unit length: reactions were the smallest of a state a little beside."""
+    """Velocity constraints, whose steps end with Euler parameters of unit length: reactions had the minimum norm for a
+    slightly different state."""
     told = []
     for looks in (False, True):
         door = Door(node=node)
@@ -405,9 +411,11 @@ def test_functions_that_do_nothing_change_no_reactions(steps: int, node: Any) ->
 
 @pytest.mark.parametrize("opens", [True, False])
 def test_reactions_after_events_are_of_second_order(opens: bool) -> None:
-    """An event within a step leaves no swinging of reactions behind, not even without numerical damping: of the first order, it was 2 N at 10 ms and grew.
+    """An event within a step leaves no swinging of reactions behind, not even without numerical damping: it was 2 N at
+    10 ms and grew when it was of first order.
 
-    Both hinges, or the one that is left, carry what a door on one hinge has at these times, by steps of another method that are eighty times as small.
+    Both hinges, or the remaining one, carry the load of a door on one hinge at these times, by another method with
+    steps eighty times as small.
     """
     door = Door()
     door.mbs.SetObjectParameter(door.hinges[1], "activeConnector", False)
@@ -436,7 +444,8 @@ def test_reactions_after_events_are_of_second_order(opens: bool) -> None:
 
 @pytest.mark.parametrize("part", [0.01, 0.1, 0.6])
 def test_reactions_are_of_second_order_in_steps_that_are_cut(part: float) -> None:
-    """By an event without an action after this part of a step, and by the end, for that: reactions were off by as much as steps are long, and more in short ones."""
+    """An event without an action after this part of a step, or the end: reactions were off by as much as steps are
+    long, and more in short ones."""
     exact = reactions_at_ends_of_steps(Door(), 4000, Solver.ESDIRK43)
     errors = []
     for steps in (50, 100):
@@ -467,7 +476,7 @@ def reactions_at_ends_of_steps(door: Door, steps: int, solver: Any, spectral_rad
 
 
 def test_viewers_see_the_smallest_reactions() -> None:
-    """Of a solution that nobody else looks at: idle parts are taken off for them."""
+    """A solution without other readers: idle parts are taken off for them."""
     mbs = Bricard({}).mbs
     shadow, seen, ends = _core._Shadow(mbs), [], threading.Event()
     shadow.follow()
@@ -495,7 +504,8 @@ def test_viewers_see_the_smallest_reactions() -> None:
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.ESDIRK43])
 @pytest.mark.parametrize("end", ["last step", "exception", "stopped"])
 def test_reactions_are_the_smallest_at_ends_however_solutions_end(end: str, solver: Any) -> None:
-    """Idle parts are taken off only where somebody looks: after the last step and at its start, and where an exception leaves the step before."""
+    """Idle parts are taken off only where somebody looks: after the last step and at its start, and after an
+    exception."""
 
     def interfere(mbs: Any, t: float) -> bool:
         if t > 0.5 and end == "exception":
@@ -651,7 +661,7 @@ def test_planar_loops_in_space(node: Any, linear: Any, bars: int) -> None:
     random = np.random.default_rng(bars)
     for _ in range(7):
         chain = ClosedChain(random, bars, node)
-        s = settings(0.02, 20, tolerance=1e-12)  # so that the last matrix is that of the last state
+        s = settings(0.02, 20, tolerance=1e-12)  # the last matrix is that of the last state
         s.linearSolverType = linear
         s.redundantConstraints.momentLength = 1.0
         chain.mbs.SolveDynamic(s)

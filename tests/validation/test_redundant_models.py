@@ -1,4 +1,5 @@
-"""Machines whose constraints follow from each other: vehicles, robots, ladders; and what else than solvers looks at them."""
+"""Machines whose constraints follow from each other: vehicles, robots, ladders; and functions other than solvers that
+use them."""
 
 from __future__ import annotations
 
@@ -173,7 +174,8 @@ def closed_arm(closing: list[int]) -> tuple[Any, Any]:
 
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.ESDIRK43, Solver.DOPRI5])
 def test_an_arm_in_a_plane_that_leans(solver: Any) -> None:
-    """A full joint closes it: what holds it in its plane acts on its coordinates by round-off alone, which made multipliers 1e8 times too large."""
+    """A full joint closes it: its out-of-plane constraint acts on its coordinates by round-off only, which made
+    multipliers 1e8 times too large."""
     states = []
     for closing in ([1, 1, 1, 1, 1, 0], [1, 1, 0, 0, 0, 0]):
         mbs, node = closed_arm(closing)
@@ -185,7 +187,7 @@ def test_an_arm_in_a_plane_that_leans(solver: Any) -> None:
             np.concatenate([mbs.GetNodeOutput(node, v) for v in (Variable.Coordinates, Variable.Coordinates_t)])
         )
         assert_smallest(mbs, 1)
-    # Where velocities alone are constrained, joints drift, and along other axes.
+    # Joints with velocity constraints drift, and along other axes.
     tolerance = 1e-5 if solver == Solver.TrapezoidalIndex2 else 1e-7
     np.testing.assert_allclose(states[0], states[1], rtol=0, atol=tolerance)
 
@@ -218,7 +220,8 @@ def ladder(loops: int) -> Any:
 def test_many_equations() -> None:
     """A ladder of 1200 loops in space: 24000 equations, of which three per loop follow from others.
 
-    What else holds its top is so weak, with the fourth power of its height, that it nearly vanishes as well; but loops are looked at
+    The other constraint of its top is so weak, with the fourth power of its height, that it nearly vanishes as well;
+    but loops are looked at
     one by one, so that there is nothing to warn of.
     """
     loops = 1200
@@ -229,7 +232,8 @@ def test_many_equations() -> None:
 
 
 def test_a_hundred_thousand_equations() -> None:
-    """The same with 5000 loops, from their items: what is redundant is found at the start, and steps go on with it. Steps keep the ladder together."""
+    """The same with 5000 loops, from their items: redundancy is detected at the start, and steps use it. Steps keep the
+    ladder together."""
     loops, mbs = 5000, new_system()
     ground = mbs.AddObject(exu.ObjectGround())
     half_turn = np.sqrt(0.5)
@@ -262,7 +266,7 @@ def test_a_hundred_thousand_equations() -> None:
 
 
 def entries_of_factors(mbs: Any, eps: float) -> int:
-    """Of masses and constraints, with eps of what each equation has by itself on the diagonal."""
+    """Matrix of masses and constraints, with eps times the size of each equation on the diagonal."""
     state = testing.State(mbs)
     state.q, state.lam = mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Initial), np.zeros_like(state.lam)
     n, total = len(state.q), len(state.q) + len(state.lam)
@@ -337,7 +341,8 @@ def rails_in_the_plane(loops: int, gravity: Any) -> tuple[Any, Any]:
 
 
 def test_weak_constraints_are_told_from_redundant_ones() -> None:
-    """What holds the tip of a ladder on rails is weak, with the fourth power of its height: 8e-9 of a joint at 80 loops."""
+    """The constraint of the tip of a ladder on rails is weak, with the fourth power of its height: 8e-9 of a joint at
+    80 loops."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         counts = rails(80)[0].ComputeSystemDegreeOfFreedom()
@@ -347,7 +352,8 @@ def test_weak_constraints_are_told_from_redundant_ones() -> None:
 
 
 def test_counts_that_are_not_certain_say_so() -> None:
-    """What a hinge out of true states besides is weak with the square of its angle; what fails then names it, and the joints."""
+    """A misaligned hinge adds constraints that are weak with the square of its angle; an error names it, and the
+    joints."""
     mbs = rails(40, (9.81, 0, 0), turned=1e-4)[0]
     with pytest.warns(UserWarning, match="hardly independent of others"):
         mbs.ComputeSystemDegreeOfFreedom()
@@ -373,7 +379,7 @@ def test_other_solvers_say_so_as_well(solver: Any) -> None:
 
 
 def test_high_ladders_on_rails_fall_as_in_the_plane() -> None:
-    """Both are integrated alike; what differs are round-off, by what constraints leave of it, and Newton's tolerances."""
+    """Both are integrated equally; differences are round-off, constraint violations, and Newton's tolerances."""
     gravity, places = [9.81, -1, -9.81], []
     for build in (rails, rails_in_the_plane):
         mbs, rung = build(100, gravity)
@@ -443,7 +449,8 @@ def test_variations_do_not_know_what_others_have_found() -> None:
     assert (told == 5).all()
 
 
-# ---- models that are regular, whatever Newton's method tries --------------------------------------------------------------
+# ---- models that are regular for all iterates of Newton's method
+# ---------------------------------------------------------
 
 
 def kicked_pendulum(treat: bool, solver: Any, size: float, begin: float, end: float, steps: int) -> tuple[Any, Any]:

@@ -43,7 +43,7 @@ def argyris_frame(elements: int, node: type) -> tuple[Rod, Any, Any]:
 
 
 def buckled(node: type, elements: int) -> np.ndarray:
-    """Along the path of equilibria, which an increasing load follows into the buckled branch: no step fails."""
+    """The path of equilibria, which an increasing load follows into the buckled branch: no step fails."""
     rod, _, tip = argyris_frame(elements, node)
     rod.load(tip, exu.Force, [0, 0, 0], loadVectorUserFunction=lambda mbs, t, load: [t, 0, 1e-3])
     motion = exu.SensorNode(nodeNumber=tip, outputVariableType=Variable.Displacement, storeInternal=True)
@@ -101,7 +101,8 @@ def motion(elements: int, steps: int) -> np.ndarray:
 
 
 def test_motion_of_the_frame() -> None:
-    """Of second order in the lengths of elements and steps together, towards the published problem's solution."""
+    """Errors of second order in the lengths of elements and steps together, towards the solution of the published
+    problem."""
     wanted = np.array(list(MOTION.values()))
     coarse, fine = motion(8, 250), motion(16, 500)
     errors = [float(np.linalg.norm(u - wanted)) for u in (coarse, fine)]

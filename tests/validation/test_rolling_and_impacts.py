@@ -115,7 +115,7 @@ def test_a_ball_breaks_a_rack() -> None:
     def plane(i: int, variable: exu.OutputVariableType) -> np.ndarray:
         return np.asarray(mbs.GetObjectOutputBody(balls[i], variable, [0, 0, 0]))[:2]
 
-    # what forces of d^1.5 leave of the fourth order, at the two ends of nine impacts in 5e-5 s
+    # remaining error of fourth order for forces of d^1.5, at the two ends of nine impacts in 5e-5 s
     tolerance = 2e-6
     np.testing.assert_allclose(plane(0, Variable.Position), [-0.13576660, 0.14751533], atol=tolerance)
     np.testing.assert_allclose(plane(0, Variable.Velocity), [-0.14199197, 0.34569608], atol=10 * tolerance)

@@ -90,7 +90,7 @@ def rolled(steps: int, node: exu.NodeType) -> tuple[np.ndarray, np.ndarray, np.n
     return np.asarray(mbs.GetObjectOutput(joint, Variable.Position)), stored[0, 1:], stored[-1, 1:]
 
 
-# Of a thousand steps. Euler parameters drift off unit length in each, and are brought back.
+# Mean of a thousand steps. Euler parameters drift off unit length in each, and are brought back.
 ERRORS = {exu.NodeType.RotationEulerParameters: 6.71e-7, exu.NodeType.RotationRxyz: 1.18e-5}
 
 
@@ -104,7 +104,8 @@ def test_contact_point_after_half_a_second(node: exu.NodeType) -> None:
 
 @pytest.mark.parametrize("node", ERRORS, ids=str)
 def test_contact_force(node: exu.NodeType) -> None:
-    """At the start to the precision of differences. The trapezoidal rule has no damping: forces that began with an error would
+    """Accuracy at the start is that of differences. The trapezoidal rule has no damping: forces that began with an
+    error would
     swing for ever."""
     results = [rolled(steps, node) for steps in (1000, 2000)]
     for _, start, _ in results:

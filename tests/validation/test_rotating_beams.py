@@ -10,7 +10,8 @@ from solving import Variable, new_system, settings
 
 import dalembert as exu
 
-# Of the tip, against the line that rotates rigidly: along it, across it, and the rotation of the section; by an element of degree 10.
+# Displacement of the tip, relative to the rigidly rotating line: along it, across it, and the rotation of the section;
+# by an element of degree 10.
 SPUN = {
     2.5: (-0.001322677, -0.151283559, -0.020621126),
     5.0: (-0.012654636, -0.468476183, -0.063716733),
@@ -135,7 +136,7 @@ def test_steady_extension() -> None:
 
 
 def test_rounding_of_stiff_fine_beams_is_told() -> None:
-    """Errors of frequencies stay below what is told, and there is a warning where frequencies are lost."""
+    """Errors of frequencies are below the reported ones, and a warning is given if frequencies are lost."""
     for stiff, elements in ((1e7, 100), (1e7, 2000), (1e9, 400)):
         found = rotating_beam(elements, stiff=stiff).ComputeVibrationModes(4)
         errors = np.abs(found.eigenvalues - 1j * np.repeat(AT_REST, 2))

@@ -1,4 +1,5 @@
-"""Four-bars that pass their flat position with steps by tolerances: on the branch that velocities take, or with a word."""
+"""Four-bars that pass their flat position with steps by tolerances: they follow the branch of the velocities, or
+warn."""
 
 from __future__ import annotations
 
@@ -29,7 +30,8 @@ def error_of(bars: Bars) -> float:
         (Solver.GeneralizedAlpha, 1e-6, 5e-4),
         (Solver.GeneralizedAlpha, 1e-7, 5e-5),
         (Solver.TrapezoidalIndex2, 1e-6, 4e-4),
-        # Of higher order: ten to a hundred times the tolerance per second, and what 1e-11 of differences leave beside the flat position.
+        # Errors of higher order: ten to a hundred times the tolerance per second, and the effect of differences of
+        # 1e-11 close to the flat position.
         (Solver.ODE23, 1e-6, 5e-4),
         (Solver.DOPRI5, 1e-8, 1e-6),
         (Solver.DOP853, 1e-8, 1e-6),
@@ -54,7 +56,7 @@ def test_the_flat_position_is_passed(solver: Any, tolerance: float, most: float,
     ],
 )
 def test_no_other_branch_without_a_word(solver: Any, tolerance: float, loops: int) -> None:
-    """Steps as small as these end beside the flat position, or in it."""
+    """Small steps end close to the flat position, or in it."""
     bars = Bars(loops)
     try:
         bars.mbs.SolveDynamic(by_tolerance(settings(END, 50), tolerance), solverType=solver)
@@ -91,7 +93,7 @@ def test_steps_that_pass_it_are_told(capfd: Any) -> None:
     ("rest", "tolerance", "times"), [(1e-4, 1e-5, 1), (1e-5, 1e-4, 1), (1e-6, 1e-4, 1), (-0.2, 1e-4, 0)]
 )
 def test_rests_beside_the_flat_position_are_told(rest: float, tolerance: float, times: int, capfd: Any) -> None:
-    """Two loops rise from 0.3 rad below: of those that rest just beyond it, errors decide how they fall back."""
+    """Two loops rise from 0.3 rad below: errors determine how a mechanism at rest just beyond it falls back."""
     start, loops = -0.3, 2
     factor = ((loops + 1) / 2 + loops) / ((loops + 1) / 3 + loops)
     rate = float(np.sqrt(2 * GRAVITY * factor * (np.sin(rest) - np.sin(start))))
@@ -122,7 +124,8 @@ def test_stiff_loops_are_not_taken_for_singular_positions(solver: Any) -> None:
 
 
 def test_starts_in_the_flat_position_that_round_off_spoils_name_methods_that_do_not_suffer() -> None:
-    """At 1e-10, errors of positions are those of round-off by the sine of a small angle; what constrains accelerations has none of them."""
+    """Errors of positions at 1e-10 are those of round-off by the sine of a small angle; acceleration constraints have
+    none."""
     bars = Bars(2, angle=0, rate=-3)
     s = by_tolerance(settings(END, 50), 1e-10)
     s.timeIntegration.endTime = 0.03
@@ -167,7 +170,7 @@ def test_singular_positions_that_end_a_solution_are_named(
 
 
 def test_failures_elsewhere_are_not_those_of_singular_positions() -> None:
-    """One iteration does not do, upright, where no joint states what others do."""
+    """A single iteration does not suffice in the upright position, where no joint is redundant."""
     bars, s = Bars(2), settings(0.1, 1)
     s.timeIntegration.newton.maxIterations = 1
     s.timeIntegration.adaptiveStep = False
@@ -182,7 +185,8 @@ def test_failures_elsewhere_are_not_those_of_singular_positions() -> None:
 )
 @pytest.mark.parametrize("by", ["steps", "tolerance"])
 def test_slow_starts_in_the_flat_position_do_not_contradict(solver: Any, rate: float, by: str, capfd: Any) -> None:
-    """What is redundant in the flat position is not a little beside it, however long the motion takes to get there."""
+    """Constraints that are redundant in the flat position are independent close to it, for any duration of the
+    approach."""
     bars, s = Bars(2, angle=0, rate=rate), by_tolerance(settings(END, 50), 1e-6)
     s.timeIntegration.endTime, s.timeIntegration.numberOfSteps = 0.3, 3000
     s.timeIntegration.automaticStepSize = by == "tolerance"
@@ -198,7 +202,7 @@ def test_slow_starts_in_the_flat_position_do_not_contradict(solver: Any, rate: f
         return
     error = np.linalg.norm(bars.tip_output(Variable.Position) - parallelogram(2, [0.3], (0, rate))[0][:2])
     solved = bars.mbs.sys["dynamicSolver"]
-    # Of 0.5 m: 1e-4 is a thousand times what steps of 0.1 ms leave, and a hundred times the tolerance.
+    # Of 0.5 m: 1e-4 is a thousand times the error of steps of 0.1 ms, and a hundred times the tolerance.
     assert error < 1e-4 or not solved.output.trusted or "starts in a singular position" in told
 
 
@@ -267,7 +271,7 @@ class SliderCrank:
         return float(self.mbs.GetObjectOutputBody(self.slider, Variable.Position, [0, 0, 0])[0])
 
     def reference(self, stiffness: float, end: float) -> float:
-        """By one coordinate, the angle: inertia 2/3 + 6 sin^2, slider at 2 cos."""
+        """Solution in one coordinate, the angle: inertia 2/3 + 6 sin^2, slider at 2 cos."""
 
         def rates(t: float, x: np.ndarray) -> list[float]:
             sin, cos = np.sin(x[0]), np.cos(x[0])
@@ -281,7 +285,8 @@ class SliderCrank:
 @pytest.mark.parametrize("rate", [2.0, -2.0])
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43])
 def test_a_slider_crank_that_starts_in_its_dead_centre(solver: Any, rate: float, capfd: Any) -> None:
-    """A spring of 1 kN/m leaves time to tell how it goes on; one of 1 MN/m, of 800 rad/s, bends accelerations within the first moments."""
+    """A spring of 1 kN/m leaves time to determine the branch; one of 1 MN/m, of 800 rad/s, changes accelerations within
+    the first moments."""
     model = SliderCrank(1e3, rate)
     s = settings(0.02, 100)
     s.timeIntegration.automaticStepSize = False
@@ -303,7 +308,8 @@ def test_a_slider_crank_that_starts_in_its_dead_centre(solver: Any, rate: float,
 def test_stiff_springs_in_the_dead_centre_lead_nowhere_else_without_a_word(
     solver: Any, steps: int, stiffness: float, capfd: Any
 ) -> None:
-    """The slider swings, by twice the rate over the square root of 0.6 times the stiffness; on the other branch it stays where it is."""
+    """The slider swings, by twice the rate over the square root of 0.6 times the stiffness; it remains at rest on the
+    other branch."""
     model, s = SliderCrank(stiffness), settings(0.01, steps)
     s.timeIntegration.automaticStepSize = False
     try:

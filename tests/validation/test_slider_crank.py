@@ -23,7 +23,7 @@ def slider_position(t: Any) -> Any:
 
 
 def kinetic_energy(t: float, h: float = 1e-4) -> float:
-    """Of rod and slider, with rates by central differences of the closed form."""
+    """Angles of rod and slider, with rates by central differences of the closed form."""
 
     def places(t: float) -> np.ndarray:
         crank = CRANK * np.array([np.cos(angle(t)), np.sin(angle(t))])
@@ -82,7 +82,8 @@ class SliderCrank:
 
 @pytest.mark.parametrize("index2", [False, True], ids=["index3", "index2"])
 def test_slider_crank(index2: bool) -> None:
-    """Positions: to the tolerance of Newton's method where they are constrained, else with the second order of the method. The
+    """Positions: to the tolerance of Newton's method if they are constrained, else with the second order of the method.
+    The
     torque has the error of accelerations, of second order as well: (n h)^2 with n = 5/s, 10/s, ... and h = 0.5 ms."""
     model = SliderCrank()
     s = settings(1.0, 2000, spectral_radius=0.8)

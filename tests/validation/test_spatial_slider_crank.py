@@ -116,7 +116,7 @@ def test_start() -> None:
 
 @pytest.mark.parametrize("end", PUBLISHED)
 def test_published(end: float) -> None:
-    """What was published has errors of its own, like those of a method of second order with 1 ms."""
+    """The published solution has errors of its own, like those of a method of second order with 1 ms."""
     assert reference()[end] == pytest.approx(PUBLISHED[end], abs=6e-5)
 
 

@@ -17,12 +17,13 @@ GRAVITY, DENSITY, SECTION = [3, -9.81, 0], 1000.0, [0.1, 0.05]
 
 
 def place_on_coupler(along: float) -> np.ndarray:
-    """By the angles of the bars in the plane: the path of equilibria along which the weight grows, in 400 steps."""
+    """Positions from the angles of the bars in the plane: the path of equilibria along which the weight grows, in 400
+    steps."""
     corners = np.array(corners_of_loop())[:, :2]
     bars = np.diff(corners, axis=0)
     lengths, start = np.linalg.norm(bars, axis=1), np.unwrap(np.arctan2(bars[:, 1], bars[:, 0]))
     masses = DENSITY * np.prod(SECTION) * lengths
-    carried = masses / 2 + np.array([masses[1:].sum(), masses[2:].sum(), 0])  # at the end of each bar, by its direction
+    carried = masses / 2 + np.array([masses[1:].sum(), masses[2:].sum(), 0])  # derivative of the end of each bar by its direction
     from_before = np.array([[1, 0, 0], [-1, 1, 0], [0, -1, 1]])  # springs resist turns against the bar before
 
     springs, unknowns = STIFFNESS * from_before.T @ from_before, np.zeros(5)  # turns, and forces at the last joint
@@ -79,7 +80,8 @@ def soft_loop(node: Any, frees_three: bool) -> tuple[Any, Any]:
     "node", [exu.NodeType.RotationRotationVector, exu.NodeType.RotationRxyz, exu.NodeType.RotationEulerParameters]
 )
 def test_a_soft_loop_turns_far_in_one_load_step(node: Any, frees_three: bool) -> None:
-    """Where iterations of the full load go astray, smaller steps follow: joints that fitted before were said to contradict each other.
+    """If iterations of the full load diverge, smaller steps follow: joints that fitted before were said to contradict
+    each other.
 
     All arrive at the end of the path along which the weight grows.
     """
@@ -89,12 +91,12 @@ def test_a_soft_loop_turns_far_in_one_load_step(node: Any, frees_three: bool) ->
     s.solutionSettings.writeSolutionToFile = False
     assert mbs.SolveStatic(s) is True
     place = mbs.GetObjectOutputBody(coupler, Variable.Position, [0.1, 0, 0])
-    np.testing.assert_allclose(place, place_on_coupler(0.1), rtol=0, atol=1e-7)  # what static solutions are exact to
+    np.testing.assert_allclose(place, place_on_coupler(0.1), rtol=0, atol=1e-7)  # accuracy of static solutions
 
 
 def held_chain(bars: int, seed: int, node: Any, unit: float = 1, freed: bool = False, apart: float = 0) -> ClosedChain:
-    """A planar loop in space, solved under its weight: springs hold as many joints as there are motions, and the last joint may be free of what others
-    state, or apart (m) from where it fits."""
+    """A planar loop in space, solved under its weight: springs hold as many joints as there are motions; the last joint
+    may have no redundant equations, or a gap (m)."""
     chain = ClosedChain(np.random.default_rng(1000 * bars + seed), bars, node, unit)
     mbs = chain.mbs
 
@@ -121,7 +123,7 @@ def held_chain(bars: int, seed: int, node: Any, unit: float = 1, freed: bool = F
 
 
 def places(chain: ClosedChain) -> np.ndarray:
-    """Of the bars, in m."""
+    """Lengths of the bars, in m."""
     nodes = range(chain.mbs.systemData.NumberOfNodes())
     return np.array([chain.mbs.GetNodeOutput(node, Variable.Position) for node in nodes]) / chain.unit
 
@@ -139,7 +141,8 @@ def reactions(chain: ClosedChain) -> np.ndarray:
 @pytest.mark.parametrize("bars", [3, 4, 6])
 @pytest.mark.parametrize("seed", [2, 6, 9])
 def test_loops_on_springs_under_their_weight(seed: int, bars: int, node: Any) -> None:
-    """Where springs resist some motions alone, stiffness told wrong numbers of redundant equations, and reactions were up to a thousand times the smallest ones."""
+    """If springs resist only some motions, the stiffness gave wrong numbers of redundant equations, and reactions of up
+    to a thousand times the minimum-norm ones."""
     freed, redundant = held_chain(bars, seed, node, freed=True), held_chain(bars, seed, node)
     assert redundancy(redundant.mbs, "staticSolver")["count"] == 3
     np.testing.assert_allclose(places(redundant), places(freed), rtol=0, atol=1e-9)
@@ -156,7 +159,7 @@ def test_loops_on_springs_under_their_weight(seed: int, bars: int, node: Any) ->
 @pytest.mark.parametrize(("bars", "seed"), [(3, 2), (3, 9), (4, 1), (6, 2)])
 @pytest.mark.parametrize("apart", [1e-7, 1e-6])
 def test_loops_on_springs_that_hardly_fit(apart: float, bars: int, seed: int, unit: float, node: Any) -> None:
-    """What joints state against each other moves bars by as little as they are apart; it went along the motion, by a thousand times as much."""
+    """Contradictory joints move bars by the size of the gap; it went along the motion, by a thousand times as much."""
     freed, redundant = (held_chain(bars, seed, node, unit, freed, apart) for freed in (True, False))
     found = redundancy(redundant.mbs, "staticSolver")
     assert found["count"] == 3 and 0.001 * apart < found["misfit"] < apart

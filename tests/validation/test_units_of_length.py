@@ -1,4 +1,5 @@
-"""Units of length do not change what closed mechanisms do: consistent values and motions of doors, eigenvalues of chains, numbers of constraints."""
+"""Units of length do not change results of closed mechanisms: consistent values and motions of doors, eigenvalues of
+chains, numbers of constraints."""
 
 from __future__ import annotations
 
@@ -20,7 +21,7 @@ MASS = 30.0
 
 
 def hung_door(length: float, misplaced: float, turned: float, heights: Sequence[float] = (0.3, 1.7)) -> Any:
-    """With so many units of length per metre, off its hinges, of which the second one does not fit the others."""
+    """A model with this number of units of length per metre, off its hinges, of which the second one does not fit."""
     mbs = new_system()
     ground = mbs.CreateGround()
     size, center = length * np.array([0.9, 0.04, 2.0]), length * np.array([0.45, 0, 1])
@@ -42,7 +43,7 @@ def hung_door(length: float, misplaced: float, turned: float, heights: Sequence[
 
 
 def coordinates(mbs: Any, length: float, configuration: Any) -> np.ndarray:
-    """In m, and what counts rotations, with their rates."""
+    """Values in m, rotations, and their rates."""
     q = np.array(mbs.systemData.GetODE2Coordinates(configuration))
     v = np.array(mbs.systemData.GetODE2Coordinates_t(configuration))
     for values in (q, v):
@@ -52,7 +53,7 @@ def coordinates(mbs: Any, length: float, configuration: Any) -> np.ndarray:
 
 def consistent(mbs: Any) -> Any:
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of joints that do not fit
+        warnings.simplefilter("ignore")  # gaps of inconsistent joints
         return mbs.ComputeConsistentInitialConditions()
 
 
@@ -65,7 +66,7 @@ def consistent(mbs: Any) -> Any:
 def test_consistent_values(misplaced: float, turned: float, heights: Sequence[float], length: float) -> None:
     """Gaps are relative to the size of a mechanism, and joints that do not fit share them as in solvers.
 
-    Where each equation counted as much as any other, rates differed by 1e-4 of hinges that are turned by 1e-6.
+    Rates of hinges rotated by 1e-6 differed by 1e-4 when all equations had equal weights.
     """
     in_metres, other = (hung_door(unit, misplaced, turned, heights) for unit in (1, length))
     found, same = consistent(in_metres), consistent(other)
@@ -79,7 +80,7 @@ def test_consistent_values(misplaced: float, turned: float, heights: Sequence[fl
 @pytest.mark.parametrize("length", [1e3, 1e-3], ids=["mm", "km"])
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.DOPRI5, Solver.ESDIRK43])
 def test_motions(solver: Any, length: float) -> None:
-    """Of hinges that hardly fit, from consistent values."""
+    """Doors with hinges that hardly fit, from consistent values."""
     ends = []
     for unit in (1, length):
         mbs = hung_door(unit, 1e-7, 0)
@@ -113,8 +114,8 @@ def hung_chain(length: float, hinges: int, links: int = 10) -> Any:
 
 @pytest.mark.parametrize("length", [1e-3, 1e3, 1e4, 1e6], ids=["km", "mm", "0.1 mm", "um"])
 def test_eigenvalues(length: float) -> None:
-    """Of as many motions as there are links. Round-off of hinges that follow from others was taken for constraints: in 0.1 mm, seven of ten motions were
-    missing without a word."""
+    """Modes, as many as there are links. Round-off of hinges that follow from others was taken for constraints: seven
+    of ten modes were missing without a message in 0.1 mm."""
     wanted = np.asarray(hung_chain(1, 1).ComputeODE2Eigenvalues()[0])
     assert len(wanted) == 10
     for hinges in (1, 2, 3):
@@ -148,7 +149,8 @@ def counts_of_solver(mbs: Any) -> int:
 @UNITS
 @pytest.mark.parametrize("hinges", [1, 2, 3])
 def test_numbers_of_redundant_constraints(hinges: int, length: float) -> None:
-    """Of a door, and of chains. In micrometres, two moments of a single hinge were taken for round-off of forces."""
+    """Numbers of constraints of a door, and of chains. Two moments of a single hinge were taken for round-off of forces
+    in micrometres."""
     door = hung_door(length, 0, 0, np.linspace(0.3, 1.7, hinges))
     consistent(door)
     assert counts_of(door) == (5 * (hinges - 1), 1)
@@ -160,8 +162,9 @@ def test_numbers_of_redundant_constraints(hinges: int, length: float) -> None:
 def closed_tree(length: float, node: Any) -> Any:
     """Three links in a plane that leans. The last one carries a coupler by two hinges, and this hangs on the ground by a hinge and a ball joint.
 
-    The coupler closes a planar loop of five joints, which has two degrees of freedom: of 10 coordinates (3 of the tree, 6 and a parameter of rotation more,
-    or 9), the 18 equations of joints leave 2 if 11 follow from others (one condition of unit length holds that parameter).
+    The coupler closes a planar loop of five joints, which has two degrees of freedom: the 18 equations of joints on 10
+    coordinates (3 of the tree, 6 and a rotation parameter more, or 9) leave 2 if 11 are redundant (one unit-length
+    condition fixes that parameter).
     """
     mbs = new_system()
     ground = mbs.CreateGround()
@@ -213,7 +216,7 @@ def closed_tree(length: float, node: Any) -> Any:
 @UNITS
 @pytest.mark.parametrize("node", [exu.NodeType.RotationEulerParameters, exu.NodeType.RotationRotationVector])
 def test_numbers_of_redundant_constraints_of_a_closed_tree(node: Any, length: float) -> None:
-    """In mm, 19 equations were taken for redundant without a word, as moments are small beside forces there."""
+    """19 equations counted as redundant in mm without a message, because moments are small next to forces there."""
     mbs = closed_tree(length, node)
     assert counts_of(mbs) == (11, 2)
     assert counts_of_solver(mbs) == 11
@@ -222,7 +225,7 @@ def test_numbers_of_redundant_constraints_of_a_closed_tree(node: Any, length: fl
 @pytest.mark.parametrize("node", NODES)
 @pytest.mark.parametrize("length", [1e-3, 1e3, 1e6], ids=["km", "mm", "um"])
 def test_reactions_of_random_mechanisms(length: float, node: Any) -> None:
-    """Of planar loops in space, of which three equations follow from others: the smallest reactions are the same forces and moments."""
+    """Planar loops in space, with three redundant equations: the smallest reactions are the same forces and moments."""
     for bars in (3, 4, 5, 7):
         told = []
         for unit in (1, length):
@@ -237,7 +240,7 @@ def test_reactions_of_random_mechanisms(length: float, node: Any) -> None:
                 for of in (exu.OutputVariableType.ForceLocal, exu.OutputVariableType.TorqueLocal)
             )
             told.append(np.concatenate([forces / unit, moments / unit**2]))
-        assert np.linalg.norm(told[1] - told[0]) < 1e-6 * np.linalg.norm(told[0])  # to which they are the smallest
+        assert np.linalg.norm(told[1] - told[0]) < 1e-6 * np.linalg.norm(told[0])  # the norm that they minimize
 
 
 @pytest.mark.parametrize("length", [1, 1e3], ids=["m", "mm"])
@@ -245,7 +248,7 @@ def test_reactions_of_random_mechanisms(length: float, node: Any) -> None:
 def test_wrong_numbers_of_redundant_constraints_say_so(
     off: int, length: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Singular values tell, in small systems."""
+    """Singular values count in small systems."""
     mbs, found = hung_chain(length, 2, links=3), testing.redundant_constraints
     monkeypatch.setattr(testing, "redundant_constraints", lambda *a: (r := found(*a)) | {"count": r["count"] + off})
     with warnings.catch_warnings(record=True) as told:

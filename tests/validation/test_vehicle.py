@@ -32,7 +32,8 @@ def radii() -> np.ndarray:
 
 
 def acceleration() -> float:
-    """Of the middle of the rear axle, from the power of the torques: the inertia per its speed does not change."""
+    """Acceleration of the middle of the rear axle, from the power of the torques: the inertia per its speed does not
+    change."""
     yaw = 1 / CIRCLE
     body = BODY.mass * ((BASE / 2) ** 2 + CIRCLE**2) + BODY.inertiaTensor[2, 2]
     around = WHEEL.mass * radii() ** 2 + WHEEL.inertiaTensor[0, 0] + WHEEL.inertiaTensor[1, 1] * (radii() / RADIUS) ** 2
@@ -45,7 +46,7 @@ def yaw_angle() -> float:
 
 
 class Car:
-    """Redundant conditions are left out: one wheel per axle keeps it from sliding sideways, three wheels carry it."""
+    """Redundant conditions are left out: one wheel per axle prevents sideways sliding, three wheels carry it."""
 
     FLAGS = ([1, 1, 1], [0, 1, 1], [1, 1, 1], [0, 1, 0])  # lateral, forward, normal
 
@@ -85,7 +86,7 @@ class Car:
         )
 
     def output(self, variable: Any) -> np.ndarray:
-        """Of the middle of the rear axle."""
+        """Motion of the middle of the rear axle."""
         return np.asarray(self.mbs.GetObjectOutputBody(self.body, variable, [-BASE / 2, 0, 0]))
 
 
@@ -102,7 +103,8 @@ def test_one_degree_of_freedom() -> None:
 
 
 def test_speed_and_place(car: Car) -> None:
-    """Second order: the wheels turn by 0.04 rad in a step of 2 ms at the end, 0.04^2 / 12 = 1e-4 of what depends on angles."""
+    """Second order: the wheels rotate by 0.04 rad in a step of 2 ms at the end, which gives an error of 0.04^2 / 12 =
+    1e-4 of angles."""
     speed, turned = SPEED + acceleration() * END, yaw_angle()
     assert 1e-7 < np.linalg.norm(car.output(Variable.VelocityLocal) - [speed, 0, 0]) < 1e-4
     place = CIRCLE * np.array([np.sin(turned), 1 - np.cos(turned), 0])

@@ -94,8 +94,9 @@ def driven_wheel(joint: Callable[..., Any], wheel_first: bool, steps: int) -> tu
 @each_order
 @pytest.mark.parametrize("joint", HINGES.values(), ids=HINGES)
 def test_wheel_on_an_axle_that_rests(joint: Callable[..., Any], wheel_first: bool) -> None:
-    """Its axis, the first, stays along y but for a third-order error, and its speed is T t / J = 75 rad/s. With parameters that are left to
-    drift, to 1.8e-4 from unit length, the axis would turn by 3e-3 rad with 500 steps, and by a quarter of that with 1000."""
+    """Its axis, the first, stays along y but for a third-order error, and its speed is T t / J = 75 rad/s. If
+    parameters drift to 1.8e-4 from unit length, the axis rotates by 3e-3 rad with 500 steps, and by a quarter of that
+    with 1000."""
     tilts = []
     for steps in (500, 1000):
         turn, speed = driven_wheel(joint, wheel_first, steps)

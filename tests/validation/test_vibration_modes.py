@@ -52,7 +52,7 @@ def test_string_under_tension(force: bool) -> None:
 
 
 def test_preload_shows() -> None:
-    """The same string without tension has the frequencies of a beam: the preload is what makes the difference."""
+    """The same string without tension has the frequencies of a beam: the preload makes the difference."""
     slack = string(16, 0.0, 0.05).ComputeVibrationModes(2)
     assert slack.frequencies[0] * 2 * np.pi == pytest.approx(np.pi**2 * np.sqrt(0.05), rel=1e-4)
 
@@ -70,7 +70,7 @@ def point(mass: float, stiffness: Any, damping: Any = (0.0, 0.0, 0.0), at: Any =
 
 
 def test_damped_oscillator() -> None:
-    """lambda = - delta +- i sqrt(omega^2 - delta^2); one direction is damped so much that it does not oscillate."""
+    """lambda = - delta +- i sqrt(omega^2 - delta^2); one direction is overdamped."""
     found = point(2.0, [50, 200, 2], [4, 0, 10]).ComputeVibrationModes(4)
     wanted = [-1 + 1j * np.sqrt(24), 10j, -2.5 + np.sqrt(5.25), -2.5 - np.sqrt(5.25)]
     for value in wanted:
@@ -88,7 +88,7 @@ def test_rotating_oscillator(speed: float) -> None:
 
 
 def test_unstable_above_the_critical_speed() -> None:
-    """With different springs, centrifugal forces win between both frequencies: omega_x < Omega < omega_y."""
+    """Centrifugal forces with different springs are larger between both frequencies: omega_x < Omega < omega_y."""
     mbs = point(1.0, [100, 400, 100])
     assert np.abs(mbs.ComputeVibrationModes(3, [0, 0, 8.0]).eigenvalues.real).max() < 1e-9
     found = mbs.ComputeVibrationModes(4, [0, 0, 15.0])
@@ -154,7 +154,8 @@ def test_redundant_joints_change_nothing(length: float, node: Any) -> None:
 
 @pytest.mark.parametrize("hinges", [1, 2])
 def test_joints_that_do_not_fit(hinges: int) -> None:
-    """As in solvers: what is misplaced by a little is fitted with a warning, and refused by more. A single hinge moves the door to where it fits."""
+    """The rule is that of solvers: small misplacements are fitted with a warning, larger ones are rejected. A
+    single hinge moves the door to where it fits."""
 
     def frequency(misplaced: float) -> float:
         mbs = new_system()
