@@ -6,7 +6,7 @@ from typing import Any
 
 
 def by_tolerance(settings: Any, tolerance: float) -> Any:
-    """Of all solvers; returns the settings."""
+    """Apply the tolerance to all solvers; returns the settings."""
     settings.timeIntegration.automaticStepSize = settings.stepSizeControl.implicitSolvers = True
     settings.timeIntegration.absoluteTolerance = settings.timeIntegration.relativeTolerance = tolerance
     return settings

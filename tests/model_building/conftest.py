@@ -1,4 +1,4 @@
-"""What the tests of items and systems share."""
+"""Shared fixtures of the tests of items and systems."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""For every parameter type of the specs: a value that is not the default, and what each type refuses."""
+"""Values for every parameter type of the specs: one that is not the default, and rejected ones."""
 
 from __future__ import annotations
 
@@ -132,7 +132,7 @@ TOO_LARGE = 10**400  # more than a double holds
 
 
 def bad_values(row: Parameter) -> dict[str, Any]:
-    """By their kind: values that a parameter refuses at the call that brings them."""
+    """Values by kind: values that a parameter refuses at the call that brings them."""
     storage = row.type.storage
     if storage == "opaque":
         return {}
@@ -177,7 +177,7 @@ def _bad_scalars(row: Parameter) -> dict[str, Any]:
 
 
 def _bad_entries(row: Parameter) -> dict[str, Any]:
-    """Of vectors, matrices and lists: wrong entries, and wrong lengths."""
+    """Values of vectors, matrices and lists: wrong entries, and wrong lengths."""
     storage, valid = row.type.storage, sample(row)
     kind = storage.removesuffix("s")
     wrong: dict[str, Any] = {"nested None": None, "nested dictionary": {}}
@@ -213,7 +213,7 @@ def _with_last(values: list[Any], entry: Any) -> list[Any]:
 
 
 def wrong_type(row: Parameter) -> Any:
-    """What no parameter of this type accepts, whatever its length."""
+    """Values that no parameter of this type accepts, for any length."""
     if row.type.storage == "text":
         return 5
     if row.named != "no" or row.type.index and not row.type.shape:

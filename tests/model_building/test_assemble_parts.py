@@ -86,7 +86,7 @@ def test_ground_nodes_move_at_once(mbs: exu.MainSystem, point: exu.NodeIndex) ->
     ("most", "node"), [(2**31 - 1, exu.NodePoint()), (2**31 - 3, exu.NodePoint()), (2**31 - 1, exu.NodeGenericData())]
 )
 def test_more_coordinates_than_numbers_are_refused(mbs: exu.MainSystem, most: int, node: Any) -> None:
-    """Before memory is asked for; the node at which the limit is passed is named."""
+    """Checked before memory is allocated; the node at which the limit is passed is named."""
     node.name = "last"
     first = mbs.AddNode(exu.NodeGenericData(initialCoordinates=[]))
     mbs.AddNode(node)

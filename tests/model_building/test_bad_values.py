@@ -17,7 +17,7 @@ Route = Callable[[Any], Any]
 
 
 def routes(mbs: exu.MainSystem, item: Item, name: str) -> Iterator[tuple[str, Route]]:
-    """Ways to a parameter: those of the item, and those of a system in which it has the number 0."""
+    """Ways to a parameter: names of the item, and of a system in which it has the number 0."""
     title, made = item.kind.title(), CLASSES[item.name]()
     add, put, modify = (getattr(mbs, method) for method in (f"Add{title}", f"Set{title}Parameter", f"Modify{title}"))
     if not name.startswith("V") or name in {row.name for row in item.parameters}:

@@ -1,4 +1,4 @@
-"""What Assemble() refuses."""
+"""Models that Assemble() rejects."""
 
 from __future__ import annotations
 

@@ -59,7 +59,7 @@ def test_indices_are_invalid_at_first(item: Item, row: Parameter) -> None:
     "number", [2, 0.5, np.float32(0.5), np.int64(2), np.array(0.5)], ids=lambda number: type(number).__name__
 )
 def test_a_number_is_the_one_entry(item: Item, row: Parameter, number: Any) -> None:
-    """As a plate of one thickness has it."""
+    """The data of a plate with one thickness."""
     assert getattr(CLASSES[item.name](**{row.name: number}), row.name).ravel().tolist() == [number]
 
 

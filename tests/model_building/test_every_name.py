@@ -1,7 +1,7 @@
 """Wherever an index is taken, a name is too: all parameters of items, all methods, all functions of the modules.
 
-Each case is called twice on equal systems, with an index and with the name of the same item: what it returns and what
-it leaves is the same. With a misspelt name, the error has the nearest one.
+Each case is called twice on equal systems, with an index and with the name of the same item: results and effects are
+the same. An error for a misspelt name has the nearest one.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def solved() -> Any:
 
 
 def state(mbs: Any, returned: Any) -> str:
-    """Return what a call has left and returned, as text; figures and other objects count by their type."""
+    """Return results and effects of a call as text; figures and other objects count by their type."""
     shown = (
         returned if isinstance(returned, (int, float, str, list, dict, np.ndarray, exu.ObjectIndex)) else type(returned)
     )
@@ -145,7 +145,7 @@ def compiled() -> Iterator[Any]:
 
 
 def outcome(make: Callable[[], Any], call: Callable[[Any, Any], Any], kind: str, item: str, by_index: bool) -> str:
-    """Return what a call has left and returned, or its error; errors of misspelt names are raised."""
+    """Return results and effects of a call, or its error; errors of misspelt names are raised."""
     mbs = make()
     given = index(mbs, kind, item) if by_index else item
     try:
@@ -225,7 +225,7 @@ def seen_by_rays(mbs: Any) -> int:
     return int(mbs.NumberOfGeneralContacts()) - 1
 
 
-# By function and parameter: the kind of item, and a call with it.
+# Listed by function and parameter: the kind of item, and a call with it.
 CASES: dict[str, tuple[str, Callable[[Any, Any], Any]]] = {
     **{
         f"{name}.body{i}": (
@@ -394,7 +394,7 @@ def test_create_functions_take_names(name: str, parameter: str) -> None:
         getattr(mbs, name)(**{parameter: given})
 
 
-# What the system calls with numbers, or what counts or says something else.
+# Functions that the system calls with numbers, or that count.
 OTHER = {
     *("UFsensorRecord.sensorNumbers", "UFvonMisesStress.sensorNumbers"),
     *("GetMarkersPosRot.useRigidMarker", "ProcessBodyNodeMarkerLists.bodyNumbers"),  # the latter has no system to ask

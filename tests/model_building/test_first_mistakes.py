@@ -1,4 +1,4 @@
-"""Mistakes of somebody's first models: each is answered with the item or function, the parameter, and what to do."""
+"""Mistakes of somebody's first models: each error has the item or function, the parameter, and the remedy."""
 
 from __future__ import annotations
 

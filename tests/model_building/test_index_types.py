@@ -1,4 +1,4 @@
-"""NodeIndex and its siblings: integers that know what they count."""
+"""NodeIndex and its siblings: integers with a type for each kind of item."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""mbs.AddNode and the like are made in a quick way: they are what methods are in Python, and missing names are explained."""
+"""mbs.AddNode and the like are made in a quick way: they behave as Python methods, and errors explain missing names."""
 
 from __future__ import annotations
 

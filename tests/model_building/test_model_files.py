@@ -24,7 +24,7 @@ def empty() -> Any:
 
 
 def same(a: Any, b: Any) -> bool:
-    """Of one type, and equal to the last bit."""
+    """Equality of type and of all bits."""
     if type(a) is not type(b):
         return False
     if isinstance(a, dict):
@@ -107,7 +107,7 @@ def test_files_of_examples_keep_to_the_schema(item: Item, tmp_path: Path) -> Non
     other = empty()
     other.Load(tmp_path / "model.json")
     if mbs.systemIsConsistent:
-        other.Assemble()  # what is computed from other parameters
+        other.Assemble()  # values computed from other parameters
     assert same(dict(other.GetDictionary())["objectList"], dict(mbs.GetDictionary())["objectList"])
 
 

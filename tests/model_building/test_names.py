@@ -1,4 +1,5 @@
-"""Names in place of indices: in items, methods, Create functions, variations and plots; and what Create functions return."""
+"""Names in place of indices: names in items, methods, Create functions, variations and plots; and results of Create
+functions."""
 
 from __future__ import annotations
 

@@ -62,7 +62,7 @@ def test_refusals_leave_the_system_as_it_was(mbs: exu.MainSystem, add: Any, text
 
 
 def test_outputs_before_assembling_name_the_item(mbs: exu.MainSystem) -> None:
-    """The item alone is assembled then, as the first of its kind; errors still tell the number and name that it has."""
+    """The item alone is assembled then, as the first of its kind; errors still have its number and name."""
     for i in range(4):
         node = mbs.AddNode(exu.NodePoint(referenceCoordinates=[i, 0, 0]))
         mbs.AddObject(exu.MassPoint(nodeNumber=node, physicsMass=1, name="end" if i == 3 else ""))
@@ -155,7 +155,7 @@ def model(mbs: exu.MainSystem) -> None:
 
 
 def references(mbs: exu.MainSystem) -> list[list[int]]:
-    """Per kind what the items refer to: nodes of bodies, markers of springs, bodies of markers, ..."""
+    """References of items, by kind: nodes of bodies, markers of springs, bodies of markers, ..."""
     data = mbs.GetDictionary()
     result = []
     for key in ("objectList", "markerList", "loadList", "sensorList"):

@@ -1,4 +1,4 @@
-"""Objects of compiled classes that only __new__ has made: whatever is done to them, the process goes on."""
+"""Objects of compiled classes that only __new__ has made: the process survives all operations on them."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ each_judged = pytest.mark.parametrize(("item", "row"), JUDGED, ids=[f"{item.name
 
 
 def one_of(item: Item, row: Parameter, value: Any) -> Any:
-    """As the row wants it: the value, or a list of one."""
+    """Value as required by the row: the value, or a list of one."""
     return [value] if row.type.storage.endswith("s") and row.shape[0] is None else value
 
 

@@ -1,4 +1,5 @@
-"""Texts about what new users do: planar hinges, gaps, weight out of the plane, forces on ground, the name ground."""
+"""Messages for mistakes of new users: planar hinges, gaps, weight out of the plane, forces on ground, the name
+ground."""
 
 from __future__ import annotations
 
@@ -68,7 +69,7 @@ def steps(end: float, number: int) -> exu.SimulationSettings:
 
 
 def test_errors_name_gaps_at_the_start() -> None:
-    """The error of a motion that went astray after its gap repeats what the warning at its start has said."""
+    """If a motion diverges after a gap at its start, the error repeats the initial warning."""
     settings = steps(1e5, 1)  # a step that no Newton iteration survives
     settings.timeIntegration.adaptiveStep = False
     settings.timeIntegration.newton.maxIterations = 2
@@ -142,7 +143,8 @@ def test_the_only_ground_is_called_ground() -> None:
 
 
 def test_viewers_wait_for_pages_as_long_as_their_kind_needs(monkeypatch: pytest.MonkeyPatch, capfd: Any) -> None:
-    """With an address in a terminal, somebody has to open it: no limit. After the time of a browser, a line says so."""
+    """An address in a terminal has to be opened by a person: no limit. A line explains this after the waiting time of a
+    browser."""
     from dalembert._live import opening, viewer
 
     shown: list[str] = []

@@ -1,7 +1,7 @@
 """A browser for tests, driven by the DevTools protocol over websockets: nothing is needed besides the browser itself.
 
-It is the one of DALEMBERT_BROWSER, or chromium of the system. Without one, tests are skipped by name, and the summary of
-pytest says so (conftest.py); where DALEMBERT_BROWSER is set, they fail.
+It is the one of DALEMBERT_BROWSER, or chromium of the system. Tests without a browser are skipped by name, and the
+summary of pytest states this (conftest.py); they fail if DALEMBERT_BROWSER is set.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import pytest
 from websockets.sync.client import connect
 
 MISSING = "no browser: install chromium, or name one by DALEMBERT_BROWSER (docs/developer/dependencies.rst)"
-DEBIAN = "/usr/bin/chromium"  # Mesa of the system draws five times as fast as what browsers bring along
+DEBIAN = "/usr/bin/chromium"  # the system's Mesa is five times as fast as the renderer of browsers
 MESA = ["--use-angle=gl-egl", "--ignore-gpu-blocklist"]
 OWN = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--single-process", "--no-zygote"]
 OPTIONS = [
@@ -49,7 +49,7 @@ def command() -> list[str]:
 
 
 class Tab:
-    """One page of the browser."""
+    """A page in the browser."""
 
     def __init__(self, address: str) -> None:
         self._socket = connect(address, max_size=None, proxy=None).__enter__()

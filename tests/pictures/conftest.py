@@ -1,4 +1,4 @@
-"""What the tests of pictures share."""
+"""Shared fixtures of the tests of pictures."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def viewer(SC: Any, swinging: Any, monkeypatch: pytest.MonkeyPatch) -> Iterator[
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Say at the end of all tests, not only among those that were skipped, what nobody has looked at."""
+    """Report at the end of all tests, not only in the list of skipped ones, which pictures were not compared."""
     import browser
     import test_exports
 

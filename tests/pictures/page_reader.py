@@ -1,4 +1,4 @@
-"""What the tests of live pages share: a page without a browser, and solutions that take long."""
+"""Shared parts of the tests of live pages: a page without a browser, and solutions that take long."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def turned(words: Any) -> Any:
 
 
 class Reader:
-    """What a page is for the server."""
+    """A page, as seen by the server."""
 
     def __init__(self, viewer: Viewer, token: str | None = None, **headers: str) -> None:
         port = viewer.server.port

@@ -1,4 +1,5 @@
-"""A viewer's thread draws what a solver computes in another one: no result can tell, and no memory is shared unguarded.
+"""A viewer's thread draws the state of a solver in another thread: results do not depend on it, and no memory is shared
+unguarded.
 
 The second part is seen by ThreadSanitizer: .ci/sanitize thread pytest tests/pictures/test_drawing_while_solving.py
 """
@@ -24,7 +25,7 @@ STEPS = 100  # with 130 items, some 10^4 of them
 
 
 class Drawing:
-    """Draws a system in a thread of its own, as viewers do: by a copy that follows it."""
+    """Draws a system in a thread of its own, as viewers do: it uses a copy of the state."""
 
     def __init__(self, SC: Any, mbs: Any) -> None:
         self._shadow = _core._Shadow(mbs)
@@ -62,7 +63,7 @@ def solved(SC: Any, mbs: Any, draws: bool) -> tuple[Any, int]:
     settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = STEPS, 1e-4 * STEPS
     settings.timeIntegration.verboseMode = settings.staticSolver.verboseMode = 0
     settings.solutionSettings.writeSolutionToFile = False
-    settings.timeIntegration.adaptiveStep = False  # what cannot be solved so ends soon
+    settings.timeIntegration.adaptiveStep = False  # an unsolvable task ends soon
     mbs.Assemble()
 
     def solve() -> Any:
@@ -145,7 +146,8 @@ def test_copies_take_less_than_a_hundredth_however_many_bodies_there_are(count: 
 
 
 def test_places_alone_are_told_and_said_to_be_so(mbs: Any) -> None:
-    """A mass that falls: its velocity follows from its place. What is asked for alone brings no velocity, and says so."""
+    """A mass that falls: its velocity follows from its place. A request for a single item has no velocity, with a
+    message."""
     mass = mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, -2])
     mbs.Assemble()
     shadow, seen = _core._Shadow(mbs), []
@@ -177,7 +179,7 @@ def test_places_alone_are_told_and_said_to_be_so(mbs: Any) -> None:
 
 
 def test_traces_go_through_what_was_seen_until_all_is_stored(mbs: Any) -> None:
-    """A mass that falls is at -t**2 in all states that were seen; afterwards, there is what the sensor has stored."""
+    """A mass that falls is at -t**2 in all states that were seen; stored values of the sensor remain afterwards."""
     mass = mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, -2])
     sensor = mbs.AddSensor(
         exu.itemInterface.SensorBody(

@@ -1,4 +1,4 @@
-"""General contact as settings.contact shows it: what is drawn is what touches and where it is searched."""
+"""General contact as settings.contact shows it: the drawn contacts are those of the search."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def test_searches_without_a_box_or_cells(world: Any) -> None:
 
 
 def test_they_move_with_their_bodies(world: Any) -> None:
-    """Scenes one after the other are as if each was drawn by itself; so is what files hold."""
+    """Scenes one after the other are as if each was drawn by itself; files agree."""
     mbs, settings = world
     settings.contact.showSpheres = settings.contact.showTriangles = settings.contact.showBoundingBoxes = True
     flow = Flow(SceneMaker(mbs, settings))
@@ -199,7 +199,7 @@ def test_forces_are_drawn_where_they_push(slide: tuple[Any, Any]) -> None:
 
 
 def test_forces_without_a_direction_are_told(SC: Any, mbs: Any, capfd: Any) -> None:
-    """Two spheres with one center push each other nowhere: the picture is made, and one notice says what it lacks."""
+    """Two spheres with one center push each other nowhere: the picture is drawn, with a notice of the missing parts."""
     contact = mbs.AddGeneralContact()
     contact.SetFrictionPairings([[0.0]])
     for _ in range(2):
@@ -268,7 +268,7 @@ def test_forces_of_circles_on_cables(SC: Any, mbs: Any) -> None:
 
 
 def test_shadows_of_systems_have_their_contacts(slide: tuple[Any, Any]) -> None:
-    """What pages draw; they follow changes of what contact holds."""
+    """Contents of pages; they follow changes of the contact."""
     mbs, settings = slide
     settings.contact.showSpheres = settings.contact.showContactForces = True
     shadow = exu._core._Shadow(mbs)

@@ -26,7 +26,7 @@ from dalembert.utilities import InertiaCuboid, RotationMatrixX
 
 SETTINGS_OF_PICTURES = settings_of_pictures()
 Variable = exu.OutputVariableType
-# What has no place in this scene, and a test of its own that names it.
+# Settings without effect in this scene, with the name of their test.
 ELSEWHERE = (
     "bodies.shells.", "contact.contact",
     "contact.showContactForces", "contour.reduceRange", "exportImages.", "general.graphicsUpdateInterval",
@@ -50,7 +50,7 @@ LIT = {f"openGL.light{i}.{name}": value for i in range(4) for name, value in (
 )}  # fmt: skip
 SOFT = {"raytracer.lightRadiusVariations": 4}
 FOGGY = {"raytracer.globalFogDensity": 0.1}
-# With what a setting is tried: by the beginning of its path, the last one that fits.
+# Test data of a setting: the last entry whose beginning fits the path.
 GIVEN: dict[str, dict[str, Any]] = {
     "bodies.beams.draw": COLORED | {"bodies.beams.drawVertical": True, "bodies.beams.drawVerticalValues": True},
     "bodies.deformationScaleFactor": COLORED,
@@ -86,7 +86,7 @@ GIVEN: dict[str, dict[str, Any]] = {
     "view0.camera.track": TRACKED,
     "view0.scene.worldBasisSize": {"view0.scene.drawWorldBasis": True},
 }
-# Where the value that other() gives is not another one, or out of range.
+# Settings for which the value of other() is equal or out of range.
 OTHER: dict[str, Any] = {
     "contour.alphaTransparency": 0.5,
     "contour.outputVariable": Variable.Position,
@@ -115,7 +115,7 @@ OTHER: dict[str, Any] = {
     "view0.scene.drawCoordinateSystem": 0,
 } | {f"openGL.light{i}.shadow": 0.0 for i in range(4)}
 RAYS = ("raytracer.", "openGL.light", "view0.camera.useRaytracer")
-BEFORE: dict[tuple[bool, str], list[str]] = {}  # what was seen with what is given
+BEFORE: dict[tuple[bool, str], list[str]] = {}  # result for given settings
 MATERIALS = "raytracer.material"  # test_raytracer.py tries all settings of each
 DRAWN = [s for s in SETTINGS if s not in WITHOUT_EFFECT and not s.startswith((*ELSEWHERE, MATERIALS))]
 
@@ -224,7 +224,7 @@ def model() -> Any:
 
 
 def seen(container: Any, rays: bool) -> list[str]:
-    """Digests of the picture, of what a page is told, and of an image by rays if it is wanted."""
+    """Digests of the picture, of the messages to a page, and of a ray-traced image if requested."""
     studio = Studio(container)
     scene = studio.scene()
     camera, looks = studio.camera(scene), studio.makers[0].looks
@@ -252,7 +252,7 @@ def test_a_setting_changes_what_is_seen(model: Any, path: str) -> None:
 
 @pytest.mark.parametrize("number", [1, 2, 3])
 def test_settings_of_each_view_change_what_it_shows(model: Any, number: int) -> None:
-    """Those of the scene, which all views have in common, are said to have no effect in others than the first."""
+    """Settings of the scene, which all views share, have no effect in other views than the first, with a message."""
     settings, view = model.visualizationSettings, f"view{number}."
 
     def picture() -> bytes:

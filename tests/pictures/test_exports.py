@@ -103,7 +103,7 @@ def test_glb_has_the_motion(spinning: Any) -> None:
     areas = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
     assert areas.sum() == pytest.approx(2 * (0.4 * 0.2 + 0.2 * 0.1 + 0.4 * 0.1))
     color = file.materials[shape.material].pbrMetallicRoughness.baseColorFactor
-    assert color == pytest.approx([0.214041, 0.050876, 1, 1], abs=1e-5)  # of 0.5, 0.25 and 1 by the formula of sRGB
+    assert color == pytest.approx([0.214041, 0.050876, 1, 1], abs=1e-5)  # 0.5, 0.25 and 1 by the formula of sRGB
 
 
 def test_glb_has_what_is_deformed(spinning: Any) -> None:
@@ -135,7 +135,8 @@ MISSING = "no validator of glTF: name one by DALEMBERT_GLTF_VALIDATOR (docs/deve
 
 
 def complaints(*files: str) -> list[Any]:
-    """What Khronos' validator has against files: errors and warnings of each; without the validator, the test is skipped."""
+    """Messages of Khronos' validator on files: errors and warnings of each; the test is skipped without the
+    validator."""
     program = os.environ.get("DALEMBERT_GLTF_VALIDATOR")
     if program is None:
         pytest.skip(MISSING)
@@ -148,7 +149,8 @@ def complaints(*files: str) -> list[Any]:
 
 
 def test_glb_is_as_its_standard_says(SC: Any, spinning: Any) -> None:
-    """Bodies that move, a spring that becomes much longer, what is deformed and what is transparent; with colors of a contour, and at rest."""
+    """Moving bodies, a spring with large elongation, deformed and transparent items; colors of a contour, and a system
+    at rest."""
     spinning.SaveGLB("motion.glb", framesPerSecond=10)
     SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.Displacement
     SC.visualizationSettings.view0.scene.facesTransparent = True
@@ -200,7 +202,7 @@ def test_other_names_are_refused(mbs: Any) -> None:
 
 
 def test_a_spring_that_stretches_is_one_mesh(SC: Any, mbs: Any) -> None:
-    """It is scaled along its axis, by 0.7 to 1.5 here; as another mesh in each frame, it would take a hundred times as much."""
+    """It is scaled along its axis, by 0.7 to 1.5 here; a mesh for each frame would take a hundred times as much."""
     ground = mbs.CreateGround()
     mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], initialVelocity=[0.4, 0, 0], physicsMass=1)
     mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=1)
@@ -219,7 +221,7 @@ def test_a_spring_that_stretches_is_one_mesh(SC: Any, mbs: Any) -> None:
 
 
 def test_a_spring_that_becomes_four_times_as_long_has_some_meshes(mbs: Any) -> None:
-    """One after the other: each is there for its frames, and of no size in the others."""
+    """Frames in sequence: each is there for its frames, and of no size in the others."""
     ground = mbs.CreateGround()
     mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], initialVelocity=[3, 0.5, 0.2], physicsMass=1)
     spring = mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=0.01)

@@ -1,4 +1,4 @@
-"""What is moved as arrays is where it would be if it was drawn again."""
+"""Items that move as arrays have the same positions as when drawn anew."""
 
 from __future__ import annotations
 
@@ -111,7 +111,8 @@ def test_meshes_alone_are_drawn_again_in_single_precision(SC: Any, mbs: Any, var
 
 
 def test_many_that_look_alike_are_as_drawn_one_by_one(SC: Any, mbs: Any) -> None:
-    """Equal graphics in lists of their own are alike; other colors, hidden bodies, and some with markers alone, are not."""
+    """Equal graphics in different lists are shared; other colors, hidden bodies, and some with markers alone, are
+    not."""
     rng = np.random.default_rng(2)
     for i in range(700):
         red = i % 100 == 7
@@ -135,7 +136,7 @@ def test_many_that_look_alike_are_as_drawn_one_by_one(SC: Any, mbs: Any) -> None
 
 
 def test_many_masses_without_shapes_are_balls_together(SC: Any, mbs: Any) -> None:
-    """Those with a marker have a rod to it, and are drawn one by one; all are as they would be if all were."""
+    """Items with a marker have a rod to it, and are drawn separately; all are as they would be if all were."""
     rng = np.random.default_rng(3)
     for i in range(300):
         node = mbs.AddNode(dalembert.itemInterface.NodePoint(referenceCoordinates=rng.normal(size=3)))
@@ -240,7 +241,7 @@ OTHERS = {path: value for path, value in settings_of(exu.VisualizationSettings()
 
 
 def test_crowds_look_as_each_of_their_members_would(SC: Any, mbs: Any) -> None:
-    """With any setting, many bodies and nodes that are drawn as arrays are what they are when drawn one by one."""
+    """Many bodies and nodes that are drawn as arrays look the same as drawn one by one, with any setting."""
     bricks(mbs, 3)
     mbs.AddNode(exu.itemInterface.NodePointSlope1(referenceCoordinates=[0, 0, 2, 1, 0, 0]))
     mbs.Assemble()
@@ -364,7 +365,7 @@ def test_messages_of_colored_meshes_are_those_of_drawn_scenes(
         move(mbs, seed)
         before = maker._range
         moved = quick.moved(flow) if flow.moving() is not None else None
-        if variable == "Velocity":  # which neither meshes nor messages have at once
+        if variable == "Velocity":  # neither meshes nor messages contain this at once
             assert moved is None
             return
         assert moved is not None

@@ -1,4 +1,5 @@
-"""Every item with a visualization is drawn, or is on the list of what has no place; and not when it is not to be shown."""
+"""Every item with a visualization is drawn, or is on the list of items without position; and not when it is not to be
+shown."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What Python packs is what JavaScript reads: the module of pages that does it, run by the browser."""
+"""JavaScript reads the data that Python packs: the module of pages that does it, run by the browser."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_javascript_reads_the_stored_messages(tab: Tab) -> None:
 
 
 def test_traces_that_grow_are_joined_to_those_of_the_picture_before(tab: Tab) -> None:
-    """Only new points of long lines are sent; what was sent before stays where it is among lines that move."""
+    """Only new points of long lines are sent; static lines remain among moving ones."""
     rng, stage, before, shown = np.random.default_rng(1), Stage(), np.empty(0), 0
     whole = rng.normal(size=(300, 3)).astype("<f4").astype(float)
     for count in (60, 80, 80, 300):

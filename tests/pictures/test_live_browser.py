@@ -31,7 +31,7 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture
 def model(mbs: Any) -> Any:
-    """One item of each kind, each in a place of its own."""
+    """One item of each kind, each at its own position."""
     ground = mbs.CreateGround()
     body = mbs.CreateRigidBody(
         name="<img src=x onerror=alert(1)>", referencePosition=[1, 0, 0], inertia=InertiaCuboid(1000, [0.4, 0.4, 0.4]),
@@ -105,7 +105,8 @@ def test_it_follows_the_solver_until_it_is_stopped(model: Any, tab: Tab) -> None
 
 
 def test_traces_grow_and_are_bright_on_a_dark_page(SC: Any, model: Any, viewer: Viewer, tab: Tab) -> None:
-    """Points of a trace on the page are those of the viewer, though only new ones are sent; black is light grey beside a dark background."""
+    """Points of a trace on the page are those of the viewer, though only new ones are sent; black becomes light grey on
+    a dark background."""
     sensor = model.AddSensor(
         exu.SensorBody(
             bodyNumber=1, outputVariableType=exu.OutputVariableType.Position, storeInternal=True, writeToFile=False
@@ -153,7 +154,7 @@ def test_names_are_texts(tab: Tab) -> None:
 
 @pytest.mark.parametrize("kind", ["Node", "Object", "Marker", "Load", "Sensor"])
 def test_one_item_of_each_kind_is_picked(SC: Any, viewer: Viewer, tab: Tab, kind: str) -> None:
-    """All others are hidden; what is picked is what a click on its middle tells."""
+    """All others are hidden; an item that is picked is the one shown after a click on its middle."""
     groups = {"Node": "nodes", "Object": "bodies", "Marker": "markers", "Load": "loads", "Sensor": "sensors"}
     for name in (*groups.values(), "connectors"):
         getattr(viewer.settings, name).show = name == groups[kind]
@@ -180,7 +181,7 @@ def test_one_item_of_each_kind_is_picked(SC: Any, viewer: Viewer, tab: Tab, kind
     assert tab.value("page.box !== null")
     tab.value("document.querySelector('[data-name=details] .close').click()")
     end = time.monotonic() + 20
-    while viewer.selection is not None:  # otherwise, it would be told of again and again
+    while viewer.selection is not None:  # otherwise, it would be reported repeatedly
         assert time.monotonic() < end
         time.sleep(0.02)
     assert tab.value("document.querySelector('[data-name=details]') === null && page.box === null")
@@ -247,7 +248,7 @@ def test_measuring_and_cutting(tab: Tab) -> None:
     words = tab.wait(
         "page.time.textContent.split('\\n').find((line) => line.startsWith('distance 0.30'))"
     )  # though nothing moves
-    assert words.endswith(", 0, 0)")  # rounding errors of the mouse's ray are not told
+    assert words.endswith(", 0, 0)")  # rounding errors of the mouse's ray are excluded
     x, y = tab.value("page.projected([1.1, 0.1, 0.2])")
     assert tab.value(f"page.hit({x}, {y}) !== null")
     tab.value("page.cut(1, 0, 0, 1.0)")
@@ -255,7 +256,7 @@ def test_measuring_and_cutting(tab: Tab) -> None:
 
 
 def test_a_picture_that_is_saved_is_what_is_seen(SC: Any, viewer: Viewer, tab: Tab) -> None:
-    """With the texts, the bar of colors and the other views in front of the scene, but without buttons."""
+    """The image has texts, the bar of colors and the other views, without buttons."""
     SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.Position
     viewer.redraw()
     tab.wait("document.querySelectorAll('.contour i').length > 0")
@@ -290,7 +291,7 @@ def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> No
     other.wait("page.frames > 0")
     thread = solving(model)
     for page in (tab, other):
-        page.call("Page.bringToFront")  # browsers draw only what is seen
+        page.call("Page.bringToFront")  # browsers draw only visible pages
         frames = page.value("page.frames")
         page.wait(f"page.frames > {frames + 2}")
     other.close()

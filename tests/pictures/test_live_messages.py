@@ -1,4 +1,4 @@
-"""What is sent to live pages while a solver works, without a browser."""
+"""Messages to live pages while a solver runs, without a browser."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ def test_another_color_is_another_scene() -> None:
 
 
 def golden() -> list[bytes]:
-    """The messages of tests/pictures/golden: a scene with parts of all kinds, and what follows when they move."""
+    """The messages of tests/pictures/golden: a scene with all kinds of parts, and messages of their motion."""
     stage, sent = Stage(), []
     herd_items, rows = np.array([0]), np.arange(12.0).reshape(1, 3, 4)
     for number, shift in enumerate((0.0, 2.0)):
@@ -139,10 +139,10 @@ GOLDEN = [Path(__file__).parent / "golden" / name for name in ("scene.bin", "fra
 
 
 def golden_turned(SC: Any, mbs: Any) -> bytes:
-    """What follows when a body has turned about the z axis, by a rotation of whole units."""
+    """Message after a rotation of a body about the z axis, with integer units."""
     mbs.CreateRigidBody(inertia=InertiaCuboid(1, [1, 1, 1]), graphicsDataList=[graphics.Brick(color=[1, 0, 0, 1])])
     line = graphics.Lines([[0, 0, 0], [0, 1, 0]])
-    mbs.CreateGround(referencePosition=[40, 0, 0], graphicsDataList=[line])  # so far away that the body is small
+    mbs.CreateGround(referencePosition=[40, 0, 0], graphicsDataList=[line])  # the body is small at this distance
     mbs.Assemble()
     SC.visualizationSettings.nodes.show = False
     SC.visualizationSettings.general.drawWorldBasis = False
@@ -150,7 +150,7 @@ def golden_turned(SC: Any, mbs: Any) -> bytes:
 
 
 def moved_frame(SC: Any, mbs: Any, coordinates: Any) -> bytes:
-    """The message of what has moved since the message of the whole scene."""
+    """The message of motions since the message of the whole scene."""
     flow, stage = Flow(SceneMaker(mbs, SC.visualizationSettings)), Stage()
     messages(stage, flow.scene())
     mbs.systemData.SetODE2Coordinates(coordinates, Shown)
@@ -162,7 +162,7 @@ def moved_frame(SC: Any, mbs: Any, coordinates: Any) -> bytes:
 
 @pytest.mark.parametrize("distance", [1.0, 4000.0])
 def test_points_of_turned_bodies_are_right_to_a_millionth_of_the_scene(SC: Any, mbs: Any, distance: float) -> None:
-    """So are distances that are measured on a page: a body of 100 m, alone and far from another one."""
+    """Distances measured on a page are the same: a body of 100 m, alone and far from another one."""
     size = [100, 1, 1]
     for x in (0, distance):
         mbs.CreateRigidBody(
@@ -181,7 +181,7 @@ def test_points_of_turned_bodies_are_right_to_a_millionth_of_the_scene(SC: Any, 
 
 
 def test_messages_are_those_that_pages_were_made_for(SC: Any, mbs: Any) -> None:
-    """Bytes that are stored: who changes them changes what saved messages and other readers rely on."""
+    """Bytes that are stored: changing them breaks saved messages and other readers."""
     assert [*golden(), golden_turned(SC, mbs)] == [path.read_bytes() for path in GOLDEN]
 
 
@@ -292,7 +292,7 @@ def test_a_viewer_changes_no_result(swinging: Any, viewer: Viewer) -> None:
 
 
 def test_copies_take_little_of_the_time_of_the_solver(swinging: Any, viewer: Viewer) -> None:
-    """By the solver's own clock: copies of states, which is all that happens in its thread, are rare enough."""
+    """Times of the solver's clock: copies of states, which is all that happens in its thread, are rare enough."""
     reader = Reader(viewer)
     reader.message("scene")
     solver = exu.MainSolverImplicitSecondOrder()
@@ -344,7 +344,7 @@ def test_sensors_leave_traces_while_it_is_solved(SC: Any, swinging: Any, viewer:
 
 
 def test_two_pages_and_one_that_does_not_answer(swinging: Any, viewer: Viewer) -> None:
-    """Who does not tell that a frame was shown gets no other one; the others do not wait for it."""
+    """A page that does not confirm a frame gets no other one; the others do not wait for it."""
     silent, reader = Reader(viewer), Reader(viewer)
     reader.message("scene")
     thread = solving(swinging)
@@ -352,7 +352,7 @@ def test_two_pages_and_one_that_does_not_answer(swinging: Any, viewer: Viewer) -
         reader.message("frame")
     late = Reader(viewer)
     head, _ = late.message("scene")
-    assert head["time"] > 0  # it sees what is now
+    assert head["time"] > 0  # it gets the present state
     binary = 0
     try:
         while True:
@@ -386,4 +386,4 @@ def test_a_page_that_was_hidden_sees_what_is_now(swinging: Any, viewer: Viewer) 
         pass
     swinging.SolveDynamic(settings(1000))
     hidden.send("shown")
-    assert hidden.picture()[0]["time"] == pytest.approx(1, rel=1e-9)  # the end, and nothing of what has passed
+    assert hidden.picture()[0]["time"] == pytest.approx(1, rel=1e-9)  # it gets the end, without earlier states

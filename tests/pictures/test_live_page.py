@@ -1,4 +1,4 @@
-"""The live page without a browser: what keys and choices do, dialogs, systems that change, and where there is no page."""
+"""The live page without a browser: keys and choices, dialogs, changing systems, and systems without a page."""
 
 from __future__ import annotations
 
@@ -214,7 +214,7 @@ def test_selection(SC: Any, viewer: Viewer) -> None:
         viewer.settings.interactive.advanced.selectionLeftMouse = wanted
         reader.send("select", item=brick, scene=head["scene"], depth=2.5)
         reader.press("n")
-        reader.until(lambda wanted=wanted: viewer.settings.nodes.show == wanted)  # by then, it is selected or not
+        reader.until(lambda wanted=wanted: viewer.settings.nodes.show == wanted)  # it is selected at this time or not
         assert (SC.renderer.GetItemSelection()[0] == 0) is wanted
 
 
@@ -366,7 +366,7 @@ def test_a_dialog_runs_a_simulation(SC: Any, swinging: Any, viewer: Viewer) -> N
     assert not dialog.is_alive() and swinging.systemData.GetTime() > 0
 
 
-# ---- where there is no page
+# ---- without a page
 
 
 def test_without_display_nothing_starts(SC: Any, swinging: Any) -> None:

@@ -21,7 +21,7 @@ KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 SHAPES = [graphics.Brick(size=[0.3, 0.4, 0.5])]
 SECTION = exu.BeamSectionGeometry()
 SECTION.polygonalPoints = [[0.1, 0], [0, 0.2], [-0.1, 0]]
-# What has not the type of a flag, a length or a color.
+# Parameters that are no flag, length or color.
 OTHER: dict[str, Any] = {
     "graphicsData": SHAPES,
     "graphicsDataList": [SHAPES],
@@ -41,7 +41,7 @@ def mesh_without_frame(mbs: Any) -> None:
     mbs.AddObject(exu.ObjectGenericODE2(nodeNumbers=nodes, massMatrix=unit, stiffnessMatrix=unit, visualization=looks))
 
 
-# Where the example has not all that rows are about.
+# Examples without all parts of their rows.
 MODELS: dict[str, Any] = {"ObjectGenericODE2": mesh_without_frame, "ObjectFFRF": add_mesh_in_a_frame}
 
 

@@ -1,4 +1,4 @@
-"""Meshes of super elements, which move with the frame of their body: they, their nodes and what is on these are drawn there."""
+"""Meshes of super elements, which move with the frame of their body: nodes and items on them are drawn in the frame."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def centers(scene: Any, kind: str, number: int) -> Any:
 
 @pytest.mark.parametrize("when", ["before Assemble", "one by one", "many at once", "later"])
 def test_nodes_of_a_mesh_move_with_its_frame(SC: Any, mbs: Any, when: str) -> None:
-    """Coordinates of the nodes of an ObjectFFRF are in its frame; what is on the nodes is drawn where the mesh is."""
+    """Coordinates of the nodes of an ObjectFFRF are in its frame; items on the nodes are drawn at the mesh."""
     body, mesh = add_mesh_in_a_frame(mbs)
     marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mesh[1], coordinate=0))
     load = mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=1))
@@ -129,7 +129,7 @@ def test_nodes_of_a_mesh_have_its_colors(SC: Any, mbs: Any) -> None:
 
 
 def test_traces_of_nodes_in_a_frame_are_where_the_nodes_were(SC: Any, mbs: Any) -> None:
-    """Of a frame that turns and travels: at each time, the path goes through where the mesh was in space."""
+    """Path of a rotating and moving frame: it contains the position of the mesh at each time."""
     body, mesh = add_mesh_in_a_frame(mbs)
     spin(mbs, mesh)
     sensors = [
@@ -157,11 +157,11 @@ def test_traces_of_nodes_in_a_frame_are_where_the_nodes_were(SC: Any, mbs: Any) 
     own = mbs.GetSensorStoredData(sensors[0])
     assert (
         own.shape == (21, 4) and np.abs(own[-1, 1:] - path[-1]).max() > 1
-    )  # sensors tell what they measure, in the frame
+    )  # sensors measure in the frame
 
 
 def test_a_mesh_of_modes_stands_in_its_frame_before_assemble(SC: Any, mbs: Any) -> None:
-    """As it is afterwards, without a deformation."""
+    """The final position, without deformation."""
     frame = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[*FRAME, 0, 0, np.pi / 2]))
     modal = mbs.AddNode(
         NodeGenericODE2(

@@ -85,7 +85,7 @@ def test_a_system_is_a_widget_a_page_and_a_table(outputs: list[list[Any]]) -> No
 
 
 def test_the_page_shows_the_state_after_the_last_cell_that_has_changed_it(outputs: list[list[Any]]) -> None:
-    """It is that of the last place; those before are as they were."""
+    """It is that of the last place; previous cells remain unchanged."""
     widget, still, result = outputs[1]
     assert WIDGET in widget.data and result.data["text/plain"] == "True"
     (page,) = pages([still])
@@ -106,7 +106,7 @@ def test_nothing_of_the_machine_or_of_the_model_is_in_the_outputs(outputs: list[
 
 
 def test_a_browser_shows_the_saved_outputs_without_a_kernel(outputs: list[list[Any]], browser: Browser) -> None:
-    """One page below the other, as notebooks and their exports have them; nothing is loaded."""
+    """Pages in sequence, as notebooks and their exports have them; nothing is loaded."""
     texts = [output.data.get("text/html", "") for cell in outputs for output in cell if "data" in output]
     Path("saved.html").write_text("<!doctype html><body>" + "".join(texts), "utf-8")
     tab = browser.tab(Path("saved.html").resolve().as_uri())
@@ -139,7 +139,7 @@ def test_a_cell_that_waits_although_nobody_can_be_heard_goes_on() -> None:
 
 
 class Widget:
-    """What WidgetLink needs of a widget."""
+    """The interface of a widget that WidgetLink uses."""
 
     def __init__(self) -> None:
         self.sent: queue.SimpleQueue[tuple[dict[str, Any], list[bytes]]] = queue.SimpleQueue()
@@ -197,7 +197,7 @@ def test_a_page_gets_the_scene_and_then_what_moves(widget: Widget, link: WidgetL
 
 
 def test_a_silent_page_gets_pictures_slowly(widget: Widget, link: WidgetLink, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As while a cell runs in a kernel without other threads; large pictures come more slowly still."""
+    """A running cell in a kernel without other threads; large pictures come more slowly still."""
     now = [100.0]
     monkeypatch.setattr(widgets.time, "monotonic", lambda: now[0])
     widget.say(kind="hello", page="a")

@@ -1,4 +1,4 @@
-"""The page of a motion: what is packed is what is read, in Python and in JavaScript, and a browser shows it without a network."""
+"""The page of a motion: Python and JavaScript read the packed data, and a browser shows it without a network."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ FOLDER = Path(exu.__file__).resolve().parent / "_pictures/page"
 
 
 def unpacked(data: bytes) -> tuple[dict[str, Any], list[Any]]:
-    """Read what replay.py packs."""
+    """Read the output of replay.py."""
     whole = gzip.decompress(data)
     length = int(np.frombuffer(whole[:4], "<u4")[0])
     head, offset, arrays = json.loads(whole[4 : 4 + length]), 4 + length, []
@@ -44,7 +44,7 @@ def unpacked(data: bytes) -> tuple[dict[str, Any], list[Any]]:
         offset += entry["bytes"]
         if entry["kind"] != "u1":
             part = part.reshape(4, -1).T.copy().view("<u4").ravel()
-        if entry["kind"] in ("f4", "carried"):  # differences of what is left of their bits
+        if entry["kind"] in ("f4", "carried"):  # differences of the remaining bits
             part = (np.cumsum(part, dtype="<u4") << SPARE_BITS).view("<f4")
         if entry["kind"] == "carried":
             part = _carried(arrays[entry["by"]].reshape(3, 4, -1), part, entry["form"])
@@ -55,7 +55,7 @@ def unpacked(data: bytes) -> tuple[dict[str, Any], list[Any]]:
 
 
 def _carried(rows: Any, local: Any, form: str) -> Any:
-    """Return the numbers of what stands still in a motion (3 x 4 x frames), number by number."""
+    """Return the constant numbers of a motion (3 x 4 x frames), number by number."""
     square = np.concatenate(
         [rows.transpose(2, 0, 1), np.broadcast_to([[[0, 0, 0, 1.0]]], (rows.shape[2], 1, 4))], axis=1
     )
@@ -79,7 +79,7 @@ def data_of(text: str) -> bytes:
 
 @pytest.fixture
 def falling(mbs: Any) -> Any:
-    """A brick with a hostile name that falls, beside a cable at rest; solved."""
+    """A falling brick with a hostile name, and a cable at rest; solved."""
     mbs.CreateRigidBody(
         name="</script><img src=x onerror=alert(1)>",
         referencePosition=[1, 0, 0],
@@ -150,7 +150,7 @@ def test_no_text_of_the_model_is_part_of_the_page(falling: Any) -> None:
     falling.SaveHTML("falling.html", title="<b>")
     text = Path("falling.html").read_text("utf-8")
     assert "alert(1)" not in text and "<title><b>" not in text
-    assert text.count("</script>") == 3  # data, code, and what unpacks it
+    assert text.count("</script>") == 3  # data, code, and the decoder
     assert str(Path.home()) not in text and os.getcwd() not in text
     assert "default-src 'none'" in text
     assert not re.search(r"https?://(?!www\.w3\.org)[\w.]+/[\w./]*\.(js|css|png)", text)  # nothing to be loaded
@@ -209,7 +209,7 @@ def test_what_moves_with_a_body_costs_nothing_per_frame(mbs: Any) -> None:
         if head["arrays"][place]["kind"] == "f4" and arrays[place].size > 12
     ]  # fmt: skip
     alone = [item for item in moving if item != ["Object", spring]]
-    assert len(alone) == 4, alone  # one for each body, and nothing else
+    assert len(alone) == 4, alone  # one line per body
     found: dict[int, list[Any]] = {}
     for mesh in head["meshes"]:
         for item, place in zip(mesh["items"], mesh.get("places", []), strict=False):
@@ -245,7 +245,7 @@ def test_pages_have_the_ending_that_browsers_know(mbs: Any) -> None:
 
 
 def test_what_functions_draw_may_be_another_mesh_in_each_frame(falling: Any) -> None:
-    """Of other sizes, and of other colors."""
+    """Models of other sizes and colors."""
 
     def drawn(mbs: Any, number: int) -> list[Any]:
         time = mbs.systemData.GetTime(exu.ConfigurationType.Visualization)
@@ -287,7 +287,8 @@ def test_the_bundle_is_made_of_its_sources() -> None:
 
 
 def test_a_browser_shows_it_offline(falling: Any) -> None:
-    """It runs, has drawn, tells the time, knows the item in the middle, and has made no request; its policy would refuse one."""
+    """The page runs, has drawn, shows the time, finds the item in the middle, and has made no request; its policy would
+    refuse one."""
     falling.SaveHTML("falling.html", framesPerSecond=10, title="a brick falls")
     with browser.running() as program:
         tab = program.tab(address := Path("falling.html").resolve().as_uri())
@@ -302,7 +303,7 @@ def test_a_browser_shows_it_offline(falling: Any) -> None:
 
 
 def test_saved_pages_look_as_settings_say(falling: Any) -> None:
-    """Edges, clear faces, the plane that cuts, and texts, which go with what they are at and are only where they are told."""
+    """Edges, transparent faces, the clipping plane, and texts, which move with their items."""
 
     def texts(mbs: Any, number: int) -> list[Any]:
         time = mbs.systemData.GetTime(exu.ConfigurationType.Visualization)

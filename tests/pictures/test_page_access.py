@@ -1,4 +1,4 @@
-"""Who may connect to a live page, and what pages may do."""
+"""Access to a live page, and rights of pages."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def asked(viewer: Viewer, path: str, **headers: str) -> Any:
 
 def test_the_port_is_of_this_machine_only(viewer: Viewer) -> None:
     addresses = {row[4][0] for row in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)} - {"127.0.0.1"}
-    for address in addresses | {"127.0.0.2"}:  # which Linux has, so that a server of all addresses answers there
+    for address in addresses | {"127.0.0.2"}:  # Linux has it, so that a server of all addresses answers there
         with pytest.raises(OSError):
             socket.create_connection((address, viewer.server.port), timeout=2).close()
     socket.create_connection(("127.0.0.1", viewer.server.port), timeout=2).close()
@@ -131,7 +131,7 @@ def test_long_messages_are_refused(viewer: Viewer) -> None:
         while True:
             reader.socket.recv(timeout=10)
     assert closed.value.rcvd is not None and closed.value.rcvd.code == 1009
-    assert Reader(viewer).message("scene")  # others go on
+    assert Reader(viewer).message("scene")  # other pages continue
 
 
 HOSTILE = [

@@ -1,4 +1,4 @@
-"""What the connection of pages takes for granted of websockets beyond its public interface."""
+"""Internals of websockets, beyond their public interface, on which the connection of pages depends."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_what_has_arrived_goes_through_one_method() -> None:
 
 
 def test_versions_are_those_that_were_tried() -> None:
-    """docs/developer/dependencies.rst tells which."""
+    """docs/developer/dependencies.rst lists them."""
     floor, ceiling = re.findall(r'"websockets>=(\d+)\.0,<(\d+)"', (ROOT / "pyproject.toml").read_text("utf-8"))[0]
     assert int(floor) <= int(version("websockets").split(".")[0]) < int(ceiling)
 

@@ -1,4 +1,4 @@
-"""What the core draws: silhouettes have the areas and places that geometry gives, and the same bytes every time."""
+"""Drawings of the core: silhouettes have the areas and places that geometry gives, and the same bytes every time."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def test_both_sides_of_a_face_are_lit() -> None:
 
 
 def test_perspective_makes_far_things_smaller() -> None:
-    """At twice the distance of the viewer from the center, everything has half the size."""
+    """An object at twice the distance of the viewer from the center has half the size."""
     for z, size in ((0.0, 100), (-4.0, 50)):
         p = picture(perspective=0.25)
         square(p, -1, -1, 1, 1, z=z)
@@ -117,7 +117,7 @@ def test_perspective_makes_far_things_smaller() -> None:
 
 
 def test_perspective_divides_depth_too() -> None:
-    """A floor to the horizon: what is halfway along it is not halfway in the picture."""
+    """A floor to the horizon: the middle of a line is not in the middle of the picture."""
     p = picture(perspective=0.5, lights=[], ambient=1.0)
     points = [[-1, -1, 0], [1, -1, 0], [1, -1, -8], [-1, -1, -8]]
     p.triangles(points, None, [[0, 0, 0, 1], [0, 0, 0, 1], [1, 1, 1, 1], [1, 1, 1, 1]], [[0, 1, 2], [0, 2, 3]], [0, 0])
@@ -229,7 +229,7 @@ def test_rims_of_items_are_darker() -> None:
     image = p.develop()[..., 0].astype(int)
     assert image[100, 75] == pytest.approx(
         0.75 * image[100, 100], abs=1
-    )  # of the one in front: half a pixel, half as bright
+    )  # the object in front: half a pixel, half as bright
     assert image[100, 76] == image[100, 100] == image[100, 60]
 
 
@@ -266,7 +266,7 @@ def test_points_that_are_nowhere_are_not_drawn() -> None:
 
 
 def test_many_spheres_are_drawn_as_few_are() -> None:
-    """From a thousand on, they are drawn in another order; the nearest is seen in any."""
+    """A thousand or more are drawn in another order; the nearest is seen in any."""
     rng = np.random.default_rng(3)
     n = 1200
     centers, radii = rng.uniform(-2, 2, (n, 3)), rng.uniform(0.02, 0.3, n)
@@ -289,7 +289,8 @@ def test_many_spheres_are_drawn_as_few_are() -> None:
     ids=["whole", "inside", "perspective", "cut open"],
 )
 def test_triangles_that_others_hide_are_left_out(scale: float, changes: Any, plane: Any) -> None:
-    """Of very many, those that face away are not looked at where all is covered: the picture is that of few at a time."""
+    """If there are very many, back faces are skipped where everything is covered: the picture is that of few at a
+    time."""
     n = 120
     u, v = np.meshgrid(np.linspace(0, 2 * np.pi, n), np.linspace(0, np.pi, n // 2), indexing="ij")
     points = np.stack([np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)], -1).reshape(-1, 3)

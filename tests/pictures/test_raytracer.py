@@ -43,7 +43,7 @@ def floor(t: Any, half: float = 9.0, z: float = 0.0, color: Any = GREY) -> None:
 
 
 def places(seen: Any, scale: float) -> tuple[float, float, float]:
-    """Area and center of what is seen, in lengths of the scene."""
+    """Area and center of the visible part, in lengths of the scene."""
     rows, columns = np.nonzero(seen)
     size = len(seen)
     return seen.sum() / scale**2, (columns.mean() + 0.5 - size / 2) / scale, (size / 2 - rows.mean() - 0.5) / scale
@@ -96,7 +96,7 @@ def test_shadow_of_a_sphere_by_a_light_at_infinity() -> None:
     area, x, y = places(dark, scale)
     assert abs(area - np.pi * radius**2 * np.sqrt(2)) < 0.3 * 2 * np.pi * 1.2 * radius / scale
     assert (x, y) == (pytest.approx(1 - height, abs=0.01), pytest.approx(0.5, abs=0.01))
-    assert image[100, 40] == pytest.approx(255 * 0.5 * (0.4 + 0.6 * np.sqrt(0.5)), abs=1)  # beside it, at x = -2.4
+    assert image[100, 40] == pytest.approx(255 * 0.5 * (0.4 + 0.6 * np.sqrt(0.5)), abs=1)  # outside, at x = -2.4
 
 
 def test_shadow_of_a_sphere_by_a_lamp() -> None:
@@ -123,8 +123,8 @@ def test_soft_shadows_are_as_wide_as_the_light() -> None:
     floor(t)
     quad(t, [[0, -9, height], [9, -9, height], [9, 9, height], [0, 9, height]], color=[1, 1, 1, 1])
     row = t.develop()[100, :100, 0].astype(float)  # x < 0: the floor
-    part = (row / (255 * 0.5) - 0.4) / 0.6  # of the light that passes
-    x = -(np.arange(100) + 0.5 - 100) / scale / (radius * height)  # from the edge, in radii of the disc of light
+    part = (row / (255 * 0.5) - 0.4) / 0.6  # part of the light that passes
+    x = -(np.arange(100) + 0.5 - 100) / scale / (radius * height)  # distance from the edge, in radii of the disc of light
     passing = 1 - np.where(x < 1, (np.arccos(np.minimum(x, 1)) - x * np.sqrt(np.maximum(1 - x**2, 0))) / np.pi, 0)
     # 256 places on a disc: a strip of it holds a 256th more or less, and some of those at its two ends
     assert np.abs(part - passing).max() < 0.03
@@ -132,7 +132,7 @@ def test_soft_shadows_are_as_wide_as_the_light() -> None:
 
 
 def test_a_mirror_shows_what_stands_beside() -> None:
-    """A mirror at 45 degrees: what is at height z to the right of it is seen at x = -z, as large as it is."""
+    """A mirror at 45 degrees: an object at height z to the right of it appears at x = -z, in the same size."""
     t = tracer(around=[0, 0, 0])
     quad(t, [[-1.5, -1.5, 1.5], [1.5, -1.5, -1.5], [1.5, 1.5, -1.5], [-1.5, 1.5, 1.5]], BLACK, 1)
     t.spheres([[5, 0.3, 0.4]], [0.5], [WHITE])
@@ -154,7 +154,8 @@ def test_mirrors_reflect_as_often_as_is_asked(reflections: int, seen: int) -> No
 
 
 def test_glass_shifts_what_is_behind() -> None:
-    """A slab of thickness d, turned by a: rays leave it parallel, beside their way by d sin(a - b) / cos(b), n sin b = sin a."""
+    """A slab of thickness d, turned by a: rays leave it parallel, with an offset of d sin(a - b) / cos(b), n sin b =
+    sin a."""
     thickness, angle, index, scale = 0.8, 0.6, 1.5, 50
     edges = []
     for material, opacity in ((2, 0.0), (0, 0.0)):
@@ -176,7 +177,7 @@ def test_glass_shifts_what_is_behind() -> None:
 
 
 def test_sheets_let_light_pass() -> None:
-    """One that is half transparent: half of what is behind is seen through it, and half of the light passes it."""
+    """A half-transparent object: half of the background is visible, and half of the light passes."""
     t = tracer([light([0, 0, 1], shadow=1)])
     floor(t)
     quad(t, [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], [0, 0, 0, 0.5])
@@ -206,7 +207,7 @@ def test_fog_hides_what_is_far_away() -> None:
 
 def test_clipping_shows_the_inner_side() -> None:
     t = tracer([light([0, 0, 1])])
-    t.clip([0, 0, 1, 0])  # what is farther away than the center
+    t.clip([0, 0, 1, 0])  # a point farther away than the center
     t.spheres([[0, 0, 0]], [1.0], [GREY])
     image = t.develop()[..., 0]
     area, _, _ = places(image < 200, 50)

@@ -49,5 +49,5 @@ CHANGES = {
 
 @pytest.mark.parametrize("name", MODELS)
 def test_changed_pictures_are_found(name: str) -> None:
-    """What is smaller than any mistake: another light, another component, a box that is missing."""
+    """Differences below those of any mistake: another light, another component, a box that is missing."""
     assert difference(drawn(name, CHANGES[name]), stored(name)) > 3 * TOLERANCE

@@ -1,4 +1,4 @@
-"""SC.renderer, mbs.Draw() and films: sizes, files, views, and what is refused."""
+"""SC.renderer, mbs.Draw() and films: sizes, files, views, and rejected arguments."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def test_results_are_the_same_with_and_without_images(SC: Any, pendulum: Any) ->
 def test_draw_returns_and_saves_an_image(pendulum: Any) -> None:
     image = pendulum.Draw("pictures/system.png", windowSize=[400, 300])
     assert image.size == (400, 300)
-    assert image._repr_png_()  # what notebooks show
+    assert image._repr_png_()  # output in notebooks
     np.testing.assert_array_equal(np.asarray(Image.open("pictures/system.png")), np.asarray(image))
 
 
@@ -157,7 +157,7 @@ def test_films(pendulum: Any) -> None:
 
 
 def test_films_follow_a_marker(SC: Any, mbs: Any) -> None:
-    """What flies away stays where it is in the picture, as far as its place is tracked."""
+    """An object that flies away keeps its position in the picture, if it is tracked."""
     shape = [graphics.Sphere(radius=0.1, color=[0.2, 0.2, 0.2, 1], nTiles=16)]
     ball = mbs.CreateMassPoint(initialVelocity=[2, 1, 0], physicsMass=1, graphicsDataList=shape)
     marker = mbs.AddMarker(exu.itemInterface.MarkerBodyPosition(bodyNumber=ball))
@@ -278,7 +278,7 @@ def test_configurations_that_are_none_are_named_as_arguments(pendulum: Any, valu
 
 
 def test_images_of_odd_sizes_become_videos(monkeypatch: Any) -> None:
-    """With a program in the place of ffmpeg that writes down what it is asked for."""
+    """A program in place of ffmpeg records its arguments."""
     Path("folder").mkdir()
     Path("program").mkdir()
     program = Path("program", "ffmpeg")
@@ -296,7 +296,7 @@ def test_images_of_odd_sizes_become_videos(monkeypatch: Any) -> None:
 
 
 def test_solutions_that_do_not_fit_are_refused_by_whoever_gets_them(pendulum: Any) -> None:
-    """With the reason: another model, a row that is damaged, no rows."""
+    """The error has the reason: another model, a row that is damaged, no rows."""
     mbs = pendulum
     settings = exu.SimulationSettings()
     settings.timeIntegration.numberOfSteps = 10
@@ -420,7 +420,7 @@ def test_sensors_that_leave_no_trace_are_told_once(SC: Any, pendulum: Any, capfd
 
 
 def test_pictures_follow_a_marker(SC: Any, pendulum: Any) -> None:
-    """As films do; what is around an object stays in the middle."""
+    """Behaviour is that of films; the surroundings of an object remain in the middle."""
     plain, near = np.asarray(pendulum.Draw()), np.asarray(pendulum.Draw(around=0))
     SC.visualizationSettings.view0.camera.trackMarker = 2
     assert (np.asarray(pendulum.Draw()) != plain).any()

@@ -1,4 +1,4 @@
-"""Where things are in pictures: as states, frames and settings say, by numbers that are computed otherwise."""
+"""Positions in pictures: they agree with states, frames and settings, by independent computations."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def test_the_pixel_tells_the_item(SC: Any, mbs: Any) -> None:
 
 
 def test_numbers_become_colors(SC: Any, mbs: Any) -> None:
-    """The displacement grows along the cable: from the first to the last color of the bar."""
+    """The displacement grows along the cable: colors from the first to the last one of the bar."""
     n = 9
     nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in range(n)]
     for a, b in zip(nodes[:-1], nodes[1:], strict=True):
@@ -450,7 +450,7 @@ def test_balls_of_many_nodes_are_small_beside_what_they_are_apart(SC: Any, mbs: 
 
 
 def test_ground_keeps_its_colors(SC: Any, mbs: Any) -> None:
-    """It is not part of what moves, and would widen the range of the colors."""
+    """It is not part of the moving items, and would widen the range of the colors."""
     mbs.CreateGround(graphicsDataList=[graphics.CheckerBoard(size=20)])
     brick = [graphics.Brick(size=[0.2, 0.2, 0.2])]
     mbs.CreateRigidBody(referencePosition=[1, 0, 0], inertia=InertiaCuboid(1, [1, 1, 1]), graphicsDataList=brick)
@@ -521,7 +521,7 @@ def test_numbers_of_masses_that_are_drawn_as_nodes(SC: Any, mbs: Any) -> None:
 
 @pytest.mark.parametrize("count", [2, 300])
 def test_a_ball_of_a_mass_has_the_color_of_its_node(SC: Any, mbs: Any, count: int) -> None:
-    """It hides the node, of which nothing would be seen; alone, and among many that look alike."""
+    """It hides the node, of which nothing would be seen; single items, and many equal ones."""
     red = [1.0, 0.0, 0.0, 1.0]
     for k in range(count):
         look = exu.VNodePoint(color=red) if k == 1 else exu.VNodePoint()
@@ -601,7 +601,7 @@ def test_springs_have_no_more_windings_than_can_be_told_apart(mbs: Any, SC: Any)
 
 @pytest.mark.parametrize("scale", [1e-12, 1e-9, 1e-3, 1e9])
 def test_scenes_of_any_size_look_alike(scale: float) -> None:
-    """From molecules to planets: the picture is that of one meter."""
+    """Sizes from molecules to planets: the picture is that of one meter."""
     images = []
     for size in (1.0, scale):
         container = exu.SystemContainer()

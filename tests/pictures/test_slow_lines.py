@@ -1,4 +1,5 @@
-"""Pages behind slow lines see what is now, at the pace of the line: pictures do not wait in a row, and solvers do not wait for pages."""
+"""Pages on slow lines show the present state, at the rate of the line: pictures do not wait in a row, and solvers do
+not wait for pages."""
 
 from __future__ import annotations
 
@@ -39,7 +40,7 @@ def swinging(mbs: Any) -> Any:
 
 
 class Line(threading.Thread):
-    """Lets a connection pass: to the server at once, to the page with a rate, without memory of its own."""
+    """Lets a connection pass: the proxy sends to the server at once, to the page with a rate, without own memory."""
 
     def __init__(self, port: int) -> None:
         super().__init__(daemon=True)
@@ -77,7 +78,7 @@ class Far(Reader):
             origin=origin,
             proxy=None,
             max_size=None,
-            close_timeout=1,  # what is on the line then is of no use
+            close_timeout=1,  # data on the line is then obsolete
             compression=None,  # type: ignore[arg-type]
         ).__enter__()
         self.send("hello", token=viewer.server.token)
@@ -147,7 +148,8 @@ def test_a_slow_line_delays_neither_the_solver_nor_other_pages(swinging: Any, vi
 
 @pytest.mark.parametrize("at_once", [True, False])
 def test_pictures_and_words_stay_whole_when_the_page_reads_late(at_once: bool) -> None:
-    """Larger than what the system takes at once, while words are sent from another thread; also where that thread writes all, as on Windows."""
+    """Larger than the buffer of the system, while another thread sends texts; also where that thread writes all, as on
+    Windows."""
     from websockets.sync.client import connect
 
     server = PageServer(lambda page, message: None)
@@ -158,7 +160,7 @@ def test_pictures_and_words_stay_whole_when_the_page_reads_late(at_once: bool) -
         while not server.pages:
             time.sleep(0.001)
         shown = next(iter(server._pages.values()))
-        shown.scene = 1  # so that it gets frames
+        shown.scene = 1  # it gets frames
         if not at_once:
             shown.connection.end_pictures()
         words = []

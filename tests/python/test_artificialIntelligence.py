@@ -1,4 +1,5 @@
-"""Environments for reinforcement learning, on a cart with a pole: they follow gymnasium's rules, and step alike."""
+"""Environments for reinforcement learning, on a cart with a pole: they follow gymnasium's rules, and agree with each
+other."""
 
 from __future__ import annotations
 
@@ -195,7 +196,7 @@ class Pushers(VariationsVectorEnv):
 
 
 def test_history_goes_on_and_begins_anew() -> None:
-    """What friction remembers is that of one long simulation with the same steps, and the first again in a new episode."""
+    """The state of friction is that of one long simulation with the same steps, and is reset in a new episode."""
     many = Pushers(2)
     many.reset(seed=1)
     for _ in range(3):

@@ -276,7 +276,7 @@ def test_items_that_are_alike_are_told_together(tmp_path):
 
 
 def test_gaps_are_told_as_they_are_at_the_start(tmp_path):
-    """Two places of a body cannot be at one place: what the search for others leaves says nothing of the mistake."""
+    """Two places of a body cannot be at one place: frames of the search for other modules are omitted."""
     (tmp_path / "driven.py").write_text(DRIVEN)
     told = run("check", "driven.py", cwd=tmp_path).stdout
     assert "contradict a constraint: object 3 'ball' (ObjectJointSpherical), equation 0: gap 500 m" in told, told

@@ -1,4 +1,4 @@
-"""Create functions: which items they add, with which parameters, and how they refuse wrong arguments."""
+"""Create functions: the added items with their parameters, and rejected arguments."""
 
 import inspect
 import json
@@ -41,7 +41,7 @@ def close(value, expected, tolerance):
 
 
 def wrong_parameters(item, expected):
-    """Return {name: (value, expected)} of what differs; drawing parameters are expected in single precision."""
+    """Return {name: (value, expected)} of differences; drawing parameters are expected in single precision."""
     return {
         key: (item.get(key), value)
         for key, value in expected.items()
@@ -225,7 +225,7 @@ def test_a_coordinate_that_a_body_does_not_have_is_refused(mbs):
 
 @pytest.mark.parametrize("other", ["bodyOrNodeList", "bodyList"])
 def test_ends_that_are_given_twice_are_refused(mbs, other):
-    """Which of both is meant cannot be told."""
+    """It is ambiguous."""
     ground, mass = mbs.CreateGround(), mbs.CreateMassPoint(physicsMass=1, referencePosition=[1, 0, 0])
     expected = rf"MainSystem\.CreateSpringDamper\(.*'{other}': expected \[None, None\], as bodyNumbers is given"
     with pytest.raises(ValueError, match=expected):
@@ -239,7 +239,8 @@ def test_a_body_in_the_shape_of_its_inertia_has_a_node_of_the_size_that_is_asked
     assert node["VdrawSize"] == pytest.approx(size, rel=1e-6)  # single precision
 
 
-# ---- what Create functions are made of ----------------------------------------------------------------------------------
+# ---- parts of Create functions
+# -----------------------------------------------------------------------------------------
 
 TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
 

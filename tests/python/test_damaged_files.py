@@ -1,4 +1,4 @@
-"""Files that are damaged or incomplete are refused, with the place; what cannot be written is told with its name."""
+"""Files that are damaged or incomplete are refused, with the place; errors of output files have their names."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ NAMES = ("solution.txt", "solution.sol", "sensor.txt")
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
-    """What a short simulation writes."""
+    """Files of a short simulation."""
     folder = tmp_path_factory.mktemp("files")
     mbs = exu.SystemContainer().AddSystem()
     body = mbs.CreateMassPoint(referencePosition=[1, 2, 3], physicsMass=1, initialVelocity=[1 / 3, 1 / 7, 1e-5])
@@ -62,7 +62,7 @@ def rows_of(name: str, content: bytes, **options: Any) -> np.ndarray:
 def test_a_solution_that_ends_early_gives_its_rows_or_is_refused(
     files: dict[str, bytes], name: str, safe: bool
 ) -> None:
-    """Wherever it ends: what is given is what was there, digit for digit."""
+    """Wherever it ends: the data read are identical, digit for digit."""
     content = files[name]
     whole = rows_of(name, content)
     assert whole.shape == (6, 10)
@@ -150,7 +150,8 @@ def test_a_file_is_not_repaired_onto_itself(files: dict[str, bytes]) -> None:
     assert Path("solution.txt").read_bytes() == files["solution.txt"]
 
 
-# ---- what cannot be written -------------------------------------------------------------------------------------------
+# ---- output errors
+# -----------------------------------------------------------------------------------------------------
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""Functions that take the name of a file say, with the name of the argument, what is wrong with it."""
+"""Functions with a file name raise errors with the name of the argument and the reason."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ WRITTEN: dict[str, Named] = {
 OPTIONAL = {"Draw", "PlotSensor", "PlotPhase", "PlotSensorFFT"}  # None and "" stand for no file
 MAKE_FOLDERS = OPTIONAL | {"SaveHTML", "SaveGLB", "SaveVTU", "DrawSolution", "FEMinterface.SaveToFile"}
 STUDIES = {"ParameterVariation", "ProcessParameterList", "GeneticOptimization", "Minimize"}
-MAY_BE_EMPTY = {"resultsMonitor", "FileStripSpaces"}  # one waits for the first row
+MAY_BE_EMPTY = {"resultsMonitor", "FileStripSpaces"}  # it waits for the first row
 
 
 @pytest.fixture(autouse=True)
@@ -152,7 +152,7 @@ def test_a_folder(name: str, function: Named) -> None:
 def test_a_file_that_is_not_there(name: str, function: Named) -> None:
     text = refused(function, "sone.txt", FileNotFoundError)
     assert f"{name}: there is no such file in the folder '{os.getcwd()}'" in text and "'sone.txt" in text
-    if "LoadFromFile" not in name:  # which adds an ending
+    if "LoadFromFile" not in name:  # it adds an ending
         assert "Did you mean 'some.txt'?" in text
     assert "nor the folder" in refused(function, "nowhere/some.txt", FileNotFoundError)
 

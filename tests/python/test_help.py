@@ -120,7 +120,7 @@ def test_completion() -> None:
     assert "numberOfSteps" in dir(exu.SimulationSettings().timeIntegration)
     assert "Position" in dir(exu.OutputVariableType)
     IPython = pytest.importorskip("IPython")
-    completion.tell_ipython()  # as the import of the package does where IPython runs
+    completion.tell_ipython()  # the import of the package sets it if IPython runs
     shell = IPython.core.interactiveshell.InteractiveShell.instance()
     shell.Completer.use_jedi = False  # it guesses by types, and gives up when time is short
     SC = exu.SystemContainer()

@@ -1,4 +1,4 @@
-"""What specs say in words is what help() shows: of item classes, of their parameters and of Create functions."""
+"""help() shows the texts of specs: texts of item classes, of their parameters and of Create functions."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ OTHER_DEFAULTS = {
 }
 
 
-line = one_line  # as terminals show it
+line = one_line  # the output of terminals
 
 
 def lines_of(thing: Any) -> list[str]:
@@ -72,7 +72,7 @@ def assert_described(told: list[str], row: Parameter) -> None:
 
 @pytest.mark.parametrize("name", create.functions)
 def test_create_functions(name: str) -> None:
-    """Each argument is described; those that stand for parameters have the default and the text of the spec."""
+    """Each argument is described; arguments that correspond to parameters have the default and the text of the spec."""
     function = create.functions[name]
     told, rows = lines_of(function), mirrored(function)
     classes = [getattr(items, prefix + item)() for item in MIRRORS.get(name, ()) for prefix in ("", "V")]

@@ -1,4 +1,4 @@
-"""Names that a module has not: imports and attributes tell the nearest one, or where the name belongs."""
+"""Names that a module has not: imports and attributes suggest the nearest name, or its module."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_names_of_other_modules() -> None:
     assert imported("dalembert.utilities", "CreateGround").endswith("it is a method of a system: mbs.CreateGround(...)")
     with pytest.raises(AttributeError, match="known are: AddEdges"):
         exu.graphics.Box  # noqa: B018
-    for name in ("", "zzz", "__none__"):  # with which modules in packages are loaded, as others are
+    for name in ("", "zzz", "__none__"):  # modules in packages are loaded with it
         assert __import__("dalembert.graphics", fromlist=[name]) is exu.graphics
 
 

@@ -1,4 +1,4 @@
-"""What MJCF files say is read as MuJoCo reads it, or named in a warning; compared with MuJoCo where that is installed."""
+"""Elements of MJCF files are read as by MuJoCo, or named in a warning; compared with MuJoCo where that is installed."""
 
 from __future__ import annotations
 
@@ -139,7 +139,7 @@ def test_sites_have_their_defaults_and_ends(tmp_path: Path) -> None:
 def test_mujoco_says_the_same(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Mass matrix, weight, and places of bodies and sites, at the reference configuration and away from it."""
     mujoco = pytest.importorskip("mujoco", reason="mujoco is installed by the extra [oracles]")
-    monkeypatch.chdir(tmp_path)  # where MuJoCo writes its log
+    monkeypatch.chdir(tmp_path)  # MuJoCo writes its log there
     robot, _ = read(tmp_path / "robot.xml", CARRIED[name][0])
     model = mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml"))
     model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
@@ -210,7 +210,7 @@ def test_names_of_bodies_go_before_those_of_sites(tmp_path: Path) -> None:
 
 
 def test_meshes_that_lie_in_themselves_are_named(tmp_path: Path) -> None:
-    """MuJoCo sums absolute volumes; of an L, which is not convex about its middle, these are larger."""
+    """MuJoCo sums absolute volumes; those of an L, which is not convex about its middle, are larger."""
     points = [[x, y, z] for z in (0, 1) for x, y in ((0, 0), (3, 0), (3, 0.1), (0.1, 0.1), (0.1, 3), (0, 3))]
     faces = [[0, 2, 1], [0, 3, 2], [0, 4, 3], [0, 5, 4]]
     faces += [[6 + a, 6 + c, 6 + b] for a, b, c in faces]
@@ -282,7 +282,7 @@ def test_what_vendors_add_beside_known_names_is_passed_over(tmp_path: Path) -> N
 
 
 def test_moments_that_are_negative_by_rounding(tmp_path: Path) -> None:
-    """Files have products of inertia of 1e-4 beside a moment of zero, as rounding makes them: a warning, no refusal."""
+    """Files have products of inertia of 1e-4 next to a moment of zero, due to rounding: a warning, no refusal."""
     hinge = JOINT.format("j", "revolute", "base", "a", LIMIT)
     robot, told = read(tmp_path / "robot.urdf", urdf(LINK.format("a", 1e-4, 0), hinge))
     assert "<inertia>: a principal moment of -1e-08 is taken for zero" in told[0]

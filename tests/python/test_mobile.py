@@ -62,7 +62,8 @@ def test_velocities_there_and_back(wheeltype, adjusted):
 
 
 def test_wheels_forward_sideways_and_turning():
-    """v / R forward; sideways the wheels of a diagonal turn alike; turning, those of a side, by (lx + ly) / R."""
+    """v / R forward; wheels of a diagonal rotate equally in sideways motion; turning, those of a side, by (lx + ly) /
+    R."""
     kinematics = MobileKinematics(R, BASE / 2, TRACK / 2)
     arm = (BASE + TRACK) / 2
     np.testing.assert_allclose(kinematics.GetWheelVelocities([R, 0, 0]), [1, 1, 1, 1])
@@ -79,7 +80,8 @@ def test_wheels_forward_sideways_and_turning():
 
 
 def test_rollers_complete_the_wheel():
-    """Where a roller is lowest it touches the ground: points of its surface are at most R from the axle of the wheel."""
+    """The lowest point of a roller touches the ground: points of its surface are at most R from the axle of the
+    wheel."""
     delta, d = np.pi / 4, 0.75 * R
     roller = {"r": R, "lRoll": 0.076, "delta": delta, "rRoll": 0.25 * R, "dRoll": d}
     x, y = GeneratrixRoll(np.linspace(-0.6, 0.6, 13), roller)

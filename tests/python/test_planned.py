@@ -1,4 +1,5 @@
-"""What is planned says so, wherever it is met; and the list of it, made from the specs, is what is missing."""
+"""Planned parts raise an error wherever they are used; and their list, made from the specs, agrees with the missing
+parts."""
 
 from __future__ import annotations
 
@@ -22,7 +23,8 @@ ROOT = Path(__file__).parents[2]
 API = json.loads((ROOT / "tests/data/reference/api.json").read_text())
 CORE, METHODS = "(compiled core)", "MainSystem python methods"
 
-# Names of the published list that are no attributes there either: signatures of what is set by SetPreStepUserFunction etc.
+# Names of the published list that are no attributes there either: signatures of functions for SetPreStepUserFunction
+# etc.
 SIGNATURES_OF_USER_FUNCTIONS = {
     f"MainSystem.{name}UserFunction"
     for name in ("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian")
@@ -48,7 +50,7 @@ def published() -> Iterator[tuple[str, str]]:
 
 
 def find(name: str) -> Any:
-    """Return what a published name stands for; AttributeError or ImportError if there is nothing."""
+    """Return the object of a published name; AttributeError or ImportError if there is nothing."""
     modules = sorted((m for m in API if name.startswith(f"{m}.")), key=len)
     thing: Any = importlib.import_module(f"dalembert.{modules[-1]}") if modules else exu
     for word in name.removeprefix(f"{modules[-1]}." if modules else "").split("."):
@@ -57,7 +59,7 @@ def find(name: str) -> Any:
 
 
 def is_planned(name: str) -> bool:
-    """Whether the list names it, its class or its module; of a class with members in the list only these."""
+    """Whether the list names it, its class or its module; a class with listed members has only these."""
     owner, _, member = name.rpartition(".")
     if owner in FUNCTIONS:
         return not FUNCTIONS[owner].members or member in FUNCTIONS[owner].members
@@ -116,7 +118,8 @@ def test_signatures_are_those_that_are_published() -> None:
     assert differing == {}
 
 
-# ---- what is said -----------------------------------------------------------------------------------------------------
+# ---- messages
+# ----------------------------------------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -196,7 +199,7 @@ def test_hints_do_not_lead_to_planned_items(name: str, capsys: pytest.CaptureFix
 
 
 def texts() -> Iterator[tuple[str, str]]:
-    """Give what the package may say: strings of its Python and C++ sources, with the file."""
+    """Return the signatures that the package publishes: strings of its Python and C++ sources, with the file."""
     for path in (ROOT / "python/dalembert").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):

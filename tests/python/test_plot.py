@@ -279,7 +279,7 @@ def test_incomplete_image(tmp_path: Path) -> None:
 
 
 def test_an_array_has_no_name_to_show() -> None:
-    """One curve needs no legend; of several, components tell them apart. Labels of ticks do not overlap."""
+    """A single curve has no legend; several are distinguished by components. Labels of ticks do not overlap."""
     data = np.column_stack([np.linspace(0, 0.2, 50), np.zeros(50), np.ones(50)])
     figure, axes = plot.PlotSensor(None, [data], components=0, sizeInches=[4, 3])[1:3]
     assert axes.get_legend() is None
@@ -330,7 +330,7 @@ def test_errors_of_phase_plots_name_their_arguments(mbs: Any, arguments: dict[st
 
 
 def test_a_legend_hides_no_curve(mbs: Any) -> None:
-    """Within the axes where there is room; otherwise above them, or at the right of what has a title."""
+    """Within the axes where there is room; otherwise it is above them, or at the right of a title."""
 
     def place(data: Any, **arguments: Any) -> tuple[Any, Any]:
         axes = plot.PlotSensor(mbs, [data], labels="a long name", closeAll=True, **arguments)[2]

@@ -133,7 +133,8 @@ def test_exceptions_surface_as_themselves(parallel: bool) -> None:
 
 
 def test_processes_that_end_without_a_result_are_told() -> None:
-    """As those do that the system ends when memory is short; nobody would ever hear of what they were to compute."""
+    """Processes end as if the system had killed them, when memory is short; their results would be lost without a
+    message."""
     with pytest.raises(RuntimeError, match="a process has ended without a result: it has crashed, was killed"):
         processing.ParameterVariation(
             ending, {"a": [1, 2, 3]}, useMultiProcessing=True, numberOfThreads=2, showProgress=False
@@ -331,7 +332,7 @@ def test_minimize_keeps_bounds() -> None:
 
 
 class Counting(ThreadPoolExecutor):
-    """Threads that tell how many evaluations they were given at once."""
+    """An executor that stores how many evaluations it gets at once."""
 
     def __init__(self) -> None:
         super().__init__(2)
@@ -357,11 +358,11 @@ def test_differences_of_gradients_are_evaluated_together(method: str) -> None:
     with Counting() as workers:
         best, value, columns, values = processing.Minimize(valley, VALLEY, useMultiProcessing=workers, **search)
     assert list(best.values()) == pytest.approx([1, 1, -1], abs=2e-3) and value == values[-1] < 1e-6
-    together = [size for size in workers.sizes if size in (3, 4)]  # the steps; with the point, if it is not known yet
+    together = [size for size in workers.sizes if size in (3, 4)]  # the steps; including the point, if its value is unknown
     assert set(workers.sizes[:-1]) <= {1, 3, 4} and len(together) > 4
     alone = processing.Minimize(valley, VALLEY, **search)
     assert alone[0] == pytest.approx(best, abs=2e-3)
-    if method != "Newton-CG":  # whose differences are those of this package, whoever evaluates them
+    if method != "Newton-CG":  # the package computes the finite differences
         assert len(alone[3]) == pytest.approx(len(values), abs=3)
 
 

@@ -78,7 +78,7 @@ def test_a_solution_that_comes_in_pieces(binary: bool, step: int) -> None:
 
 
 def test_what_a_solver_is_writing_is_seen() -> None:
-    """With flushFilesImmediately, each row is in the file when the solver goes on."""
+    """If flushFilesImmediately is set, each row is in the file when the solver continues."""
     mbs = exu.SystemContainer().AddSystem()
     mbs.CreateMassPoint(physicsMass=1, gravity=[0, -2, 0])
     mbs.Assemble()

@@ -311,7 +311,7 @@ def test_wrong_shapes_name_argument_expected_and_received(call, text):
 
 
 class Recorder:
-    """A MainSystem that keeps what is added; bodies are at fixed frames."""
+    """A MainSystem that stores added items; bodies are at fixed frames."""
 
     def __init__(self, frames=()):
         self.items, self.frames = [], frames

@@ -45,7 +45,7 @@ def test_poses_out_of_reach_are_not_a_number(name):
 
 
 def test_wrists_in_line():
-    """With axes in line an angle is free: it is zero, and the pose is reached."""
+    """An angle is arbitrary if axes coincide: it is zero, and the pose is reached."""
     for name, model in (("ComputeIKPuma560", "ManipulatorPuma560"), ("ComputeIKUR", "ManipulatorUR5")):
         data = getattr(models, model)()
         robot = models.LinkDict2Robot(data)

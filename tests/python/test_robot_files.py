@@ -1,4 +1,4 @@
-"""Robots from URDF and MJCF files: the mechanism, its names and shapes; and what is wrong in a file, with its line."""
+"""Robots from URDF and MJCF files: the mechanism, its names and shapes; and faults in a file, with the line."""
 
 from __future__ import annotations
 
@@ -75,7 +75,8 @@ def test_links_of_a_urdf_file_are_where_the_format_says(package):
 
 
 def test_names_of_links_go_before_those_of_joints():
-    """In the example, the joint 'shoulder' carries the link 'upper_arm', and the link 'shoulder' turns in the waist."""
+    """The joint 'shoulder' of the example carries the link 'upper_arm', and the link 'shoulder' rotates in the
+    waist."""
     robot = ReadRobot(Path(__file__).parents[2] / "examples/six_axis_arm.urdf", graphics=False)
     assert (robot.GetLinkIndex("shoulder"), robot.GetJointIndex("shoulder")) == (0, 1)
     assert robot.GetLink("elbow").name == "forearm" and robot.LinkNumbers()["shoulder"] == 0
@@ -160,7 +161,7 @@ def test_joints_of_several_coordinates(kind, count, tmp_path):
 
 
 def test_mjcf_file_against_mujoco():
-    """What MuJoCo 4.0.0 says: qM, qfrc_bias - qfrc_passive, site xpos and subtree_com of the file."""
+    """Values of MuJoCo 4.0.0: qM, qfrc_bias - qfrc_passive, site xpos and subtree_com of the file."""
     robot = ReadRobot(DATA / "arm.xml")
     assert [link.jointName for link in robot.links] == ["yaw", "pitch", "slide", "", ""]
     q, q_t = np.linspace(0.3, 0.7, 5), np.linspace(1, -1, 5)
@@ -222,7 +223,8 @@ def test_parts_of_mjcf_files(tmp_path, package):
 
 
 def test_inertia_and_graphics_of_shapes():
-    """A capsule is a cylinder and a ball cut in two; without length it is a ball. All are drawn as large as they are."""
+    """A capsule is a cylinder and a ball cut in two; it is a ball if the length is zero. All are drawn as large as they
+    are."""
     ball = inertia(Shape("sphere", (0.3,)), 1000)
     np.testing.assert_allclose(inertia(Shape("capsule", (0.3, 1e-9)), 1000).Inertia(), ball.Inertia(), rtol=1e-7)
     np.testing.assert_allclose(inertia(Shape("ellipsoid", (0.3, 0.3, 0.3)), 1000).Inertia(), ball.Inertia())
@@ -287,7 +289,8 @@ def test_rays_of_lidars_form_a_fan():
         AddLidar(mbs, 0, [0, 0, 0], numberOfSensors=1)
 
 
-# ---- what is refused ----------------------------------------------------------------------------------------------------
+# ---- rejected files
+# -----------------------------------------------------------------------------------------------------
 
 WRONG_URDF = {
     "line 26: <dynamics>: there is no attribute 'dampin'; did you mean 'damping'": ("damping=", "dampin="),

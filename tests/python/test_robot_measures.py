@@ -1,4 +1,4 @@
-"""Measures of manipulability against what they mean."""
+"""Measures of manipulability against their definitions."""
 
 from __future__ import annotations
 

@@ -177,7 +177,7 @@ def test_links_of_a_tree_are_those_of_the_robot():
 
 
 def test_robots_of_files_in_systems(tmp_path):
-    """As a tree and as bodies: the same motion, names, and a base elsewhere."""
+    """Results as a tree and as bodies: the same motion, names, and a base elsewhere."""
     text = (DATA / "arm.urdf").read_text().replace('friction="0.2"', "")
     (tmp_path / "arm.urdf").write_text(text)
     ends = []

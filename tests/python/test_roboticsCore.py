@@ -194,7 +194,8 @@ def test_bodies_and_joints_move_as_coordinates_of_joints_do(branches):
 
 
 def test_loads_and_markers_of_joints():
-    """What drives need from outside: a load on each side, in directions that are given; on the turned axes of joints."""
+    """Data that drives need: a load on each side, in directions that are given; forces on the rotated axes of
+    joints."""
     robot = arbitrary(("Rx", "Pz"), seed=4)
     mbs = exu.SystemContainer().AddSystem()
     base = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround(referencePosition=robot.base.HT[:3, 3])))
@@ -282,7 +283,8 @@ def test_poses_between_poses():
     np.testing.assert_array_equal(between[-1], T2)
 
 
-# ---- what is refused --------------------------------------------------------------------------------------------------
+# ---- rejected arguments
+# -------------------------------------------------------------------------------------------------
 
 
 def test_what_is_no_robot_is_refused():

@@ -1,4 +1,4 @@
-"""Messages to ROS, with a stand-in for rospy that keeps what is published."""
+"""Messages to ROS, with a stand-in for rospy that stores published messages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Meshes of shells: where their nodes are, which elements they make, and what they refuse."""
+"""Meshes of shells: positions of nodes, elements, and rejected arguments."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The stubs are what is there at run time, models that are right pass mypy --strict, and mistakes are found."""
+"""The stubs agree with the package at run time, correct models pass mypy --strict, and mistakes are found."""
 
 import ast
 import enum
@@ -27,7 +27,8 @@ cache_dir = {cache}
 [mypy-dalembert.*]
 follow_imports = silent
 """
-# stubtest imports what it compares, and the parts of the stub of the compiled module are no modules at run time.
+# stubtest imports the modules that it compares; the parts of the stub of the compiled module are no modules at run
+# time.
 STUBTEST = """
 import enum, sys, types
 import dalembert
@@ -57,7 +58,7 @@ sys.exit(stubtest.test_stubs(stubtest.parse_options([*(f"dalembert.{name}" for n
 def config(tmp_path_factory) -> Path:
     """Settings of mypy for a user of the package that the tests run with, installed or in the source tree."""
     folder = tmp_path_factory.mktemp("mypy")
-    # Where the package is installed mypy finds it by itself, and refuses to be told.
+    # If the package is installed, mypy finds it, and rejects a path to it.
     installed = (PACKAGE / "_core_items.pyi").exists()
     path = "" if installed else f"mypy_path = {PACKAGE.parent}:{ROOT / 'generated/python'}"
     file = folder / "mypy.ini"
@@ -146,7 +147,8 @@ def test_stub_has_the_members_of_the_class(name):
 
 
 def described_arguments(docstring: str) -> list[str] | None:
-    """Names of the arguments and their defaults in the first line of a docstring of pybind11; None if overloaded."""
+    """Names of the arguments and their defaults in the first line of a docstring of pybind11; Return None if it is
+    overloaded."""
     match = re.match(r"\w+\((.*)\) -> ", docstring.splitlines()[0])
     if match is None or "Overloaded function." in docstring:
         return None
@@ -178,7 +180,7 @@ def test_arguments_of_compiled_methods(name):
 def test_methods_of_main_system_written_in_python():
     methods = set(exu.mainSystemExtensions.methods)  # loads those that have not been used
     functions = {name for name, value in vars(exu.MainSystem).items() if inspect.isfunction(value)}
-    # Two tell of misspelt names; type checkers find them by themselves.
+    # Two errors are of misspelt names; type checkers find them by themselves.
     attached = functions - {"__getattr__", "__setattr__"}
     assert attached == methods
     assert attached <= set(STUB["MainSystem"])

@@ -1,4 +1,4 @@
-"""mbs.systemData: coordinates of all configurations, index tables, and what is refused."""
+"""mbs.systemData: coordinates of all configurations, index tables, and rejected values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Studies of one model: what each set of parameters gives by itself, from all sets at once."""
+"""Studies of one model: results of each set of parameters are those of a separate solution."""
 
 from __future__ import annotations
 

@@ -26,11 +26,11 @@ from session import LENGTH, Session, Steps, run, some_steps
 
 SESSIONS = 50  # per process
 LONGEST = 300.0  # s for one process that reduces; LONGEST * 10 for one that works
-ATTEMPTS = 200  # to leave out steps of a finding
+ATTEMPTS = 200  # removes steps of a finding
 
 
 def work(seed: str, journal: Path, end: float) -> None:
-    """Many sessions; the journal tells the one at work."""
+    """Many sessions; the journal has the task at work."""
     for k in range(SESSIONS):
         if time.monotonic() > end:
             return
@@ -46,7 +46,7 @@ def replay(steps: Steps) -> None:
 
 # ---- processes -----------------------------------------------------------------------------------------------------------
 def in_process(task: Callable[[], None], longest: float) -> tuple[bool, str]:
-    """Whether a task went well in a forked process with an empty folder, and what it wrote."""
+    """Return whether a task succeeded in a forked process with an empty folder, and its output."""
     with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryFile() as output:
         child = os.fork()
         if child == 0:
@@ -77,20 +77,20 @@ def wait(child: int, longest: float) -> tuple[int, bool]:
         if done:
             return status, False
         time.sleep(0.01)
-    os.kill(child, 6)  # faulthandler tells where it was
+    os.kill(child, 6)  # faulthandler shows the position
     return os.waitpid(child, 0)[1], True
 
 
 # ---- findings ------------------------------------------------------------------------------------------------------------
 def signature(text: str) -> str:
-    """What makes two findings the same: the message of a sanitizer or exception, without numbers."""
+    """Properties that make two findings equal: the message of a sanitizer or exception, without numbers."""
     marks = r"SUMMARY: |runtime error: |Assertion.*failed|Finding: |^Fatal|^\w*Error"
     known = [line for line in text.splitlines() if re.search(marks, line)]
     return re.sub(r"0x[0-9a-f]+|-?\d+(\.\d+)?(e[+-]\d+)?", "#", known[-1] if known else text[-160:])[:160]
 
 
 def reduced(steps: Steps, wanted: str) -> Steps:
-    """Without steps that the finding does not need."""
+    """Remove steps that the finding does not need."""
     size, attempts = len(steps) // 2, 0
     while size >= 1:
         at = 1

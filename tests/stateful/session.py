@@ -1,4 +1,4 @@
-"""What a user may do to systems, in any order: rules, each of which draws what it does from a number.
+"""Operations of users on systems, in any order: rules, each of which makes its arguments from a number.
 
 Every call is written to `Session.steps` before it is made, so that the steps to a crash are known.
 """
@@ -34,10 +34,10 @@ SPECIAL = ("__getitem__", "__setitem__", "__len__", "__array__", "__copy__", "__
 MOST_ITEMS = 60
 LENGTH = 40  # rules of a session
 
-# Refusals, with a text of ours; what functions of the user raise comes out as it is.
+# Refusals, with a text of ours; exceptions of user functions are passed on.
 REFUSALS = (MemoryError, TypeError, ValueError, IndexError, AttributeError, NotImplementedError)
 FROM_FUNCTIONS = (KeyError, ZeroDivisionError, RecursionError)
-# Words of pybind11, the standard library and Eigen, which tell a user nothing.
+# Texts of pybind11, the standard library and Eigen, which do not help a user.
 INTERNAL = (
     "vector::",
     "basic_string",
@@ -50,7 +50,7 @@ INTERNAL = (
     "std::",
 )
 
-# What a RuntimeError begins with: who refuses in this state.
+# Beginnings of the texts of RuntimeErrors: who refuses in this state.
 NAMED = (
     "mbs.",
     "solver.",
@@ -69,7 +69,7 @@ NAMED = (
 
 
 class Finding(AssertionError):
-    """What must not happen."""
+    """A forbidden result."""
 
 
 def is_own(error: BaseException) -> bool:
@@ -122,7 +122,7 @@ def rule(function: Callable[..., None]) -> Callable[..., None]:
 
 
 class Session:
-    """One system in work, others beside it, and references that are kept while it changes."""
+    """A system in work, other ones, and references that are kept while it changes."""
 
     write_step: Callable[[str], None] = staticmethod(lambda step: None)  # called before each call
 
@@ -172,7 +172,7 @@ class Session:
 
     @rule
     def add_model(self, n: int, seed: int) -> None:
-        """Beside what is there."""
+        """Additional items."""
         if sum(self.counts().values()) < MOST_ITEMS:
             self.build(VARIANTS[n], seed)
 
@@ -304,7 +304,7 @@ class Session:
     # ---- solving -----------------------------------------------------------------------------------------------------
     @rule
     def solve(self, draw: int) -> None:
-        """As a fresh copy of the model does."""
+        """The system behaves as a fresh copy of the model."""
         random = Random(draw)
         if not self.mbs.systemIsConsistent or self.mbs.systemData.SystemSize() == 0:
             return
@@ -350,7 +350,7 @@ class Session:
 
     @rule
     def use_while_solving(self, draw: int) -> None:
-        """Another thread reads and changes what a solver works on: refused or right."""
+        """Another thread reads and changes the system in use: refused or right."""
         if not self.mbs.systemIsConsistent or self.mbs.systemData.SystemSize() == 0:
             return
         random = Random(draw)
@@ -471,7 +471,7 @@ class Session:
 
     @rule
     def containers(self, draw: int) -> None:
-        """Matrices, lists and sections, with whatever they are given."""
+        """Matrices, lists and sections, with arguments of all kinds."""
         random = Random(draw)
         made = [thing for thing in self.kept if isinstance(thing, CONTAINERS)]
         thing = random.choice(made) if made and draw % 3 else random.choice(CONTAINERS)()

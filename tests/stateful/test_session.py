@@ -1,4 +1,4 @@
-"""Systems that are built, changed, copied, solved and read in random order: none crashes, none becomes another one unseen."""
+"""Systems that are built, changed, copied, solved and read in random order: none crashes, none changes another one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Values of item parameters: those that fit, and those that are wrong in some way."""
+"""Values of item parameters: valid values, and values that are wrong in some way."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WRONG = ("words", None, {"a": 1}, [], [[]], [1, "a"], object, "\ud800", np.zeros
 
 
 def some_argument(random: Random) -> Any:
-    """Of a container's method."""
+    """Arguments of a container's method."""
     shape = random.choice(((3,), (2,), (6,), (3, 3), (6, 6), (0,), (2, 3), (4, 3)))
     triplets = [[random.choice((0, 1, 2, -1, 2**31 - 1, 1.5)), random.choice((0, 1, 2, 7)), 1.0] for _ in range(2)]
     integers = [i for i in INTEGERS if i != 2**31 - 1]  # a dense matrix of this size would fill the memory
@@ -28,7 +28,7 @@ def some_argument(random: Random) -> Any:
 
 
 def some_index(random: Random, kind: str, counts: dict[str, int]) -> Any:
-    """Mostly of an item that exists; as a number, or as an index."""
+    """Mostly of an item that exists; a number, or an index."""
     last = counts[kind] - 1
     number = random.choice((0, last, random.randint(0, max(0, last)), random.randint(0, max(0, last)), last + 1, -1))
     wanted = INDEX[kind] if random.random() < 0.9 else INDEX[random.choice(KINDS)]
@@ -80,7 +80,7 @@ def some_item(random: Random, kind: str) -> Item:
 
 
 def arguments_of(random: Random, item: Item, counts: dict[str, int]) -> dict[str, Any]:
-    """Those that have to be given, and some others."""
+    """Required arguments, and some others."""
     chosen = {}
     for row in rows_of(item):
         needed = row.type.index or row.type.storage == "output_variable" or row.default is None

@@ -25,7 +25,7 @@ def refusals() -> Iterator[None]:
 
 
 def read(mbs: Any) -> None:
-    """Whatever a system can be asked for, cheap things only."""
+    """Fast queries of a system."""
     data = mbs.systemData
     repr(mbs)
     data.GetTime()
@@ -45,7 +45,7 @@ def read(mbs: Any) -> None:
 
 
 def write(mbs: Any) -> None:
-    """What a model may change in every step: parameters to the values that they have."""
+    """Parameters that a model may change in every step: parameters to the values that they have."""
     data = mbs.systemData
     data.SetODE2Coordinates(data.GetODE2Coordinates())
     for i in range(data.NumberOfLoads()):
@@ -96,7 +96,7 @@ def odd_step(mbs: Any, t: float) -> Any:
 
 
 def restructuring_step(mbs: Any, t: float) -> bool:
-    """Tries what is refused while a solver runs."""
+    """Tries operations that are rejected while a solver runs."""
     for change in (
         mbs.Assemble,
         mbs.Reset,
