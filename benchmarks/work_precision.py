@@ -1,8 +1,8 @@
 """Work against accuracy: what solvers with error control need for the error that is left at the end.
 
-`python benchmarks/work_precision.py docs/data/work_precision.csv docs/_static/work_precision.png` writes table and diagrams
-of the documentation. Work is the number of factorizations, one per stage of explicit methods and one per Jacobian of
-implicit ones: it does not depend on the machine. Models and references are those of the tests.
+`python benchmarks/work_precision.py docs/data/work_precision.csv docs/_static/work_precision.png` writes table and
+diagrams of the documentation. Work is the number of factorizations, one per stage of explicit methods and one per
+Jacobian of implicit ones: it does not depend on the machine. Models and references are those of the tests.
 """
 
 from __future__ import annotations

@@ -36,7 +36,7 @@ def test_check_reports_stale_missing_and_orphan(copy: Path, capsys: pytest.Captu
 
 def test_every_template_is_used(root: Path) -> None:
     sources = "".join(path.read_text() for path in (root / "codegen").glob("*.py"))
-    sources += "".join(path.read_text() for path in (root / "codegen/templates").rglob("*.j2"))  # the others extend one of these
+    sources += "".join(path.read_text() for path in (root / "codegen/templates").rglob("*.j2"))  # the rest extend these
     of_kinds = {f"new/{kind}.{end}.j2" for kind in KINDS for end in ("toml", "hpp")}
     for template in environment().list_templates():
         assert f'"{template}"' in sources or template in of_kinds, f"{template} is used by nothing"

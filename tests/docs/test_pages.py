@@ -62,7 +62,7 @@ AGREEMENT = {  # relative difference of compared values, and how many there are
     "plate_modes": (1.5e-2, 4),  # a mesh of 12 x 12; its error falls with the square of the size
     "rolled_strip": (2e-4, 2),  # 30 micrometers of 318 mm: elements of 45 degrees; rounding of five digits
     "trolley_on_rope": (1.6e-2, 2),  # a rope bends over within an element; the trolley feels where elements meet
-    "ball_in_ring": (1e-3, 2),  # the squares of the amplitudes: squares of amplitudes: 0.05^2 / 16 of the ball, 0.0032 / 4 of the barrel
+    "ball_in_ring": (1e-3, 2),  # squares of amplitudes: 0.05^2 / 16 of the ball, 0.0032 / 4 of the barrel
     "hydraulic_crane": (1e-3, 2),  # speed of the piston to four digits; the load creeps while it is lifted
     "newtons_cradle": (4e-3, 2),  # contacts last 60 microseconds, of 50 a step
     "scotch_yoke": (1e-5, 2),  # rounding of seven digits; constraints hold to Newton's tolerance

@@ -155,9 +155,7 @@ def test_traces_of_nodes_in_a_frame_are_where_the_nodes_were(SC: Any, mbs: Any) 
     assert np.ptp(path[:, 0]) > 1 and len(line) == 21
     assert line == pytest.approx(path, abs=1e-9)
     own = mbs.GetSensorStoredData(sensors[0])
-    assert (
-        own.shape == (21, 4) and np.abs(own[-1, 1:] - path[-1]).max() > 1
-    )  # sensors measure in the frame
+    assert own.shape == (21, 4) and np.abs(own[-1, 1:] - path[-1]).max() > 1  # sensors measure in the frame
 
 
 def test_a_mesh_of_modes_stands_in_its_frame_before_assemble(SC: Any, mbs: Any) -> None:

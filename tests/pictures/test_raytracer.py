@@ -124,7 +124,7 @@ def test_soft_shadows_are_as_wide_as_the_light() -> None:
     quad(t, [[0, -9, height], [9, -9, height], [9, 9, height], [0, 9, height]], color=[1, 1, 1, 1])
     row = t.develop()[100, :100, 0].astype(float)  # x < 0: the floor
     part = (row / (255 * 0.5) - 0.4) / 0.6  # part of the light that passes
-    x = -(np.arange(100) + 0.5 - 100) / scale / (radius * height)  # distance from the edge, in radii of the disc of light
+    x = -(np.arange(100) + 0.5 - 100) / scale / (radius * height)  # distance from the edge, in radii of the light
     passing = 1 - np.where(x < 1, (np.arccos(np.minimum(x, 1)) - x * np.sqrt(np.maximum(1 - x**2, 0))) / np.pi, 0)
     # 256 places on a disc: a strip of it holds a 256th more or less, and some of those at its two ends
     assert np.abs(part - passing).max() < 0.03

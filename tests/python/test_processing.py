@@ -358,7 +358,7 @@ def test_differences_of_gradients_are_evaluated_together(method: str) -> None:
     with Counting() as workers:
         best, value, columns, values = processing.Minimize(valley, VALLEY, useMultiProcessing=workers, **search)
     assert list(best.values()) == pytest.approx([1, 1, -1], abs=2e-3) and value == values[-1] < 1e-6
-    together = [size for size in workers.sizes if size in (3, 4)]  # the steps; including the point, if its value is unknown
+    together = [size for size in workers.sizes if size in (3, 4)]  # steps, with the point if it is new
     assert set(workers.sizes[:-1]) <= {1, 3, 4} and len(together) > 4
     alone = processing.Minimize(valley, VALLEY, **search)
     assert alone[0] == pytest.approx(best, abs=2e-3)

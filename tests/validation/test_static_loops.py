@@ -23,7 +23,7 @@ def place_on_coupler(along: float) -> np.ndarray:
     bars = np.diff(corners, axis=0)
     lengths, start = np.linalg.norm(bars, axis=1), np.unwrap(np.arctan2(bars[:, 1], bars[:, 0]))
     masses = DENSITY * np.prod(SECTION) * lengths
-    carried = masses / 2 + np.array([masses[1:].sum(), masses[2:].sum(), 0])  # derivative of the end of each bar by its direction
+    carried = masses / 2 + np.array([masses[1:].sum(), masses[2:].sum(), 0])  # derivative by the direction
     from_before = np.array([[1, 0, 0], [-1, 1, 0], [0, -1, 1]])  # springs resist turns against the bar before
 
     springs, unknowns = STIFFNESS * from_before.T @ from_before, np.zeros(5)  # turns, and forces at the last joint
