@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// Of steps and what adds up over them: a day of steps of a tiny model does not fit into 32 bits.
+// Counts of steps need 64 bits: a day of steps of a tiny model does not fit into 32 bits.
 using StepCount = std::int64_t;
 
 struct SolverIterationData {
@@ -17,22 +17,25 @@ struct SolverIterationData {
   double currentStepSize = 0, currentTime = 0;
   int discontinuousIteration = 0;
   StepCount discontinuousIterationsCount = 0;
-  StepCount eventsCount = 0, eventSolutions = 0;  // events, and steps that were solved to find them
+  StepCount eventsCount = 0, eventSolutions = 0;  // events, and steps that were solved to locate them
   double endTime = 0, initialStepSize = 1e-6, lastStepSize = 0, maxStepSize = 0, minStepSize = 0;
   StepCount newtonJacobiCount = 0, newtonStepsCount = 0, numberOfSteps = 0;
   int newtonSteps = 0;
   double recommendedStepSize = -1;
   StepCount rejectedAutomaticStepSizeSteps = 0, rejectedModifiedNewtonSteps = 0;
-  StepCount rejectedDiscontinuousSteps = 0, rejectedNewtonSteps = 0;  // repeated as contact or friction did not settle, as Newton's method failed
-  double smallestStepSize = 0, largestStepSize = 0;                   // that error control has taken; the rest at the end counts as it is
-  StepCount stepsAtMaximumStepSize = 0;                               // and how many of them could not be larger
-  StepCount stagnatedNewtonSteps = 0;  // Newton loops that ended because round-off, not a tolerance, was reached
-  StepCount stepsAboveTolerance = 0;  // accepted with an error above the tolerances, at the smallest step size or a singular position
-  StepCount unsettledSteps = 0;       // accepted although contact or friction had not settled
-  StepCount singularPositionSteps = 0;  // that passed a singular position
+  // Repeated because contact or friction did not converge, or because Newton's method failed.
+  StepCount rejectedDiscontinuousSteps = 0, rejectedNewtonSteps = 0;
+  // Of error control, without the remainder at the end.
+  double smallestStepSize = 0, largestStepSize = 0;
+  StepCount stepsAtMaximumStepSize = 0;                               // steps that could not be larger
+  StepCount stagnatedNewtonSteps = 0;  // Newton iterations that ended at round-off instead of a tolerance
+  // Accepted with an error above the tolerances, at the smallest step size or a singular configuration.
+  StepCount stepsAboveTolerance = 0;
+  StepCount unsettledSteps = 0;       // accepted although contact or friction had not converged
+  StepCount singularPositionSteps = 0;  // steps that passed a singular configuration
   double startTime = 0;
 
-  // What a run has counted, and goes on to count when it is continued; the index of the step is known besides.
+  // Counts that a continued simulation restores; the index of the step is stored separately.
   static constexpr std::array counts{
       &SolverIterationData::discontinuousIterationsCount, &SolverIterationData::eventsCount, &SolverIterationData::eventSolutions,
       &SolverIterationData::newtonJacobiCount, &SolverIterationData::newtonStepsCount, &SolverIterationData::rejectedAutomaticStepSizeSteps,
@@ -52,7 +55,7 @@ struct SolverConvergenceData {
   int linearSolverCausingRow = -1;
   bool linearSolverFailed = false, massMatrixNotInvertible = false;
   bool newtonConverged = false, newtonSolutionDiverged = false;
-  bool newtonStagnated = false;  // the residual stopped falling at round-off: converged as far as numbers go
+  bool newtonStagnated = false;  // the residual stopped decreasing at round-off: as accurate as possible
   double residual = 0;
   bool stepReductionFailed = false, stopNewton = false;
 };
@@ -66,13 +69,13 @@ struct SolverOutputData {
   double lastSensorsWritten = 0, lastSolutionWritten = 0;
   StepCount lastVerboseStepIndex = 0;
   int multiThreadingMode = 0, numberOfThreadsUsed = 1;
-  bool trusted = false;  // finished, and nothing known speaks against the result
+  bool trusted = false;  // finished, and no check of the result failed
   bool simulationStoppedByUser = false, simulationStoppedByUserFunction = false, simulationTimeout = false;
   int stepInformation = 0, verboseMode = 0, verboseModeFile = 0;
   bool writeToSolutionFile = false, writeToSolverFile = false;
 };
 
-// Seconds per part of the solver. The parts are measured only with displayComputationTime; `total` always.
+// Seconds per part of the solver. Parts are measured only with displayComputationTime; `total` always.
 struct SolverTimer {
   double AERHS = 0, errorEstimator = 0, factorization = 0, integrationFormula = 0;
   double jacobianAE = 0, jacobianODE1 = 0, jacobianODE2 = 0, jacobianODE2_t = 0;  // parts of totalJacobian
@@ -88,7 +91,7 @@ struct SolverTimer {
   static double now();  // seconds of a steady clock
 };
 
-// Adds the time until its end to one part, if times are measured at all.
+// Adds its lifetime to one part, if times are measured.
 class TimedPart {
  public:
   TimedPart(const SolverTimer& timer, double& part) : part_(timer.useTimer ? &part : nullptr) {
@@ -104,7 +107,7 @@ class TimedPart {
   double* part_;
 };
 
-// What stepInformation adds up.
+// Bits of stepInformation.
 namespace step_information {
 inline constexpr int time_to_go = 1, newton_iterations = 2, newton_jacobians = 4, discontinuous_iterations = 8,
                      step_size = 16, cpu_time = 32, step_reductions = 64, step_increases = 128, every_step = 1024;

@@ -1,10 +1,12 @@
-// Diagonally implicit Runge-Kutta methods with error control, for stiff systems: one matrix for all stages, and for as many steps as it serves.
+// Diagonally implicit Runge-Kutta methods with error control, for stiff systems. All stages have one matrix, which is
+// reused in further steps.
 //
 //   M(q) a + f(q, v, t) + G^T lambda = 0    with  v = V + gamma h a,  q = Q + gamma h v    at each stage
-//   G a + (G v)_q v + ... = 0               (the second derivative of the gaps)
+//   G a + (G v)_q v + ... = 0               (second derivative of the constraints)
 //
-// Steps end on the constraints of positions and velocities. Kennedy, Carpenter: Additive Runge-Kutta schemes for convection-diffusion-reaction
-//   equations, Applied Numerical Mathematics 44 (2003), for the method: stiffly accurate, L-stable, all stages within the step.
+// Steps end with a projection onto the constraints of positions and velocities. The method is that of Kennedy,
+// Carpenter: Additive Runge-Kutta schemes for convection-diffusion-reaction equations, Applied Numerical Mathematics 44
+// (2003): stiffly accurate, L-stable, all stages within the step.
 #pragma once
 
 #include <array>
@@ -53,7 +55,7 @@ class DiagonallyImplicitSolver : public Solver {
   using Vector = std::vector<double>;
   static constexpr int stages = 6;
 
-  // What a loop of Newton's method has come to.
+  // Results of Newton's method.
   enum class Outcome { solved, slow, lost, singular };
 
   void require_no_algebraic_coordinates() const;
@@ -69,7 +71,7 @@ class DiagonallyImplicitSolver : public Solver {
   Outcome iterate(int stage, int most_iterations);
   void begin_stage(int stage);
   void predict(int stage);
-  void follow_rates();  // positions and velocities from accelerations
+  void follow_rates();  // computes positions and velocities from accelerations
   void turn_rotations();
   void evaluate_residual();
   double increment_size() const;
@@ -77,18 +79,18 @@ class DiagonallyImplicitSolver : public Solver {
   void keep_rates(int stage);
   bool factorize(bool constraints_follow_motion = false);
   bool factors_serve() const;
-  // ---- ends of steps -------------------------------------------------------------------------------------------------
+  // ---- ends of steps -----------------------------------------------------------------------------------------------
   double estimated_error();
   void filter(Vector& error_of_q, Vector& error_of_v, Vector& error_of_y);
   bool back_onto_constraints();
   bool leave_open_gaps();
   bool fail(Outcome outcome);
-  // ---- control of the step size --------------------------------------------------------------------------------------
+  // ---- step-size control -------------------------------------------------------------------------------------------
   bool control_step_size();
   double weight(double value, double before) const;
 
-  ConstrainedMotion motion_, masses_;  // stages, and accelerations at the start
-  // The smallest multipliers of the state with these coordinates and multipliers.
+  ConstrainedMotion motion_, masses_;  // of the stages, and for accelerations at the start
+  // Minimum-norm multipliers of the state with these coordinates and multipliers.
   struct Smallest {
     ConstrainedMotion motion;
     bool ready = false;
@@ -96,12 +98,13 @@ class DiagonallyImplicitSolver : public Solver {
   } smallest_;
   bool masses_ready_ = false, warned_of_masses_ = false;
   bool lie_ = false, interferes_ = false, fresh_ = false;
-  bool after_jump_ = false;       // at the start, and after events
-  double factorized_for_ = 0;   // gamma h of the factors; zero: there are none
-  double rate_ = 1;             // by which an iteration lowers the error
-  int untold_ = 0;              // stages since then that have taken one iteration
-  double slowest_ = 0;          // of these in the last step
-  double misfit_at_end_ = 0, misfit_at_start_ = 0;  // of accelerations, by which a step sees whether anybody has changed the system
+  bool after_jump_ = false;       // true at the start, and after events
+  double factorized_for_ = 0;   // gamma h of the factors; zero if there are none
+  double rate_ = 1;             // contraction of the error per iteration
+  int untold_ = 0;              // number of stages with one iteration since the last estimate
+  double slowest_ = 0;          // the largest one of the last step
+  // Residuals of accelerations, which reveal changes of the system between steps.
+  double misfit_at_end_ = 0, misfit_at_start_ = 0;
   std::array<Vector, stages> stage_q_, stage_v_, stage_y_, stage_lambda_;  // derivatives at the stages, and multipliers
   Vector base_q_, base_v_, base_y_, base_turn_, turn_, x_;
 };

@@ -1,4 +1,4 @@
-// Variations of one model, solved side by side: every thread has a model, a system and settings of its own.
+// Variations of one model, solved side by side: every thread has its own model, system and settings.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace dalembert {
 
-// What one parameter or setting is in each variation, kept in the type of the member.
+// Values of a parameter or setting in all variations, in the type of the member.
 class VariedValues {
  public:
   virtual ~VariedValues() = default;
@@ -36,7 +36,7 @@ struct VariedSetting {
   std::unique_ptr<VariedValues> values;
 };
 
-// Initial values of one vector of the state, variation by variation.
+// Initial values of one vector of the state, for all variations in order.
 struct VariedCoordinates {
   std::vector<double> State::*part = nullptr;
   std::vector<double> values;
@@ -49,26 +49,26 @@ struct Ensemble {
   std::vector<VariedCoordinates> coordinates = {};
   SimulationSettings simulation = {};
   std::function<std::unique_ptr<Solver>()> make_solver = {};
-  std::vector<int> sensors = {};  // whose values at the end are wanted
-  bool histories = false;    // their values over time as well
-  bool states = false;       // and the state at the end
-  double timeout = -1;       // seconds for one variation; negative: none
+  std::vector<int> sensors = {};  // sensors whose final values are requested
+  bool histories = false;    // request their values over time as well
+  bool states = false;       // request the final state as well
+  double timeout = -1;       // seconds for one variation; negative: no limit
 };
 
 struct VariationResult {
   bool solved = false;
-  std::string alone;                   // why it was not solved with others, in the lanes of registers; empty if it was
-  std::string message;                 // why it was not solved
-  std::string warnings;                // of its solver, one per line
-  double time = 0;                     // that was reached
-  std::vector<double> values;          // of the sensors, one after the other; empty if not solved
+  std::string alone;                   // reason for a separate solution instead of lanes; empty if there is none
+  std::string message;                 // reason of the failure
+  std::string warnings;                // warnings of its solver, one per line
+  double time = 0;                     // final time
+  std::vector<double> values;          // of the sensors in order; empty if not solved
   std::vector<SensorTable> histories;  // by sensor number, until the end or the failure
-  State state;                         // at the end; empty if not wanted or not solved
+  State state;                         // at the end; empty if not requested or not solved
 };
 
-// Solves all variations of `model` on so many threads; results do not depend on how many, nor on what is side by side. They
-// start from `initial`, or from the values of the nodes if parameters of nodes vary. The caller waits and calls `poll` now and
-// then; what it throws ends the work and passes through.
+// Solves all variations of `model` on the given number of threads; results do not depend on this number, nor on the
+// grouping. They start from `initial`, or from the values of the nodes if parameters of nodes vary. The caller waits
+// and calls `poll` periodically; an exception of `poll` ends the work and is passed on.
 std::vector<VariationResult> solve_ensemble(const Ensemble& ensemble, const Model& model, const State& initial, int threads,
                                             const std::function<void()>& poll);
 

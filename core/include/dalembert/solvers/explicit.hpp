@@ -54,13 +54,14 @@ class ExplicitSolver : public Solver {
   void compute_step();
   void runge_kutta_step();
   void verlet_step();
-  // ---- steps in one pass over memory (one_pass_step.cpp) -------------------------------------------------------------
+  // ---- fused steps (one_pass_step.cpp)
+  // -------------------------------------------------------------------------------
   void step_at_once();
   void keep_motion();
   void move_by_forces(std::span<const double> negative);
   bool move_by_masses(std::span<const double> negative);
   void compute_stage(int stage);
-  // Stages that count in a sum of derivatives.
+  // Stages with nonzero weight in a sum of derivatives.
   struct StageWeight {
     std::size_t stage;
     double weight;
@@ -68,13 +69,13 @@ class ExplicitSolver : public Solver {
   using StageWeights = std::vector<StageWeight>;
   static StageWeights that_count(std::span<const double> weights);
   void move_from_start(const StageWeights& weights, Vector& q, Vector& v, Vector& y);
-  // Derivative of the positions at a stage: at the first, the velocities at the start are not copied.
+  // Derivative of the positions at a stage; the first stage uses the velocities at the start without a copy.
   const double* position_rates(std::size_t stage);
   void compute_stage_rates(int stage);
-  // Derivatives of positions at a stage become those of the Lie algebra.
+  // Converts derivatives of positions at a stage to the Lie algebra.
   void turn_stage_rates(std::size_t stage);
   void find_first_accelerations();
-  // With `y_t`, also the rates of ODE1 coordinates.
+  // Computes the rates of ODE1 coordinates as well, if `y_t` is given.
   bool accelerations(Vector& a, std::span<double> y_t = {});
   bool divide_by_masses(Vector& a);
   bool masses_are_old() { return renewed_objects_ != system().renewed_objects(); }
@@ -84,12 +85,13 @@ class ExplicitSolver : public Solver {
   bool mass_couples(const std::vector<int>& coordinates);
   void prepare_motion();
   bool prepare_factors();
-  // ---- constraints that are no fixed coordinates (explicit_constraints.cpp) ----------------------------------------
+  // ---- constraints other than fixed coordinates (explicit_constraints.cpp)
+  // -------------------------------------------
   bool constrained_accelerations(Vector& a, std::span<double> y_t);
   bool back_onto_constraints();
   bool lose_constraints();
   void end_of_step();
-  // ---- control of the step size, by the distance of two approximations ----------------------------------------------
+  // ---- step-size control by the distance of two approximations ------------------------------------------------------
   bool control_step_size();
   double estimated_error();
   double distance_of(const StageWeights& approximation);
@@ -101,7 +103,7 @@ class ExplicitSolver : public Solver {
   double stability_limit() const;
   bool at_stability_limit(double step_size);
   void look_for_stiffness(double step_size);
-  // ---- steps that cannot be kept -----------------------------------------------------------------------------------
+  // ---- failed steps ------------------------------------------------------------------------------------------------
   void begin_to_watch();
   bool stays_bounded() const;
   double size_at_start();
@@ -120,29 +122,30 @@ class ExplicitSolver : public Solver {
 
   DynamicSolverType type_ = DynamicSolverType::ExplicitEuler;
   RungeKuttaMethod method_;
-  std::vector<StageWeights> rows_;  // of the coefficients
-  StageWeights result_, second_, third_;  // of the solution, and of those that it is compared with
+  std::vector<StageWeights> rows_;  // rows of the coefficients
+  StageWeights result_, second_, third_;  // weights of the solution and of the approximations for comparison
   bool verlet_ = false, constant_mass_ = false;
-  bool lie_ = false, all_on_group_ = false;  // rotations are composed; of nodes that have all coordinates
-  std::uint64_t renewed_objects_ = 0;  // when the factors of the mass matrix were made
-  // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
+  bool lie_ = false, all_on_group_ = false;  // there are rotations to be composed; all coordinates belong to such nodes
+  std::uint64_t renewed_objects_ = 0;  // state of the objects for which the mass matrix was factorized
+  // The end of a step is the first stage of the next one, if the system is not changed in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
-  bool may_move_at_once_ = false;  // the method has one stage, and nobody asks for more than where it leads
-  bool at_once_ = false;           // this step does
-  bool sums_known_ = false;     // of squares, after this step:
+  bool may_move_at_once_ = false;  // the method has one stage, and only its end is needed
+  bool at_once_ = false;           // this step is fused
+  bool sums_known_ = false;     // sums of squares after this step:
   double sum_of_v_ = 0, sum_of_a_ = 0;
   int stiff_signs_ = 0, calm_signs_ = 0;  // in the last steps
   bool told_stiff_ = false;
-  bool watches_switches_ = false;  // of items, which errors are estimated without
-  double growth_limit_ = 0;         // of the sum of squares of velocities ...
-  std::optional<Vibration> fastest_;  // at the start, once somebody has asked
-  bool watches_coordinates_ = false;  // ... and of coordinates, where the user has set a limit
-  bool searching_ = false;          // for the first evaluation that is not finite
+  bool watches_switches_ = false;  // switches of items affect error estimates
+  double growth_limit_ = 0;         // limit for the sum of squares of velocities ...
+  std::optional<Vibration> fastest_;  // at the start, computed on demand
+  bool watches_coordinates_ = false;  // ... and of coordinates, if the user has set a limit
+  bool searching_ = false;          // searches for the first evaluation that is not finite
   bool constrained_ = false, off_constraints_ = false;
   ConstrainedMotion motion_;
   MassOperator mass_;
   std::vector<int> eliminated_;
-  // Derivatives at the stages; those of positions at the first are the velocities at the start of the step, which are not copied.
+  // Derivatives at the stages; those of positions at the first stage are the velocities at the start of the step,
+  // without a copy.
   std::vector<Vector> stage_q_, stage_v_, stage_y_;
   Vector second_q_, second_v_, second_y_;
   Vector end_a_, end_y_t_;

@@ -1,5 +1,5 @@
-// Accelerations from forces: the mass matrix, taken apart into blocks that do not touch each other, and items that need no matrix. As long as
-// it is diagonal, as that of mass points and of many bodies, there is none.
+// Accelerations from forces: the mass matrix in independent blocks, and items that need no matrix. There is no matrix
+// if all masses are diagonal, as of mass points and of many bodies.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,12 @@ namespace dalembert {
 
 class MassOperator {
  public:
-  // Forgets everything; `type` decides between dense and sparse factors of large blocks.
+  // Resets the operator; `type` selects dense or sparse factors of large blocks.
   void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options);
-  // Mass matrix and factors of this state. Returns success or the coordinate without a pivot; so does `solve`.
+  // Computes and factorizes the mass matrix of this state. Returns success or the coordinate without a pivot, as does
+  // `solve`.
   int update(System& system, const State& state);
-  // Forces become accelerations.
+  // Replaces forces by accelerations.
   int solve(System& system, const State& state, std::span<double> x) {
     if (without_matrix_ > 0) {
       if (const int loose = system.solve_masses(state, x); loose >= 0) return loose;
@@ -31,7 +32,7 @@ class MassOperator {
     return LinearSolver::success;
   }
 
-  // If all coordinates stand alone, what forces are multiplied with; otherwise null.
+  // Returns the inverse masses if all coordinates are independent, otherwise null.
   const double* factors() const { return without_matrix_ == 0 && blocks_.empty() ? inverse_.data() : nullptr; }
 
  private:
@@ -54,11 +55,11 @@ class MassOperator {
   void build_blocks();
   void solve_blocks(std::span<double> x);
 
-  const Pattern* pattern_ = nullptr;  // null: masses have been on the diagonal alone
+  const Pattern* pattern_ = nullptr;  // null: masses have been diagonal so far
   LinearSolverType type_ = LinearSolverType::EXUdense;
   LinearSolverOptions options_;
   int size_ = 0, without_matrix_ = 0;  // numbers of coordinates
-  std::vector<double> values_, inverse_;   // inverse_: of coordinates that stand alone, otherwise 0
+  std::vector<double> values_, inverse_;   // inverse_: for independent coordinates, otherwise 0
   std::vector<std::size_t> diagonal_;
   DisjointSets coupled_;                   // coordinates
   std::vector<char> alone_;

@@ -10,17 +10,17 @@
 
 namespace dalembert {
 
-// Whether any of the settings asks for differences instead of exact derivatives.
+// Returns whether a setting requests differences instead of exact derivatives.
 inline bool wants_differences(const NewtonNumericalDifferentiationSettings& s) {
   return s.doSystemWideDifferentiation || s.forAE || s.forODE2 || s.forODE2connectors;
 }
 
-// The same matrix as System::tangent; entries that the options choose come from differences along the same directions. Of the
-// whole system at once, these are all, also what no item says that it depends on.
+// Computes the matrix of System::tangent; the options select entries that are computed by differences along the same
+// directions. Differences of the whole system include all entries, also those that no item declares.
 void numerical_tangent(System& system, const State& state, const Conditions& conditions, const Weights& weights,
                        const NewtonNumericalDifferentiationSettings& options, const Pattern& pattern, std::span<double> values);
 
-// f(row, column, slot) for all entries.
+// Calls f(row, column, slot) for all entries.
 template <class F>
 void for_each_entry(const Pattern& pattern, F&& f) {
   const int n = pattern.size();
@@ -35,7 +35,7 @@ void for_each_entry(const Pattern& pattern, F&& f) {
   }
 }
 
-// f(row) for all rows of one column.
+// Calls f(row) for all rows of one column.
 template <class F>
 void for_each_row(const Pattern& pattern, int column, F&& f) {
   if (pattern.is_dense()) {

@@ -1,4 +1,4 @@
-// What acts at times that it knows beforehand, such as controllers that sample: steps end there.
+// Scheduled actions, such as those of sampled controllers: steps end at their times.
 #pragma once
 
 #include <span>
@@ -11,13 +11,13 @@ namespace dalembert {
 class Schedule {
  public:
   virtual ~Schedule() = default;
-  // A solution starts from this state; static ones are refused.
+  // Starts a solution from this state; static solutions are rejected.
   virtual void begin(const State& state, bool is_static) = 0;
-  // When it acts next, later than all that it has done.
+  // Returns the time of the next action, after all completed ones.
   virtual double next() const = 0;
-  // Does what is due in this state. Whether forces have jumped.
+  // Executes the action that is due in this state, and returns whether forces have jumped.
   virtual bool act(const State& state) = 0;
-  // What it remembers, for a restart file.
+  // Returns its memory, for a restart file.
   virtual std::vector<double> numbers() const = 0;
   virtual void take_numbers(std::span<const double> numbers) = 0;
 };

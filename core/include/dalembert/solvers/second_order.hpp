@@ -38,7 +38,8 @@ class SecondOrderSolver : public NewtonSolver {
 
   const std::vector<double>& algorithmic_accelerations() const { return algorithmic_; }
   const std::vector<double>& algorithmic_accelerations_at_start() const { return algorithmic_at_start_; }
-  // Start the next integration from the initial accelerations of the system and from these, instead of computing them.
+  // Starts the next integration from the initial accelerations of the system and from these algorithmic ones, instead
+  // of computing them.
   void continue_with(std::vector<double> algorithmic) { continued_ = std::move(algorithmic); }
 
   // Coefficients of the method.
@@ -66,16 +67,17 @@ class SecondOrderSolver : public NewtonSolver {
   void start_steadily_in_step();
   void lean(ConstrainedMotion& motion);
   bool was_cut() const;
-  double left_out() const;  // of positions, this times the third power of the step size and the rate of accelerations
+  // Coefficient of the local error of positions: times the third power of the step size and the rate of accelerations.
+  double left_out() const;
 
  private:
   friend class Lockstep;
   // ---- steps together with solvers of the same model (lockstep/lockstep.hpp) ---------------------------------------
-  std::string_view lockstep_obstacle() const;  // why it cannot take part; empty if it can
-  // Notes the residual with its norm, and the Jacobian, as two parts, by the vectors q, v, a and lambda of the state.
+  std::string_view lockstep_obstacle() const;  // reason against solving side by side; empty if there is none
+  // Stores the residual with its norm, and the Jacobian, in two parts, for the vectors q, v, a and lambda of the state.
   void trace(Trace& trace);
 
-  // ---- control of the step size (implicit_error_control.cpp) --------------------------------------------------------
+  // ---- step-size control (implicit_error_control.cpp) ---------------------------------------------------------------
   bool control_step_size();
   double estimated_error();
   double noise_of_estimates();  // in units of the tolerances
@@ -95,23 +97,24 @@ class SecondOrderSolver : public NewtonSolver {
   std::vector<double> velocities_across(double step_size, bool as_driven);
   std::vector<double> rates_with_lead(double factor, std::span<const double> change);
   std::vector<double> rates_at(const State& state);
-  // False: the linear solver has been replaced since the last factorization, because constraints were examined anew.
+  // Returns false if the linear solver has been replaced since the last factorization, because constraints were
+  // examined anew.
   bool has_factors() const { return linear_->statistics().factorizations > 0; }
   std::span<const double> move_across(std::span<const double> rates);
   double step_energy(std::span<const double> v) const;
-  // Constraint equations whose gaps are prescribed in time, and those that constrain velocities.
+  // Constraint equations that are prescribed in time, and those that constrain velocities.
   struct RowKinds {
     std::vector<char> driven, of_velocities;
   };
   const RowKinds& row_kinds();
 
-  // Accelerations and multipliers that fit the state; false, with a warning: there are none. Motions have their factors at it, unless an unknown has
-  // no pivot.
+  // Computes accelerations and multipliers of the state; returns false, with a warning, if there are none. The motion
+  // has its factors at this state, unless an unknown has no pivot.
   bool find_accelerations();
   bool find_accelerations(ConstrainedMotion& motion, int singular);
   bool newmark() const;
   double rate_factor() const final { return gamma_prime(); }
-  double row_scale() const final;  // of the ODE2 equations in Newton's method
+  double row_scale() const final;  // factor of the ODE2 equations in Newton's method
   double beta_prime() const;   // acceleration per increment of a coordinate
   double gamma_prime() const;  // velocity per increment of a coordinate
   void change_step_size();
@@ -125,10 +128,10 @@ class SecondOrderSolver : public NewtonSolver {
   void simplified_lie_jacobian(const State& state, const Conditions& conditions, const Weights& weights);
   void apply_tangent_operator();
   Weights jacobian_weights() const;
-  // `momentary`: with reactions and inertia forces of the moment.
+  // `momentary` includes present reactions and inertia forces.
   Conditions jacobian_conditions(bool momentary) const;
   template <class S>
-  S scale_residual(std::vector<S>& residual) const;  // returns the number that is compared with the tolerances
+  S scale_residual(std::vector<S>& residual) const;  // returns the norm for the tolerances
   template <class S>
   void scale_jacobian(std::vector<S>& values) const;
 
@@ -136,45 +139,45 @@ class SecondOrderSolver : public NewtonSolver {
   std::vector<double> lie_increment_;        // sum of increments since the start of the step (simplified relations)
   std::vector<double> increment_of_q_, previous_q_, more_values_;
   bool lie_ = false, simplified_lie_ = false;
-  // Step sizes to which algorithmic accelerations belong, and velocities off constraints; zero: to any. `begins`: neither does yet, and the next step,
-  // of whatever size, is the first one of a smooth motion.
+  // Step sizes for which algorithmic accelerations, and velocities off constraints, are valid; zero: any size.
+  // `begins`: both are unset, and the next step is the first one of a smooth motion, with any size.
   struct StepSizes {
     double accelerations = 0, velocities = 0;
     bool begins = false;
   };
   StepSizes belong_to_, belong_to_at_start_;
   std::vector<double> off_constraints_;  // part of the velocities at the start of a step ...
-  StepCount off_constraints_known_ = -1;  // ... which is this one
-  bool renews_ = false;             // accelerations are found anew before the step is repeated
-  StepCount renewed_after_ = -2;    // step
-  RowKinds row_kinds_;              // empty: not known
-  // Steps of equal size: velocities are led from the first step on in which they oscillate.
+  StepCount off_constraints_known_ = -1;  // ... which has this index
+  bool renews_ = false;             // accelerations are computed anew before the step is repeated
+  StepCount renewed_after_ = -2;    // index of a step
+  RowKinds row_kinds_;              // empty: unknown
+  // Lead of equal steps: it is used from the first step on in which velocities oscillate.
   struct Lead {
     bool active = false;
     double largest_speed = 0;           // so far
-    double largest_energy = 0;          // since velocities are led
+    double largest_energy = 0;          // since the lead is used
     StepCount steps = 0;                // with lead
-    StepCount coarse = 0, not_led = 0;  // steps that are doubted, and the time of the first of them
+    StepCount coarse = 0, not_led = 0;  // steps with a warning, and the time of the first one
     double coarse_since = 0, not_led_since = 0;
     std::optional<bool> begins_open;    // initial values contradict the constraints
     double step_size = 0;               // of the last steps
     double negligible_speed = 0;        // for this size
-    int equal_steps = 0;                // in a row
+    int equal_steps = 0;                // in succession
     int steps_to_wait = 0;              // until velocities across constraints are evaluated again
     std::vector<double> accelerations, change;  // algorithmic ones at the end of the last step, and their change in it
-    std::vector<double> across;         // velocities across constraints in the last step; empty: not known
+    std::vector<double> across;         // velocities across constraints in the last step; empty: unknown
     std::uint64_t constraints_renewed = 0;
   };
   Lead lead_;
 };
 
-// Accelerations and multipliers that fit the positions and velocities of a state.
+// Accelerations and multipliers of given positions and velocities.
 struct InitialAccelerations {
   std::vector<double> a, lambda;
   RedundantConstraints redundant;
   bool decided = true;  // see ConstrainedMotion::accelerations
 };
-// `motion` has its factors at these positions.
+// Requires factors of `motion` at these positions.
 InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions);
 
 }  // namespace dalembert

@@ -1,4 +1,4 @@
-// Static equilibrium by Newton's method under a load that grows in steps.
+// Static equilibrium by Newton's method, with loads that increase in steps.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace dalembert {
 
-// Where the matrix of a path of equilibria is singular.
+// A point of the path at which the stiffness matrix is singular.
 struct SingularPoint {
   StepCount step;
   double load_factor;
-  bool limit;                // the load turns; otherwise a branch begins
-  std::vector<double> mode;  // null vector of ODE2 coordinates, its largest entry is 1
+  bool limit;                // the load has an extremum; otherwise a branch begins
+  std::vector<double> mode;  // null vector of ODE2 coordinates; its largest entry is 1
 };
 
 class StaticSolver : public NewtonSolver {
@@ -35,9 +35,9 @@ class StaticSolver : public NewtonSolver {
   void compute_jacobian() override;
   bool discontinuous_iteration() override;
   void look_back() override;
-  // Of the last solution, with staticSolver.arcLength.
+  // Singular points of the last solution, with staticSolver.arcLength.
   const std::vector<SingularPoint>& singular_points() const { return singular_points_; }
-  double geometric_factor() const { return geometric_factor_; }  // of consecutive loads, with loadStepGeometric
+  double geometric_factor() const { return geometric_factor_; }  // ratio of successive loads, with loadStepGeometric
 
  protected:
   StepFactors step_factors() const override;
@@ -53,23 +53,23 @@ class StaticSolver : public NewtonSolver {
   void set_quasi_time(double time);
   void compute_jacobian(double load_dependencies);
   void look_for_motion();
-  // Coordinates that move where nothing resists (free_motion.cpp); `last` is the matrix of the factors at hand.
+  // Returns coordinates of zero-energy modes (free_motion.cpp); `last` is the matrix of the present factors.
   std::vector<int> free_coordinates(std::span<const double> last);
   std::vector<int> free_of_resistance() const;
-  // Motions whose stiffness is negative, by the matrix at hand (static_stability.cpp).
+  // Modes with negative stiffness, for the present matrix (static_stability.cpp).
   struct Instability {
     int directions = 0;
-    std::vector<double> direction;  // one of them, of ODE2 coordinates; empty: there is none
+    std::vector<double> direction;  // one of them, in ODE2 coordinates; empty if there is none
   };
   Instability find_instability() const;
   void look_for_instability();
 
-  // ---- paths by their length (arc_length.cpp) ----------------------------------------------------------------------
+  // ---- arc-length continuation (arc_length.cpp) --------------------------------------------------------------------
   struct Path;
   struct PathTangent {
-    std::vector<double> direction;  // of all unknowns; its ODE2 part has norm 1
-    double rate = 0;                // of the quasi-time, per length
-    double load = 0;                // norm of the residual, per quasi-time
+    std::vector<double> direction;  // all unknowns; the ODE2 part has norm 1
+    double rate = 0;                // rate of quasi-time per length
+    double load = 0;                // norm of the residual per quasi-time
   };
   struct Crossing {
     bool found = false;
@@ -98,7 +98,7 @@ class StaticSolver : public NewtonSolver {
 
   double geometric_factor_ = 1;
   std::vector<double> mass_;
-  std::unique_ptr<Path> path_;  // null: steps of the load
+  std::unique_ptr<Path> path_;  // null: load steps
   std::vector<SingularPoint> singular_points_;
 };
 

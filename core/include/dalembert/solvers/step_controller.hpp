@@ -12,58 +12,61 @@ namespace dalembert {
 // Factors of the settings, read once per solution.
 struct StepFactors {
   double decrease = 0.5, increase = 2;             // after a failed step; after `recovery_steps` easy steps
-  double largest_increase = 2;                     // by error control
-  int recovery_steps = 10, recovery_iterations = 10;  // a step is easy if it takes at most so many iterations
+  double largest_increase = 2;                     // for error control
+  int recovery_steps = 10, recovery_iterations = 10;  // a step is easy if it takes at most this number of iterations
 };
 
 class StepController {
  public:
-  static constexpr double aside = 0.7;  // size of a step that is repeated close to a singular position, relative to the failed one
+  static constexpr double aside = 0.7;  // relative size of a step that is repeated close to a singular configuration
   static constexpr std::size_t restart_size = 6;
 
   explicit StepController(SolverIterationData& it) : it_(it) {}
 
   // ---- a solution -------------------------------------------------------------------------------------------------------
   void start(const StepFactors& factors);
-  void resume(double size, std::span<const double> numbers);  // after start(): as a restart file says
+  void resume(double size, std::span<const double> numbers);  // after start(): continues from a restart file
   std::array<double, restart_size> restart_numbers() const;
   // Time at the end of the step. The last step is shortened to the end of the solution.
   double end_of_step();
 
-  // ---- the step is repeated, never with less than the smallest size -----------------------------------------------------
+  // ---- repeated steps, not below the smallest size
+  // -------------------------------------------------------------------
   bool at_minimum() const { return !(it_.currentStepSize > it_.minStepSize); }
-  // A step of size `failed` has not succeeded: it is repeated with the recommended size, or `factor` times its own.
+  // Rejects a step of size `failed`: it is repeated with the recommended size, or `factor` times its own size.
   void reject() { reject(it_.currentStepSize, factors_.decrease); }
   void reject(double failed, double factor);
   double decrease() const { return factors_.decrease; }
-  // Error control rejects a step, which is then counted: with the same size, `factor` times the size, or as the error estimate asks for.
+  // Rejects and counts a step with a large error: the next attempt has the same size, `factor` times the size, or the
+  // size of the error estimate.
   void repeat_by_error();
   void shrink_by_error(double factor);
   void reject_by_error(double wanted);
   bool take_rejection_by_error() { return std::exchange(rejected_by_error_, false); }
 
-  // ---- steps that end elsewhere, for events and singular points: exactly this size -----------------------------------------
+  // ---- steps that end at an event or a singular point, with exactly this size
+  // ---------------------------------------------
   void use(double size) { it_.currentStepSize = size; }
 
   // ---- the next step ----------------------------------------------------------------------------------------------------
-  // With `wanted`, the ratio of the step sizes that the error estimate asks for.
+  // `wanted` is the ratio of step sizes by the error estimate.
   void accept(double wanted);
-  void propose(double size);  // between the smallest size and the largest increase
-  void recover();  // the size grows by a fixed factor, up to the maximum
-  bool is_recovered();        // after a step: whether it may grow
+  void propose(double size);  // bounded by the smallest size and the largest increase
+  void recover();  // increases the size by a fixed factor, up to the maximum
+  bool is_recovered();        // after a step: whether the size may increase
   void count_rejection() { since_rejection_ = 0; }
   void count_accepted(double size);  // by error control
-  // Steps in a row with an error above the tolerances.
+  // Returns the number of successive steps with an error above the tolerances.
   int above_tolerance() const { return above_tolerance_; }
   void within_tolerance() { above_tolerance_ = 0; }
-  bool hold_above_tolerance();  // false: there are too many
+  bool hold_above_tolerance();  // returns false if there are too many
 
  private:
   SolverIterationData& it_;
   StepFactors factors_;
   // Steps of equal size are counted, not summed, so that times do not drift.
   struct EqualSteps {
-    double start = 0, size = 0, time = 0;  // `time`: end of the last one
+    double start = 0, size = 0, time = 0;  // time: end of the last one
     StepCount before = 0;
   };
   EqualSteps equal_;
