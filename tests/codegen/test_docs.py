@@ -31,7 +31,7 @@ def test_formulas_are_plain_latex_with_balanced_braces(specs: Specs) -> None:
         assert depth == 0, place
 
 
-def test_pages_lead_to_what_uses_an_item(root: Path, specs: Specs) -> None:
+def test_pages_link_to_users_of_an_item(root: Path, specs: Specs) -> None:
     """Each item has an example of its own; its Create functions are named, and their examples linked."""
     for item in specs.items:
         folder = "/".join(item.path.split("/")[-2:]).removesuffix(".toml")

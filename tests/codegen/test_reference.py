@@ -80,7 +80,7 @@ def test_the_items_are_those_of_the_reference(items: dict[str, Item]) -> None:
     assert differences(items.values()) == {"missing": set(), "without `beyond_reference`": set()}
 
 
-def test_items_beyond_the_reference_say_what_they_add(items: dict[str, Item]) -> None:
+def test_items_beyond_the_reference_describe_their_addition(items: dict[str, Item]) -> None:
     of_reference = items["ObjectMassPoint"]
     silent = replace(of_reference, name="ObjectMass", path="specs/bodies/mass.toml")
     told = replace(silent, beyond_reference="a mass without a place")

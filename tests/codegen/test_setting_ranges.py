@@ -83,7 +83,7 @@ def test_bounds_belong_to_closed_ranges(rows: dict[str, Setting]) -> None:
                 assign(exu.SimulationSettings(), path, int(bound) if row.type.storage == "integer" else bound)
 
 
-def test_ranges_are_told_with_the_types() -> None:
+def test_ranges_are_shown_with_the_types() -> None:
     known = exu.SimulationSettings().GetDictionaryWithTypeInfo()
     assert "from 0 to 1" in known["timeIntegration"]["generalizedAlpha"]["spectralRadius"]["description"]
     assert "from 0 to 1" in (exu.TimeIntegrationGeneralizedAlphaSettings.spectralRadius.__doc__ or "")

@@ -63,7 +63,7 @@ def test_large_deformations_begin_small():
     assert len(mbs.GetObjectParameter(number, "nodeNumbers")) == len(nodes)
 
 
-def test_what_is_refused():
+def test_rejected_arguments():
     fem, mesh = FEM.FEMinterface(), bar()
     with pytest.raises(ValueError, match="no material is given for the regions 'steel' of the mesh"):
         fem.ImportMeshFromNGsolve(mesh, materials={"wood": STEEL})
@@ -75,7 +75,7 @@ def test_what_is_refused():
         fem.GetNodesOfNGsolveBoundary(mesh, "top")
 
 
-def test_arguments_without_effect_are_told():
+def test_arguments_without_effect_are_reported():
     with pytest.warns(UserWarning, match="computeEigenmodes: without effect"):
         FEM.FEMinterface().ImportMeshFromNGsolve(bar(), materials={"steel": STEEL}, computeEigenmodes=False)
 

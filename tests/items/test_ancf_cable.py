@@ -258,7 +258,7 @@ def test_markers_have_no_orientation() -> None:
 
 
 @pytest.mark.parametrize("variable", ["RotationMatrix", "AngularVelocity", "VelocityLocal"])
-def test_nothing_tells_an_orientation(variable: str) -> None:
+def test_there_is_no_orientation(variable: str) -> None:
     beam = Beam(1, 1.0, physicsMassPerLength=1)
     marker = beam.mbs.AddMarker(MarkerBodyPosition(bodyNumber=beam.cables[0], localPosition=[0.5, 0, 0]))
     beam.mbs.Assemble()

@@ -62,7 +62,7 @@ def test_values_that_do_not_fit_are_refused(name: str, parameter: str, value: An
 
 
 @pytest.mark.parametrize(("name", "parameter", "value"), STRUCTURAL, ids=lambda x: x if isinstance(x, str) else "")
-def test_what_changes_coordinates_needs_assemble(name: str, parameter: str, value: Any) -> None:
+def test_changes_of_coordinates_need_assemble(name: str, parameter: str, value: Any) -> None:
     scene, number, item = model(name)
     accessors(scene, item)[1](number, parameter, value)
     assert not scene.mbs.systemIsConsistent

@@ -74,7 +74,7 @@ class Press:
         return np.concatenate([self.mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates) for node in self.data])
 
 
-def test_supports_carry_what_presses() -> None:
+def test_supports_carry_the_load() -> None:
     """The cable bends under the circle; sums of forces follow from statics alone."""
     press = Press(RADIUS - 1e-3, load=-50.0)
     s = testing.State(press.mbs)

@@ -29,7 +29,7 @@ FORCE = "springForceUserFunction"
 @pytest.mark.parametrize(
     "variant", [v for v in ALL_VARIANTS if v.functions and ITEMS[v.item].kind != "sensor"], ids=lambda v: v.id
 )
-def test_compiled_functions_do_what_python_functions_do(variant: Variant) -> None:
+def test_compiled_functions_agree_with_python_functions(variant: Variant) -> None:
     scene = variant.build(seed=3)
     s = random_state(scene, seed=5)
     wanted = testing.residual(scene.mbs, s), testing.tangent(scene.mbs, s, cq=0.7, cv=-1.3, ca=0.4)

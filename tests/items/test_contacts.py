@@ -181,7 +181,7 @@ def test_ball_rolls_over_an_inner_edge() -> None:
 
 
 @pytest.mark.parametrize("corners", [4, 8])
-def test_ball_rests_on_what_is_left_out(corners: int) -> None:
+def test_ball_rests_on_hidden_triangles(corners: int) -> None:
     """Exactly above an edge, or a corner, of coplanar triangles, all of which leave it out, as deep as on a face."""
     mbs = new_system()
     body, ground = ball(mbs, [0, 0, RADIUS - SINK], gravity=[0, 0, -G]), mbs.CreateGround()

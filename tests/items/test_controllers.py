@@ -265,7 +265,7 @@ def test_solutions_begin_anew_and_objects_hold_their_own() -> None:
     assert abs(second.coordinates[0] - first.coordinates[0]) > 0.01
 
 
-def test_restart_files_know_what_is_on_its_way(tmp_path: Any, monkeypatch: Any) -> None:
+def test_restart_files_contain_pending_outputs(tmp_path: Any, monkeypatch: Any) -> None:
     monkeypatch.chdir(tmp_path)
     law = SampledController(PDController([0.7], STIFFNESS, DAMPING), 0.01, 0.013)
     for solver in (Solver.RK44, Solver.GeneralizedAlpha):

@@ -79,7 +79,7 @@ def test_rotations_with_user_functions(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", exemptions.NO_FORCES)
-def test_work_on_what_takes_no_forces(name: str) -> None:
+def test_work_on_points_without_forces(name: str) -> None:
     joints = [
         v for v in ALL_VARIANTS if name in v.uses and joins(v) and "Coordinate" not in ITEMS[v.item].requested_markers
     ]

@@ -445,7 +445,7 @@ def test_user_functions_alone(mbs: Any) -> None:
     assert mbs.GetObjectOutput(body, Variable.Coordinates)[[2, 6]] == pytest.approx([-0.25, 0.1 * np.cos(5)], abs=1e-5)
 
 
-def test_assemble_finds_what_follows_from_other_parameters(mbs: Any) -> None:
+def test_assemble_computes_derived_parameters(mbs: Any) -> None:
     body, _ = add_truss(mbs, NodeRigidBodyEP)
     mbs.Assemble()
     _, modes = free_modes()
@@ -503,7 +503,7 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
 
 
 @pytest.mark.parametrize("case", list(WRONG))
-def test_what_does_not_fit_is_refused(mbs: Any, case: str) -> None:
+def test_inconsistent_values_are_rejected(mbs: Any, case: str) -> None:
     wrong, message = WRONG[case]
     rows = of_points(BOX, MASSES, np.random.default_rng(5).normal(size=(24, 3)))
     nodes = [

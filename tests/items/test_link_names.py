@@ -163,7 +163,7 @@ OF_ITEMS = [where for where in CASES if where.startswith(("Marker", "Sensor", "S
 
 
 @pytest.mark.parametrize("where", OF_ITEMS)
-def test_the_nearest_name_is_told(where: str) -> None:
+def test_the_nearest_name_is_suggested(where: str) -> None:
     with pytest.raises(IndexError, match=r"received 'forearn'.*link.*Did you mean 'forearm'"):
         CASES[where](*system(), "forearn")
     with pytest.raises(IndexError, match=r"'forearm'.*linkNames and jointNames"):
@@ -178,7 +178,7 @@ def test_a_node_that_no_tree_stands_on_has_no_joints() -> None:
 
 
 @pytest.mark.parametrize("counted", ["links", "joints"])
-def test_what_is_counted_comes_first(counted: str) -> None:
+def test_counted_items_come_first(counted: str) -> None:
     """Link 0 is called as the joint of link 1."""
     tree = {
         "linkNames": ["a", ""],

@@ -92,7 +92,7 @@ def test_coordinates_of_the_reference_are_its_own(item: Item) -> None:
 
 
 @pytest.mark.parametrize("item", [item for item in READY if item.outputs], ids=lambda item: item.name)
-def test_what_an_item_does_not_have_is_refused(item: Item) -> None:
+def test_missing_outputs_are_rejected(item: Item) -> None:
     scene = scene_with(item)
     missing = next(v for v in ("StressLocal", "SlidingCoordinate") if v not in [o.name for o in item.outputs])
     with pytest.raises(
@@ -102,7 +102,7 @@ def test_what_an_item_does_not_have_is_refused(item: Item) -> None:
 
 
 @pytest.mark.parametrize("carrier", carriers_of(ITEMS["ObjectRigidBody"]), ids="/".join)
-def test_rigid_bodies_tell_their_motion(carrier: tuple[str, str]) -> None:
+def test_outputs_of_rigid_bodies(carrier: tuple[str, str]) -> None:
     """Output at a local point, from the motion of which the model was made."""
     scene = Variant("ObjectRigidBody", (("", carrier), ("", carrier))).build(seed=52)
     scene.mbs.systemData.SetODE2Coordinates_tt(scene.state().a, Configuration.Current)
@@ -126,7 +126,7 @@ def test_rigid_bodies_tell_their_motion(carrier: tuple[str, str]) -> None:
 
 
 @pytest.mark.parametrize("item", [item for item in READY if item.kind == "marker"], ids=lambda item: item.name)
-def test_markers_tell_what_they_pass_on(item: Item) -> None:
+def test_outputs_of_markers(item: Item) -> None:
     scene = next(v for v in ALL_VARIANTS if item.name in [m for m, _ in v.pairs]).build(seed=53)
     number = find(scene, item)
     names = [name for name in ("Position", "Orientation", "Coordinate") if name in item.provides]

@@ -54,7 +54,7 @@ def test_outputs_are_those_of_a_body_at_rest(carrier: tuple[str, str]) -> None:
 
 @each_resting
 @pytest.mark.parametrize("solver", [exu.DynamicSolverType.GeneralizedAlpha, exu.DynamicSolverType.RK44], ids=str)
-def test_what_acts_on_it_has_no_effect(carrier: tuple[str, str], solver: Any) -> None:
+def test_loads_on_it_have_no_effect(carrier: tuple[str, str], solver: Any) -> None:
     """Loads of all kinds that it takes; they do not affect the moving body."""
     ends = []
     for loaded in (False, True):

@@ -96,7 +96,7 @@ def sensors_of(scene: Scene) -> list[tuple[Any, Read]]:
 
 
 @pytest.mark.parametrize("item", SENSED, ids=lambda item: item.name)
-def test_sensors_tell_the_outputs(item: Item) -> None:
+def test_sensors_agree_with_outputs(item: Item) -> None:
     scene = model_with(item, seed=81)
     for sensor, read in sensors_of(scene):
         for configuration in CONFIGURATIONS:
@@ -104,7 +104,7 @@ def test_sensors_tell_the_outputs(item: Item) -> None:
 
 
 @pytest.mark.parametrize("item", SENSED, ids=lambda item: item.name)
-def test_what_sensors_store(item: Item) -> None:
+def test_stored_values_of_sensors(item: Item) -> None:
     """The sensor agrees with a function that is called after every step; the second of two runs stores the same data as
     a new system."""
     histories = []

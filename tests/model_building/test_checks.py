@@ -118,7 +118,7 @@ def test_points_have_no_rigid_frame(mbs: exu.MainSystem, node: Any) -> None:
         mbs.Assemble()
 
 
-def test_reading_refuses_what_refers_to_itself(mbs: exu.MainSystem) -> None:
+def test_reading_rejects_references_to_itself(mbs: exu.MainSystem) -> None:
     """A marker that is moved onto the connector that it belongs to, and read before Assemble."""
     ground = mbs.AddObject(exu.ObjectGround())
     markers = [mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground)) for _ in range(2)]

@@ -150,7 +150,7 @@ def test_python_classes_may_derive_from_items() -> None:
     assert isinstance(foot, exu.NodePoint)
 
 
-def test_repr_shows_what_differs_from_the_defaults() -> None:
+def test_repr_shows_differences_from_the_defaults() -> None:
     assert repr(exu.NodePoint("a", [1, 0, 0])) == "NodePoint(name='a', referenceCoordinates=[1.0, 0.0, 0.0])"
     assert repr(exu.VNodePoint(show=False)) == "VNodePoint(show=False)"
 
@@ -160,7 +160,7 @@ def test_items_are_not_hashable_because_they_change() -> None:
         hash(exu.NodePoint())
 
 
-def test_visualization_of_another_item_gives_what_both_have() -> None:
+def test_visualization_of_another_item_has_common_parameters() -> None:
     line = {"type": "Line", "data": [0, 0, 0, 1, 0, 0], "color": [1, 0, 0, 1]}
     point = exu.ObjectMassPoint2D(visualization=exu.VObjectRigidBody2D(graphicsData=[line], show=False))
     assert point.visualization.graphicsData == [line] and not point.visualization.show

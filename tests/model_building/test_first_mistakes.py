@@ -387,7 +387,7 @@ def test_a_mistake_is_answered(wrong: Callable[[Model], Any], words: list[str]) 
     assert not missing, told
 
 
-def test_a_minimum_that_is_no_number_is_told() -> None:
+def test_a_minimum_of_nan_is_reported() -> None:
     with pytest.warns(UserWarning, match="objectiveFunction has returned no finite number"):
         processing.Minimize(lambda p: np.nan, {"a": (0, 1)}, showProgress=False, options={"maxiter": 2})
 

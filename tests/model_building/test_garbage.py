@@ -69,7 +69,7 @@ def test_a_solved_system_is_freed_at_once() -> None:
     assert watched() is None
 
 
-def test_a_solver_without_its_system_says_so() -> None:
+def test_a_solver_without_its_system_raises() -> None:
     mbs = system(exu.SystemContainer())
     mbs.Assemble()
     solver = exu.MainSolverImplicitSecondOrder()

@@ -119,7 +119,7 @@ def test_files_of_examples_keep_to_the_schema(item: Item, tmp_path: Path) -> Non
         ({"type": "ObjectMasPoint"}, ["objects", 0, "type"], "'ObjectMasPoint' is not one of"),
     ],
 )
-def test_the_schema_tells_what_is_wrong_of_an_item(edit: Any, path: Any, words: str, tmp_path: Path) -> None:
+def test_the_schema_reports_faults_of_an_item(edit: Any, path: Any, words: str, tmp_path: Path) -> None:
     mbs = empty()
     mbs.CreateMassPoint(physicsMass=2)
     mbs.Save(tmp_path / "model.json")
@@ -252,7 +252,7 @@ def test_wrong_files_are_refused_with_the_place(change: dict[str, Any], text: st
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"a": NaN}', '{"a": 1, "a": 2}', "[" * 100_000, "\x00\xff"])
-def test_what_is_no_json_is_refused(text: str, tmp_path: Path) -> None:
+def test_invalid_json_is_rejected(text: str, tmp_path: Path) -> None:
     (tmp_path / "model.json").write_text(text)
     with pytest.raises(ValueError, match="model.json"):
         pendulum().Load(tmp_path / "model.json")

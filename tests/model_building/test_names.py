@@ -120,7 +120,7 @@ def test_create_functions_take_names() -> None:
         mbs.CreateSpringDamper(bodyNumbers=["twice", "arm"])
 
 
-def test_created_objects_tell_what_belongs_to_them() -> None:
+def test_created_objects_have_their_parts() -> None:
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround("base")
     arm = mbs.CreateRigidBody("arm", [0.5, 0, 0], inertia=InertiaCuboid(1000, [1, 0.1, 0.1]), gravity=[0, -9.81, 0])

@@ -45,7 +45,7 @@ def test_refused_at_assemble(mbs: Any, sensor: Any, variable: str, item: str) ->
     mbs.Assemble()
 
 
-def test_what_follows_from_motion_and_coordinates_is_accepted(mbs: Any) -> None:
+def test_values_that_follow_from_motion_are_accepted(mbs: Any) -> None:
     for sensor in (
         exu.SensorNode(nodeNumber=0, outputVariableType=Variable.Coordinates_tt),
         exu.SensorBody(bodyNumber=0, outputVariableType=Variable.VelocityLocal),

@@ -30,7 +30,7 @@ def test_early_protocols_of_pickle(protocol: int) -> None:
 
 
 @pytest.mark.parametrize("made", [exu.SystemContainer, exu.Vector3DList, exu.MainSolverStatic, exu.MatrixContainer])
-def test_the_error_tells_what_is_missing(made: Any) -> None:
+def test_the_error_names_missing_parts(made: Any) -> None:
     empty = made.__new__(made)
     with pytest.raises(RuntimeError, match=r"the object is empty, because its __init__ was not called"):
         repr(empty)

@@ -54,7 +54,7 @@ def test_set_and_remove(mbs: exu.MainSystem) -> None:
     assert mbs.GetLoadValues(number).tolist() == [1, 2, 3]
 
 
-def test_exception_keeps_its_type_and_says_where(mbs: exu.MainSystem) -> None:
+def test_exception_keeps_its_type_and_names_the_place(mbs: exu.MainSystem) -> None:
     class Calm(Exception):
         pass
 
@@ -179,7 +179,7 @@ def test_function_that_is_called_while_it_runs(mbs: exu.MainSystem) -> None:
     assert mbs.GetLoadValues(number).tolist() == [-6, -6, -6]
 
 
-def test_no_function_is_called_again_for_what_it_has_just_said(mbs: exu.MainSystem) -> None:
+def test_no_function_is_called_twice_for_one_value(mbs: exu.MainSystem) -> None:
     calls = []
 
     def force(system: exu.MainSystem, t: float, item: int, u: float, v: float, *parameters: float) -> float:

@@ -108,7 +108,7 @@ def pair(mbs: exu.MainSystem) -> list[Any]:
     return [mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=number)) for number in (ground, body)]
 
 
-def test_what_is_written_into_an_array_is_judged_by_assemble(mbs: exu.MainSystem) -> None:
+def test_values_written_into_an_array_are_checked_by_assemble(mbs: exu.MainSystem) -> None:
     joint = exu.RevoluteJointZ("hinge", markerNumbers=pair(mbs))
     joint.rotationMarker1[:] *= 3
     mbs.AddObject(joint)
@@ -168,7 +168,7 @@ FUNCTIONS: dict[str, Callable[[exu.MainSystem, Any], Any]] = {
 
 
 @pytest.mark.parametrize("argument", FUNCTIONS)
-def test_functions_refuse_what_is_no_rotation(mbs: exu.MainSystem, argument: str) -> None:
+def test_functions_reject_invalid_rotations(mbs: exu.MainSystem, argument: str) -> None:
     call = FUNCTIONS[argument]
     call(mbs, RotationMatrixZ(0.3))
     for matrix, reason in (
@@ -324,7 +324,7 @@ def test_limits_of_inertia_are_bodies(mbs: exu.MainSystem, mass: float, inertia:
     ],
     ids=range(17),
 )
-def test_inertia_functions_refuse_what_no_shape_has(make: Any, text: str) -> None:
+def test_inertia_functions_reject_impossible_shapes(make: Any, text: str) -> None:
     with pytest.raises(ValueError, match=text):
         make()
 

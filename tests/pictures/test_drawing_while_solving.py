@@ -145,7 +145,7 @@ def test_copies_take_less_than_a_hundredth_however_many_bodies_there_are(count: 
     assert any(share < 0.01 for share in shares)
 
 
-def test_places_alone_are_told_and_said_to_be_so(mbs: Any) -> None:
+def test_positions_without_other_outputs_are_reported(mbs: Any) -> None:
     """A mass that falls: its velocity follows from its place. A request for a single item has no velocity, with a
     message."""
     mass = mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, -2])
@@ -178,7 +178,7 @@ def test_places_alone_are_told_and_said_to_be_so(mbs: Any) -> None:
     assert shadow.system.GetObjectOutput(mass, exu.OutputVariableType.Velocity, Shown)[2] == pytest.approx(-2, rel=1e-9)
 
 
-def test_traces_go_through_what_was_seen_until_all_is_stored(mbs: Any) -> None:
+def test_traces_pass_all_shown_positions(mbs: Any) -> None:
     """A mass that falls is at -t**2 in all states that were seen; stored values of the sensor remain afterwards."""
     mass = mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, -2])
     sensor = mbs.AddSensor(

@@ -198,7 +198,7 @@ def test_forces_are_drawn_where_they_push(slide: tuple[Any, Any]) -> None:
     assert [label.text for label in scene.labels] == [f"{np.linalg.norm(force):.4g} N" for force in forces]
 
 
-def test_forces_without_a_direction_are_told(SC: Any, mbs: Any, capfd: Any) -> None:
+def test_forces_without_a_direction_are_reported(SC: Any, mbs: Any, capfd: Any) -> None:
     """Two spheres with one center push each other nowhere: the picture is drawn, with a notice of the missing parts."""
     contact = mbs.AddGeneralContact()
     contact.SetFrictionPairings([[0.0]])

@@ -237,7 +237,7 @@ def seen(container: Any, rays: bool) -> list[str]:
 
 
 @pytest.mark.parametrize("path", DRAWN)
-def test_a_setting_changes_what_is_seen(model: Any, path: str) -> None:
+def test_a_setting_changes_the_picture(model: Any, path: str) -> None:
     settings = model.visualizationSettings
     fitting = [beginning for beginning in GIVEN if path.startswith(beginning)]
     given = GIVEN[max(fitting, key=len)] if fitting else {}
@@ -251,7 +251,7 @@ def test_a_setting_changes_what_is_seen(model: Any, path: str) -> None:
 
 
 @pytest.mark.parametrize("number", [1, 2, 3])
-def test_settings_of_each_view_change_what_it_shows(model: Any, number: int) -> None:
+def test_settings_of_each_view_change_its_picture(model: Any, number: int) -> None:
     """Settings of the scene, which all views share, have no effect in other views than the first, with a message."""
     settings, view = model.visualizationSettings, f"view{number}."
 

@@ -106,7 +106,7 @@ def test_glb_has_the_motion(spinning: Any) -> None:
     assert color == pytest.approx([0.214041, 0.050876, 1, 1], abs=1e-5)  # 0.5, 0.25 and 1 by the formula of sRGB
 
 
-def test_glb_has_what_is_deformed(spinning: Any) -> None:
+def test_glb_has_deformed_items(spinning: Any) -> None:
     spinning.SaveGLB("motion.glb", framesPerSecond=10)
     file = pygltflib.GLTF2().load("motion.glb")
     motion = Motion(spinning, "test", None, 10, 1.0, None, (64, 48))
@@ -148,7 +148,7 @@ def complaints(*files: str) -> list[Any]:
     return [[message for message in report["messages"] if message["severity"] < 2] for report in reports]
 
 
-def test_glb_is_as_its_standard_says(SC: Any, spinning: Any) -> None:
+def test_glb_follows_its_standard(SC: Any, spinning: Any) -> None:
     """Moving bodies, a spring with large elongation, deformed and transparent items; colors of a contour, and a system
     at rest."""
     spinning.SaveGLB("motion.glb", framesPerSecond=10)

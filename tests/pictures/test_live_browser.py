@@ -135,7 +135,7 @@ def test_traces_grow_and_are_bright_on_a_dark_page(SC: Any, model: Any, viewer: 
     assert tab.value(shades) == [0, 0]
 
 
-def test_it_asks_nobody_else_and_hides_its_token(viewer: Viewer, tab: Tab) -> None:
+def test_it_makes_no_other_request_and_hides_its_token(viewer: Viewer, tab: Tab) -> None:
     port = viewer.server.port
     assert {r.split("#")[0] for r in tab.requests} <= {
         f"http://127.0.0.1:{port}/", f"http://127.0.0.1:{port}/bundle.js", f"ws://127.0.0.1:{port}/socket", "data:,",
@@ -255,7 +255,7 @@ def test_measuring_and_cutting(tab: Tab) -> None:
     assert tab.value(f"page.hit({x}, {y}) === null")
 
 
-def test_a_picture_that_is_saved_is_what_is_seen(SC: Any, viewer: Viewer, tab: Tab) -> None:
+def test_a_saved_picture_is_the_visible_one(SC: Any, viewer: Viewer, tab: Tab) -> None:
     """The image has texts, the bar of colors and the other views, without buttons."""
     SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.Position
     viewer.redraw()
@@ -276,7 +276,7 @@ def test_a_picture_that_is_saved_is_what_is_seen(SC: Any, viewer: Viewer, tab: T
         assert 0.005 < ink[1] == pytest.approx(ink[0], rel=0.25), part  # letters are not on the same pixels
 
 
-def test_what_rounding_leaves_of_zero_is_zero_on_the_bar_of_colors(SC: Any, viewer: Viewer, tab: Tab) -> None:
+def test_round_off_is_zero_on_the_bar_of_colors(SC: Any, viewer: Viewer, tab: Tab) -> None:
     SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.Position
     viewer.redraw()
     tab.wait("document.querySelectorAll('.contour i').length > 0")
@@ -340,7 +340,7 @@ def test_other_views_have_windows_of_their_own(SC: Any, viewer: Viewer, tab: Tab
     tab.wait("page.panes.length === 3")
 
 
-def test_a_page_that_is_refused_says_so_on_white(browser: Browser, viewer: Viewer) -> None:
+def test_a_rejected_page_shows_the_reason(browser: Browser, viewer: Viewer) -> None:
     opened = browser.tab(f"{viewer.server.address}x")
     opened.wait("page.state.textContent === 'refused: wrong token' && page.drawn > 0")
     picture = Image.open(BytesIO(opened.picture())).convert("RGB")

@@ -51,7 +51,7 @@ def messages(stage: Stage, scene: Scene) -> tuple[bytes, bytes]:
     return whole(), b"".join(frame)
 
 
-def test_frames_hold_what_has_moved() -> None:
+def test_frames_contain_moved_items() -> None:
     stage = Stage()
     whole, frame = messages(stage, moved_scene())
     head, arrays = unpacked(whole)
@@ -69,7 +69,7 @@ def test_frames_hold_what_has_moved() -> None:
     )  # back again: pages may have missed that it went
 
 
-def test_what_lines_have_gained_is_looked_for_once_and_only_for_pages_that_have_the_rest(
+def test_new_lines_are_searched_once_and_only_for_pages_with_the_scene(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     looks: list[int] = []
@@ -84,7 +84,7 @@ def test_what_lines_have_gained_is_looked_for_once_and_only_for_pages_that_have_
     assert picture.after(True) is picture.after(True) is not picture.frame and len(looks) == 1
 
 
-def test_what_changes_its_shape_becomes_deformable() -> None:
+def test_items_with_changing_shape_become_deformable() -> None:
     stage = Stage()
     messages(stage, moved_scene())
     scene = moved_scene()
@@ -100,7 +100,7 @@ def test_what_changes_its_shape_becomes_deformable() -> None:
     np.testing.assert_array_equal(arrays[0], (3 * TRIANGLE.points).ravel())
 
 
-def test_what_changes_more_than_its_points_is_another_scene() -> None:
+def test_changes_other_than_of_points_make_a_new_scene() -> None:
     stage, shades = Stage(), np.array([[1.0, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 1]])
     for number in range(5):
         scene = moved_scene()
@@ -185,7 +185,7 @@ def test_messages_are_those_that_pages_were_made_for(SC: Any, mbs: Any) -> None:
     assert [*golden(), golden_turned(SC, mbs)] == [path.read_bytes() for path in GOLDEN]
 
 
-def test_stored_messages_say_what_was_written() -> None:
+def test_stored_messages_are_the_written_ones() -> None:
     (head, arrays), (after, moved), (quick, places) = (unpacked(path.read_bytes()) for path in GOLDEN)
     assert [kind for kind in quick["arrays"] if kind] == [["r6", 6]] and quick["time"] == 0.25
     assert places[0] == pytest.approx([0.6, -0.8, 0, 1, 0.8, 0.6, 0, 2, 0, 0, 1, -3])
@@ -379,7 +379,7 @@ def test_the_solver_goes_on_without_its_page(swinging: Any, viewer: Viewer) -> N
     thread.join(10)
 
 
-def test_a_page_that_was_hidden_sees_what_is_now(swinging: Any, viewer: Viewer) -> None:
+def test_a_page_that_was_hidden_gets_the_present_state(swinging: Any, viewer: Viewer) -> None:
     """Browsers draw nothing while a tab is hidden: it is silent then, and says that it has drawn when it is seen again."""
     hidden = Reader(viewer)
     while not isinstance(hidden.socket.recv(timeout=20), bytes):

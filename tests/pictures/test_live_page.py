@@ -110,7 +110,7 @@ def test_idle_tasks_end_when_the_last_page_is_closed(SC: Any, viewer: Viewer, mo
     assert not SC.renderer.IsActive()
 
 
-def test_what_a_script_visualizes_is_seen(SC: Any, swinging: Any, viewer: Viewer) -> None:
+def test_a_state_visualized_by_a_script_is_drawn(SC: Any, swinging: Any, viewer: Viewer) -> None:
     reader = Reader(viewer)
     whole, arrays = reader.message("scene")
     coordinates = swinging.systemData.GetODE2Coordinates()
@@ -218,7 +218,7 @@ def test_selection(SC: Any, viewer: Viewer) -> None:
         assert (SC.renderer.GetItemSelection()[0] == 0) is wanted
 
 
-def test_what_was_picked_in_a_scene_before_is_selected_if_it_is_still_there(SC: Any, viewer: Viewer) -> None:
+def test_a_picked_item_stays_selected_in_a_new_scene(SC: Any, viewer: Viewer) -> None:
     """A page may answer a scene that has been replaced meanwhile, whose numbers are others."""
     reader = Reader(viewer)
     head, _ = reader.message("scene")
@@ -440,7 +440,7 @@ def test_the_port_can_be_chosen(SC: Any, mbs: Any, monkeypatch: pytest.MonkeyPat
         SC.renderer.Start()
 
 
-def test_a_browser_is_not_told_the_token_by_its_arguments(SC: Any, mbs: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_token_is_not_in_the_arguments_of_a_browser(SC: Any, mbs: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """Arguments of programs are seen by all users of a machine."""
     opened: list[str] = []
     monkeypatch.setattr("dalembert._pictures.showing.has_display", lambda: True)

@@ -9,7 +9,7 @@ from browser import running
 from dalembert.resultsMonitor import PageMonitor, Plots
 
 
-def test_the_page_draws_what_comes() -> None:
+def test_the_page_draws_received_frames() -> None:
     Path("a.txt").write_text("0,1,-1\n1,3,2\n")
     page = PageMonitor(Plots("a.txt", [0, 1], [1, 2]))
     try:

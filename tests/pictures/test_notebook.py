@@ -129,7 +129,7 @@ def test_where_widgets_are_not_wanted(monkeypatch: pytest.MonkeyPatch) -> None:
     assert result.data["text/plain"] == "(False, False)"
 
 
-def test_a_cell_that_waits_although_nobody_can_be_heard_goes_on() -> None:
+def test_a_waiting_cell_continues_if_no_page_can_answer() -> None:
     """Nobody looks at a notebook that is executed by a program."""
     (*_, told) = executed(MODEL + "SC.renderer.Start()\nSC.renderer.DoIdleTasks()\nprint('on')")[0]
     assert "cannot be heard" in told.text and told.text.endswith("on\n")
@@ -181,7 +181,7 @@ def link(widget: Widget, heard: list[tuple[int, str]]) -> WidgetLink:
     return WidgetLink(lambda page, message: heard.append((page, message["kind"])), widget)
 
 
-def test_a_page_gets_the_scene_and_then_what_moves(widget: Widget, link: WidgetLink, heard: list[Any]) -> None:
+def test_a_page_gets_the_scene_and_then_motions(widget: Widget, link: WidgetLink, heard: list[Any]) -> None:
     assert not link.wanted
     widget.say(kind="hello", page="a")
     assert link.wanted and link.pages == 1 and heard == [(1, "opened")]
@@ -245,7 +245,7 @@ def test_a_page_that_is_not_seen_gets_nothing(widget: Widget, link: WidgetLink) 
     "message", [None, [], "x", {}, {"kind": 1, "page": "a"}, {"kind": "hello"}, {"kind": "key", "page": "unknown"},
                 {"kind": "hello", "page": "x" * 40}, {"kind": "hello", "page": ""}, {"kind": "hello", "page": 3}],
 )  # fmt: skip
-def test_what_is_no_message_changes_nothing(widget: Widget, link: WidgetLink, heard: list[Any], message: Any) -> None:
+def test_invalid_messages_change_nothing(widget: Widget, link: WidgetLink, heard: list[Any], message: Any) -> None:
     widget.take(widget, message, [])
     assert heard == [] and link.pages == 0 and widget.told() == []
 
@@ -340,7 +340,7 @@ def notebook(viewer: Viewer, widget: Widget, browser: Browser) -> Iterator[Noteb
     tab.close()
 
 
-def test_the_widget_takes_the_place_of_what_is_saved(notebook: Notebook) -> None:
+def test_the_widget_replaces_the_saved_view(notebook: Notebook) -> None:
     still = "document.querySelector('[data-dalembert-still]').checkVisibility()"
     assert notebook.tab.value(still)  # until the kernel answers
     notebook.wait("cell.live.frames > 0 && cell.live.drawn > 0")

@@ -177,7 +177,7 @@ def test_size_of_a_file() -> None:
     assert 0.2e6 < Path("bodies.html").stat().st_size < 0.6e6
 
 
-def test_what_moves_with_a_body_costs_nothing_per_frame(mbs: Any) -> None:
+def test_items_that_move_with_a_body_add_nothing_per_frame(mbs: Any) -> None:
     """Markers, joints, axes, sensors and weight on bodies that turn are where they are in each scene of the motion."""
     body = mbs.CreateGround()
     for k in range(4):
@@ -244,7 +244,7 @@ def test_pages_have_the_ending_that_browsers_know(mbs: Any) -> None:
         mbs.SaveHTML("page.txt")
 
 
-def test_what_functions_draw_may_be_another_mesh_in_each_frame(falling: Any) -> None:
+def test_user_graphics_may_be_another_mesh_in_each_frame(falling: Any) -> None:
     """Models of other sizes and colors."""
 
     def drawn(mbs: Any, number: int) -> list[Any]:

@@ -35,7 +35,7 @@ def test_the_port_is_of_this_machine_only(viewer: Viewer) -> None:
     socket.create_connection(("127.0.0.1", viewer.server.port), timeout=2).close()
 
 
-def test_the_page_tells_nothing_of_the_model_and_allows_nothing(viewer: Viewer) -> None:
+def test_the_page_reveals_nothing_of_the_model_and_allows_nothing(viewer: Viewer) -> None:
     answer = asked(viewer, "/")
     text = answer.read().decode()
     assert viewer.server.token not in text and "brick" not in text and "@" not in text
@@ -65,7 +65,7 @@ def test_pages_of_elsewhere_are_refused(viewer: Viewer, origin: str | None) -> N
 
 
 @pytest.mark.parametrize("token", ["", "x" * 32, "wrong"])
-def test_without_the_token_nothing_is_told(viewer: Viewer, token: str) -> None:
+def test_nothing_is_sent_without_the_token(viewer: Viewer, token: str) -> None:
     reader = Reader(viewer, token)
     with pytest.raises(ConnectionClosed) as closed:
         reader.socket.recv(timeout=10)
@@ -105,7 +105,7 @@ def test_a_server_is_not_closed_under_a_thread_that_wakes_it(monkeypatch: pytest
     assert closed == [False]
 
 
-def test_who_says_nothing_is_sent_away(viewer: Viewer, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_silent_connections_are_closed(viewer: Viewer, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(serving, "PATIENCE", 0.2)
     port = viewer.server.port
     address, origin = f"ws://127.0.0.1:{port}/socket", f"http://127.0.0.1:{port}"
@@ -165,7 +165,7 @@ def test_nonsense_is_answered_or_ignored(viewer: Viewer) -> None:
         ("nodes", "1"),
     ],
 )
-def test_what_pages_may_not_set(viewer: Viewer, path: str, value: str) -> None:
+def test_settings_that_pages_may_not_change(viewer: Viewer, path: str, value: str) -> None:
     before = repr(viewer.settings.GetDictionary())
     reader = Reader(viewer)
     reader.send("set", path=path, value=value)
@@ -173,7 +173,7 @@ def test_what_pages_may_not_set(viewer: Viewer, path: str, value: str) -> None:
     assert repr(viewer.settings.GetDictionary()) == before
 
 
-def test_what_pages_may_set(viewer: Viewer) -> None:
+def test_settings_that_pages_may_change(viewer: Viewer) -> None:
     reader = Reader(viewer)
     reader.send("settings")
     rows = {row["path"]: row for row in reader.message("settings")["rows"]}

@@ -44,7 +44,7 @@ def test_all_is_written_by_one_method() -> None:
     assert writes == within == 1, ADVICE.format(f"it writes in {writes} places, {within} of them in send_data")
 
 
-def test_what_has_arrived_goes_through_one_method() -> None:
+def test_received_messages_pass_one_method() -> None:
     source = inspect.getsource(connection.Connection.data_received)
     assert _calls(r"self\.process_event\(", source) == 1, ADVICE.format("data_received does not call process_event")
 

@@ -70,7 +70,7 @@ def test_triangles_side_by_side_leave_no_gap_and_overlap_nowhere() -> None:
     assert (image[:, :24] == 255).all()
 
 
-def test_what_is_nearer_hides_the_rest_in_any_order() -> None:
+def test_near_objects_hide_far_ones_in_any_order() -> None:
     for order in ((0, 1), (1, 0)):
         p = picture()
         for k in order:
@@ -127,7 +127,7 @@ def test_perspective_divides_depth_too() -> None:
     assert image[row, 100, 0] == pytest.approx(255 * z / 8, abs=6)
 
 
-def test_what_passes_the_viewer_is_cut_off() -> None:
+def test_objects_behind_the_viewer_are_clipped() -> None:
     p = picture(perspective=0.5)
     p.triangles([[-1, -1, 50], [1, -1, 50], [0, -1, -8]], None, [GREY] * 3, [[0, 1, 2]], [0])
     seen = covered(p)

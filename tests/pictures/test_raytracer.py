@@ -131,7 +131,7 @@ def test_soft_shadows_are_as_wide_as_the_light() -> None:
     assert part[99] == pytest.approx(0.5, abs=0.05)
 
 
-def test_a_mirror_shows_what_stands_beside() -> None:
+def test_a_mirror_reflects_its_neighbour() -> None:
     """A mirror at 45 degrees: an object at height z to the right of it appears at x = -z, in the same size."""
     t = tracer(around=[0, 0, 0])
     quad(t, [[-1.5, -1.5, 1.5], [1.5, -1.5, -1.5], [1.5, 1.5, -1.5], [-1.5, 1.5, 1.5]], BLACK, 1)
@@ -153,7 +153,7 @@ def test_mirrors_reflect_as_often_as_is_asked(reflections: int, seen: int) -> No
     assert int(t.develop()[100, 100, 0]) == seen
 
 
-def test_glass_shifts_what_is_behind() -> None:
+def test_glass_shifts_the_background() -> None:
     """A slab of thickness d, turned by a: rays leave it parallel, with an offset of d sin(a - b) / cos(b), n sin b =
     sin a."""
     thickness, angle, index, scale = 0.8, 0.6, 1.5, 50
@@ -197,7 +197,7 @@ def test_lamps_fade_with_distance() -> None:
         assert int(t.develop()[100, 100, 0]) == pytest.approx(255 * 0.5 * (0.4 + 0.6 * part), abs=1)
 
 
-def test_fog_hides_what_is_far_away() -> None:
+def test_fog_hides_far_objects() -> None:
     t = tracer(fog=[1, 1, 1], fog_density=0.3)
     quad(t, [[-1, -1, 2], [0, -1, 2], [0, 1, 2], [-1, 1, 2]], BLACK)
     quad(t, [[0, -1, -1], [1, -1, -1], [1, 1, -1], [0, 1, -1]], BLACK)
@@ -345,7 +345,7 @@ def test_each_setting_of_each_material_has_its_effect(SC: Any, mbs: Any, number:
     np.testing.assert_array_equal(SC.renderer.RedrawAndGetImage(useRaytracer=True), before)
 
 
-def test_it_says_how_much_it_has_drawn_if_it_is_asked(SC: Any, mbs: Any, capfd: Any) -> None:
+def test_it_reports_progress_on_request(SC: Any, mbs: Any, capfd: Any) -> None:
     scene(SC, mbs)
     for verbose in (0, 1):
         SC.visualizationSettings.raytracer.verbose = verbose
@@ -386,7 +386,7 @@ def test_materials_of_the_renderer_come_before_those_of_the_settings(SC: Any, mb
     assert (SC.renderer.RedrawAndGetImage(useRaytracer=True) != blue).any()
 
 
-def test_without_reflections_and_shadows_it_draws_what_the_rasterizer_draws(SC: Any, mbs: Any) -> None:
+def test_it_agrees_with_the_rasterizer_without_reflections_and_shadows(SC: Any, mbs: Any) -> None:
     """Apart from edges, which have other samples and rims, at most a few pixels of a hundred."""
     wheel = graphics.Cylinder(pAxis=[0, 0, -0.1], vAxis=[0, 0, 0.2], radius=0.6, nTiles=32, color=[0.2, 0.5, 0.9, 1])
     brick = graphics.Brick(centerPoint=[0.7, 0.2, 0.3], size=[0.9, 0.7, 0.6], color=[0.9, 0.6, 0.1, 1], addEdges=True)

@@ -199,7 +199,7 @@ def test_videos_need_ffmpeg(pendulum: Any) -> None:
         assert Path("film.mp4").stat().st_size > 500
 
 
-def test_a_film_tells_its_time_from_the_first_image_on(SC: Any, pendulum: Any) -> None:
+def test_a_film_shows_its_time_from_the_first_image_on(SC: Any, pendulum: Any) -> None:
     """The image at time 0 differs from that without times; a picture before any simulation shows none."""
     start = np.asarray(pendulum.Draw(windowSize=[200, 150], view="front"))
     solve(pendulum)
@@ -224,7 +224,7 @@ def test_the_background_of_a_film_is_that_of_its_images(SC: Any, pendulum: Any) 
             assert film.convert("RGB").getpixel((40, 2)) == (230, 204, 179)
 
 
-def test_what_rounding_leaves_of_zero_is_zero_on_the_bar_of_colors() -> None:
+def test_round_off_is_zero_on_the_bar_of_colors() -> None:
     from dalembert._pictures.overlay import numbers_of_bar
 
     assert numbers_of_bar(-3e-4, 3e-4 + 1e-19, 4) == [
@@ -295,7 +295,7 @@ def test_images_of_odd_sizes_become_videos(monkeypatch: Any) -> None:
     assert "crop=trunc(iw/2)*2:trunc(ih/2)*2" in " ".join(asked)
 
 
-def test_solutions_that_do_not_fit_are_refused_by_whoever_gets_them(pendulum: Any) -> None:
+def test_solutions_of_other_systems_are_rejected_everywhere(pendulum: Any) -> None:
     """The error has the reason: another model, a row that is damaged, no rows."""
     mbs = pendulum
     settings = exu.SimulationSettings()
@@ -394,7 +394,7 @@ def test_sensors_that_are_not_there_leave_no_traces(SC: Any, pendulum: Any) -> N
         SC.renderer.RedrawAndGetImage()
 
 
-def test_sensors_that_leave_no_trace_are_told_once(SC: Any, pendulum: Any, capfd: Any, monkeypatch: Any) -> None:
+def test_sensors_without_a_trace_are_reported_once(SC: Any, pendulum: Any, capfd: Any, monkeypatch: Any) -> None:
     monkeypatch.setattr(notices, "_told", set())
     for stores in (True, False):
         pendulum.AddSensor(

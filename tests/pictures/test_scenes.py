@@ -56,7 +56,7 @@ def middle(mask: Any) -> Any:
     return np.array([columns.mean() + 0.5, rows.mean() + 0.5])
 
 
-def test_a_body_is_where_its_state_says(SC: Any, mbs: Any) -> None:
+def test_a_body_has_the_position_of_its_state(SC: Any, mbs: Any) -> None:
     brick = graphics.Brick(size=[0.4, 0.2, 0.1], color=graphics.color.orange)
     body = mbs.CreateRigidBody(
         referencePosition=[1, 2, 0], inertia=InertiaCuboid(1000, [0.4, 0.2, 0.1]), graphicsDataList=[brick]
@@ -123,7 +123,7 @@ def test_a_beam_is_as_high_as_it_is_drawn(SC: Any, mbs: Any) -> None:
     assert seen.sum() == pytest.approx(2 * 0.3 * (768 / 3) ** 2, rel=0.02)
 
 
-def test_the_pixel_tells_the_item(SC: Any, mbs: Any) -> None:
+def test_a_pixel_gives_the_item(SC: Any, mbs: Any) -> None:
     node = mbs.AddNode(NodePoint(name="here", referenceCoordinates=[1, 0, 0], visualization=VNodePoint(drawSize=0.2)))
     SC.renderer.SetModelView(zoom=2)
     found = item_at(Studio(SC), 512 + 192, 384)
@@ -439,7 +439,7 @@ def test_coordinates_that_lengthen_a_rope_are_not_where_it_runs(SC: Any, mbs: An
     assert columns.max() - 512 == pytest.approx(0.5 * scale, abs=2)
 
 
-def test_balls_of_many_nodes_are_small_beside_what_they_are_apart(SC: Any, mbs: Any) -> None:
+def test_balls_of_many_nodes_are_smaller_than_their_distances(SC: Any, mbs: Any) -> None:
     apart, side = 0.3, 8
     for place in np.ndindex(side, side, side):
         mbs.CreateMassPoint(referencePosition=apart * np.array(place), physicsMass=1)
@@ -561,7 +561,7 @@ def test_functions_that_raise_are_named(mbs: Any, SC: Any) -> None:
     assert caught.value.__notes__ == ["raised by the graphicsDataUserFunction of object 0 'floor'"]
 
 
-def test_graphics_data_without_its_parts_are_told(mbs: Any, SC: Any) -> None:
+def test_incomplete_graphics_data_are_reported(mbs: Any, SC: Any) -> None:
     mbs.CreateGround(name="floor", graphicsDataUserFunction=lambda mbs, number: [{"type": "Line"}])
     with pytest.raises(ValueError, match=r"'floor': graphicsDataUserFunction: graphicsData\[0\]: a Line needs 'data'"):
         Studio(SC).scene()
@@ -590,7 +590,7 @@ def test_meshes_without_points_are_drawn_and_saved(mbs: Any, SC: Any) -> None:
     mbs.SaveGLB("empty.glb")
 
 
-def test_springs_have_no_more_windings_than_can_be_told_apart(mbs: Any, SC: Any) -> None:
+def test_springs_have_distinguishable_windings(mbs: Any, SC: Any) -> None:
     ground, mass = mbs.CreateGround(), mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1)
     spring = mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=1)
     SC.visualizationSettings.connectors.springNumberOfWindings = 10**6

@@ -147,7 +147,7 @@ def test_a_slow_line_delays_neither_the_solver_nor_other_pages(swinging: Any, vi
 
 
 @pytest.mark.parametrize("at_once", [True, False])
-def test_pictures_and_words_stay_whole_when_the_page_reads_late(at_once: bool) -> None:
+def test_messages_stay_complete_when_the_page_reads_late(at_once: bool) -> None:
     """Larger than the buffer of the system, while another thread sends texts; also where that thread writes all, as on
     Windows."""
     from websockets.sync.client import connect

@@ -79,7 +79,7 @@ def test_there_is_one_notice_for_each_reason(SC: Any, mbs: Any, capfd: Any, monk
     assert "no effect" not in capfd.readouterr().out
 
 
-def test_pages_tell_what_pictures_alone_follow(SC: Any, mbs: Any, capfd: Any, monkeypatch: Any, tmp_path: Any) -> None:
+def test_pages_report_settings_of_pictures_only(SC: Any, mbs: Any, capfd: Any, monkeypatch: Any, tmp_path: Any) -> None:
     monkeypatch.setattr(notices, "_told", set())
     brick(mbs)
     settings = SC.visualizationSettings
@@ -177,7 +177,7 @@ DRAWN: list[tuple[Any, dict[str, Any], dict[str, int]]] = [
 @pytest.mark.parametrize(
     ("build", "changes", "more"), DRAWN, ids=lambda part: "+".join(part) if isinstance(part, dict) else ""
 )
-def test_settings_add_what_they_say(SC: Any, mbs: Any, build: Any, changes: Any, more: Any) -> None:
+def test_settings_add_their_objects(SC: Any, mbs: Any, build: Any, changes: Any, more: Any) -> None:
     """Numbers of parts that a setting adds to a scene."""
     build(mbs)
     mbs.Assemble()

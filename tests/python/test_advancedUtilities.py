@@ -48,7 +48,7 @@ class NodeIndex(int):
     """Stands for the index type of the core."""
 
 
-def test_item_indices_are_told_apart(capsys):
+def test_item_indices_have_types(capsys):
     index = type("ObjectIndex", (), {})()
     assert au.IsValidObjectIndex(index)
     assert not au.IsValidNodeIndex(index)

@@ -215,7 +215,7 @@ def test_history_goes_on_and_begins_anew() -> None:
     assert many._others["Data"][1].tolist() == [1, 0, 0] and many._others["Data"][0].tolist() != [1, 0, 0]
 
 
-def test_what_is_missing_is_told() -> None:
+def test_missing_parts_are_reported() -> None:
     with pytest.raises(NotImplementedError, match="OpenAIGymInterfaceEnv: write the method CreateMBS"):
         OpenAIGymInterfaceEnv()
     code = "import sys; sys.modules['gymnasium'] = None; import dalembert.artificialIntelligence"

@@ -47,7 +47,7 @@ def test_smart_round_keeps_infinity():
     assert bu.SmartRound2String(math.inf) == "inf"
 
 
-def test_what_is_no_number_is_named():
+def test_values_that_are_no_numbers_are_named():
     with pytest.raises(ValueError, match="SmartRound2String: x: expected a number, received None"):
         bu.SmartRound2String(None)
     with pytest.raises(TypeError, match="SmartRound2String: prec: expected an integer, 0 or more"):

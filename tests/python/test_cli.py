@@ -244,7 +244,7 @@ mbs.SolveDynamic()
 """
 
 
-def test_what_moves_by_a_function_or_touches_is_no_mistake(tmp_path):
+def test_driven_and_touching_bodies_are_no_mistakes(tmp_path):
     """A motor leaves no degree of freedom, its speed is found by differences; markers of contact are used."""
     (tmp_path / "moved.py").write_text(MOVED)
     checked = run("check", "moved.py", cwd=tmp_path)
@@ -255,7 +255,7 @@ def test_what_moves_by_a_function_or_touches_is_no_mistake(tmp_path):
     assert "nothing can move" in run("check", "still.py", cwd=tmp_path).stdout
 
 
-def test_loads_that_act_twice_or_not_at_all_are_told(tmp_path):
+def test_loads_that_act_twice_or_not_at_all_are_reported(tmp_path):
     lines = SWING.replace(
         "mbs.Assemble()",
         "mbs.AddLoad(Gravity('again', markerNumber=0, loadVector=[0, -9.81, 0]))\n"
@@ -267,7 +267,7 @@ def test_loads_that_act_twice_or_not_at_all_are_told(tmp_path):
     assert "load 2 'push' is on ground, and without effect." in told and told.endswith("2 findings\n")
 
 
-def test_items_that_are_alike_are_told_together(tmp_path):
+def test_equal_items_are_reported_together(tmp_path):
     lines = WRONG.replace("mbs.SolveDynamic()", "")
     more = "for _ in range(3):\n    mbs.AddMarker(MarkerNodePosition(nodeNumber=0))\nmbs.SolveDynamic()\n"
     (tmp_path / "wrong.py").write_text(lines + more)
@@ -275,7 +275,7 @@ def test_items_that_are_alike_are_told_together(tmp_path):
     assert "'lost' and 3 others are used by nothing." in told, told
 
 
-def test_gaps_are_told_as_they_are_at_the_start(tmp_path):
+def test_initial_gaps_are_reported(tmp_path):
     """Two places of a body cannot be at one place: frames of the search for other modules are omitted."""
     (tmp_path / "driven.py").write_text(DRIVEN)
     told = run("check", "driven.py", cwd=tmp_path).stdout
@@ -308,13 +308,13 @@ def test_a_model_file_that_cannot_be_solved(tmp_path):
     assert failed.returncode == 1 and "node 0 'free'" in failed.stderr and "Traceback" not in failed.stderr
 
 
-def test_who_has_read_enough(tmp_path):
+def test_readers_that_stop(tmp_path):
     command = f"{sys.executable} -m dalembert items | head -n 1; exit ${{PIPESTATUS[0]}}"
     done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
     assert done.stdout.startswith("Node (") and done.stderr == ""
 
 
-def test_what_looks_wrong_is_told(tmp_path):
+def test_suspicious_models_are_reported(tmp_path):
     (tmp_path / "wrong.py").write_text(WRONG)
     checked = run("check", "wrong.py", cwd=tmp_path)
     assert checked.returncode == 1 and "WARNING" not in checked.stdout + checked.stderr

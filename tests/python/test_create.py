@@ -310,7 +310,7 @@ def test_examples_of_docstrings_run(mbs, name, tmp_path, monkeypatch):
     assert not list(tmp_path.iterdir())
 
 
-def test_what_fails_leaves_the_system_as_it_was():
+def test_failures_do_not_change_the_system():
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround("ground")
     body = mbs.CreateMassPoint("body", [1, 0, 0], physicsMass=1, gravity=[0, -9.81, 0])
@@ -329,7 +329,7 @@ def test_what_fails_leaves_the_system_as_it_was():
 
 
 @pytest.mark.parametrize("kind", ["RotationEulerParameters", "RotationRxyz", "RotationRotationVector"])
-def test_initial_angular_velocity_is_global_whatever_the_initial_rotation(kind):
+def test_initial_angular_velocity_is_global_for_any_rotation(kind):
     """It was turned by the initial rotation, as the rates of parameters were those at the reference orientation."""
     import dalembert as exu
     from dalembert.utilities import InertiaCuboid, RotationMatrixX, RotationMatrixY, RotationMatrixZ

@@ -200,7 +200,7 @@ GROWING = ("results.txt", "printed.txt")  # while their run goes on
 
 
 @pytest.mark.parametrize("name", WRITERS)
-def test_a_full_disk_is_told_with_the_name_of_the_file(name: str) -> None:
+def test_a_full_disk_is_reported_with_the_name_of_the_file(name: str) -> None:
     with pytest.raises(OSError, match=name) as caught, limited_files():
         WRITERS[name](name)
     assert caught.value.errno in (errno.EFBIG, None) and (caught.value.errno or "File too large" in str(caught.value))
@@ -208,7 +208,7 @@ def test_a_full_disk_is_told_with_the_name_of_the_file(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", [name for name in WRITERS if name not in GROWING])
-def test_what_cannot_be_written_leaves_the_last_good_file(name: str) -> None:
+def test_failed_writes_leave_the_last_good_file(name: str) -> None:
     Path(name).write_text("of last week")
     with pytest.raises(OSError, match=name), limited_files():
         WRITERS[name](name)
@@ -231,7 +231,7 @@ def test_files_are_written_through_links_and_into_devices(tmp_path: Path) -> Non
         advancedUtilities.SaveDictToHDF5("nowhere/figure.h5", {})
 
 
-def test_what_prints_tells_that_its_file_is_full() -> None:
+def test_printing_reports_a_full_disk() -> None:
     """Once, by the Print that did not fit."""
     with limited_files():
         exu.SetWriteToFile("printed.txt", flagFlushAlways=True)

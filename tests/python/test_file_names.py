@@ -133,7 +133,7 @@ def refused(function: Named, file: Any, kind: type[Exception]) -> str:
 
 
 @pytest.mark.parametrize(("name", "function"), [*READ.items(), *WRITTEN.items()])
-def test_what_is_no_name(name: str, function: Named) -> None:
+def test_invalid_names(name: str, function: Named) -> None:
     where = name.partition(":")[0]
     for given in (3, None, ["a.txt"], ""):
         if (given in (None, "") and where in OPTIONAL | STUDIES) or (given is None and "solutionFile" in name):

@@ -37,7 +37,7 @@ def test_items_show_functions_example_and_page(item: Item) -> None:
     assert f"Page: reference/items/{item.stem}.html" in text
 
 
-def test_settings_tell_what_parameters_mean() -> None:
+def test_help_of_settings_describes_parameters() -> None:
     for file in SPECS.settings:
         for struct in structs(file):
             cls = getattr(exu, struct.name)
@@ -50,7 +50,7 @@ def test_settings_tell_what_parameters_mean() -> None:
     assert "endTime: float" in text and "in s; default 1.0" in text
 
 
-def test_enumerations_tell_what_values_mean() -> None:
+def test_help_of_enumerations_describes_values() -> None:
     for enum in SPECS.enums:
         cls = getattr(exu, enum.name)
         assert cls.__doc__.startswith(" ".join(enum.summary.split()))
@@ -58,7 +58,7 @@ def test_enumerations_tell_what_values_mean() -> None:
             assert cls[value.name].__doc__ == " ".join(value.doc.split())
 
 
-def test_methods_of_systems_tell_what_they_take_and_give() -> None:
+def test_help_of_methods_describes_arguments_and_results() -> None:
     for name in (
         *("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian"),
         *("Events", "EventAction", "ItemEventAction"),
@@ -80,7 +80,7 @@ def test_mathematics_is_readable_in_a_terminal() -> None:
         assert ":math:" not in text and "mathbf" not in text, name
 
 
-def test_graphics_tell_what_parameters_mean() -> None:
+def test_help_of_graphics_describes_parameters() -> None:
     for name in graphics.__all__:
         function = getattr(graphics, name)
         if inspect.isclass(function) or not callable(function):
@@ -93,7 +93,7 @@ def test_graphics_tell_what_parameters_mean() -> None:
     assert "\nnTilesY: number of tiles along the second side" in (graphics.Quad.__doc__ or "")
 
 
-def test_repr_of_settings_is_what_differs() -> None:
+def test_repr_of_settings_has_differences() -> None:
     settings = exu.SimulationSettings()
     assert repr(settings) == "SimulationSettings: all at their defaults"
     settings.timeIntegration.newton.maxIterations = 7

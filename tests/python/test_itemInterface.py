@@ -19,7 +19,7 @@ CHECKS = {
 
 
 @pytest.mark.parametrize("name", CHECKS)
-def test_checks_give_back_what_is_valid_and_refuse_the_rest(name: str) -> None:
+def test_checks_return_valid_values_and_reject_others(name: str) -> None:
     valid, wrong = CHECKS[name]
     for value in valid:
         assert getattr(items, name)(value, "p", "Item") is value

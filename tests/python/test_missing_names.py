@@ -33,7 +33,7 @@ def public_name(module: ModuleType) -> str:
 
 
 @pytest.mark.parametrize("module", ["dalembert", *PUBLIC])
-def test_imports_tell_the_nearest_name(module: str) -> None:
+def test_imports_suggest_the_nearest_name(module: str) -> None:
     found = import_module(module)
     name = public_name(found)
     wrong = name[:-2] + name[-1] + name[-2] + "x"
@@ -71,7 +71,7 @@ def test_packages_can_be_sent_to_processes() -> None:
         assert pickle.loads(cloudpickle.dumps(module)) is module
 
 
-def test_names_of_insides_are_not_told() -> None:
+def test_private_names_are_not_suggested() -> None:
     told = imported("dalembert.utilities", "_LoadSolutionFile")
     assert told.startswith("cannot import name '_LoadSolutionFile' from 'dalembert.utilities' (/"), told
     assert "dalembert._checks" in sys.modules and "__getattr__" not in vars(sys.modules["dalembert._checks"])

@@ -113,7 +113,7 @@ def read(path: Path, text: str) -> tuple[Any, list[str]]:
 
 
 @pytest.mark.parametrize("name", CARRIED)
-def test_what_is_carried_over(name: str, tmp_path: Path) -> None:
+def test_copied_items(name: str, tmp_path: Path) -> None:
     text, wanted = CARRIED[name]
     robot, told = read(tmp_path / "robot.xml", text)
     assert told == []
@@ -136,7 +136,7 @@ def test_sites_have_their_defaults_and_ends(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", CARRIED)
-def test_mujoco_says_the_same(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_agreement_with_mujoco(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Mass matrix, weight, and places of bodies and sites, at the reference configuration and away from it."""
     mujoco = pytest.importorskip("mujoco", reason="mujoco is installed by the extra [oracles]")
     monkeypatch.chdir(tmp_path)  # MuJoCo writes its log there
@@ -198,7 +198,7 @@ LEFT_OUT = {
 
 
 @pytest.mark.parametrize("what", LEFT_OUT)
-def test_what_is_left_out_is_named(what: str, tmp_path: Path) -> None:
+def test_ignored_elements_are_named(what: str, tmp_path: Path) -> None:
     path = tmp_path / "robot.xml"
     _, told = read(path, LEFT_OUT[what])
     assert told == [f"{path}: ignored elements: {what}"]
@@ -273,7 +273,7 @@ def test_followers_of_followers(tmp_path: Path) -> None:
         read(tmp_path / "robot.urdf", circle)
 
 
-def test_what_vendors_add_beside_known_names_is_passed_over(tmp_path: Path) -> None:
+def test_extensions_of_vendors_are_ignored(tmp_path: Path) -> None:
     text = urdf(LINK.format("a", 0, 1), JOINT.format("j", "revolute", "base", "a", LIMIT))
     robot, told = read(tmp_path / "robot.urdf", text.replace("velocity=", 'gear_velocity="7" velocity='))
     assert told == [] and robot.links[0].maxVelocity == 1
@@ -292,7 +292,7 @@ def test_moments_that_are_negative_by_rounding(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["planar", "floating"])
-def test_what_joints_of_several_coordinates_lose_is_named(kind: str, tmp_path: Path) -> None:
+def test_lost_features_of_joints_are_named(kind: str, tmp_path: Path) -> None:
     path = tmp_path / "robot.urdf"
     joint = JOINT.format("j", kind, "base", "a", LIMIT + '<dynamics damping="1"/>')
     _, told = read(path, urdf(LINK.format("a", 0, 1), joint))

@@ -131,7 +131,7 @@ def test_platform_goes_where_its_wheels_say(velocity):
 
 
 @pytest.mark.parametrize("rollers", [False, True])
-def test_what_is_made(rollers, tmp_path):
+def test_created_items(rollers, tmp_path):
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
     robot = platform(wheelType=1, debugOffset=-1e-4)

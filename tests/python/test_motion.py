@@ -117,7 +117,7 @@ def test_no_way_to_go():
     np.testing.assert_array_equal(trajectory.Evaluate(0.0), [[1, 2], [0, 0], [0, 0]])
 
 
-def test_what_is_no_trajectory_is_refused():
+def test_invalid_trajectories_are_rejected():
     with pytest.raises(ValueError, match="Trajectory: maxVelocities: expected positive numbers"):
         Trajectory([0], maxVelocities=[0])
     trajectory = Trajectory([0, 0])

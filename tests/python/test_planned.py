@@ -77,7 +77,7 @@ def missing() -> frozenset[str]:
     return frozenset(names)
 
 
-def test_what_is_missing_is_planned() -> None:
+def test_missing_parts_are_planned() -> None:
     unknown = {name for name in missing() if not is_planned(name)}
     assert unknown == SIGNATURES_OF_USER_FUNCTIONS
 
@@ -89,7 +89,7 @@ def test_modules_that_are_missing_are_planned() -> None:
     assert absent - present | MODULES_BESIDE == set(MODULES)
 
 
-def test_what_is_planned_is_published() -> None:
+def test_planned_parts_are_published() -> None:
     names = {name for name, _ in published()} | CLASSES_BESIDE
     assert {name for name in FUNCTIONS if name not in names} == set()
     members = {f"{name}.{member}" for name, planned in FUNCTIONS.items() for member in planned.members}

@@ -86,7 +86,7 @@ def test_factors_offsets_and_other_x(mbs: Any) -> None:
     np.testing.assert_array_equal(curves(axes)[0][1], 0)
 
 
-def test_axes_say_what_is_on_them(mbs: Any) -> None:
+def test_labels_of_axes(mbs: Any) -> None:
     """Also where that is not time: on the x-axis, and, for component -1, on the y-axis."""
     for arguments, expected in (
         ({"components": 1, "componentsX": 0}, ("PositionX", "Position")),
@@ -302,7 +302,7 @@ def test_numbers_and_switches_of_spectra_that_are_none_are_named():
 
 
 @pytest.mark.parametrize("mbs", [None, 3, "mbs"])
-def test_what_is_no_system_is_named(mbs: Any) -> None:
+def test_invalid_systems_are_named(mbs: Any) -> None:
     for call in (lambda: plot.PlotSensor(mbs, 0), lambda: plot.PlotPhase(mbs, 0, 1)):
         with pytest.raises(ValueError, match="^Plot(Sensor|Phase): mbs: expected a system, of SC.AddSystem"):
             call()

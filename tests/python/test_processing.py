@@ -132,7 +132,7 @@ def test_exceptions_surface_as_themselves(parallel: bool) -> None:
     assert "evaluation 1 of 3 with parameters {'a': 2}" in error.value.__notes__[0]
 
 
-def test_processes_that_end_without_a_result_are_told() -> None:
+def test_processes_that_end_without_a_result_are_reported() -> None:
     """Processes end as if the system had killed them, when memory is short; their results would be lost without a
     message."""
     with pytest.raises(RuntimeError, match="a process has ended without a result: it has crashed, was killed"):
@@ -141,7 +141,7 @@ def test_processes_that_end_without_a_result_are_told() -> None:
         )
 
 
-def test_exceptions_end_a_study_whatever_others_are_sending() -> None:
+def test_exceptions_end_a_study_at_any_time() -> None:
     """Processes that were killed while they sent results left the study waiting, once in some rounds."""
     sets = [{"a": a} for a in range(40)]
     for _ in range(20):
@@ -151,7 +151,7 @@ def test_exceptions_end_a_study_whatever_others_are_sending() -> None:
             )
 
 
-def test_what_was_evaluated_before_an_exception_counts(tmp_path: Path) -> None:
+def test_evaluations_before_an_exception_count(tmp_path: Path) -> None:
     file = tmp_path / "variation.txt"
     numbers = list(range(3, 403))
     numbers[257] = 2  # not the first of those that are passed to a process together
@@ -416,7 +416,7 @@ def test_differences_stay_within_bounds() -> None:
     assert backwards == pytest.approx(5 - 1e-8, abs=1e-12)
 
 
-def test_what_has_no_effect_is_told() -> None:
+def test_settings_without_effect_are_reported() -> None:
     with pytest.warns(UserWarning, match=r"method 'Nelder-Mead' chooses each point by the value of the last one"):
         best, *_ = processing.Minimize(bumpy, RANGES, useMultiProcessing=True, showProgress=False)
     assert best["b"] == pytest.approx(-0.2, abs=1e-4)

@@ -111,7 +111,9 @@ def test_hdf5(solved: Any, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("package", ["pandas", "xarray", "h5py"])
-def test_missing_packages_are_told(solved: Any, package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_packages_are_reported(
+    solved: Any, package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setitem(sys.modules, package, None)
     calls: dict[str, Any] = {
         "pandas": lambda: results.SensorsToPandas(solved[0]),

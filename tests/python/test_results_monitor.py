@@ -77,7 +77,7 @@ def test_a_solution_that_comes_in_pieces(binary: bool, step: int) -> None:
     )
 
 
-def test_what_a_solver_is_writing_is_seen() -> None:
+def test_files_are_shown_while_they_are_written() -> None:
     """If flushFilesImmediately is set, each row is in the file when the solver continues."""
     mbs = exu.SystemContainer().AddSystem()
     mbs.CreateMassPoint(physicsMass=1, gravity=[0, -2, 0])
@@ -157,7 +157,7 @@ def test_lines_between_that_are_no_rows_are_counted() -> None:
         (b"EXUBIN" + bytes(100), "expected the sizes of numbers"),
     ],
 )
-def test_what_is_no_file_of_results_is_refused(data: bytes, words: str) -> None:
+def test_other_files_are_rejected(data: bytes, words: str) -> None:
     Path("a.txt").write_bytes(data)
     with pytest.raises(ValueError, match=words) as caught:
         Monitor("a.txt")
@@ -243,7 +243,7 @@ def test_many_points_become_few_with_all_peaks() -> None:
 # ---- the command
 
 
-def test_the_command_says_what_is_wrong(capsys: pytest.CaptureFixture[str]) -> None:
+def test_errors_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
     Path("a.txt").write_text("0,1\n")
     for arguments, words in (
         (["none.txt"], "there is no such file in the folder"),

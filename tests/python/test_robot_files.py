@@ -57,7 +57,7 @@ def placed(xyz=(0, 0, 0), rpy=(0, 0, 0)):
 # ---- URDF -------------------------------------------------------------------------------------------------------------
 
 
-def test_links_of_a_urdf_file_are_where_the_format_says(package):
+def test_poses_of_links_of_a_urdf_file(package):
     robot = ReadRobot(package / "arm/arm.urdf")
     assert robot.name == "arm"
     assert [(link.name, link.jointName) for link in robot.links] == [
@@ -112,7 +112,7 @@ def test_inertias_of_a_urdf_file(package):
     np.testing.assert_allclose(robot.InverseDynamics(q, q_t, q_tt), other.InverseDynamics(q, q_t, q_tt), atol=1e-12)
 
 
-def test_what_joints_of_a_urdf_file_are_capable_of(package):
+def test_limits_of_joints_of_a_urdf_file(package):
     yaw, slide, wheel = ReadRobot(package / "arm/arm.urdf").links
     assert (yaw.damping, yaw.friction, yaw.maxVelocity, yaw.maxForce) == (0.4, 0.2, 3, 80)
     assert yaw.jointLimits.tolist() == [-1.5, 2] and slide.jointLimits.tolist() == [0, 0.3]
@@ -182,7 +182,7 @@ def test_mjcf_file_against_mujoco():
     np.testing.assert_allclose(robot.CenterOfMass(q), [0.459853689816, 0.259270365965, 0.181274398592], rtol=1e-11)
 
 
-def test_what_joints_of_an_mjcf_file_are_capable_of():
+def test_limits_of_joints_of_an_mjcf_file():
     yaw, pitch, slide, _, wheel = ReadRobot(DATA / "arm.xml").links
     np.testing.assert_allclose(yaw.jointLimits, [-np.pi / 2, np.pi / 2])
     assert pitch.jointLimits is None and (pitch.damping, pitch.rotorInertia) == (0.3, 0.2)
@@ -385,7 +385,7 @@ def test_wrong_mjcf_files_are_refused_with_their_line(message, tmp_path):
         ReadRobot(path)
 
 
-def test_what_other_programs_have_in_files_is_passed_over(tmp_path):
+def test_elements_of_other_programs_are_ignored(tmp_path):
     path = tmp_path / "arm.urdf"
     path.write_text(
         URDF.replace("</robot>", '<gazebo reference="base"><damping>1</damping></gazebo></robot>').replace(
@@ -395,7 +395,7 @@ def test_what_other_programs_have_in_files_is_passed_over(tmp_path):
     assert ReadRobot(path, graphics=False).NumberOfLinks() == 3
 
 
-def test_inertias_that_no_body_has_are_told_with_their_line(tmp_path):
+def test_impossible_inertias_are_reported_with_their_line(tmp_path):
     path = tmp_path / "arm.urdf"
     path.write_text(URDF.replace('ixx="0.02"', 'ixx="0.2"'))
     with pytest.warns(UserWarning, match=re.escape(f"{path}, line 38: <inertia>: RigidBodyInertia: principal moments")):
@@ -481,7 +481,7 @@ def test_models_that_the_toolbox_does_not_have_or_make_are_refused(toolbox, name
         GetRoboticsToolboxInternalModel(name)
 
 
-def test_without_the_toolbox_the_error_says_what_to_install(monkeypatch):
+def test_without_the_toolbox_the_error_names_the_package(monkeypatch):
     monkeypatch.setitem(sys.modules, "roboticstoolbox", None)
     with pytest.raises(ImportError, match="pip install roboticstoolbox-python.*given to ReadRobot or LoadURDFrobot"):
         GetRoboticsToolboxInternalModel("UR5")

@@ -287,7 +287,7 @@ def test_poses_between_poses():
 # -------------------------------------------------------------------------------------------------
 
 
-def test_what_is_no_robot_is_refused():
+def test_invalid_robots_are_rejected():
     body = {"mass": 1, "COM": [0, 0, 0], "inertia": np.eye(3)}
     with pytest.raises(
         ValueError, match=r"RobotLink: jointType: expected one of Rx, Ry, Rz, Px, Py, Pz, received 'Ra'"

@@ -221,7 +221,7 @@ def test_later_names() -> None:
         settings.solution.file = 3
 
 
-def test_settings_with_the_same_values_are_told_from_others():
+def test_settings_with_equal_values_are_distinguished_from_others():
     settings = exu.SystemContainer().visualizationSettings
     before = copy.copy(settings)
     assert settings._equals(before)

@@ -85,7 +85,7 @@ def test_thickness_at_nodes(mesh):
         ({"vertexMapping": lambda p: [p[0], p[1]]}, "vertexMapping: expected a vector with 3 components"),
     ],
 )
-def test_what_is_refused(mesh, change, message):
+def test_rejected_arguments(mesh, change, message):
     for name, value in change.items():
         setattr(mesh, name, value)
     system = Recorder()

@@ -192,7 +192,7 @@ def position(mbs, mass):
     return mbs.GetObjectOutputBody(mass, exu.OutputVariableType.Position, [0, 0, 0]).tolist()
 
 
-def test_user_functions_give_what_the_python_functions_give():
+def test_user_functions_agree_with_python_functions():
     sym.variables.Set("factor", 0.5)
 
     def spring_force(library, factor):
@@ -225,7 +225,7 @@ def test_user_functions_give_what_the_python_functions_give():
     sym.variables.Reset()
 
 
-def test_symbols_in_what_a_python_function_returns():
+def test_symbols_in_results_of_python_functions():
     """Functions of numbers give scalars that are numbers."""
     mbs = exu.SystemContainer().AddSystem()
     node = mbs.AddNode(exu.NodePoint())

@@ -94,7 +94,7 @@ def test_views_and_copies(mbs: Any) -> None:
     assert data.GetDataCoordinates()[0] == 9
 
 
-def test_views_keep_what_they_show_when_the_system_is_assembled_anew(mbs: Any) -> None:
+def test_views_survive_another_assembly(mbs: Any) -> None:
     view = mbs.systemData.GetODE2Coordinates(copy=False)
     view[:] = 4
     for _ in range(3):  # memory that were free would be used again

@@ -41,7 +41,7 @@ def model(tmp_path):
 # ---- names ----------------------------------------------------------------------------------------------------------
 
 
-def test_star_import_gives_what_models_use():
+def test_star_import_has_all_names_of_models():
     names = {}
     exec("from dalembert.utilities import *", names)
     expected = (
@@ -129,7 +129,7 @@ def test_codes_of_characters():
         utilities.NumpyInt8ArrayToString([-1])
 
 
-def test_what_is_no_system_or_solution_is_named(model, tmp_path):
+def test_invalid_systems_and_solutions_are_named(model, tmp_path):
     with pytest.raises(ValueError, match="SetSolutionState: mbs: expected a system"):
         utilities.SetSolutionState(None, {}, 0)
     with pytest.raises(ValueError, match="AnimateSolution: solution: expected the result of LoadSolutionFile"):

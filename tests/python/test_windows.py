@@ -50,7 +50,7 @@ def test_dictionaries_keep_their_types() -> None:
     )
 
 
-def test_scripts_choose_the_size_of_dialogs_and_what_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_scripts_select_size_and_state_of_dialogs(monkeypatch: pytest.MonkeyPatch) -> None:
     root, tk = mock.MagicMock(), mock.MagicMock()
     root.winfo_screenheight.return_value, root.winfo_fpixels.return_value = 1200, 1.5
     monkeypatch.setattr(GUI, "_tkinter", lambda: (tk, root))

@@ -159,7 +159,7 @@ def test_actions_without_events_of_items_say_so(capsys: pytest.CaptureFixture[st
 
 
 @pytest.mark.parametrize("solver", [Solver.DOPRI5, Solver.DOP853])
-def test_errors_that_tolerances_do_not_see_are_told(solver: Any, capsys: pytest.CaptureFixture[str]) -> None:
+def test_errors_outside_of_tolerances_are_reported(solver: Any, capsys: pytest.CaptureFixture[str]) -> None:
     """A ball comes down on a floor of 10^5 N/m, with steps that only its flight bounds; the floor holds it from the end of a step on."""
     errors = {}
     for located in (False, True):

@@ -137,7 +137,7 @@ PLACES = {
 
 
 @pytest.mark.parametrize("place", PLACES)
-def test_what_would_pull_the_system_away_is_refused_and_the_run_goes_on(place: str) -> None:
+def test_operations_that_would_remove_the_system_are_rejected(place: str) -> None:
     undisturbed = solve(PLACES[place]()[0])  # an intruder of its own, whose tenth call is refused as well
     model, intruder = PLACES[place]()
     model.mbs.Assemble()
@@ -362,7 +362,7 @@ def test_other_threads_change_no_parameter_and_read_no_results(solving: Any) -> 
             action()
 
 
-def test_what_other_threads_may_read(solving: Any) -> None:
+def test_reads_of_other_threads(solving: Any) -> None:
     mbs, data = solving.mbs, solving.mbs.systemData
     assert mbs.GetObjectParameter(1, "stiffness") == STIFFNESS
     mbs.variables["message"] = "seen"

@@ -173,7 +173,7 @@ def test_all_explicit_methods_do(node: Any, friction: float, solver: str) -> Non
     assert heaps[2].motion(solver, False, threads=2) == by_markers
 
 
-def test_what_is_read_follows_parameters() -> None:
+def test_values_read_follow_parameters() -> None:
     """Spheres at reference points of bodies that go elsewhere need markers that nobody has needed in the solution before."""
     found = []
     for looked_at in (True, False):

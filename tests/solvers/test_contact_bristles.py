@@ -206,7 +206,7 @@ def test_a_bristle_is_a_spring_as_long_as_it_holds() -> None:
     assert world.output(block, "Velocity")[0] == pytest.approx(0, abs=1e-5)
 
 
-def test_what_sticks_turns_as_one() -> None:
+def test_sticking_bodies_rotate_as_one() -> None:
     """Two balls that springs press together and twist against each other turn once: the stretch of the bristle that holds them turns along.
 
     Springs and contact are internal forces, so that angular momentum is constant, and a rigid-body motion remains after
@@ -311,7 +311,7 @@ def test_tangent_is_the_derivative_of_the_residual(weights: tuple[float, float, 
     check_tangent(world, s, weights)
 
 
-def test_pictures_show_what_bristles_pull() -> None:
+def test_pictures_show_forces_of_bristles() -> None:
     """Forces on the soles of the brick that rests are its weight."""
     slope, world = np.radians(20), gripping(0.5)
     brick(world, slope)

@@ -97,7 +97,7 @@ def test_settings_of_the_schema_are_those_of_the_class() -> None:
     assert set(properties) - groups - others == attributes - {"visualization"}
 
 
-def test_large_contacts_stand_beside(tmp_path: Path) -> None:
+def test_large_contacts_are_separate(tmp_path: Path) -> None:
     world, other = World(), empty()
     for i in range(1100):
         world.sphere(world.ground, 1 + i / 7)

@@ -39,7 +39,7 @@ def first_triangle(points: np.ndarray, triangles: np.ndarray, start: np.ndarray,
     return float(s[hit].min()) if hit.any() else 1e7
 
 
-def test_lines_meet_what_is_nearest() -> None:
+def test_lines_hit_the_nearest_object() -> None:
     rng, world = np.random.default_rng(2), World()
     points, triangles = grid_mesh(1.0, 12, hills)
     world.mesh(points, triangles)
@@ -70,7 +70,7 @@ def test_lines_meet_what_is_nearest() -> None:
     }
 
 
-def test_cylinders_find_spheres_beside_a_line() -> None:
+def test_cylinders_find_spheres_near_a_line() -> None:
     world = World()
     world.point([1, 0.25, 0], [3, 5, 0], radius=0.1)
     world.mbs.Assemble()
@@ -122,7 +122,7 @@ class Swarm:
         assert len(numbers) > 10
 
 
-def test_many_lines_meet_what_one_line_meets() -> None:
+def test_many_lines_agree_with_single_lines() -> None:
     swarm = Swarm()
     for wide in (0.0, 0.1):
         swarm.check(swarm.places, wide=wide)

@@ -28,7 +28,7 @@ def doubts(mbs: Any, settings: Any, solver: Any = Solver.GeneralizedAlpha) -> li
     return found
 
 
-def test_the_value_that_is_returned_tells() -> None:
+def test_the_returned_value_has_the_reasons() -> None:
     value = exu.FinishedNotTrusted(["one reason", "another one"])
     assert value and repr(value) == str(value) == "finished, not trusted: one reason; another one"
     again = pickle.loads(pickle.dumps(value))

@@ -207,7 +207,7 @@ def test_the_number_of_events_stays() -> None:
         exu.DynamicSolverType.ESDIRK43,
     ],
 )
-def test_blows_act_on_the_whole_mechanism(solver: Any) -> None:
+def test_impacts_act_on_the_whole_mechanism(solver: Any) -> None:
     """A pendulum of one meter gets 1 m/s along x where its rod is at 60 degrees: cos 30 degrees of it stay, and no velocity along the rod."""
     gravity = 10.0
     mbs = exu.SystemContainer().AddSystem()
@@ -261,7 +261,7 @@ def test_a_lock_that_an_action_closes_is_a_plastic_impact(solver: Any) -> None:
     np.testing.assert_allclose(mbs.systemData.GetODE2Coordinates_t(), [1, 1], rtol=0, atol=1e-9)
 
 
-def test_blows_against_joints_that_cannot_be_mended_are_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_impacts_against_inconsistent_joints_are_reported(capsys: pytest.CaptureFixture[str]) -> None:
     """A free coordinate without mass leaves no metric in which the smallest change could be found."""
     mbs = exu.SystemContainer().AddSystem()
     nodes = [mbs.AddNode(exu.Node1D(initialVelocities=[0.0])) for _ in range(2)]

@@ -107,7 +107,7 @@ def test_without_its_flag_it_makes_no_difference(path: str) -> None:
 
 
 @pytest.mark.parametrize("on", [False, True])
-def test_it_says_that_its_flag_is_missing(on: bool) -> None:
+def test_it_reports_the_missing_flag(on: bool) -> None:
     changes = {path: CASES[path].value for path in FLAGS}
     flags = {flag: on for all_flags in FLAGS.values() for flag in all_flags}
     assert len(FLAGS) > 20

@@ -58,7 +58,7 @@ def hopeless(mbs: Any, t: float, item: int, u: float, v: float, k: float, d: flo
     return k * u if t < 0.35 else 1e7 * (1 if u > 0.1 * np.sin(1e5 * u) else -1)
 
 
-def test_newton_without_convergence_tells_where_and_what_to_try() -> None:
+def test_newton_without_convergence_reports_items_and_remedies() -> None:
     model = oscillator(law=hopeless)
     model.mbs.Assemble()
     settings = settings_of(1.0, 10)

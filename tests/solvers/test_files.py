@@ -88,7 +88,7 @@ def test_appended_solutions_follow_each_other() -> None:
     assert len(rows) == 10
 
 
-def test_sensor_file_holds_what_is_stored() -> None:
+def test_sensor_file_has_the_stored_values() -> None:
     model = oscillator()
     model.mbs.AddSensor(
         SensorNode(nodeNumber=model.node, fileName="folder/sensor.txt", outputVariableType=Variable.Coordinates)

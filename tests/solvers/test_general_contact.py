@@ -462,7 +462,7 @@ def test_ball_on_an_incline(mu: float, rolls: bool, solver: Any) -> None:
         (-0.002, 0.01, 0.004),
     ],
 )
-def test_what_leaves_a_plate_is_neither_pulled_nor_driven(gap: float, rise: float, slip: float) -> None:
+def test_bodies_that_leave_a_plate_feel_no_force(gap: float, rise: float, slip: float) -> None:
     """Foot of a robot that slides and rises, or sinks or sticks: the normal force is cut at zero, so friction takes power only.
 
     Friction of a negative normal force would act along the slip without the limit: the second state has 30 W.

@@ -139,7 +139,7 @@ def test_growth_that_a_nonlinear_model_ends_by_itself() -> None:
 
 
 @pytest.mark.parametrize("solver", [*STEADY, Solver.DOPRI5, Solver.GeneralizedAlpha])
-def test_what_grows_by_its_nature_is_solved(solver: Any) -> None:
+def test_physical_growth_is_solved(solver: Any) -> None:
     """A spring that pushes: 0.5 (q0 + v0 / 10) e^(10 t) is 4e15 m after 3.7 s."""
     model = oscillator(stiffness=-100, damping=0, physics_mass=1, position=1, speed=10)
     model.mbs.Assemble()
@@ -151,7 +151,7 @@ def test_what_grows_by_its_nature_is_solved(solver: Any) -> None:
 
 
 @pytest.mark.parametrize("solver", [Solver.RK44, Solver.VelocityVerlet])
-def test_what_is_large_is_solved(solver: Any) -> None:
+def test_large_values_are_solved(solver: Any) -> None:
     """1e15 m, as far as the next stars, at a stable step; then as large a speed, with a spring that such steps let grow but that rests."""
     model = oscillator(stiffness=1e4, damping=0, physics_mass=1, position=1e15, speed=0)
     model.mbs.Assemble()
@@ -205,7 +205,7 @@ def test_implicit_steps_end_with_numbers(useNewtonSolver: bool, modified: bool) 
     assert 0.555 < error.time < 0.5551
 
 
-def test_a_smaller_step_may_lead_past_what_is_no_number() -> None:
+def test_a_smaller_step_may_avoid_nan() -> None:
     """There is no root beyond 0.1 m, where a long step is predicted to end; the wall in front of it is stiff but finite."""
 
     def law(mbs: Any, t: Any, item: Any, u: Any, v: Any, k: Any, d: Any, offset: Any) -> Any:

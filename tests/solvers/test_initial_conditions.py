@@ -136,7 +136,7 @@ def test_tolerances_errors_and_silence(capfd: pytest.CaptureFixture[str]) -> Non
         mbs.SolveDynamic(s)
 
 
-def test_solvers_used_step_by_step_and_explicit_ones_tell_as_well(capfd: pytest.CaptureFixture[str]) -> None:
+def test_solvers_used_step_by_step_and_explicit_ones_report_it(capfd: pytest.CaptureFixture[str]) -> None:
     mbs, ground, coordinate = coordinate_of(Mass1D, start=0.3)
     mbs.AddObject(CoordinateConstraint(name="fix", markerNumbers=[ground, coordinate]))
     mbs.Assemble()
@@ -167,7 +167,7 @@ def test_static_solutions_close_gaps(capfd: pytest.CaptureFixture[str]) -> None:
     assert "'pull' (ObjectConnectorCoordinate), equation 0: gap -0.1" in text and "WARNING" not in text
 
 
-def test_variations_tell_which_are_inconsistent() -> None:
+def test_variations_report_inconsistent_ones() -> None:
     mbs, _, _, rope = two_masses(
         [1.0, 0, 0], (1, 3), lambda **rows: DistanceConstraint(name="rope", distance=1, **rows)
     )
@@ -215,7 +215,7 @@ def test_it_survives_assembling_if_stored_in_the_nodes() -> None:
         assert np.array_equal(position(mbs, rod), found) == stored
 
 
-def test_what_is_consistent_stays_bit_for_bit() -> None:
+def test_consistent_values_do_not_change() -> None:
     mbs, _ = hinged_rod(0, initialVelocity=[0, 0.5, 0], initialAngularVelocity=[0, 0, 1])
     before = mbs.systemData.GetSystemState(Initial)
     found = mbs.ComputeConsistentInitialConditions()
@@ -362,7 +362,7 @@ def test_contradictory_loops_are_refused() -> None:
         np.testing.assert_array_equal(was, now)
 
 
-def test_what_cannot_be_held_is_refused() -> None:
+def test_impossible_fixed_coordinates_are_rejected() -> None:
     mbs, rod = hinged_rod(0.05, Node.RotationRotationVector)
     with pytest.raises(ValueError, match=r"a part of \[3, 4, 5\], the rotation vector of a Lie group node"):
         mbs.ComputeConsistentInitialConditions(fixedCoordinates=[4])

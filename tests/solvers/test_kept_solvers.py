@@ -39,7 +39,7 @@ def test_no_method_ends_the_process(solver: str, state: str) -> None:
 
 @pytest.mark.parametrize("solver", SOLVERS)
 @pytest.mark.parametrize("method", ["Newton", "SolveSteps", "FinishStep", "ComputeMassMatrix", "GetSystemMassMatrix"])
-def test_the_error_tells_what_to_do(solver: Any, method: str) -> None:
+def test_the_error_has_a_remedy(solver: Any, method: str) -> None:
     model, settings, kept = oscillator(), dynamic_settings(1.0, 10), solver()
     model.mbs.Assemble()
     takes = {"ComputeMassMatrix": [model.mbs], "GetSystemMassMatrix": []}.get(method, [model.mbs, settings])

@@ -46,7 +46,7 @@ def test_solvers_name_the_setting(solve: str) -> None:
 
 
 @pytest.mark.parametrize(("bodies", "kind"), [(10, "dense (EXUdense)"), (11, "sparse (EigenSparse)")])
-def test_solvers_say_what_matrices_they_have_chosen(bodies: int, kind: str, capfd: pytest.CaptureFixture[str]) -> None:
+def test_solvers_report_the_selected_matrices(bodies: int, kind: str, capfd: pytest.CaptureFixture[str]) -> None:
     """Up to 32 unknowns, dense ones; settings of the user cause no message."""
     for is_set in (False, True):
         mbs = exu.SystemContainer().AddSystem()

@@ -69,7 +69,7 @@ def test_multipliers_become_the_smallest(dense: bool) -> None:
     assert left_out.solutions == 2  # numbers 3 and 4 have equations in common, number 9 has not
 
 
-def test_one_solution_finds_what_has_nothing_in_common() -> None:
+def test_one_solution_finds_independent_combinations() -> None:
     """Parts know which terms belong to which combination."""
     gradients = np.random.default_rng(3).normal(size=(9, 12))
     gradients[2], gradients[5], gradients[8] = gradients[0] + gradients[1], gradients[3] - gradients[4], gradients[7]
@@ -92,7 +92,7 @@ def test_combinations_may_gain_equations() -> None:
     assert left_out.solutions == 2  # numbers 3 and 9 have number 0 in common, number 4 has none of theirs
 
 
-def test_what_follows_no_more_is_told() -> None:
+def test_equations_that_became_independent_are_reported() -> None:
     model = doubled()
     left_out = model.leave_out(PARTS)
     model.gradients[9] = np.random.default_rng(4).normal(size=12)

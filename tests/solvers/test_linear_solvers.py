@@ -107,7 +107,7 @@ def test_unknown_instructions_are_refused() -> None:
         solver_of(chain(1, 1), instructions="abacus")
 
 
-def test_repetition_gives_what_a_new_solver_gives() -> None:
+def test_repetition_agrees_with_a_new_solver() -> None:
     first = chain(20, 8)
     solver = solver_of(first)
     solver.factorize(first.data)
@@ -505,7 +505,7 @@ def test_unknowns_that_are_left_out_are_zero(dense: bool) -> None:
 
 @pytest.mark.parametrize("noise", [0.0, 1e-27, 1e-15])
 @pytest.mark.parametrize("seed", range(5))
-def test_what_rounding_leaves_on_the_diagonal_is_no_size(seed: int, noise: float) -> None:
+def test_round_off_on_the_diagonal_is_not_a_scale(seed: int, noise: float) -> None:
     """Bodies with one spring each, as in static solutions. Unknowns were scaled by 1e-27 next to zeros with round-off,
     and solutions were wrong by 1e12 without a message."""
     bodies = 6

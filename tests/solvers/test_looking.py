@@ -30,7 +30,7 @@ def looks(model: Any, times: list[float]) -> list[float]:
     return seen
 
 
-def test_nobody_looks() -> None:
+def test_no_reader() -> None:
     """The first reader gets the state before the simulation; it is updated from then on."""
     model = oscillator()
     model.mbs.Assemble()

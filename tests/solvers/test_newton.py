@@ -31,7 +31,7 @@ def double_pendulum(modified: bool, tolerance: float, **newton: Any) -> tuple[np
     return mbs.systemData.GetODE2Coordinates(), mbs.sys["dynamicSolver"].it
 
 
-def test_modified_newton_gives_what_full_newton_gives() -> None:
+def test_modified_newton_agrees_with_full_newton() -> None:
     full, counts = double_pendulum(False, 1e-11)
     modified, modified_counts = double_pendulum(True, 1e-11)
     np.testing.assert_allclose(modified, full, rtol=0, atol=1e-9)  # the tolerance times 100 steps
@@ -85,7 +85,7 @@ def test_a_jacobian_in_every_step() -> None:
     assert counts.newtonJacobiCount < counts.newtonStepsCount
 
 
-def test_differences_give_what_exact_derivatives_give() -> None:
+def test_differences_agree_with_exact_derivatives() -> None:
     exact, counts = double_pendulum(False, 1e-9)
     model = double_pendulum
     mbs_settings = {"maxIterations": 40}

@@ -30,7 +30,7 @@ mbs.SolveDynamic(settings)
 
 
 @pytest.mark.parametrize("automatic", [True, False])
-def test_steps_of_another_size_than_the_largest_are_told(automatic: bool, capfd: pytest.CaptureFixture[str]) -> None:
+def test_steps_smaller_than_the_largest_are_reported(automatic: bool, capfd: pytest.CaptureFixture[str]) -> None:
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround()
     mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1, gravity=[0, 0, -9.81])
@@ -116,7 +116,7 @@ def test_a_reader_that_has_seen_enough_ends_no_solution() -> None:
     assert run.returncode == 0
 
 
-def test_other_errors_of_what_takes_the_output_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_other_errors_of_the_output_stream_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     class Full:
         def write(self, text: str) -> None:
             raise OSError("no space is left")

@@ -217,7 +217,7 @@ def doubts(trees: Any) -> list[str]:
 @pytest.mark.parametrize(("floats", "name"), [(False, "joint 'hip' (object 2)"), (True, "body 'ball' (object 0)")])
 @pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.RK44])
 @pytest.mark.parametrize("apart", [0.03, 0.001])
-def test_what_locks_is_named(apart: float, solver: Any, floats: bool, name: str, capfd: Any) -> None:
+def test_locked_joints_are_named(apart: float, solver: Any, floats: bool, name: str, capfd: Any) -> None:
     """State at the time of a quarter turn: steps there turn the body by about as much as it is apart, or by far
     more."""
     trees, sensor = beside_the_lock(apart, floats)
@@ -253,7 +253,7 @@ def test_small_steps_pass_where_turns_lock(apart: float) -> None:
 
 @pytest.mark.parametrize("solver", [Solver.DOPRI5, Solver.ESDIRK43, Solver.GeneralizedAlpha])
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-5])
-def test_error_control_that_jumps_over_a_lock_says_so(tolerance: float, solver: Any, capfd: Any) -> None:
+def test_error_control_reports_a_skipped_lock(tolerance: float, solver: Any, capfd: Any) -> None:
     """A step from one side of the lock to the other: the motion of the first angle there was missed.
 
     Error control resolves the motion if it was detected: no more error than the tolerance in each step.
@@ -274,7 +274,7 @@ def test_error_control_that_jumps_over_a_lock_says_so(tolerance: float, solver: 
         assert trees.GetSensorValues(sensor).reshape(3, 3) == pytest.approx(turned_ball(0.001, 2.5), abs=errors)
 
 
-def test_fixed_joints_make_one_link_and_what_is_bolted_to_ground_becomes_ground() -> None:
+def test_fixed_joints_merge_links_and_ground() -> None:
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround(referencePosition=[0, 0, 1], referenceRotationMatrix=RotationMatrixZ(0.2))
     fixed = {"constrainedAxes": [1] * 6}
@@ -345,7 +345,7 @@ def test_a_loop_that_floats_is_closed_by_its_last_joint() -> None:
     assert types(trees).count("JointGeneric") == 1 and len(trees.systemData.GetAECoordinates()) == 6
 
 
-def test_what_links_do_not_have_leaves_bodies_as_they_are() -> None:
+def test_unsupported_features_keep_bodies() -> None:
     mbs, _ = chain()
     mbs.AddSensor(SensorNode(nodeNumber=2, outputVariableType=Variable.Coordinates))
     mbs.Assemble()

@@ -107,7 +107,7 @@ def test_a_cable_that_is_too_short_for_its_length(capfd: Any) -> None:
     assert unstable_directions(mbs, capfd) == n
 
 
-def test_paths_tell_of_singular_points_instead(capfd: Any) -> None:
+def test_paths_report_singular_points_instead(capfd: Any) -> None:
     """A path by arc length that ends beyond the limit point of a shallow truss, at a tenth of the load upwards."""
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround()

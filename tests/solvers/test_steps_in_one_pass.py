@@ -110,7 +110,7 @@ def test_an_energy_that_grows_is_seen() -> None:
         mbs.SolveDynamic(coarse, solverType=EULER)
 
 
-def test_what_cannot_be_evaluated_leaves_the_last_step() -> None:
+def test_failed_evaluations_leave_the_last_step() -> None:
     """Two balls fly through each other; contact refuses the step in which they have one centre."""
     mbs = exu.SystemContainer().AddSystem()
     contact = mbs.AddGeneralContact()

@@ -74,7 +74,7 @@ class Box:
 
 
 @pytest.mark.parametrize("linear", [exu.LinearSolverType.EXUdense, exu.LinearSolverType.EigenDense])
-def test_pattern_follows_what_is_found(linear: Any) -> None:
+def test_pattern_follows_the_search(linear: Any) -> None:
     """Motion in contact is that of dense matrices, which need no pattern."""
     dense, sparse = Box(), Box()
     dense.solve(0.15, 300, linear=linear)

@@ -113,7 +113,7 @@ def test_the_order_of_nodes_does_not_matter() -> None:
 
 
 @pytest.mark.parametrize(("bodies", "used"), [(1000, 2), (50, 1)])
-def test_solvers_tell_how_many_threads_they_use(bodies: int, used: int) -> None:
+def test_solvers_report_the_number_of_threads(bodies: int, used: int) -> None:
     mbs = chain(bodies)
     mbs.Assemble()
     solver = exu.MainSolverImplicitSecondOrder()

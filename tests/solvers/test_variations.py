@@ -56,7 +56,7 @@ def rubbing() -> Oscillator:
 )
 @pytest.mark.parametrize("build", [oscillator, rubbing], ids=["smooth", "friction"])
 @pytest.mark.parametrize("threads", [1, 2, 5])
-def test_variations_are_what_each_gives_by_itself(build: Any, kind: Any, threads: int) -> None:
+def test_variations_agree_with_separate_solutions(build: Any, kind: Any, threads: int) -> None:
     if build is rubbing and kind not in (Solver.GeneralizedAlpha, "static"):
         build = oscillator  # history is moved on by implicit solvers
     wanted = []
@@ -218,7 +218,7 @@ def test_a_variation_that_fails_leaves_the_others_alone() -> None:
     np.testing.assert_array_equal(results.sensorValues[~failed], good.sensorValues)
 
 
-def test_constraints_of_a_node_may_be_changed_and_multipliers_are_told() -> None:
+def test_constraints_of_a_node_may_be_changed_and_multipliers_are_reported() -> None:
     mbs, *_ = crank(0.3)
     mbs.SolveDynamic(settings(0.1, 100))
     results = mbs.SolveVariations(

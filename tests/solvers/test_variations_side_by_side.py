@@ -68,7 +68,7 @@ def cranks_alone(solver_settings: Any, count: int) -> list[Result]:
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("modified", [False, True], ids=["full", "modified"])
 @pytest.mark.parametrize("count", [3, LANES, 21])
-def test_cranks_are_what_each_gives_by_itself(count: int, modified: bool, threads: int) -> None:
+def test_cranks_agree_with_separate_solutions(count: int, modified: bool, threads: int) -> None:
     s = settings(0.1, 100)
     s.timeIntegration.newton.useModifiedNewton = modified
     results = vary_crank(s, count, numberOfThreads=threads)
@@ -136,7 +136,7 @@ def test_chains_of_masses() -> None:
 
 
 @pytest.mark.parametrize("common", [0.0, 1.0])
-def test_a_number_that_leaves_what_others_have_in_common(common: float) -> None:
+def test_a_value_that_differs_from_a_common_one(common: float) -> None:
     """Products with one, and sums of products with zero, are left out where all variations have them."""
     dampings = np.array([common, 0.3])
 
@@ -288,7 +288,7 @@ def test_points_that_coincide_are_solved_alone() -> None:
         np.testing.assert_array_equal(results.coordinates["ODE2"][k], mbs.systemData.GetODE2Coordinates())
 
 
-def test_a_variation_that_fails_leaves_those_beside_it_alone() -> None:
+def test_a_variation_that_fails_does_not_affect_others() -> None:
     """A coordinate is singular without mass, springs and dampers; a tolerance below round-off takes iterations."""
     count, singular, hasty, strict = 11, 2, 5, 7
     masses, stiffness = np.linspace(1, 2, count), np.full(count, 200.0)
@@ -377,7 +377,7 @@ def rigid_body(mbs: Any, s: Any) -> None:
         (rigid_body, 6, 4, "GeneralizedAlpha", "nodes that rotate in space"),
     ],
 )
-def test_what_is_in_the_way_is_told(change: Any, masses: int, count: int, solver: str, reason: str) -> None:
+def test_obstacles_are_reported(change: Any, masses: int, count: int, solver: str, reason: str) -> None:
     mbs, s = chain(masses), settings(0.01, 10)
     change(mbs, s)
     varied = {(first_spring(), "stiffness"): np.linspace(100, 200, count)}

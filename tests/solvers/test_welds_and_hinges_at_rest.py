@@ -85,7 +85,7 @@ def balance() -> tuple[exu.MainSystem, Any]:
     return mbs, beam
 
 
-def test_what_hangs_on_a_hinge_gets_advice_that_works() -> None:
+def test_advice_for_hanging_bodies_works() -> None:
     """tan(angle) = - F a / (h (F + m g)): the error names the settings, which find it."""
     mbs, beam = balance()
     settings = quiet()

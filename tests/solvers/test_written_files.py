@@ -117,7 +117,7 @@ def test_a_disk_that_fills_up_ends_at_the_step_that_did_not_fit() -> None:
     assert made.position == pytest.approx(whole.position, abs=1e-12)  # the times of steps differ by rounding
 
 
-def test_a_solver_that_fails_tells_its_own_reason(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_solver_that_fails_reports_its_own_reason(capfd: pytest.CaptureFixture[str]) -> None:
     """The file that is not written besides is a warning."""
     made = model()
     settings = settings_of(**solution_to(FULL))
@@ -149,7 +149,7 @@ BAD_NAMES = {"folder.txt": errno.EISDIR, "file.txt/inside.txt": errno.ENOTDIR, "
 
 @pytest.mark.parametrize("name", BAD_NAMES, ids=lambda name: name[:20])
 @pytest.mark.parametrize("kind", ["solution", "sensor", "restart"])
-def test_names_that_cannot_be_opened_are_told_before_the_first_step(kind: str, name: str) -> None:
+def test_files_that_cannot_be_opened_are_reported_before_the_first_step(kind: str, name: str) -> None:
     Path("folder.txt").mkdir()
     Path("file.txt").write_text("")
     steps: list[float] = []
@@ -162,7 +162,7 @@ def test_names_that_cannot_be_opened_are_told_before_the_first_step(kind: str, n
     assert steps == []
 
 
-def test_a_file_that_is_written_twice_is_told(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_file_that_is_written_twice_gives_a_warning(capfd: pytest.CaptureFixture[str]) -> None:
     made = model(fileName="same.txt")
     made.mbs.SolveDynamic(settings_of(**solution_to("same.txt")))
     assert "Warning: file 'same.txt' is written twice" in capfd.readouterr().out
@@ -242,7 +242,7 @@ def test_names_of_unfinished_files_follow_no_links() -> None:
 
 
 @pytest.mark.parametrize("make", [lambda path: path.mkdir(), lambda path: path.symlink_to("precious.txt")])
-def test_what_is_no_file_is_not_replaced_by_the_kept_one(make: Callable[[Path], None]) -> None:
+def test_devices_are_not_replaced_by_the_kept_file(make: Callable[[Path], None]) -> None:
     Path("precious.txt").write_text("precious")
     make(Path("restart.txt.bck"))
     with pytest.raises(OSError, match=r"restart\.txt\.bck"):

@@ -355,7 +355,7 @@ def test_static_solutions_go_on() -> None:
     assert without_times(written()) == whole
 
 
-def test_doubts_of_before_are_told_at_the_end() -> None:
+def test_earlier_warnings_are_repeated_at_the_end() -> None:
     """Steps that are too large for the tolerances come before and after the restart file; the end counts both."""
     s = settings_of(1.0, 20, [by_tolerances])
     s.timeIntegration.minimumStepSize = 0.04

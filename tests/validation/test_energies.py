@@ -130,7 +130,7 @@ def test_the_page_about_a_door() -> None:
     assert f"kinetic {mbs.ComputeEnergies().kinetic:.6g} J" in page
 
 
-def test_the_page_tells_how_energy_has_drifted() -> None:
+def test_the_report_shows_the_drift_of_energy() -> None:
     """A mass that a damper slows down, from 3 m/s by exp(-d t / m)."""
     mbs = new_system()
     node = mbs.AddNode(exu.itemInterface.Node1D(referenceCoordinates=[0], initialVelocities=[3]))

@@ -41,7 +41,7 @@ def test_the_squeezer_by_tolerances() -> None:
         assert more / fewer == pytest.approx(np.sqrt(10), rel=0.2)
 
 
-def test_what_limits_steps() -> None:
+def test_limits_of_steps() -> None:
     """Loose tolerances leave the largest step; tight ones never reach it. The last step is the rest."""
     mechanism = Squeezer()
     mechanism.mbs.SolveDynamic(tolerances(0.002, 1.0, 1e-4))
@@ -155,7 +155,7 @@ def pushed_mass() -> tuple[Any, Any]:
 
 @pytest.mark.parametrize("tells_rates", [True, False])
 @pytest.mark.parametrize("tolerance", [1e-5, 1e-7])
-def test_what_is_driven_takes_the_steps_of_what_is_free(tolerance: float, tells_rates: bool) -> None:
+def test_driven_models_take_the_steps_of_free_ones(tolerance: float, tells_rates: bool) -> None:
     """x = sin(3 t) / 2, by a constraint and by a force. Velocities are known to a few tolerances of a step, or to the sum of its errors."""
     carried, steps = carried_mass(), []
     if not tells_rates:

@@ -36,7 +36,7 @@ def oscillator(force: Any = None) -> tuple[Any, Any]:
     return mbs, mass
 
 
-def test_what_a_damper_takes(tmp_path: Path) -> None:
+def test_energy_of_a_damper(tmp_path: Path) -> None:
     """The initial energy of the spring, less the remainder; trapezoidal rule with 2000 steps."""
     mbs, _ = oscillator()
     found = solved(mbs, settings(2, 2000), tmp_path)
@@ -49,7 +49,7 @@ def test_what_a_damper_takes(tmp_path: Path) -> None:
     assert found.gaps == {} and "supplied" in str(found)
 
 
-def test_what_a_motor_gives(tmp_path: Path) -> None:
+def test_energy_of_a_motor(tmp_path: Path) -> None:
     """A force of 5 N that grows with time: the work along the way."""
 
     def force(mbs: Any, t: float, load: list[float]) -> list[float]:

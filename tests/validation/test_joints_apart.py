@@ -147,7 +147,7 @@ def clamped_beam(apart: float) -> Any:
 
 
 @pytest.mark.parametrize("solver", [None, *OF_POSITIONS[::2]])
-def test_what_is_tolerated_at_a_clamp_is_relative_to_the_beam(solver: Any) -> None:
+def test_tolerance_of_a_clamp_is_relative_to_the_beam(solver: Any) -> None:
     """The reference is not the radius of gyration of its node, for which 1e-6 m would be too much. The least-squares
     fit is off by half of the distance of the clamps."""
 

@@ -24,7 +24,7 @@ G = 9.81
 @node_types
 @pytest.mark.parametrize("length", [1.0, 1e3], ids=["m", "mm"])
 @pytest.mark.parametrize("beside", [0.3, 0.1, 0.03, 0.01])
-def test_slider_on_a_spring_beside_its_axis(node: Any, length: float, beside: float) -> None:
+def test_slider_on_a_spring_off_its_axis(node: Any, length: float, beside: float) -> None:
     """omega^2 = k/m (1 - (d/L)^2) of a spring of length L that is fixed d off the axis, where its force is zero.
 
     Rotations of the size of round-off gave the first Euler parameter a mass of 1e-34, and the shift drowned all forces.
@@ -233,7 +233,7 @@ def test_a_pendulum_has_a_frequency(node: Any, tilt: float, solved: bool) -> Non
 
 
 @node_types
-def test_what_rods_and_balls_carry_counts_as_well(node: Any) -> None:
+def test_loads_of_rods_and_balls_count(node: Any) -> None:
     """A stone on a rod, and a body on a ball joint, swing in two directions."""
     rod = new_system()
     stone = rod.CreateMassPoint(referencePosition=[0, -1, 0], physicsMass=2, gravity=[0, -G, 0])

@@ -135,7 +135,7 @@ def test_steady_extension() -> None:
     assert spun(4, 1500)[-1, 0] == pytest.approx(5.1432e-4, rel=2e-3)
 
 
-def test_rounding_of_stiff_fine_beams_is_told() -> None:
+def test_rounding_of_stiff_fine_beams_is_reported() -> None:
     """Errors of frequencies are below the reported ones, and a warning is given if frequencies are lost."""
     for stiff, elements in ((1e7, 100), (1e7, 2000), (1e9, 400)):
         found = rotating_beam(elements, stiff=stiff).ComputeVibrationModes(4)

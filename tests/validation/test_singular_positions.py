@@ -79,7 +79,7 @@ def test_all_tolerances_pass_with_matrices_that_follow_the_motion(tolerance: flo
     assert bars.mbs.sys["dynamicSolver"].output.trusted
 
 
-def test_steps_that_pass_it_are_told(capfd: Any) -> None:
+def test_steps_that_pass_it_are_reported(capfd: Any) -> None:
     """Of 63 000."""
     bars, s = Bars(2), by_tolerance(settings(END, 50), 1e-8)
     s.timeIntegration.verboseMode = 1
