@@ -86,7 +86,7 @@ def test_steps_that_pass_it_are_reported(capfd: Any) -> None:
     bars.mbs.SolveDynamic(s)
     steps = bars.mbs.sys["dynamicSolver"].it.singularPositionSteps
     assert 0 < steps < 1000 and "passing a singular position" in capfd.readouterr().out
-    assert f"singular positions were passed in {steps} steps" in bars.mbs.Report()
+    assert f"singular configurations were passed in {steps} steps" in bars.mbs.Report()
 
 
 @pytest.mark.parametrize(

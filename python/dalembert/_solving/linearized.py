@@ -409,5 +409,5 @@ def ComputeSystemDegreeOfFreedom(
             "{nPureAE}: {degreeOfFreedom} degrees of freedom".format(**counts)
         )
         for number, (removable, all_equations) in counts.get("removableEquations", {}).items():
-            _core.Print(f"object {number}: {removable} of {all_equations} equations could be left out")
+            _core.Print(f"object {number}: {removable} of {all_equations} equations are removable")
     return counts

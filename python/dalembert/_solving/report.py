@@ -45,8 +45,8 @@ def _counts(mbs: Any) -> list[str]:
     removable = freedom.get("removableEquations", {})
     return lines + _first(
         [
-            f"  object {number} '{mbs.GetObject(number)['name']}': {some} of {of_all} equations could be left out, "
-            "reactions are the smallest possible"
+            f"  object {number} '{mbs.GetObject(number)['name']}': {some} of {of_all} equations are removable, "
+            "reactions have the minimum norm"
             for number, (some, of_all) in removable.items()
         ]
     )
@@ -58,7 +58,7 @@ def _gaps(mbs: Any) -> list[str]:
     found = testing.open_constraints(mbs, testing.State(mbs), _NOTICEABLE, _NOTICEABLE_RATE)
     if not found:
         return ["constraints: closed"]
-    return ["constraints that are open:", *_first([f"  {text}" for *_, text in found])]
+    return ["constraint violations:", *_first([f"  {text}" for *_, text in found])]
 
 
 def _energies(mbs: Any) -> list[str]:
@@ -68,16 +68,16 @@ def _energies(mbs: Any) -> list[str]:
         f"dissipated power {now.dissipatedPower:.3g} W"
     ]
     if now.potentialError > 1e-6 * max(abs(now.potential), abs(now.kinetic)):
-        lines.append("  potential energy is not sure: a force jumps")
+        lines.append("  potential energy is inaccurate: a force jumps")
     data = mbs.systemData
     if data.GetTime() != data.GetTime(ConfigurationType.Initial):
         start = ComputeEnergies(mbs, ConfigurationType.Initial)
         change = now.total - start.total
         largest = max(now.kinetic, start.kinetic, abs(now.potential - start.potential))
-        share = f", {abs(change) / largest:.2g} of what moved" if largest > 0 else ""
+        share = f", {abs(change) / largest:.2g} of the largest energy" if largest > 0 else ""
         lines.append(
             f"  drift since the initial state: {change:.3g} J{share}; dissipation, drives and errors of the solver "
-            "together (mbs.InspectSolution tells them apart)"
+            "together (mbs.InspectSolution separates them)"
         )
     return lines
 
@@ -105,14 +105,14 @@ def _solution(mbs: Any) -> list[str]:
             line += f", {it.newtonStepsCount} Newton iterations, {it.newtonJacobiCount} Jacobians"
         lines.append(line + _repeated(it))
         if it.largestStepSize > 0:
-            most = f", {it.stepsAtMaximumStepSize} of the largest size allowed" if it.stepsAtMaximumStepSize else ""
+            most = f", {it.stepsAtMaximumStepSize} of the largest admissible size" if it.stepsAtMaximumStepSize else ""
             lines.append(f"  step sizes from {it.smallestStepSize:.3g} to {it.largestStepSize:.3g} s{most}")
         if it.singularPositionSteps:
-            lines.append(f"  singular positions were passed in {it.singularPositionSteps} steps")
+            lines.append(f"  singular configurations were passed in {it.singularPositionSteps} steps")
         lines.extend(f"  not to be trusted: {doubt}" for doubt in solver.GetDoubts())
         misfit = solver.GetRedundantConstraints()["misfit"]
         if misfit > _NOTICEABLE:
-            lines.append(f"  redundant constraints contradicted each other by {misfit:.3g} of the size of the model")
+            lines.append(f"  redundant constraints were inconsistent by {misfit:.3g} of the size of the model")
     return lines
 
 
