@@ -118,7 +118,8 @@ def revolute_z() -> Sketch:
     s.body([(3.6, 1.85), (7.2, 3.1), (7.0, 3.7), (3.4, 2.45)], SECOND)
     c = np.array([3.5, 2.15])
     s.circle(c, 0.32, "white")
-    s.frame(c, 0, ("x_0", "y_0"), 1.7, "z_0 = z_1")
+    s.frame(c, 0, ("x_0", "y_0"), 1.7, "\\ ")
+    s.text(c + [-0.2, -0.75], "$z_0 = z_1$", GREY, fontsize=10)
     for angle, name in ((19, "x_1"), (109, "y_1")):
         d = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
         s.arrow(c, c + 1.7 * d, color=RED)
@@ -148,7 +149,7 @@ def spherical() -> Sketch:
     s.blob((1.9, 2.0), 1.6, 1.1, angle=0.2)
     s.blob((5.0, 2.2), 1.6, 1.1, SECOND, angle=-0.4)
     s.circle((3.45, 2.1), 0.28, "white")
-    s.marker((3.45, 2.1), "m0,\\ m1", (0, 0.75))
+    s.marker((3.45, 2.1), "m0,\\ m1", (0, 1.35))
     s.text((3.5, 0.5), r"$\Delta\mathbf{p} = \mathbf{p}_{m1} - \mathbf{p}_{m0} = \mathbf{0}$")
     return s
 

@@ -34,7 +34,7 @@ class Sketch:
     """A drawing in the plane with equal scales and without axes; lengths are those of the drawing."""
 
     def __init__(self, width: float, height: float) -> None:
-        self.figure = Figure(figsize=(0.55 * width, 0.55 * height))
+        self.figure = Figure(figsize=(0.48 * width, 0.48 * height))
         self.ax: Any = self.figure.add_axes((0, 0, 1, 1))
         self.ax.set(xlim=(0, width), ylim=(0, height), aspect="equal")
         self.ax.axis("off")
