@@ -14,7 +14,7 @@ def record(mbs: Any) -> None:
     """Save an image of the visualization state; called by solvers between two steps."""
     studio = _studio_of(mbs)
     scene = studio.scene()
-    save_next(studio.settings.exportImages, studio.image(scene, studio.camera(scene)))
+    save_next(studio.settings.exportImages, studio.image(scene, studio.camera(scene)), quickly=True)
 
 
 def _studio_of(mbs: Any) -> Studio:

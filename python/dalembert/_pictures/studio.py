@@ -190,8 +190,8 @@ class Studio:
         return self.image(scene, self.camera(scene, number), number, raytracer=raytracer)
 
 
-def save_next(export: Any, image: Image) -> Path:
-    """Save an image under the next name; its size is adapted to videos."""
+def save_next(export: Any, image: Image, quickly: bool = False) -> Path:
+    """Save an image under the next name, quickly if it is one of a series; its size is adapted to videos."""
     height, width = (n // max(int(a), 1) * max(int(a), 1) or n for n, a in zip(
         image.shape, (export.heightAlignment, export.widthAlignment), strict=False))  # fmt: skip
     image = image[:height, :width]
@@ -202,7 +202,7 @@ def save_next(export: Any, image: Image) -> Path:
         )
     here = "visualizationSettings.exportImages.saveImageFileName"
     path = Path(file_to_write(here, f"{export.saveImageFileName}{number}.png", newFolder=True))
-    films.save_image(image, path)
+    films.save_image(image, path, quickly)
     if not export.saveImageSingleFile:
         export.saveImageFileCounter += 1
     return path
