@@ -21,10 +21,11 @@ NODES = [
 ]
 
 
-def unstable_directions(mbs: exu.MainSystem, capfd: Any) -> int:
+def unstable_directions(mbs: exu.MainSystem, capfd: Any, linear_solver: Any = exu.LinearSolverType.EXUdense) -> int:
     """How many directions the warning of SolveStatic counts; 0 without it."""
     mbs.Assemble()
     s = exu.SimulationSettings()
+    s.linearSolverType = linear_solver
     s.solutionSettings.writeSolutionToFile = False
     capfd.readouterr()
     assert mbs.SolveStatic(s)
@@ -105,6 +106,76 @@ def test_a_cable_that_is_too_short_for_its_length(capfd: Any) -> None:
         ends = {"localPosition1": [n + 1, 0, 0]} if k == n else {}
         mbs.CreateSpringDamper(bodyNumbers=list(pair), stiffness=1e6, referenceLength=1.01, **ends)
     assert unstable_directions(mbs, capfd) == n
+
+
+def spring_network(seed: int, compression: float, count: int) -> tuple[exu.MainSystem, int]:
+    """Masses at random places, joined by prestressed springs and linear constraints, in balance by constant loads.
+
+    Returns the system, and how many eigenvalues of its stiffness are negative in the null space of the constraints.
+    """
+    rng = np.random.default_rng(seed)
+    places, n = rng.uniform(-1, 1, (count, 3)), 3 * count
+    mbs = exu.SystemContainer().AddSystem()
+    masses = [mbs.CreateMassPoint(referencePosition=list(p), physicsMass=1) for p in places]
+    K, balance = np.zeros((n, n)), np.zeros((count, 3))
+
+    def spring(i: int, j: int | None, anchor: Any = ()) -> None:
+        difference = places[i] - (np.array(anchor) if j is None else places[j])
+        length, stiffness = float(np.linalg.norm(difference)), rng.uniform(50, 200)
+        rest = length * (1 + compression * rng.uniform(-0.2, 1))
+        u = difference / length
+        block = stiffness * ((1 - rest / length) * (np.eye(3) - np.outer(u, u)) + np.outer(u, u))
+        force = stiffness * (length - rest) * u
+        a = slice(3 * i, 3 * i + 3)
+        K[a, a] += block
+        balance[i] += force
+        if j is not None:
+            b = slice(3 * j, 3 * j + 3)
+            K[b, b] += block
+            K[a, b] -= block
+            K[b, a] -= block
+            balance[j] -= force
+        mbs.CreateSpringDamper(
+            bodyNumbers=[ground if j is None else masses[j], masses[i]],
+            localPosition0=list(anchor) or [0, 0, 0],
+            stiffness=stiffness,
+            referenceLength=rest,
+        )
+
+    ground = mbs.CreateGround()
+    for i in range(count):
+        for anchor in ([2, 0, 0], [0, 2, 0], [0, 0, 2]):
+            spring(i, None, anchor)
+        for j in rng.choice(count, 3, replace=False):
+            if j != i:
+                spring(i, int(j))
+    rows = []
+    for _ in range(count // 3):
+        i, j = rng.choice(count, 2, replace=False)
+        c, d = rng.integers(0, 3, 2)
+        row = np.zeros(n)
+        row[3 * i + c], row[3 * j + d] = -1, 1
+        if np.linalg.matrix_rank([*rows, row]) > len(rows):
+            rows.append(row)
+            mbs.CreateCoordinateConstraint(bodyNumbers=[masses[i], masses[j]], coordinates=[int(c), int(d)])
+    for mass, force in zip(masses, balance, strict=True):
+        mbs.CreateForce(bodyNumber=mass, loadVector=list(force))
+    free = np.linalg.svd(np.array(rows))[2][len(rows) :].T
+    values = np.linalg.eigvalsh(free.T @ K @ free)
+    assert np.abs(values).min() > 1e-4 * np.abs(values).max()
+    return mbs, int((values < 0).sum())
+
+
+@pytest.mark.parametrize("solver", [exu.LinearSolverType.EXUdense, exu.LinearSolverType.EigenSparse])
+@pytest.mark.parametrize("count", [6, 14, 40])
+def test_networks_of_prestressed_springs(count: int, solver: Any, capfd: Any) -> None:
+    """With more and more compression, as many directions are unstable as eigenvalues of the stiffness are negative."""
+    counted = []
+    for seed, compression in enumerate([0.0, 0.2, 0.5, 1.0, 1.5, 2.0, 3.0]):
+        mbs, expected = spring_network(seed, compression, count)
+        assert unstable_directions(mbs, capfd, solver) == expected
+        counted.append(expected)
+    assert min(counted) == 0 < max(counted)
 
 
 def test_paths_report_singular_points_instead(capfd: Any) -> None:

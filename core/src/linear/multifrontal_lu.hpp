@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "assembly_tree.hpp"
@@ -27,6 +28,9 @@ class MultifrontalLu final : public LinearSolver {
   // Variant for unknowns and equations at these positions of a larger system.
   void solve_for(std::span<const int> places, std::span<double> x);
   LinearSolverStatistics statistics() const override;
+  // Of this matrix if it is symmetric, by the order of the factors at hand, which stay; unknown where that order is none of symmetric
+  // pivots, or where a pivot is rounding errors (inertia.cpp).
+  std::optional<int> negative_eigenvalues(std::span<const double> given);
 
  private:
   static constexpr int longest_run = 4;  // entries of a column that are added together
@@ -60,6 +64,7 @@ class MultifrontalLu final : public LinearSolver {
                      const std::vector<int>& slot_of_row);
   void place_columns();
   bool repeat(std::span<const double> given);
+  std::optional<int> negative_pivots(const Front& front, double* panel);
   bool regular() const;
   double residual_of_test(std::span<const double> values);
   template <class Place>

@@ -18,6 +18,8 @@ class OccupiedLu final : public LinearSolver {
   int factorize(std::span<const double> values) override;
   void solve(std::span<double> x) override;
   LinearSolverStatistics statistics() const override;
+  // As MultifrontalLu has them.
+  std::optional<int> negative_eigenvalues(std::span<const double> values) const;
 
  private:
   // An unknown without neighbours.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dalembert/linear/inertia.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/static.hpp"
 #include "constraints/dependent_equations.hpp"
@@ -19,7 +20,7 @@ constexpr double rounding_errors = 100 * std::numeric_limits<double>::epsilon();
 constexpr double suspicious = 1e4 * rounding_errors;
 constexpr double much_softer = 0.3;
 constexpr int sweeps = 3;
-constexpr std::size_t always_counted = 1000;  // number of unknowns up to which negative pivots are always counted
+constexpr std::size_t always_counted = 1000;  // number of unknowns up to which negative eigenvalues are always counted
 constexpr double negligible_share = 1e-4;  // of a coordinate in a mode
 
 struct Stiffness {
@@ -57,11 +58,11 @@ void StaticSolver::look_back() {
   look_for_motion();
   if (sizes_.ode2 > 0 && it.newtonJacobiCount > 0) {
     const std::vector<double> last = jacobian_;  // users may request this matrix
-    // Negative pivots of small systems are always counted; those of large systems only if the softest direction is
-    // unstable, which needs no factorization.
+    // Each multiplier adds a negative eigenvalue. Those of small systems are always counted; large systems are examined only if the softest
+    // direction is unstable, which needs no factorization.
     const auto may_be_unstable = [this] {
       const auto ode2 = static_cast<std::size_t>(sizes_.ode2), total = static_cast<std::size_t>(sizes_.total());
-      if (total <= always_counted) return true;
+      if (total <= always_counted) return !linear_ || negative_eigenvalues(*linear_, pattern(), jacobian_) != sizes_.ae;
       return factorized_ && stiffness_along(softest_direction(ode2, total, [this](std::span<double> x) { linear_->solve(x); }), pattern(), jacobian_).sum < 0;
     };
     if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) warn_of_free_motion(rows);
