@@ -239,3 +239,21 @@ def test_constraint_user_functions(mbs: Any) -> None:
 
     position = ellipse(mbs, scalingMarker0=np.zeros((1, 1)), constraintUserFunction=gap, jacobianUserFunction=gradient)
     assert position == pytest.approx(BEAD, abs=1e-7)
+
+
+def test_calls_of_a_force_function() -> None:
+    """Its differences begin from the value that the residual has asked for: 2 n calls for a Jacobian, one for a residual."""
+    calls = []
+
+    def force(mbs: Any, t: float, item: int, q: Any, v: Any) -> Any:
+        calls.append(t)
+        return FORCE - STIFFNESS @ q - DAMPING @ v - 10 * np.asarray(q) ** 3
+
+    mbs = exu.SystemContainer().AddSystem()
+    oscillator(mbs, massMatrix=MASS, forceUserFunction=force)
+    run(mbs, end=0.1, steps=20)
+    it = mbs.sys["dynamicSolver"].it
+    assert it.newtonJacobiCount >= 20
+    jacobians = 2 * 3 * it.newtonJacobiCount
+    # one residual at the start of each step, one after each iteration, and those of the initial accelerations
+    assert jacobians < len(calls) <= jacobians + 20 + it.newtonStepsCount + 4

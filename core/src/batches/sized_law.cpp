@@ -81,13 +81,14 @@ void LawOfBody::take_arguments(const UserFunction& f, const Evaluation& evaluati
   pick(order_ == 1 ? evaluation.y : f.callback->takes_total_coordinates() ? evaluation.q : evaluation.u, dofs_, work.q);
   if (order_ == 2) pick(evaluation.v, dofs_, work.v);
 }
-void LawOfBody::repeat(const UserFunction& f, double time, const Work& work, std::span<double> result) const {
-  const std::array arguments{as_argument(work.q), as_argument(work.v)};
-  f.callback->call(time, item_, std::span(arguments).first(static_cast<std::size_t>(order_)), result);
+void LawOfBody::repeat(const UserFunction& f, double time, const Work& work, std::span<double> result, bool known) const {
+  const std::array all{as_argument(work.q), as_argument(work.v)};
+  const std::span arguments = std::span(all).first(static_cast<std::size_t>(order_));
+  known ? f.callback->recall(time, item_, arguments, result) : f.callback->call(time, item_, arguments, result);
 }
 void LawOfBody::call(const UserFunction& f, const Evaluation& evaluation, Work& work, std::span<double> result) const {
   take_arguments(f, evaluation, work);
-  repeat(f, evaluation.time, work, result);
+  repeat(f, evaluation.time, work, result, evaluation.same_state);
 }
 
 // Equations of second order have forces on the other side.
@@ -126,10 +127,11 @@ void LawOfBody::add_tangent(const Evaluation& evaluation, const Weights& w, Work
     jacobian_.callback->call(evaluation.time, item_, arguments, std::span(work.matrix).first(n * n));
     for (std::size_t i = 0; i < n * n; ++i) block[i] += work.matrix[i];
   } else if (moves && force_) {
-    take_arguments(force_, evaluation, work);
+    const std::span<double> force = std::span(work.force).first(n);
+    call(force_, evaluation, work, force);
     const auto evaluate = [&](std::span<double> f) { repeat(force_, evaluation.time, work, f); };
-    add_differences(work.q, order_ == 2 ? -w.q : w.y, block, evaluate);
-    if (order_ == 2) add_differences(work.v, -w.v, block, evaluate);
+    add_differences(work.q, order_ == 2 ? -w.q : w.y, force, block, evaluate);
+    if (order_ == 2) add_differences(work.v, -w.v, force, block, evaluate);
   }
   if (w.a == 0 || !mass_) return;
   call(mass_, evaluation, work, std::span(work.matrix).first(n * n));

@@ -46,7 +46,8 @@ class LawOfBody {
   std::span<const int> own_rows() const { return std::span(rows_).subspan(begin_); }
   void call(const UserFunction& f, const Evaluation& evaluation, Work& work, std::span<double> result) const;
   void take_arguments(const UserFunction& f, const Evaluation& evaluation, Work& work) const;
-  void repeat(const UserFunction& f, double time, const Work& work, std::span<double> result) const;
+  // `known`: the result of the last call serves if its arguments were the same.
+  void repeat(const UserFunction& f, double time, const Work& work, std::span<double> result, bool known = false) const;
 
   int item_ = -1, order_ = 2;
   std::size_t begin_ = 0;

@@ -151,7 +151,8 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
     }
     const double flag = level ? 1 : 0;
     const std::array arguments{as_argument(q), as_argument(v), Argument{&flag}};
-    f.callback->call(c.time, c.item, arguments, results);
+    if (c.same_state) f.callback->recall(c.time, c.item, arguments, results);
+    else f.callback->call(c.time, c.item, arguments, results);
     return results;
   }
 
