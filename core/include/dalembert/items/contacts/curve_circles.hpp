@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "dalembert/contacts/curve_circles_parameters.hpp"
 #include "dalembert/contracts/many_ports.hpp"
@@ -34,16 +35,18 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
   static constexpr bool has_history = true;
   static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
     PostNewton verdict;
+    const Centres centres(p, x);
     for (int segment = 0; segment < segments(p); ++segment) {
       Data now(h.data, segment);
+      const Segment at(p, segment);
       double* data = h.data + 3 * segment;
       const double before = now.gap();
       data[Data::which] = -1;
       data[Data::distance] = std::numeric_limits<double>::max();
       double error = 0;
       for (int circle = 0; circle < circles(p); ++circle) {
+        if (!(centres.gap(at, circle) < data[Data::distance])) continue;
         const Meeting<double> touch(p, x, segment, circle);
-        if (!(touch.gap < data[Data::distance])) continue;
         data[Data::distance] = touch.gap;
         data[Data::slip] = touch.slip;
         error = std::abs(p.contactDamping * touch.rate - p.contactStiffness * touch.gap);
@@ -57,14 +60,16 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
   // The contact of a segment ends if the normal force vanishes, or if another circle has a larger penetration.
   static int switch_count(const Parameters& p) { return 3 * segments(p); }
   static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
+    const Centres centres(p, x);
     for (int segment = 0; segment < segments(p); ++segment) {
+      const Segment line(p, segment);
       const Data at(c.data, segment);
       const int touched = at.touches(circles(p)) ? at.circle() : -1;
       double own = 0, nearest = std::numeric_limits<double>::max(), pressed = 0, slip = 0;
       for (int circle = 0; circle < circles(p); ++circle) {
+        if (circle != touched && !(centres.gap(line, circle) < nearest)) continue;
         const Meeting<double> touch(p, x, segment, circle);
         if (circle == touched) own = touch.gap, slip = touch.slip;
-        else if (!(touch.gap < nearest)) continue;
         else nearest = touch.gap;
         if (circle == touched || touched < 0) pressed = touch.normal_force(p, false);
       }
@@ -82,13 +87,17 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
     const std::size_t count = static_cast<std::size_t>(circles(p));
     std::vector<double> gaps(count, std::numeric_limits<double>::max()), rates(count), forces(2 * count);
+    const Centres centres(p, x);
     for (int segment = 0; segment < segments(p); ++segment)
       for (int circle = 0; circle < circles(p); ++circle) {
         const std::size_t i = static_cast<std::size_t>(circle);
-        const Meeting<double> touch(p, x, segment, circle);
-        if (touch.gap < gaps[i]) gaps[i] = touch.gap, rates[i] = -touch.rate;
         const Data at(c.data, segment);
-        if (!p.activeConnector || !at.touches(circles(p)) || at.circle() != circle) continue;
+        const bool acts = p.activeConnector && at.touches(circles(p)) && at.circle() == circle;
+        const bool is_nearest = centres.gap(Segment(p, segment), circle) < gaps[i];
+        if (!acts && !is_nearest) continue;
+        const Meeting<double> touch(p, x, segment, circle);
+        if (is_nearest) gaps[i] = touch.gap, rates[i] = -touch.rate;
+        if (!acts) continue;
         const Vec<double, 2> force = force_on_curve(p, at, touch);
         forces[2 * i] -= dot(touch.normal, force);
         forces[2 * i + 1] -= dot(touch.tangent(), force);
@@ -133,7 +142,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     double gap() const { return values[distance]; }
     double speed() const { return std::abs(values[slip]); }
     // Users write data coordinates, too, also of circles that are not there.
-    bool touches(int circles) const { return circle() >= 0 && circle() < circles && gap() < 0; }
+    bool touches(int circles) const { return gap() < 0 && circle() >= 0 && circle() < circles; }
   };
 
   struct Segment {
@@ -147,7 +156,41 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       if (length > 0) along = (1 / length) * along;
     }
     Vec<double, 2> outward() const { return {along[1], -along[0]}; }
+    // From its nearest point.
+    template <class S>
+    Vec<S, 2> distance_to(const Vec<S, 2>& from_begin) const {
+      const S place = dot(along, from_begin);
+      return from_begin - (place < 0.0 ? S(0) : place > length ? S(length) : place) * along;
+    }
   };
+
+  // Where circles are, in the axes of the curve.
+  class Centres {
+   public:
+    Centres(const Parameters& p, const Exchange<double>& x) : radii_(p.circlesRadii) {
+      const RigidFrame<double>& curve = x.frame<RigidPort>(0);
+      const Mat3<double> axes = curve.rotation * p.rotationMarker0;
+      for (int circle = 0; circle < circles(p); ++circle) {
+        const Vec3<double> at = transposed_times(axes, x.frame<RigidPort>(1 + circle).position - curve.position);
+        positions_.push_back({at[0], at[1]});
+      }
+    }
+    double gap(const Segment& at, int circle) const {
+      const auto i = static_cast<std::size_t>(circle);
+      return norm_or_zero(at.distance_to(positions_[i] - at.begin)) - radii_[i];
+    }
+
+   private:
+    std::vector<Vec<double, 2>> positions_;
+    const std::vector<double>& radii_;
+  };
+
+  template <class S>
+  static S norm_or_zero(const Vec<S, 2>& v) {
+    using std::sqrt;
+    const S square = dot(v, v);
+    return value_of(square) > 0 ? sqrt(square) : S(0);
+  }
 
   // A circle at a segment, in the axes of the curve.
   template <class S>
@@ -166,9 +209,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       span = m1.position - m0.position;
       const Vec3<S> centre = transposed_times(axes, span);
       const Vec<S, 2> from_begin{centre[0] - at.begin[0], centre[1] - at.begin[1]};
-      const S along = dot(at.along, from_begin);
-      const S place = along < 0.0 ? S(0) : along > at.length ? S(at.length) : along;
-      const Vec<S, 2> distance = from_begin - place * at.along;
+      const Vec<S, 2> distance = at.distance_to(from_begin);
       gap = norm_or_zero(distance) - radius;
       S depth = gap;
       if (p.contactModel == 0) {
@@ -186,6 +227,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
         extent = -(at.length * gap);
         extent_rate = at.length * rate;
       } else {
+        const S along = dot(at.along, from_begin);
         share(radius, depth + radius, -along, at.length - along);
       }
     }
@@ -194,11 +236,6 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     S normal_force(const Parameters& p, bool limited = true) const { return with_losses<S>(limited, p.contactStiffness * extent, p.contactDamping * extent_rate); }
 
    private:
-    static S norm_or_zero(const Vec<S, 2>& v) {
-      using std::sqrt;
-      const S square = dot(v, v);
-      return value_of(square) > 0 ? sqrt(square) : S(0);
-    }
     // The area between the circle and the segment: the line is at `height` from the center, and goes from `begin` to
     // `end`.
     void share(double radius, const S& height, S begin, S end) {
