@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dalembert/model/errors.hpp"
 #include "meetings.hpp"
@@ -192,23 +193,38 @@ const GeneralContact::Block& GeneralContact::block_of(const HeldContact& c) cons
   return *std::ranges::lower_bound(blocks_, std::tuple(c.sphere, with, number), {}, &Block::key);
 }
 
-// Number of contacts that have begun or ended; the next search fixes the active contacts.
+// Also where it would pull.
+double GeneralContact::elastic_force(const HeldContact& c, const Ports& ports) const {
+  if (!is_cable(c)) return pairing_of(c).stiffness * std::abs(meet(c, ports).gap);
+  const CableNow& cable = cables_now_[static_cast<std::size_t>(c.other - set_->first_cable())];
+  return std::abs(cable_forces(c, frame_of(sphere(c.sphere).marker, ports), cable.q, cable.v, {}).normal_force);
+}
+
+// The error is the number of contacts that have begun or ended, or the largest of their forces if that is more; the next search fixes the
+// active contacts.
 PostNewton GeneralContact::post_newton(const Evaluation& e, const Ports& ports, const double*, double*, double*) {
   if (set_->bristles.grow()) grow_bristles(ports);
   if (e.direct) return {};
   take_cables(e.q, e.v);
   find(ports, touching_);
   const std::vector<HeldContact>& now = touching_;
-  std::size_t common = 0;
-  for (std::size_t i = 0, j = 0; i < now.size() && j < held_.size();) {
-    const auto a = std::pair(now[i].sphere, now[i].other), b = std::pair(held_[j].sphere, held_[j].other);
-    common += a == b ? 1 : 0;
+  find_convex(ports, convex_touching_, Places::of_pushing_pairs);
+  Changes changes = convex_changes();
+  const auto change = [&](const HeldContact& c) {
+    ++changes.count;
+    changes.force = std::max(changes.force, elastic_force(c, ports));
+  };
+  for (std::size_t i = 0, j = 0; i < now.size() || j < held_.size();) {
+    const auto key = [](const std::vector<HeldContact>& all, std::size_t k) {
+      return k < all.size() ? std::pair(all[k].sphere, all[k].other) : std::pair(std::numeric_limits<int>::max(), 0);
+    };
+    const auto a = key(now, i), b = key(held_, j);
+    if (a < b) change(now[i]);
+    if (b < a) change(held_[j]);
     i += a <= b ? 1 : 0;
     j += b <= a ? 1 : 0;
   }
-  find_convex(ports, convex_touching_, Places::of_pushing_pairs);
-  const double changes = static_cast<double>(now.size() + held_.size() - 2 * common);
-  return {.error = changes + convex_changes()};
+  return {.error = std::max(changes.count, changes.force)};
 }
 
 }  // namespace dalembert

@@ -224,16 +224,26 @@ void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& v
   }
 }
 
-// How many places have begun or ended to push.
-double GeneralContact::convex_changes() const {
-  std::size_t common = 0;
-  for (std::size_t i = 0, j = 0; i < convex_touching_.size() && j < convex_held_.size();) {
-    const auto a = convex_touching_[i].order(), b = convex_held_[j].order();
-    common += a == b ? 1 : 0;
-    i += a <= b ? 1 : 0;
-    j += b <= a ? 1 : 0;
+// Places that have begun or ended to push. Places of two shapes share a force that does not jump while the pair touches.
+GeneralContact::Changes GeneralContact::convex_changes() const {
+  Changes changes;
+  const auto change = [&](const ConvexTouch& t, const std::vector<ConvexTouch>& others) {
+    ++changes.count;
+    const auto pair = [](const ConvexTouch& o) { return std::pair(o.first, o.second); };
+    const auto other = std::ranges::lower_bound(others, pair(t), {}, pair);
+    const bool shares = t.second < scene_.first_carrier() && other != others.end() && pair(*other) == pair(t);
+    if (!shares) changes.force = std::max(changes.force, convex_pairing(t).stiffness * std::abs(meeting_of(t, scene_.frame(t.first), scene_.frame(t.second)).gap));
+  };
+  auto now = convex_touching_.begin(), held = convex_held_.begin();
+  while (now != convex_touching_.end() || held != convex_held_.end()) {
+    const bool begins = held == convex_held_.end() || (now != convex_touching_.end() && now->order() < held->order());
+    const bool ends = now == convex_touching_.end() || (held != convex_held_.end() && held->order() < now->order());
+    if (begins) change(*now, convex_held_);
+    if (ends) change(*held, convex_touching_);
+    if (!ends) ++now;
+    if (!begins) ++held;
   }
-  return static_cast<double>(convex_touching_.size() + convex_held_.size() - 2 * common);
+  return changes;
 }
 
 }  // namespace dalembert

@@ -315,7 +315,11 @@ class GeneralContact final : public SystemTerm {
   int global_number(int participant) const;
   std::size_t list_convex_blocks(const Ports& ports, std::size_t slot);
   void add_convex_tangent(const Ports& ports, double* values) const;
-  double convex_changes() const;
+  struct Changes {
+    double count = 0, force = 0;  // contacts that have begun or ended; the largest elastic force that was missing, or pulled
+  };
+  Changes convex_changes() const;
+  double elastic_force(const HeldContact& c, const Ports& ports) const;
   void grow_convex(const Ports& ports);
   void write_convex_history(std::vector<double>& numbers) const;
   bool take_convex_history(std::span<const double>& numbers);
