@@ -190,9 +190,8 @@ void Solver::initial_conditions() {
     it.endTime = s.loadStepStart + s.loadStepDuration;
     it.minStepSize = s.minimumStepSize;
     it.maxStepSize = s.loadStepDuration / static_cast<double>(it.numberOfSteps);
-    it.adaptiveStep = s.adaptiveStep && !s.loadStepGeometric;
+    it.adaptiveStep = s.adaptiveStep;
     it.automaticStepSize = false;
-    if (s.loadStepGeometric && s.adaptiveStep) warn("staticSolver.adaptiveStep is ignored with loadStepGeometric");
   } else {
     const auto& s = settings_->timeIntegration;
     const double steps = s.numberOfSteps;

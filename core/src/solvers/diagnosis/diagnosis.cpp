@@ -126,8 +126,6 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
   add_largest(d.values, residual, "equation", 0);
   d.advice.push_back(is_static() ? "use more load steps (staticSolver.numberOfLoadSteps)"
                                  : "use smaller steps (timeIntegration.numberOfSteps)");
-  if (is_static() && settings_->staticSolver.loadStepGeometric)
-    d.advice.push_back("use load steps of equal size (staticSolver.loadStepGeometric=False): these become smaller where Newton's method fails (adaptiveStep), geometric ones do not");
   d.advice.push_back("check initial values, and parameters of the items named above for wrong units");
   if (newton_settings.useModifiedNewton) d.advice.push_back("use full Newton (newton.useModifiedNewton=False)");
   if (reason == FailureReason::discontinuous) d.advice.push_back("allow more discontinuous.maxIterations");

@@ -31,7 +31,7 @@ void StaticSolver::initial_conditions() {
   begin_path();
 }
 
-// Load steps have equal size, or each load is a multiple of the previous one.
+// Load steps have equal size, or each load is a multiple of the previous one: a step of half the size has the root of the factor.
 void StaticSolver::update_current_time() {
   current().sign = MultiplierSign::statics;
   if (path_) return begin_path_step();
@@ -41,8 +41,8 @@ void StaticSolver::update_current_time() {
   if (!s.loadStepGeometric) {
     time += it.currentStepSize;
   } else {
-    time = time <= tolerance ? duration / s.loadStepGeometricRange : time * geometric_factor_;
-    steps_.use(0);
+    const double share = it.currentStepSize / it.maxStepSize;
+    time = time <= tolerance ? share * duration / s.loadStepGeometricRange : time * (share == 1 ? geometric_factor_ : std::pow(geometric_factor_, share));
   }
   if (time + tolerance >= duration) time = duration;
   it.currentTime = time + it.startTime;
