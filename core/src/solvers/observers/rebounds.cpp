@@ -16,7 +16,7 @@ namespace dalembert {
 namespace rebounds {
 
 constexpr StepCount few_steps = 6;       // duration of a contact
-constexpr double noticeable_gain = 1.1;  // ratio of velocities over all contacts since the velocity was smallest
+constexpr double noticeable_gain = 1.05; // ratio of velocities over all contacts since the velocity was smallest
 constexpr double probe = 1e-4;           // part of a step, for finite differences
 constexpr std::size_t most_told = 3;
 
