@@ -18,7 +18,7 @@ import pytest
 from oscillators import Oscillator, Variable, dynamic_settings, oscillator
 
 import dalembert as exu
-from dalembert.itemInterface import SensorNode
+from dalembert.itemInterface import NodePoint, ObjectMassPoint, SensorNode
 
 FULL = "full.txt"  # a link to a device on which every write fails as on a full disk
 
@@ -56,6 +56,32 @@ def settings_of(steps: int = 10, **solution: Any) -> Any:
 
 def solution_to(name: str, **more: Any) -> dict[str, Any]:
     return {"writeSolutionToFile": True, "coordinatesSolutionFileName": name, **more}
+
+
+# ---- numbers ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("digits", [1, 2, 6, 10, 15, 16, 17])
+def test_numbers_are_rounded_as_by_printf(digits: int) -> None:
+    """Of all sizes, halves between two texts, powers of ten and their neighbours: Python's own text of each."""
+    rng = np.random.default_rng(digits)
+    sized = rng.uniform(-1, 1, 3000) * 10.0 ** rng.integers(-60, 40, 3000)
+    halves = rng.integers(-(10**6), 10**6, 3000) / 2.0 ** rng.integers(0, 24, 3000)
+    powers = 10.0 ** np.arange(-50, 30)
+    edges = np.concatenate(
+        [powers, np.nextafter(powers, 0), np.nextafter(powers, np.inf), [5e-324, 1.7e308, 9.5, 99.5]]
+    )
+    shown = np.concatenate([sized, halves, edges, -edges, [0.0, 0.0]])
+    shown = shown[: len(shown) // 3 * 3]
+    mbs = exu.SystemContainer().AddSystem()
+    for place in shown.reshape(-1, 3):
+        node = mbs.AddNode(NodePoint(initialCoordinates=list(place)))
+        mbs.AddObject(ObjectMassPoint(physicsMass=1, nodeNumber=node))
+    mbs.Assemble()
+    settings = settings_of(1, **solution_to("solution.txt", outputPrecision=digits, writeFileHeader=False))
+    mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.ExplicitEuler)
+    first = Path("solution.txt").read_text().split("\n")[0].split(",")
+    assert first[1 : 1 + len(shown)] == [f"{x:.{digits}g}" for x in shown]
 
 
 # ---- a disk that is full ----------------------------------------------------------------------------------------------

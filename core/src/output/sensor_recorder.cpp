@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "dalembert/output/numbers.hpp"
+#include "dalembert/output/rounded_text.hpp"
 
 namespace dalembert {
 namespace {
@@ -75,10 +75,10 @@ void SensorRecorder::record(System& system, double time) {
 
 void SensorRecorder::write(OutputFile& file, double time) {
   std::string& t = file.text();
-  append_number(t, time, precision_);
+  append_rounded(t, time, precision_);
   for (const double x : values_) {
     t += ',';
-    append_number(t, x, precision_);
+    append_rounded(t, x, precision_);
   }
   t += '\n';
   flush_ ? file.flush() : file.written();

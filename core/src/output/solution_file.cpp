@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "dalembert/output/numbers.hpp"
+#include "dalembert/output/rounded_text.hpp"
 
 namespace dalembert {
 
@@ -54,7 +55,7 @@ std::string list(const std::array<int, N>& numbers) {
 void append_values(std::string& text, const std::vector<double>& values, int precision) {
   for (const double x : values) {
     text += ',';
-    append_number(text, x, precision);
+    append_rounded(text, x, precision);
   }
 }
 
@@ -186,7 +187,7 @@ void SolutionFile::write_row(const SimulationSettings& settings, const State& st
     each_column(settings, is_static_, state, [&](const auto& x) { append_reals(t, x, single_precision_); });
   } else {
     const int precision = settings.solutionSettings.outputPrecision;
-    append_number(t, state.time, precision);
+    append_rounded(t, state.time, precision);
     each_column(settings, is_static_, state, [&](const auto& x) {
       values += x.size();
       append_values(t, x, precision);
