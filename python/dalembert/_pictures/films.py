@@ -29,7 +29,8 @@ def save_image(image: Image, name: str | Path, quickly: bool = False) -> None:
     check_image_name(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as written:
-        Pillow.fromarray(image).save(written, **({"compress_level": 1} if quickly else {}))
+        options: dict[str, Any] = {"compress_level": 1} if quickly else {}
+        Pillow.fromarray(image).save(written, **options)
 
 
 def check_image_name(name: str | Path, where: str = "fileName") -> None:
