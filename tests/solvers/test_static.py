@@ -75,7 +75,9 @@ def test_geometric_load_steps_become_smaller_where_newton_fails() -> None:
     settings.staticSolver.adaptiveStep = True
     assert model.mbs.SolveStatic(settings)
     factor, position = model.table()[1:].T
-    np.testing.assert_allclose(1000 * position**3 + 0.01 * position, 9.0 * factor, rtol=1e-10)
+    np.testing.assert_allclose(
+        1000 * position**3 + 0.01 * position, 9.0 * factor, rtol=1e-8
+    )  # the tolerance of Newton's method
     ratios = np.log(factor[1:] / factor[:-1]) / np.log(1000)  # the last step is shortened to the full load
     assert len(ratios) > 2 and factor[-1] == 1
     np.testing.assert_allclose(np.log2(ratios[:-1]), np.round(np.log2(ratios[:-1])), atol=1e-6)
