@@ -28,8 +28,8 @@ class MultifrontalLu final : public LinearSolver {
   // Variant for unknowns and equations at these positions of a larger system.
   void solve_for(std::span<const int> places, std::span<double> x);
   LinearSolverStatistics statistics() const override;
-  // Of this matrix if it is symmetric, by the order of the factors at hand, which stay; unknown where that order is none of symmetric
-  // pivots, or where a pivot is rounding errors (inertia.cpp).
+  // Returns the number of negative eigenvalues of a symmetric matrix, which is eliminated in the order of the present factors; these are kept.
+  // Returns nothing if that order has unsymmetric pivots, or if a pivot is of the size of rounding errors (inertia.cpp).
   std::optional<int> negative_eigenvalues(std::span<const double> given);
 
  private:

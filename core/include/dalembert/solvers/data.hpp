@@ -25,7 +25,7 @@ struct SolverIterationData {
   StepCount rejectedAutomaticStepSizeSteps = 0, rejectedModifiedNewtonSteps = 0;
   // Repeated because contact or friction did not converge, or because Newton's method failed.
   StepCount rejectedDiscontinuousSteps = 0, rejectedNewtonSteps = 0;
-  // Of error control, without the remainder at the end.
+  // The extreme step sizes of error control; the shortened last step does not count.
   double smallestStepSize = 0, largestStepSize = 0;
   StepCount stepsAtMaximumStepSize = 0;                               // steps that could not be larger
   StepCount stagnatedNewtonSteps = 0;  // Newton iterations that ended at round-off instead of a tolerance

@@ -58,8 +58,8 @@ void StaticSolver::look_back() {
   look_for_motion();
   if (sizes_.ode2 > 0 && it.newtonJacobiCount > 0) {
     const std::vector<double> last = jacobian_;  // users may request this matrix
-    // Each multiplier adds a negative eigenvalue. Those of small systems are always counted; large systems are examined only if the softest
-    // direction is unstable, which needs no factorization.
+    // Each multiplier adds a negative eigenvalue. Small systems are always counted. Large systems are examined only if the softest direction
+    // is unstable; this check needs no factorization.
     const auto may_be_unstable = [this] {
       const auto ode2 = static_cast<std::size_t>(sizes_.ode2), total = static_cast<std::size_t>(sizes_.total());
       if (total <= always_counted) return !linear_ || negative_eigenvalues(*linear_, pattern(), jacobian_) != sizes_.ae;

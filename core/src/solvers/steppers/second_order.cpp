@@ -360,8 +360,8 @@ void SecondOrderSolver::move_algorithmic_accelerations(double ratio) {
   for (std::size_t i = 0; i < algorithmic_.size(); ++i) algorithmic_[i] = now.a[i] + ratio * (algorithmic_[i] - now.a[i]);
 }
 
-// See `start_steadily`. The offsets are zero if there are none. With error control, factors are available, also after
-// failed steps.
+// `start_steadily` explains the offsets, which are zero where velocities fulfil the constraints. Error control always has factors, also after a
+// failed step.
 void SecondOrderSolver::find_velocities_off_constraints() {
   State still = current();
   still.time = it.currentTime - it.currentStepSize;

@@ -29,7 +29,8 @@ constexpr double scale_of_rest = 10;
 // Growth per step of oscillations, rho (1 + sqrt(3) th) with half a radian.
 constexpr double fastest_growth = 1.7, most_steps_to_wait = 50;
 constexpr double negligible_way = 1e-6; // displacement within a step, relative to the size of the model
-// Of the largest velocity, in the norm of the step matrix; the error of the energy is then a few percent.
+// A step is coarse if the velocities across the constraints exceed this share of the largest velocity, in the norm of the step matrix. The
+// energy error is then a few percent.
 constexpr double coarse_part = 0.02;
 constexpr StepCount first_judged = 4;   // number of steps with lead before its size is assessed
 

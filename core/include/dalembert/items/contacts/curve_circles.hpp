@@ -164,7 +164,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     }
   };
 
-  // Where circles are, in the axes of the curve.
+  // Centre points of the circles, in the axes of the curve.
   class Centres {
    public:
     Centres(const Parameters& p, const Exchange<double>& x) : radii_(p.circlesRadii) {
