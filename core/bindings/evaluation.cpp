@@ -6,7 +6,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/open_constraints.hpp"
-#include "dalembert/solvers/redundant_constraints.hpp"
+#include "dalembert/solvers/constraint_rank.hpp"
 #include "main_system.hpp"
 #include "module.hpp"
 #include "solver_data.hpp"
@@ -212,11 +212,9 @@ void register_constraints(py::module_& module) {
       "redundant_constraints",
       [](MainSystem& main, const EvaluationState& s, double moment_length) {
         System& system = checked(main, s, "redundant_constraints");
-        const RedundantConstraints found = redundant_constraints(system, s.state, s.conditions, moment_length);
+        const ConstraintRank found(system, s.state, s.conditions, constraint_metric(system, s.state, s.conditions, moment_length));
         py::dict result = redundancy_dictionary(found, system);
-        std::vector<int> dependent;
-        for (const DependentEquations& part : found.dependent()) dependent.insert(dependent.end(), part.dependent.begin(), part.dependent.end());
-        result["dependent"] = dependent;
+        result["dependent"] = found.dependent();
         return result;
       },
       py::arg("mbs"), py::arg("state"), py::arg("momentLength") = 0.0,

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "dalembert/model/errors.hpp"
-#include "dalembert/solvers/left_out_equations.hpp"
 #include "module.hpp"
 
 namespace dalembert {
@@ -80,38 +79,6 @@ class PatternSolver {
   std::unique_ptr<LinearSolver> solver_;
 };
 
-// Equations that are left out of such a matrix.
-class PatternEquations {
- public:
-  using Part = std::pair<std::vector<int>, std::vector<int>>;  // all, dependent
-  PatternEquations(const Integers& column_start, const Integers& row_index, const std::vector<Part>& parts, const std::vector<double>& weights, bool dense)
-      : equations_(dependent(parts), weights, static_cast<int>(column_start.size()) - 1 - static_cast<int>(weights.size())),
-        solver_(column_start, row_index, dense, equations_.options({})) {}
-
-  std::optional<std::vector<double>> smallest(const DoubleArray& values, std::vector<double> multipliers) {
-    const std::span<const double> matrix = solver_.in_order_of_pattern(values);
-    LinearSolver& factors = solver_.solver();
-    if (factors.factorize(matrix) != LinearSolver::success || !equations_.make_smallest(solver_.pattern(), matrix, factors, multipliers)) return std::nullopt;
-    return multipliers;
-  }
-  std::vector<Part> better() const {
-    std::vector<Part> found;
-    for (const DependentEquations& part : equations_.better()) found.emplace_back(part.all, part.dependent);
-    return found;
-  }
-  int solutions() const { return equations_.solutions(); }
-
- private:
-  static std::vector<DependentEquations> dependent(const std::vector<Part>& parts) {
-    std::vector<DependentEquations> all;
-    for (const Part& part : parts) all.push_back({part.first, part.second});
-    return all;
-  }
-
-  LeftOutEquations equations_;
-  PatternSolver solver_;
-};
-
 }  // namespace
 
 void register_linear_solver(py::module_& module) {
@@ -136,15 +103,6 @@ void register_linear_solver(py::module_& module) {
       .def_property_readonly("statistics", &PatternSolver::statistics,
                              "factorizations; pivot_searches: how many of them chose their pivots; entries: numbers in the "
                              "factors.");
-  py::class_<PatternEquations>(testing, "LeftOutEquations",
-                               "Equations that follow from others and are left out of matrices with one pattern, whose last unknowns are multipliers, as "
-                               "many as there are weights. parts: equations, and those of them that are left out.")
-      .def(py::init<const Integers&, const Integers&, const std::vector<PatternEquations::Part>&, const std::vector<double>&, bool>(), py::arg("indptr"),
-           py::arg("indices"), py::arg("parts"), py::arg("weights"), py::kw_only(), py::arg("dense") = false)
-      .def("smallest", &PatternEquations::smallest, py::arg("data"), py::arg("multipliers"),
-           "The smallest multipliers, squared and weighed, that exert the same forces; None: not all dropped equations are redundant.")
-      .def("better", &PatternEquations::better, "Parts of which others are better left out; none if these are good.")
-      .def_property_readonly("solutions", &PatternEquations::solutions, "That `smallest` takes.");
   testing.def("instruction_sets", &instruction_sets,
               "Those of this processor for which the factorization has code of its own, best first.");
 }

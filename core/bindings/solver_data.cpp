@@ -189,10 +189,10 @@ py::dict diagnosis_dictionary(const Diagnosis& d) {
                   "dependentEquations"_a = d.dependent, "freeDirections"_a = d.free, "advice"_a = d.advice);
 }
 
-py::dict redundancy_dictionary(const RedundantConstraints& redundant, const System& system) {
+py::dict redundancy_dictionary(const ConstraintRank& redundant, const System& system) {
   using namespace py::literals;
   py::list items;
-  for (const RedundantConstraints::Item& item : redundant.items(system))
+  for (const ConstraintRank::Item& item : redundant.items(system))
     items.append(py::dict("object"_a = item.object, "item"_a = item.item, "equations"_a = item.equations, "removable"_a = item.removable));
   return py::dict("count"_a = redundant.count(), "items"_a = items, "equations"_a = redundant.equations(),
                   "weakest"_a = redundant.weakest(), "certain"_a = redundant.certain());

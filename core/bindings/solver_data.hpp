@@ -4,7 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "dalembert/solvers/error.hpp"
-#include "dalembert/solvers/redundant_constraints.hpp"
+#include "dalembert/solvers/constraint_rank.hpp"
 
 namespace dalembert {
 
@@ -16,6 +16,6 @@ void register_solver_data(py::module_& module);
 py::dict diagnosis_dictionary(const Diagnosis& diagnosis);
 
 // Data on redundant constraints.
-py::dict redundancy_dictionary(const RedundantConstraints& redundant, const System& system);
+py::dict redundancy_dictionary(const ConstraintRank& redundant, const System& system);
 
 }  // namespace dalembert

@@ -223,7 +223,7 @@ void register_redundancy(SolverClass<W>& c) {
       "GetRedundantConstraints",
       [](W& w) {
         w.require_own_thread("GetRedundantConstraints");
-        py::dict found = redundancy_dictionary(w.redundant_constraints(), w.system());
+        py::dict found = redundancy_dictionary(w.constraint_rank(), w.system());
         found["misfit"] = w.largest_misfit();
         return found;
       },

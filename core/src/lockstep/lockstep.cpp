@@ -176,7 +176,7 @@ void Lockstep::search_pivots(int i) {
   for (std::size_t k = 0; k < residual.size(); ++k) residual[k] = program_.output(static_cast<int>(k))[i];
   const std::span<double> values = lane.solver->jacobian_values();
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = program_.output(matrix_output(static_cast<int>(k)))[i];
-  lane.here = lane.solver->factorize() && !lane.solver->redundant_constraints().in_use();
+  lane.here = lane.solver->factorize() && !lane.solver->constraint_solver().active();
   if (lane.here) lane.factors = &factors_for(lane.solver->linear_->listed_rows());
 }
 

@@ -21,7 +21,7 @@ class DiagonallyImplicitSolver : public Solver {
  public:
   std::string name() const override { return "diagonally implicit time integration (ESDIRK43)"; }
   bool controls_step_size() const override { return true; }
-  const RedundantConstraints& redundant_constraints() const override { return motion_.redundant(); }
+  const ConstraintSolver& constraint_solver() const override { return motion_.constraints(); }
   int method_order() const { return 4; }
   int number_of_stages() const { return stages; }
 
@@ -46,6 +46,7 @@ class DiagonallyImplicitSolver : public Solver {
   ConstrainedMotion* motion_under_constraints() override;
   void examine_constraints_anew() override {
     motion_.examine_anew();
+    rank_known_ = false;
     masses_.examine_anew();
   }
   KnownDerivatives complete_ends() override { return {true, true}; }

@@ -23,7 +23,7 @@ class ExplicitSolver : public Solver {
   std::string name() const override;
   bool controls_step_size() const override { return method_.controls_step_size(); }
   bool enforces_constraints() const override { return settings().timeIntegration.explicitIntegration.eliminateConstraints; }
-  const RedundantConstraints& redundant_constraints() const override { return motion_.redundant(); }
+  const ConstraintSolver& constraint_solver() const override { return motion_.constraints(); }
   int method_order() const { return verlet_ ? 2 : method_.order; }
   int number_of_stages() const { return verlet_ ? 1 : method_.stages; }
 
@@ -43,7 +43,10 @@ class ExplicitSolver : public Solver {
   void forget() override;
   void pattern_revised() override { prepare_motion(); }
   void renew_accelerations() override;
-  void examine_constraints_anew() override { motion_.examine_anew(); }
+  void examine_constraints_anew() override {
+    motion_.examine_anew();
+    rank_known_ = false;
+  }
   ConstrainedMotion* motion_under_constraints() override { return constrained_ ? &motion_ : nullptr; }
   KnownDerivatives complete_ends() override;
   void advise_on_growth() override;

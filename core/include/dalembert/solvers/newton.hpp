@@ -9,7 +9,7 @@
 
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
-#include "dalembert/solvers/redundant_constraints.hpp"
+#include "dalembert/solvers/constraint_solver.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/large_vectors.hpp"
 
@@ -30,7 +30,7 @@ class NewtonSolver : public Solver {
   // Values of the system matrix for the current state.
   virtual void compute_jacobian() = 0;
 
-  const RedundantConstraints& redundant_constraints() const override { return redundant_; }
+  const ConstraintSolver& constraint_solver() const override { return constraints_; }
 
   std::span<double> residual() { return residual_; }
   std::span<double> increment() { return increment_; }
@@ -46,8 +46,6 @@ class NewtonSolver : public Solver {
     else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
   void examine_constraints_anew() override;
-  // As another matrix with them has shown.
-  void constraints_are_known(RedundantConstraints found);
   const std::vector<double>* told_multipliers() override;
   void multipliers_renewed() { idle_ = Idle::none; }  // to the smallest ones
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
@@ -70,47 +68,25 @@ class NewtonSolver : public Solver {
     double first_residual = 0;  // after the first iteration
     double best_residual = 0;
     int idle = 0;
+    int iterations_to_close = 0;  // constraints, after the tolerances are met
     bool restarted = false;      // modified Newton has been started again from the beginning of the step
     bool lost = false;           // the residual is not finite, or beyond all bounds
     bool one_more_step = false;  // after a restart, convergence counts only if confirmed by another iteration
   };
 
-  // ---- redundant constraints (newton_redundancy.cpp) ---------------------------------------------------------------
-  // A singular position is passed with the matrix that redundant constraints have, for one step.
-  // `unknown`: nobody has looked yet; `announced`: another matrix has shown what the first one will have.
-  enum class Treatment { none, passing, lasting, announced, unknown };
-
-  void forget_redundancy();
-  void look_for_redundancy_at_start();
-  void look_for_redundancy();
-  void begin_treatment(LinearSolver& factors);
-  void drop_treatment();
-  bool treat_from_start_of_step();
-  bool treats_redundancy() const;
-  bool measure_redundancy();
-  void allow_for_gaps();
-  bool is_in_singular_position();
-  void begin_announced_treatment();
-  bool may_leave_out() const;
-  void leave_out(const std::vector<DependentEquations>& parts);
-  void follow_left_out();
-  void include_again();
-  bool weigh_again();
-  void regularize();
-  std::unique_ptr<LinearSolver> treating_solver() const;
-  bool find_combinations(double eps, LinearSolver& factors);
-  std::unique_ptr<LinearSolver> find_redundancy();
-  void end_treatment();
-  void look_again_at_redundancy();
-  void factorize_anew();
-  bool try_harder();
+  // ---- constraints that may be redundant (newton_constraints.cpp) ---------------------------------------------------
+  void prepare_constraints();
+  void begin_step_with_constraints();
+  bool solves_with_dependent_constraints();
+  bool leaves_constraints_open();
+  std::unique_ptr<LinearSolver> new_linear_solver() const;
+  void choose_eps();
   void take_off_misfit();
-  bool leaves_misfit() const;
   double residual_without_misfit();
   bool settle_multipliers();
-  bool renews_misfit();
-  bool joints_fit();
-  void announce_redundancy();
+  double gap_of_positions();
+  // Of A^-1 in the Jacobian, relative to the inverse masses.
+  virtual double metric_scale() = 0;
   LinearSolverOptions newton_options() const;
   // By which rows of constraints of velocities are multiplied in `jacobian_`.
   virtual double rate_factor() const { return 1; }
@@ -146,26 +122,12 @@ class NewtonSolver : public Solver {
   void announce_inverse();
 
   Loop loop_;
-  RedundantConstraints redundant_;
-  Treatment treatment_ = Treatment::none;
-  // Where a part of the multipliers from which no force comes has been left in them: in a state whose factors are at hand, or in one without, such as
-  // that which a step has started from.
+  ConstraintSolver constraints_;
+  // Where a part of the multipliers from which no force comes has been left in them: in a state whose factors are at hand, or in one without.
   enum class Idle { none, at_factors, at_state };
   Idle idle_ = Idle::none;
-  std::unique_ptr<ConstrainedMotion> forces_;  // of constraints, for those without
-  bool predicted_ = false;      // not corrected yet in this loop, in a solution without misfit
-  bool looks_at_next_ = false;  // at the next matrix
-  bool contradiction_ = false;  // it has converged, and left too much open
-  bool tried_harder_ = false, announced_ = false;
-  LeftOutEquations left_out_;
-  int steps_to_hold_ = 0;                // until their multipliers are found again
-  int times_included_ = 0;               // again, since the start of the solution: where equations that were left out did not follow any more
-  StepCount treated_since_ = 0;          // step
-  bool begun_at_trial_ = false;          // treatment since a matrix of unknowns that Newton's method tried
-  bool treatment_failed_ = false;        // within the step in which it was begun
-  bool confirmed_ = false;               // redundancy at the start may be that of a singular position
-  std::unique_ptr<LinearSolver> plain_;  // while a singular position is passed
-  double measured_for_ = 0;              // row_scale() of the matrix that weights are for
+  std::unique_ptr<ConstrainedMotion> forces_;  // of constraints, for multipliers of states without factors
+  bool contradiction_ = false;  // Newton's method has converged, and left too much open
   std::vector<double> misfit_;           // gaps that no motion closes, by equation; empty: none
 };
 

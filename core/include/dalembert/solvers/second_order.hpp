@@ -114,6 +114,7 @@ class SecondOrderSolver : public NewtonSolver {
   bool find_accelerations(ConstrainedMotion& motion, int singular);
   bool newmark() const;
   double rate_factor() const final { return gamma_prime(); }
+  double metric_scale() final { return 1 / (row_scale() * beta_prime()); }
   double row_scale() const final;  // factor of the ODE2 equations in Newton's method
   double beta_prime() const;   // acceleration per increment of a coordinate
   double gamma_prime() const;  // velocity per increment of a coordinate
@@ -174,8 +175,7 @@ class SecondOrderSolver : public NewtonSolver {
 // Accelerations and multipliers of given positions and velocities.
 struct InitialAccelerations {
   std::vector<double> a, lambda;
-  RedundantConstraints redundant;
-  bool decided = true;  // see ConstrainedMotion::accelerations
+  bool decided = true;  // see ConstrainedMotion::follow_motion
 };
 // Requires factors of `motion` at these positions.
 InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions);

@@ -19,6 +19,7 @@
 #include "dalembert/solvers/error.hpp"
 #include "dalembert/solvers/hooks.hpp"
 #include "dalembert/solvers/step_controller.hpp"
+#include "dalembert/solvers/constraint_rank.hpp"
 #include "dalembert/system/system.hpp"
 
 namespace dalembert {
@@ -27,8 +28,8 @@ struct EventLook;
 class EventWatch;
 struct WatchedValue;
 class ConstrainedMotion;
+class ConstraintSolver;
 class Model;
-class RedundantConstraints;
 class StepInterpolation;
 struct RestartData;
 
@@ -99,7 +100,8 @@ class Solver {
   virtual bool enforces_constraints() const { return true; }
   virtual double load_factor() const { return 1; }
   // What has been found of constraints that follow from others; count() is zero if there are none.
-  virtual const RedundantConstraints& redundant_constraints() const = 0;
+  const ConstraintRank& constraint_rank() const { return rank_; }
+  virtual const ConstraintSolver& constraint_solver() const = 0;
   double largest_misfit() const { return largest_misfit_; }  // that they have left open, relative to the size of the model
   double end_time() const;
 
@@ -156,6 +158,7 @@ class Solver {
   // ---- control of the step size: singular positions (singular_positions.cpp) ----------------------------------------
   // Whether the constraints of this step nearly depend on each other, as they did not at the start.
   bool near_singular_position();
+  double growth_of_multipliers(const State& state);
   bool has_weak_constraints();  // as beside a singular position
   void compare_constraints_with(const State& state);  // from now on
   // Whether a step is kept although its error, in units of the tolerances, has been estimated to be above them.
@@ -167,6 +170,7 @@ class Solver {
   void diagnose_singular_position();
   // Of a solution that has failed where constraints nearly depend on each other that do not elsewhere: this is the reason, with the items.
   void name_singular_position();
+  State moved_along_velocities(const State& at, double part);
   std::vector<std::string> items_in_singular_position();
   std::vector<std::string> advice_on_singular_position() const;
   // Whether constraints of positions are equations of each step, not of their derivatives.
@@ -245,6 +249,10 @@ class Solver {
   std::string told_contradiction_;  // of redundant constraints, as it has been told
   bool warned_of_undecided_start_ = false, warned_of_actions_ = false, warned_of_rest_ = false;
   double largest_misfit_ = 0;
+  void find_rank() { find_rank(current()); }
+  void find_rank(const State& at);
+  ConstraintRank rank_;
+  bool rank_known_ = false, announced_rank_ = false;
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
 

@@ -45,6 +45,7 @@ class StaticSolver : public NewtonSolver {
   bool writes_each_step() const override;
 
  private:
+  double metric_scale() override;
   double stabilizer() const;
   void compute_mass_matrix();
   void turn_multipliers();

@@ -69,13 +69,6 @@ void add_forces_of_multipliers(System& system, const State& state, const Conditi
   }
 }
 
-// Rows of constraints as if forces acted along the gradients, as most do: which multipliers exert none is seen by these forces alone.
-void replace_gradients_by_forces(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
-  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
-    if (column >= s.first_ae() && row < s.ode2) matrix[static_cast<std::size_t>(pattern.slot(column, row))] = matrix[slot];
-  });
-}
-
 }  // namespace
 
 void ConstrainedMotion::prepare(System& system, LinearSolverType type, const LinearSolverOptions& options,
@@ -85,7 +78,7 @@ void ConstrainedMotion::prepare(System& system, LinearSolverType type, const Lin
   options_ = options;
   settings_ = settings;
   end_time_ = end_time;
-  treats_redundancy_ = treats_redundancy(system.sizes(), settings, options.ignore_singular);
+  treats_redundancy_ = system.sizes().ae > 0 && settings.treat && !options.ignore_singular;
   pattern_ = &system.pattern(is_dense(type));
   ode2_ = system.sizes().ode2;
   first_ae_ = system.sizes().first_ae();
@@ -96,7 +89,7 @@ void ConstrainedMotion::prepare(System& system, LinearSolverType type, const Lin
 
 void ConstrainedMotion::free_memory() {
   factors_.reset();
-  for (std::vector<double>* numbers : {&matrix_, &part_, &x_, &rest_}) *numbers = {};
+  for (std::vector<double>* numbers : {&matrix_, &part_, &x_}) *numbers = {};
 }
 
 void ConstrainedMotion::fill(System& system, const State& state, const Conditions& conditions) {
@@ -113,11 +106,11 @@ void ConstrainedMotion::fill(System& system, const State& state, const Condition
 
 int ConstrainedMotion::factorize(System& system, const State& state, const Conditions& conditions) {
   fill(system, state, conditions);
-  if (knowledge_ == Knowledge::beside && state.time == examined_at_) [[unlikely]] {  // the step is repeated
-    redundant_ = RedundantConstraints();
-    factors_ = make_linear_solver(*pattern_, type_, options_);
-    return examine_filled(system, state, conditions);
-  }
+  return factorize_filled(system, state, conditions);
+}
+
+int ConstrainedMotion::factorize_with_all_masses(System& system, const State& state, const Conditions& conditions) {
+  fill_for_constraints(system, state, conditions);
   return factorize_filled(system, state, conditions);
 }
 
@@ -127,22 +120,36 @@ int ConstrainedMotion::factorize_around_matrix(System& system, const State& stat
     const State still = without_multipliers(state);
     add_gradients(system, still, conditions, *pattern_, matrix_, part_);
     if (step > 0) add_changes_of_gradients(system, still, conditions, step, *pattern_, matrix_, part_);
-    if (redundant_.in_use()) weigh_again(system);
   }
   return factorize_filled(system, state, conditions);
 }
 
-int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
-  if (!is_examined()) return examine_filled(system, state, conditions);
-  if (redundant_.in_use()) redundant_.regularize(*pattern_, matrix_, 1);
-  const int singular = factors_->factorize(matrix_);
-  return singular == LinearSolver::success || !treats_redundancy_ || redundant_.in_use() ? singular : pass_singular_matrix(system, singular);
+void ConstrainedMotion::examine_anew() {
+  constraints_.forget();
+  driven_.clear();
+  of_velocities_.clear();
 }
 
-bool ConstrainedMotion::to_be_examined(const State& start_of_step) const {
-  if (!treats_redundancy_) return false;
-  if (examines_anew_ || knowledge_ == Knowledge::none || knowledge_ == Knowledge::passing) return true;
-  return redundant_.in_use() && knowledge_ != Knowledge::confirmed && start_of_step.time != examined_at_;
+int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
+  if (!constraints_.is_prepared()) [[unlikely]] {
+    constraints_.prepare(system, state, conditions, settings_, treats_redundancy_, ConstraintSolver::Matrix::accelerations);
+    if (constraints_.active()) factors_ = make_linear_solver(*pattern_, type_, constraints_.options(options_));
+    begin_step(system, state, conditions);
+  }
+  const auto regularize = [&] {
+    constraints_.choose(constraints_.largest(gaps_of_positions(system, state, conditions)));
+    constraints_.regularize(*pattern_, matrix_, 1, 1, false);
+  };
+  if (constraints_.active()) regularize();
+  const int singular = factors_->factorize(matrix_);
+  if (singular == LinearSolver::success || !constraints_.activate()) return singular;
+  factors_ = make_linear_solver(*pattern_, type_, constraints_.options(options_));
+  regularize();
+  return factors_->factorize(matrix_);
+}
+
+void ConstrainedMotion::begin_step(System& system, const State& start, const Conditions& conditions) {
+  if (constraints_.active()) constraints_.remember(constraints_.largest(gaps_of_positions(system, start, conditions)));
 }
 
 // In the metric of the masses, with others where there are none.
@@ -155,145 +162,13 @@ void ConstrainedMotion::fill_for_constraints(System& system, const State& state,
   for (int j = 0; j < ode2_; ++j) mass(j) = masses[static_cast<std::size_t>(j)];
 }
 
-bool ConstrainedMotion::examine(System& system, const State& start_of_step, const Conditions& conditions) {
-  const auto fill_with_masses = [&] { fill_for_constraints(system, start_of_step, conditions); };
-  const bool treated = redundant_.in_use(), anew = std::exchange(examines_anew_, false) || redundant_.allows_for_gaps();  // which have been closed
-  const bool again = treated && !anew && knowledge_ != Knowledge::passing;
-  fill_with_masses();
-  if (again) {
-    knowledge_ = Knowledge::confirmed;
-    weigh_again(system);
-    redundant_.regularize(*pattern_, matrix_, 1);
-    const auto factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
-    if (factors->factorize(matrix_) == LinearSolver::success && redundant_.confirm(*pattern_, matrix_, *factors)) return false;
-    fill_with_masses();
-  }
-  redundant_ = RedundantConstraints();
-  auto factors = std::exchange(factors_, make_linear_solver(*pattern_, type_, options_));
-  examine_filled(system, start_of_step, conditions);
-  if (again && knowledge_ == Knowledge::first) knowledge_ = Knowledge::confirmed;
-  if (treated || redundant_.in_use()) factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
-  factors_ = std::move(factors);
-  return treated || redundant_.in_use();
-}
-
-// As far as numbers and entries of equations tell. As many as coordinates leave no motion, unless some follow from others.
-bool ConstrainedMotion::follow_from_others(System& system, const State& state, const Conditions& conditions) {
-  const int beyond = RedundantConstraints::equations_beyond_coordinates(system, *pattern_, matrix_);
-  if (beyond < 0 || (beyond == 0 && RedundantConstraints::evidently_none(system, *pattern_, matrix_))) return false;
-  if (!measure_redundancy(system, state, conditions)) return false;
-  return (redundant_.find_locally(*pattern_, matrix_) && redundant_.count() > 0) || beyond > 0;
-}
-
-bool ConstrainedMotion::measure_redundancy(System& system, const State& state, const Conditions& conditions) {
-  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1)) return false;
-  gaps_ = gaps_of_positions(system, state, conditions);
-  redundant_.allow_for(gaps_);
-  return true;
-}
-
-int ConstrainedMotion::examine_filled(System& system, const State& state, const Conditions& conditions) {
-  knowledge_ = Knowledge::first;
-  examined_at_ = state.time;
-  system.reactions_are_known({});
-  int singular = 0;  // factors that must fail are not made
-  if (treats_redundancy_ && follow_from_others(system, state, conditions) && treat_redundancy(system, state, conditions, singular)) return singular;
-  singular = factors_->factorize(matrix_);
-  if (treats_redundancy_) look_for_redundancy(system, state, conditions, singular);
-  return singular;
-}
-
-// Stages and iterations lead to matrices that are singular for a moment, or because they are far from any state of the system.
-int ConstrainedMotion::pass_singular_matrix(System& system, int singular) {
-  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1)) return singular;
-  redundant_.use(RedundantConstraints::passing_eps);
-  redundant_.regularize(*pattern_, matrix_, 1);
-  auto factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
-  if (factors->factorize(matrix_) != LinearSolver::success) {
-    redundant_.use(0);
-    return singular;
-  }
-  knowledge_ = Knowledge::passing;
-  factors_ = std::move(factors);
-  return LinearSolver::success;
-}
-
-// Combinations are those of all matrices with these constraints, weights are not: steps of other sizes have others.
-void ConstrainedMotion::weigh_again(System& system) {
-  const RedundantConstraints found = std::exchange(redundant_, {});
-  if (redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) && redundant_.take_over(found)) redundant_.use(found.eps());
-  else knowledge_ = Knowledge::none;
-}
-
-// A matrix that is singular without redundancy belongs to a singular position, which is passed all the same. Whether there are new factors.
-bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
-  const bool regular = singular == LinearSolver::success;
-  if (regular && RedundantConstraints::evidently_none(system, *pattern_, matrix_)) return false;
-  if (!measure_redundancy(system, state, conditions) || (regular && !redundant_.suspected(*factors_))) return false;
-  if (redundant_.find_locally(*pattern_, matrix_) && regular && redundant_.count() == 0) return false;
-  return treat_redundancy(system, state, conditions, singular);
-}
-
-// Measured, and found by entries as far as these tell.
-bool ConstrainedMotion::treat_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
-  const bool regular = singular == LinearSolver::success;
-  constexpr double eps = RedundantConstraints::regular_eps;
-  auto factors = make_linear_solver(*pattern_, type_, redundant_.options(redundant_.options_to_find(options_)));
-  std::unique_ptr<LinearSolver> closer;
-  const bool local = redundant_.is_local(), at_once = redundant_.find_at_once(*pattern_, matrix_, eps, *factors);
-  if (!at_once) {
-    closer = make_linear_solver(*pattern_, type_, redundant_.options_to_find(options_));
-    if (!redundant_.find(*pattern_, matrix_, redundant_.counting(), *closer)) return false;
-  }
-  if (regular && redundant_.count() == 0) return false;
-  system.reactions_are_known(redundant_.equations());
-  if (redundant_.count() == 0) return pass(singular);
-  redundant_.use(redundant_.eps_for_gaps(gaps_, true, [&](double nearly) { redundant_.find(*pattern_, matrix_, nearly, closer ? *closer : *factors); }));
-  const std::vector<double> plain = matrix_;
-  redundant_.regularize(*pattern_, matrix_, 1);
-  const bool serve = at_once || (local && redundant_.is_local());  // pivots, of the same combinations
-  factors_ = serve ? std::move(factors) : make_linear_solver(*pattern_, type_, redundant_.options(options_));
-  singular = at_once && redundant_.eps() == eps ? LinearSolver::success : factors_->factorize(matrix_);
-  if (singular != LinearSolver::success || !looks_beside_ || !fewer_follow_beside(system, state, conditions)) return true;
-  matrix_ = plain;
-  redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1);  // none of the combinations lasts
-  return pass(singular);
-}
-
-bool ConstrainedMotion::pass(int& singular) {
-  knowledge_ = Knowledge::passing;
-  redundant_.use(RedundantConstraints::passing_eps);
-  redundant_.regularize(*pattern_, matrix_, 1);
-  factors_ = make_linear_solver(*pattern_, type_, redundant_.options(options_));
-  singular = factors_->factorize(matrix_);
-  return true;
-}
-
-// Accelerations do not depend on which of the redundant equations hold a body; multipliers become the smallest ones. What eps leaves
-// open is closed by a second solution.
 void ConstrainedMotion::solve(std::span<double> x) {
-  begin_iterations();
-  solve_increment(x);
+  if (constraints_.active()) constraints_.solve(*factors_, x);
+  else factors_->solve(x);
 }
 
-void ConstrainedMotion::solve_increment(std::span<double> x) {
-  if (!redundant_.in_use()) return factors_->solve(x);
-  const auto multipliers = x.subspan(static_cast<std::size_t>(first_ae_));
-  kept_.resize(multipliers.size(), 0.0);
-  for (std::size_t k = 0; k < kept_.size(); ++k) multipliers[k] -= kept_[k];
-  factors_->solve(x);
-  // Factors may be those of a state in which joints are further apart than at ends of steps.
-  close_what_eps_leaves(1 + redundant_.take_off_idle_solution(*factors_, x, kept_), x);
-}
-
-// As much as its multipliers tell, and as much again for each solution by which the idle part has been taken off.
-void ConstrainedMotion::close_what_eps_leaves(int times, std::span<double> x) {
-  const auto first = static_cast<std::size_t>(first_ae_);
-  rest_.assign(x.size(), 0.0);
-  for (const int k : redundant_.rows()) rest_[first + k] = -times * redundant_.left_open(k, x[first + k]);
-  factors_->solve(rest_);
-  redundant_.take_off_idle_solution(*factors_, rest_);
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += rest_[i];
+void ConstrainedMotion::make_smallest(std::span<double> lambda) {
+  if (constraints_.active()) constraints_.make_smallest(*factors_, lambda);
 }
 
 std::vector<double> ConstrainedMotion::gap_acceleration(System& system, const State& state, const Conditions& conditions) {
@@ -362,7 +237,7 @@ std::vector<double> ConstrainedMotion::gap_accelerations_without_driving(System&
   return gap;
 }
 
-bool ConstrainedMotion::accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a,
+void ConstrainedMotion::accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a,
                                       std::span<double> lambda) {
   const State still = without_multipliers(state);
   const std::vector<double> gap = gap_accelerations_of_velocities(system, still, conditions);
@@ -375,31 +250,64 @@ bool ConstrainedMotion::accelerations(System& system, const State& state, const 
   solve(x_);
   std::copy_n(x_.begin(), a.size(), a.begin());
   std::copy(x_.begin() + first_ae_, x_.end(), lambda.begin());
-  const bool at_start = redundant_.in_use() && knowledge_ != Knowledge::confirmed && state.time == examined_at_;
-  return !at_start || leave_singular_position(system, state, conditions, a, lambda);
+  make_smallest(lambda);
 }
 
-int ConstrainedMotion::factorize(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions) {
-  fill_for_constraints(system, state, conditions);
-  const int before = redundant_.count();
-  redundant_ = known;
-  if (redundant_.in_use()) weigh_again(system);
-  if (redundant_.in_use()) {
-    if (redundant_.count() != before) factors_ = make_linear_solver(*pattern_, type_, redundant_.options(options_));
-    redundant_.regularize(*pattern_, matrix_, 1);
-  }
-  return factors_->factorize(matrix_);
+// Means of both sides are exact to the square of the distance, and two distances to its fourth power.
+bool ConstrainedMotion::follow_motion(System& system, const State& start, const Conditions& conditions, std::vector<double>& a, std::vector<double>& lambda,
+                                      const Find& find) {
+  constexpr double distance = 1e-3, same = 1e-4, agree = 0.1;  // of the model, and of accelerations
+  const std::vector<double>& direction = largest(start.v) > at_rest ? start.v : a;
+  double size = 0;
+  const std::vector<CoordinateUnit> units = system.coordinate_units();
+  for (std::size_t i = 0; i < direction.size(); ++i)
+    size = std::max(size, std::abs(direction[i]) / (units[i] == CoordinateUnit::meter ? system.extent() : 1));
+  if (!constraints_.active() || !(size > at_rest)) return true;
+  std::vector<double> spread(a.size());
+  const auto mean = [&](double part) {
+    std::pair<std::vector<double>, std::vector<double>> sum{std::vector<double>(a.size()), std::vector<double>(lambda.size())};
+    for (const double side : {-1.0, 1.0}) {
+      State moved = start;
+      std::vector<double> step = direction;
+      for (double& x : step) x *= side * part / size;
+      move_positions(system, step, moved.q);
+      if (factorize(system, moved, conditions) != LinearSolver::success || !project(system, moved, conditions) ||
+          factorize(system, moved, conditions) != LinearSolver::success)
+        return std::pair<std::vector<double>, std::vector<double>>{a, lambda};
+      std::vector<double> of_side(a.size()), forces(lambda.size());
+      find(moved, of_side, forces);
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        sum.first[i] += 0.5 * of_side[i];
+        spread[i] += side * of_side[i];
+      }
+      for (std::size_t k = 0; k < lambda.size(); ++k) sum.second[k] += 0.5 * forces[k];
+    }
+    return sum;
+  };
+  const auto difference = [&](const std::vector<double>& other) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(other[i] - a[i]));
+    return most;
+  };
+  const auto near = mean(distance);
+  if (!(difference(near.first) > same * std::max(largest(a), largest(near.first)))) return factorize(system, start, conditions) == LinearSolver::success;
+  const bool agrees = largest(spread) <= agree * largest(near.first);
+  const auto far = mean(2 * distance);
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = (4 * near.first[i] - far.first[i]) / 3;
+  for (std::size_t k = 0; k < lambda.size(); ++k) lambda[k] = (4 * near.second[k] - far.second[k]) / 3;
+  return factorize(system, start, conditions) == LinearSolver::success && agrees;
 }
 
-// Combinations only tell the solver in which order to take the equations.
-void ConstrainedMotion::take_off_idle_part(const RedundantConstraints& known, System& system, const State& state, const Conditions& conditions,
-                                           std::span<double> lambda) {
+void ConstrainedMotion::make_smallest(const ConstraintSolver& metric, System& system, const State& state, const Conditions& conditions,
+                                      std::span<double> lambda) {
   fill_for_constraints(system, state, conditions);
   replace_gradients_by_forces(system.sizes(), *pattern_, matrix_);
-  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || !redundant_.serve_as(known)) return;
-  redundant_.regularize(*pattern_, matrix_, 1);
-  if (std::exchange(followed_, known.count()) != known.count()) factors_ = make_linear_solver(*pattern_, type_, known.options(options_));
-  if (factors_->factorize(matrix_) == LinearSolver::success) redundant_.take_off_idle_part(*factors_, lambda);
+  if (!constraints_.is_prepared()) factors_ = make_linear_solver(*pattern_, type_, metric.options(options_));
+  constraints_ = metric;
+  constraints_.pattern_revised();
+  constraints_.choose(0);
+  constraints_.regularize(*pattern_, matrix_, 1, 1, false);
+  if (factors_->factorize(matrix_) == LinearSolver::success) constraints_.make_smallest(*factors_, lambda);
 }
 
 // User functions are asked at a few times: one that is constant there does not drive.
@@ -471,7 +379,7 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
       else system.gaps(still, at_level(conditions, of_rates), gaps);
       for (std::size_t k = 0; k < n; ++k)
         if (!system.constrains_motion(static_cast<int>(k)) || (!of_rates && of_velocities_[k])) gaps[k] = 0;
-      const double open = redundant_.in_use() && !of_rates ? redundant_.largest_of_all(gaps) : largest(gaps) / size;
+      const double open = constraints_.active() && !of_rates ? constraints_.largest_of_all(gaps) : largest(gaps) / size;
       const bool settled = i > 1 && !(open < 0.5 * before);
       before = std::exchange(left, open);
       if (settled || left <= closed) break;
@@ -483,18 +391,17 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
   const double of_velocities = close(true, std::max(1.0, largest(still.v)), [&](std::span<const double> step) {
     for (std::size_t i = 0; i < still.v.size(); ++i) still.v[i] += step[i];
   });
-  const bool lasts = redundant_.in_use() && knowledge_ != Knowledge::passing;
-  if (lasts) largest_misfit_ = std::max(largest_misfit_, of_positions);
+  if (constraints_.active()) largest_misfit_ = std::max(largest_misfit_, of_positions);
   state.q = still.q;  // in place: Python and other threads have views of these numbers
   state.v = still.v;
-  const double limit = lasts ? std::max(accepted, settings_.largestMisfit) : accepted;
+  const double limit = constraints_.active() ? std::max(accepted, settings_.largestMisfit) : accepted;
   return std::max(of_positions, of_velocities) <= limit;
 }
 
-std::vector<double> ConstrainedMotion::misfit(System& system, const State& state, const Conditions& conditions) const {
-  if (!redundant_.in_use() || redundant_.count() == 0 || !(largest_misfit_ > RedundantConstraints::silent_misfit)) return {};
-  std::vector<double> open = redundant_.misfit(gaps_of_positions(system, state, conditions));
-  if (!(redundant_.largest(open) > RedundantConstraints::silent_misfit)) open.clear();
+std::vector<double> ConstrainedMotion::misfit(System& system, const State& state, const Conditions& conditions) {
+  if (!constraints_.active() || !(largest_misfit_ > ConstraintSolver::silent_misfit)) return {};
+  std::vector<double> open = constraints_.misfit(*factors_, gaps_of_positions(system, state, conditions));
+  if (!(constraints_.largest(open) > ConstraintSolver::silent_misfit)) open.clear();
   return open;
 }
 

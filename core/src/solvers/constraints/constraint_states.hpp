@@ -66,4 +66,11 @@ inline void leave_out_ode1(const Sizes& s, const Pattern& pattern, std::span<dou
   }
 }
 
+// Rows of constraints as if forces acted along the gradients, as most do: which multipliers exert none is seen by these forces alone.
+inline void replace_gradients_by_forces(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (column >= s.first_ae() && row < s.ode2) matrix[static_cast<std::size_t>(pattern.slot(column, row))] = matrix[slot];
+  });
+}
+
 }  // namespace dalembert

@@ -7,7 +7,6 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
-#include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 
 namespace dalembert {

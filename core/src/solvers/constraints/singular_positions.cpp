@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "constraints/constraint_states.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
-#include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/large_vectors.hpp"
 #include "diagnosis/diagnosis.hpp"
@@ -21,10 +21,18 @@ namespace {
 // and only what is much closer to it counts.
 constexpr double weaker_by = 100, smallest_growth = 100, growth_beside_start = 1e4, singular_growth = 1e14;
 constexpr double largest_relative_turn = 0.1;  // of the velocities in a step, relative to their size
+constexpr double no_tolerance = 1e-30;   // of squared remainders: nothing depends on others
 constexpr double most_noise = 1e4;       // in units of the tolerances
 constexpr double not_to_be_trusted = 100;
 
 }  // namespace
+
+// By how much multipliers outgrow what they state: inverse to the weakest constraint.
+double Solver::growth_of_multipliers(const State& state) {
+  const Conditions conditions = at_level(conditions_, false);
+  const double weakest = ConstraintRank(*system_, state, conditions, constraint_metric(*system_, state, conditions), no_tolerance).weakest();
+  return weakest > 0 ? 1 / weakest : 0;
+}
 
 void Solver::compare_constraints_with(const State& state) {
   compared_with_ = sizes_.ae > 0 ? state : State();
@@ -32,17 +40,17 @@ void Solver::compare_constraints_with(const State& state) {
 }
 
 [[gnu::noinline]] bool Solver::near_singular_position() {
-  if (sizes_.ae == 0 || redundant_constraints().in_use()) return false;
+  if (sizes_.ae == 0 || constraint_rank().count() > 0) return false;
   if (usual_growth_ == 0) {
-    const double growth = growth_of_multipliers(system(), compared_with_, conditions_);
+    const double growth = growth_of_multipliers(compared_with_);
     usual_growth_ = growth < singular_growth ? std::max(growth, smallest_growth) : growth_beside_start;
     compared_with_ = State();
   }
-  return growth_of_multipliers(system(), current(), conditions_) > weaker_by * usual_growth_;
+  return growth_of_multipliers(current()) > weaker_by * usual_growth_;
 }
 
 [[gnu::noinline]] bool Solver::has_weak_constraints() {
-  return sizes_.ae > 0 && growth_of_multipliers(system(), current(), conditions_) > weaker_by * smallest_growth;
+  return sizes_.ae > 0 && growth_of_multipliers(current()) > weaker_by * smallest_growth;
 }
 
 [[gnu::noinline]] bool Solver::passes_singular_position(double error) {
@@ -100,24 +108,40 @@ constexpr int most_equations = 1000;  // thousands of combinations would take lo
 
 }  // namespace
 
+// By this part of the size of the model, onto the constraints.
+State Solver::moved_along_velocities(const State& at, double part) {
+  State moved = at;
+  const double speed = largest(at.v);
+  if (!(speed > at_rest)) return moved;
+  std::vector<double> step = at.v;
+  for (double& x : step) x *= part * system_->extent() / speed;
+  move_positions(*system_, step, moved.q);
+  ConstrainedMotion motion;
+  prepare(motion);
+  const Conditions conditions = at_level(conditions_, false);
+  if (motion.factorize(*system_, moved, conditions) != LinearSolver::success || !motion.project(*system_, moved, conditions)) moved.q = at.q;
+  return moved;
+}
+
 std::vector<std::string> Solver::items_in_singular_position() {
   Conditions conditions = conditions_;
   conditions.rate_level = false;
-  const double eps = close_to_position * close_to_position, moment_length = settings_->redundantConstraints.momentLength;
-  const RedundantConstraints here = dalembert::redundant_constraints(*system_, current(), conditions, moment_length, eps);
+  const auto rank_at = [&](const State& state) {
+    return ConstraintRank(*system_, state, conditions, constraint_metric(*system_, state, conditions, settings_->redundantConstraints.momentLength),
+                          close_to_position * close_to_position);
+  };
+  const ConstraintRank here = rank_at(current());
   if (here.count() == 0) return {};
-  ConstrainedMotion motion;
-  prepare(motion);
-  const State away = motion.moved_by(away_from_position, *system_, current(), conditions);
-  const RedundantConstraints there = dalembert::redundant_constraints(*system_, away, conditions, moment_length, eps);
+  const State away = moved_along_velocities(current(), away_from_position);
+  const ConstraintRank there = rank_at(away);
   system_->reactions_are_known(here.equations());
-  const bool has_left = redundant_constraints().in_use() && there.count() < redundant_constraints().count();  // what always follows from others
+  const bool has_left = constraint_rank().count() > 0 && there.count() < constraint_rank().count();  // what always follows from others
   if (has_left || !(there.count() < here.count())) return {};
   // Items that could leave out as many elsewhere may take part all the same, where all do.
-  const std::vector<RedundantConstraints::Item> always = there.items(*system_);
+  const std::vector<ConstraintRank::Item> always = there.items(*system_);
   std::vector<std::string> more, all;
-  for (const RedundantConstraints::Item& item : here.items(*system_)) {
-    const auto same = std::ranges::find(always, item.object, &RedundantConstraints::Item::object);
+  for (const ConstraintRank::Item& item : here.items(*system_)) {
+    const auto same = std::ranges::find(always, item.object, &ConstraintRank::Item::object);
     all.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " follow from others in this position");
     if (same == always.end() || same->removable < item.removable) more.push_back(all.back());
   }

@@ -461,8 +461,8 @@ std::vector<double> Solver::gaps_and_rates() {
   if (motion == nullptr) {
     prepare(own);
     motion = &own;
-  } else if (motion->is_examined()) {
-    motion->examine(*system_, moved, conditions_);  // actions may have switched constraints
+  } else {
+    motion->examine_anew();  // actions may have switched constraints
   }
   const int row = motion->factorize(*system_, moved, conditions_);
   if (row == LinearSolver::success && motion->project(*system_, moved, conditions_)) {

@@ -145,6 +145,8 @@ void Solver::choose_linear_solver() {
 }
 
 void Solver::initialize_data() {
+  rank_ = {};
+  rank_known_ = announced_rank_ = false;
   conv = SolverConvergenceData();
   it = SolverIterationData();
   singular_position_step_ = aside_step_ = -2;
@@ -283,10 +285,10 @@ void Solver::keep_told_multipliers() {
   if (told != nullptr) std::ranges::copy(*told, current().lambda.begin());
   const bool start_waits = told != nullptr || (multipliers_may_wait_ && !start_is_told_);
   multipliers_may_wait_ = false;
-  if (!start_waits || !step_completed_ || it.currentStepIndex < 2 || !redundant_constraints().in_use() || redundant_constraints().count() == 0) return;
+  if (!start_waits || !step_completed_ || it.currentStepIndex < 2 || !constraint_solver().active()) return;
   ConstrainedMotion motion;
   prepare(motion);
-  motion.take_off_idle_part(redundant_constraints(), *system_, start_of_step(), conditions_, start_of_step().lambda);
+  motion.make_smallest(constraint_solver(), *system_, start_of_step(), conditions_, start_of_step().lambda);
 }
 
 void Solver::take_step() {

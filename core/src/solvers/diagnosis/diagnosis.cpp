@@ -9,7 +9,7 @@
 #include "dalembert/model/model.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
-#include "dalembert/solvers/redundant_constraints.hpp"
+#include "dalembert/solvers/constraint_solver.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "constraints/dependent_equations.hpp"
 #include "diagnosis/diagnosis.hpp"
@@ -160,9 +160,10 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
 [[gnu::noinline]] void Solver::diagnose_open_gaps() {
   std::vector<double> gaps(static_cast<std::size_t>(sizes_.ae));
   system().gaps(current(), conditions_, gaps);
-  const RedundantConstraints& constraints = redundant_constraints();
-  if (constraints.in_use() && constraints.count() > 0) {
-    const std::vector<double> misfit = constraints.misfit(gaps);
+  const ConstraintSolver& constraints = constraint_solver();
+  if (!rank_known_) find_rank(start_of_step());
+  if (constraints.active() && constraint_rank().count() > 0) {
+    const std::vector<double> misfit = constraint_rank().misfit(gaps);
     if (2 * constraints.largest(misfit) > constraints.largest(gaps)) return diagnose_contradiction(misfit);
   }
   if (has_weak_constraints()) return diagnose_singular_position();
@@ -181,14 +182,14 @@ bool Solver::has_left_constraints(std::span<const double> misfit) {
 
 bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
   constexpr double none = 1e-3;
-  const RedundantConstraints& constraints = redundant_constraints();
-  const auto apart = [&](const State& state) { return constraints.largest_apart(gaps_of_positions(system(), state, conditions_)); };
-  return apart(at) < none * (conditions_.rate_level ? apart(current()) : constraints.largest_apart(misfit));
+  const ConstraintSolver& constraints = constraint_solver();
+  const auto apart = [&](const State& state) { return constraints.largest(gaps_of_positions(system(), state, conditions_)); };
+  return apart(at) < none * (conditions_.rate_level ? apart(current()) : constraints.largest(misfit));
 }
 
 [[gnu::noinline]] void Solver::diagnose_contradiction(std::span<const double> misfit) {
   // An action may have closed an inconsistent joint.
-  const bool begun_before = largest_misfit_ > RedundantConstraints::silent_misfit || have_fitted(start_of_step(), misfit);
+  const bool begun_before = largest_misfit_ > ConstraintSolver::silent_misfit || have_fitted(start_of_step(), misfit);
   if (begun_before && has_left_constraints(misfit)) {
     Diagnosis& d = diagnose(FailureReason::open_constraints);
     add_largest(d.values, misfit, "equation", sizes_.first_ae());
@@ -203,9 +204,10 @@ bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
                 "let steps end on the constraints (exu.DynamicSolverType.ESDIRK43, DOPRI5)", "see how far the energy has drifted (mbs.Report())"};
     return;
   }
+  if (!rank_known_) find_rank(start_of_step());
   Diagnosis& d = diagnose(FailureReason::contradiction);
   add_largest(d.values, misfit, "equation", sizes_.first_ae());
-  d.dependent = redundant_constraints().contradictions(misfit, system());
+  d.dependent = constraint_rank().contradictions(misfit, system());
   d.advice = {"move or turn the markers of the joints named above until they fit, or free equations that others state as well",
               "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the mechanism)"};
 }
@@ -213,11 +215,11 @@ bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
 // Warns with one line per item: its equation with the largest residual.
 [[gnu::noinline]] void Solver::warn_of_contradiction(std::span<const double> misfit) {
   if (!told_contradiction_.empty() || (is_static() && has_left_constraints(misfit))) return;
-  const RedundantConstraints& constraints = redundant_constraints();
+  const ConstraintSolver& constraints = constraint_solver();
   std::vector<std::string> lines;
   for (const System::EquationOwner& owner : system().equation_owners()) {
     int worst = -1;
-    double largest = RedundantConstraints::silent_misfit;
+    double largest = ConstraintSolver::silent_misfit;
     for (int k = owner.first; k < owner.first + owner.count; ++k) {
       const double size = std::abs(misfit[static_cast<std::size_t>(k)]) / constraints.unit(k);
       if (size > largest) {
@@ -238,7 +240,7 @@ bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
 // Adds advice if round-off hides redundant constraints, so that it was amplified. Gaps of joints may hide them as well,
 // and have their own warning.
 [[gnu::noinline]] void Solver::advise_on_weak_constraints() {
-  const RedundantConstraints& constraints = redundant_constraints();
+  const ConstraintRank& constraints = constraint_rank();
   if (constraints.certain() || constraints.allows_for_gaps()) return;
   Diagnosis& d = diagnosis_;
   if (d.dependent.empty()) {

@@ -42,12 +42,12 @@ void NewtonSolver::initialize_data() {
   Solver::initialize_data();
   system().complete_pattern();
   full_newton_ = !newton_settings.useModifiedNewton;
-  forget_redundancy();
+  constraints_.forget();
+  misfit_.clear();
   take_pattern();
   const auto n = static_cast<std::size_t>(sizes_.total());
   residual_.assign(n, 0.0);
   increment_.assign(n, 0.0);
-  announced_ = false;
   idle_ = Idle::none;
 }
 
@@ -55,7 +55,7 @@ void NewtonSolver::initialize_data() {
 void NewtonSolver::forget() {
   Solver::forget();
   full_newton_ = !newton_settings.useModifiedNewton;
-  forget_redundancy();
+  constraints_.forget();
   take_pattern();
   conv.jacobianUpdateRequested = true;
 }
@@ -67,14 +67,12 @@ void NewtonSolver::pattern_revised() {
 
 void NewtonSolver::take_pattern() {
   const Pattern* pattern = &system().pattern(dense());
-  const auto make = [&](const LinearSolverOptions& options) { return make_linear_solver(*pattern, linear_type(), options); };
   if (idle_ == Idle::at_factors) idle_ = Idle::at_state;
   forces_.reset();
-  linear_ = redundant_.in_use() ? treating_solver() : make(newton_options());
-  if (plain_) plain_ = make(newton_options());
   factorized_ = false;
   pattern_ = pattern;
-  redundant_.pattern_revised();
+  constraints_.pattern_revised();
+  linear_ = new_linear_solver();
   jacobian_.assign(static_cast<std::size_t>(pattern->values()), 0.0);
 }
 
@@ -95,32 +93,38 @@ double NewtonSolver::evaluate_residual() {
 
 // Its parts are inlined: calls take as long as what they compute in small systems.
 [[gnu::flatten]] bool NewtonSolver::newton() {
-  tried_harder_ = contradiction_ = false;
-  if (iterate_to_the_end()) return true;
-  while (try_harder())
-    if (iterate_to_the_end()) return true;
+  contradiction_ = false;
+  if (iterate_to_the_end() || solves_with_dependent_constraints()) return true;
   report_failure();
-  treatment_failed_ = treatment_ != Treatment::none && begun_at_trial_ && treated_since_ == it.currentStepIndex;
   return false;
 }
 
 [[gnu::always_inline]] inline bool NewtonSolver::iterate_to_the_end() {
   begin_newton();
   judge_start(evaluate_residual());
-  int renewals = 0;
-  do {
-    while (goes_on()) {
-      if (sizes_.total() > 200) {
-        poll_interrupt();
-      }
-      iterate();
+  while (goes_on()) {
+    if (sizes_.total() > 200) {
+      poll_interrupt();
     }
-  } while (redundant_.in_use() && renewals++ < most_renewals && renews_misfit());
+    iterate();
+  }
   if (!succeeded()) return false;
-  const bool left_open = redundant_.in_use() && leaves_misfit();
-  if (left_open && !left_out_.empty()) return false;
-  if (left_open || leaves_correction()) correct_motion();
-  return !redundant_.in_use() || settle_multipliers();
+  if (leaves_correction()) correct_motion();
+  return sizes_.ae == 0 || (rank_known_ && !constraints_.active()) || settle_multipliers();
+}
+
+// A second attempt, where constraints may depend on each other that did not at the start.
+[[gnu::noinline]] bool NewtonSolver::solves_with_dependent_constraints() {
+  if (!(conv.residual < unbounded) || !constraints_.activate()) return false;
+  linear_ = new_linear_solver();
+  reset_to_start_of_step();
+  conv.jacobianUpdateRequested = true;
+  if (iterate_to_the_end()) return true;
+  constraints_.deactivate();
+  misfit_.clear();
+  linear_ = new_linear_solver();
+  conv.jacobianUpdateRequested = true;
+  return false;
 }
 
 // Multipliers start from zero, coordinates from the prediction of the integrator.
@@ -130,19 +134,11 @@ void NewtonSolver::begin_newton() {
   conv.linearSolverCausingRow = -1;
   full_newton_ = !newton_settings.useModifiedNewton;
   loop_ = Loop();
-  if (treatment_ != Treatment::none) [[unlikely]] {
-    if (idle_ == Idle::at_factors) idle_ = Idle::at_state;
-    misfit_.clear();
-    predicted_ = full_newton_ && !conditions_.rate_level && !(largest_misfit_ > RedundantConstraints::silent_misfit);
-    if (std::exchange(treatment_failed_, false)) drop_treatment();
-    else if (treatment_ == Treatment::unknown) look_for_redundancy_at_start();
-    else if (treatment_ == Treatment::announced && may_leave_out()) leave_out(redundant_.dependent());
-    else if (treatment_ != Treatment::announced && it.currentStepIndex != treated_since_) look_again_at_redundancy();
-  }
+  if (!constraints_.is_prepared()) [[unlikely]] prepare_constraints();
+  if (constraints_.active()) [[unlikely]] begin_step_with_constraints();
   State& now = current();
   clear_numbers(now.lambda.data(), now.lambda.size());
   clear_numbers(increment_.data(), increment_.size());
-  left_out_.put_held(now.lambda);
   compute_update(true);
   it.newtonSteps = 0;
 }
@@ -165,10 +161,9 @@ bool NewtonSolver::goes_on() const {
 
 bool NewtonSolver::factorize() {
   const TimedPart time(timer, timer.factorization);
-  if (redundant_.in_use()) [[unlikely]] regularize();
+  if (constraints_.active()) [[unlikely]] choose_eps();
   conv.linearSolverCausingRow = linear_->factorize(jacobian_);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
-  if (looks_at_next_ || conv.linearSolverFailed) [[unlikely]] look_for_redundancy();
   factorized_ = !conv.linearSolverFailed;
   return !conv.linearSolverFailed;
 }
@@ -206,12 +201,12 @@ void NewtonSolver::iterate() {
 
 // Moves the state by what the residual and the factors in hand tell.
 void NewtonSolver::correct_motion() {
+  if (constraints_.active()) [[unlikely]] take_off_misfit();
   {
     const TimedPart time(timer, timer.newtonIncrement);
     copy_numbers(residual_.data(), residual_.size(), increment_.data());
     linear_->solve(increment_);
   }
-  if (redundant_.in_use()) [[unlikely]] take_off_misfit();
   compute_update(false);
 }
 
@@ -252,6 +247,7 @@ bool NewtonSolver::check_convergence() {
   if (newton_settings.adaptInitialResidual && conv.residual > loop_.initial_residual && it.newtonSteps <= 1) {
     loop_.initial_residual = initial_residual_ = conv.lastResidual = conv.residual;
   }
+  if (constraints_.active() && leaves_constraints_open()) return false;
   if (conv.residual / loop_.initial_residual <= newton_settings.relativeTolerance || !newton_settings.useNewtonSolver ||
       conv.residual <= newton_settings.absoluteTolerance) {
     return true;
@@ -271,7 +267,7 @@ bool NewtonSolver::check_convergence() {
 
 // Idle multipliers of small steps grow by the round-off of gaps, and rounding errors with them, where redundancy lasts.
 bool NewtonSolver::stagnated() const {
-  return loop_.idle >= idle_iterations && (conv.residual <= 10 * loop_.best_residual || treatment_ == Treatment::lasting) &&
+  return loop_.idle >= idle_iterations && (conv.residual <= 10 * loop_.best_residual || constraints_.active()) &&
          newton_settings.newtonResidualMode == 0;
 }
 
@@ -373,7 +369,8 @@ void NewtonSolver::restart() {
 [[gnu::noinline]] void NewtonSolver::report_failure() {
   const bool lost = !all_finite(jacobian_) || loop_.lost;
   const bool has_left = !lost && !told_contradiction_.empty() && !misfit_.empty() && has_left_constraints(misfit_);
-  if (contradiction_ || has_left) return diagnose_contradiction(misfit_);
+  const bool apart = !lost && !conditions_.rate_level && !misfit_.empty() && constraints_.largest(misfit_) > settings().redundantConstraints.largestMisfit;
+  if (contradiction_ || has_left || apart) return diagnose_contradiction(misfit_);
   if (lost) report_not_finite();
   else if (conv.linearSolverFailed) diagnose_singular_matrix(*pattern_, jacobian_);
   else diagnose(FailureReason::newton, unscaled_residual());
@@ -428,7 +425,6 @@ void NewtonSolver::report_not_finite() {
 
 void NewtonSolver::free_memory() {
   linear_.reset();
-  plain_.reset();
   for (std::vector<double>* numbers : {&residual_, &increment_, &jacobian_}) *numbers = {};
 }
 

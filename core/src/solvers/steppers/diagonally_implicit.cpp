@@ -131,12 +131,12 @@ ConstrainedMotion* DiagonallyImplicitSolver::motion_under_constraints() {
 // bodies, and is removed here.
 const std::vector<double>* DiagonallyImplicitSolver::told_multipliers() {
   const State& now = current();
-  if (motion_.redundant().count() == 0 || !motion_.redundant().in_use()) return nullptr;
+  if (!motion_.constraints().active()) return nullptr;
   if (!smallest_.ready) prepare(smallest_.motion);
   if (!std::exchange(smallest_.ready, true) || smallest_.q != now.q || smallest_.lambda != now.lambda) {
     smallest_.q = now.q;
     smallest_.lambda = smallest_.told = now.lambda;
-    smallest_.motion.take_off_idle_part(motion_.redundant(), system(), now, conditions_, smallest_.told);
+    smallest_.motion.make_smallest(motion_.constraints(), system(), now, conditions_, smallest_.told);
   }
   return &smallest_.told;
 }
@@ -145,11 +145,16 @@ const std::vector<double>* DiagonallyImplicitSolver::told_multipliers() {
 void DiagonallyImplicitSolver::find_accelerations() {
   State& state = current();
   motion_under_constraints();
-  if (masses_.is_examined() && masses_.to_be_examined(state)) masses_.examine(system(), state, conditions_);
   const int row = masses_.factorize(system(), state, conditions_);
   system().right_hand_sides(state, conditions_, state.a, state.y_t);
   if (row == LinearSolver::success) {
-    if (!masses_.accelerations(system(), state, conditions_, state.a, state.lambda)) warn_of_undecided_start();
+    masses_.accelerations(system(), state, conditions_, state.a, state.lambda);
+    const auto find = [&](const State& at, Vector& a, Vector& lambda) {
+      Vector y_t(state.y_t.size());
+      system().right_hand_sides(at, conditions_, a, y_t);
+      masses_.accelerations(system(), at, conditions_, a, lambda);
+    };
+    if (it.currentStepIndex <= 1 && !masses_.follow_motion(system(), state, conditions_, state.a, state.lambda, find)) warn_of_undecided_start();
   } else if (!find_accelerations_without_masses() && !std::exchange(warned_of_masses_, true)) {
     warn(name() + ": accelerations at the start are set to zero: mass matrix and constraints are singular at unknown " + std::to_string(row) + " (" +
          system().describe_row(row) + ")");
@@ -202,11 +207,12 @@ bool DiagonallyImplicitSolver::newton() {
   conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.newtonStagnated = conv.stopNewton = false;
   conv.linearSolverCausingRow = -1;
   it.newtonSteps = 0;
-  if (motion_.to_be_examined(start_of_step()) && motion_.examine(system(), start_of_step(), conditions_)) factorized_for_ = 0;
+  if (motion_.constraints().active()) [[unlikely]] motion_.begin_step(system(), start_of_step(), conditions_);
   if (!solve_stages()) return false;
   if (it.automaticStepSize) it.automaticStepSizeError = estimated_error();
   if (!back_onto_constraints()) return false;
   if (interferes_) misfit_at_end_ = misfit_of_accelerations();
+  if (!rank_known_) find_rank();
   return conv.newtonConverged = true;
 }
 
@@ -378,12 +384,11 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::iterate(int stage, i
   double last = 0;
   const int steps = untold_ / static_cast<int>(stages - 1);
   const double known_rate = steps > 0 ? std::pow(std::max(rate_, least_rate), std::pow(forgetting, steps)) : rate_;
-  motion_.begin_iterations();
   for (int k = 1; k <= most; ++k) {
     evaluate_residual();
     {
       const TimedPart time(timer, timer.newtonIncrement);
-      motion_.solve_increment(x_);
+      motion_.solve(x_);
     }
     subtract(system(), now.a, 1, x_.data());
     subtract(system(), now.y_t, 1, x_.data() + sizes_.ode2);

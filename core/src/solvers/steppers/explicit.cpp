@@ -132,7 +132,6 @@ void ExplicitSolver::post_initialize() {
 void ExplicitSolver::find_first_accelerations() {
   State& now = current();
   if (system().searches() && !conditions_.direct) search();
-  if (constrained_ && motion_.to_be_examined(now)) motion_.examine(system(), now, conditions_);
   if (!accelerations(now.a, verlet_ ? std::span<double>() : now.y_t) && !verlet_) {
     diagnosis_ = Diagnosis();
     conv.linearSolverFailed = conv.massMatrixNotInvertible = false;
@@ -248,8 +247,9 @@ bool ExplicitSolver::newton() {
   conv.linearSolverCausingRow = -1;
   conv.newtonConverged = true;
   end_known_ = off_constraints_ = false;
-  if (constrained_ && motion_.to_be_examined(start_of_step())) [[unlikely]] motion_.examine(system(), start_of_step(), conditions_);
+  if (constrained_ && motion_.constraints().active()) [[unlikely]] motion_.begin_step(system(), start_of_step(), conditions_);
   compute_step();
+  if (constrained_ && !rank_known_) find_rank();
   if (off_constraints_) [[unlikely]] return lose_constraints();
   if (conv.linearSolverFailed) [[unlikely]] {
     conv.newtonConverged = false;

@@ -20,7 +20,15 @@ bool ExplicitSolver::constrained_accelerations(Vector& a, std::span<double> y_t)
     system().right_hand_sides(now, conditions_, a, y_t);
   }
   const TimedPart time(timer, timer.newtonIncrement);
-  if (!motion_.accelerations(system(), now, conditions_, a, now.lambda)) [[unlikely]] warn_of_undecided_start();
+  motion_.accelerations(system(), now, conditions_, a, now.lambda);
+  if (it.currentStepIndex <= 1 && now.time == start_of_step().time) [[unlikely]] {
+    const auto find = [&](const State& at, Vector& of_a, Vector& of_lambda) {
+      Vector y_rates(y_t.size());
+      system().right_hand_sides(at, conditions_, of_a, y_rates);
+      motion_.accelerations(system(), at, conditions_, of_a, of_lambda);
+    };
+    if (!motion_.follow_motion(system(), now, conditions_, a, now.lambda, find)) warn_of_undecided_start();
+  }
   return !searching_ || is_good(a, y_t);
 }
 

@@ -73,7 +73,6 @@ Vibration ExplicitSolver::fastest_with_constraints(const State& still) {
   ConstrainedMotion motion;
   prepare(motion);
   const bool regular = motion.factorize(system(), still, conditions_) == LinearSolver::success;
-  system().reactions_are_known(motion_.redundant().equations());
   if (!regular) return {};
   Vector all(static_cast<std::size_t>(sizes_.total()));
   const auto accelerate = [&](Vector& x) {

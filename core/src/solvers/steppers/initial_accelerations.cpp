@@ -36,13 +36,12 @@ std::vector<char> jumping_equations(System& system, const State& state, const Co
 
 }  // namespace
 
-InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions) {
+namespace {
+
+InitialAccelerations accelerations_at(ConstrainedMotion& motion, System& system, const State& still, const Conditions& position, std::span<const char> jumping) {
   const Sizes& s = system.sizes();
   std::vector<double> x(static_cast<std::size_t>(s.total()), 0.0);
-  const State still = without_multipliers(state);
-  const Conditions position = at_level(conditions, false);
   InitialAccelerations result;
-  const std::vector<char> jumping = jumping_equations(system, still, position, motion.pattern());
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
   const std::vector<double> gap = ConstrainedMotion::gap_acceleration(system, still, position);
   std::vector<double> now(gap.size());  // computed on demand, because it calls user functions once more
@@ -51,10 +50,24 @@ InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& sy
   motion.solve(x);
   result.a.assign(x.begin(), x.begin() + s.ode2);
   result.lambda.assign(x.begin() + s.first_ae(), x.end());
+  motion.make_smallest(result.lambda);
+  return result;
+}
+
+}  // namespace
+
+InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions) {
+  const State still = without_multipliers(state);
+  const Conditions position = at_level(conditions, false);
+  const std::vector<char> jumping = jumping_equations(system, still, position, motion.pattern());
+  InitialAccelerations result = accelerations_at(motion, system, still, position, jumping);
   if (std::ranges::none_of(jumping, [](char jumps) { return jumps != 0; }))
-    result.decided = motion.leave_singular_position(system, still, position, result.a, result.lambda);
-  result.redundant = motion.redundant();
-  for (int i = 0; i < s.ae; ++i)
+    result.decided = motion.follow_motion(system, still, position, result.a, result.lambda, [&](const State& at, std::vector<double>& a, std::vector<double>& lambda) {
+      InitialAccelerations there = accelerations_at(motion, system, at, position, jumping);
+      a = std::move(there.a);
+      lambda = std::move(there.lambda);
+    });
+  for (int i = 0; i < system.sizes().ae; ++i)
     if (!system.constrains_motion(i)) result.lambda[i] = 0;  // changes within the step
   return result;
 }

@@ -156,7 +156,6 @@ bool SecondOrderSolver::find_accelerations(ConstrainedMotion& motion, int singul
   now.a = found.a;  // in place: other objects refer to the vector
   now.lambda = found.lambda;
   multipliers_renewed();
-  if (found.decided) constraints_are_known(std::move(found.redundant));
   return true;
 }
 
@@ -207,7 +206,7 @@ void SecondOrderSolver::start_steadily() {
   now.time = start_of_step().time;
   ConstrainedMotion motion;
   prepare(motion);
-  if (motion.factorize(system(), now, conditions_) == LinearSolver::success && !motion.in_singular_position() && end_rates(motion)) {
+  if (motion.factorize(system(), now, conditions_) == LinearSolver::success && end_rates(motion)) {
     now.a = initial_accelerations(motion, system(), now, conditions_).a;
     algorithmic_ = now.a;
     lean(motion);
@@ -372,7 +371,7 @@ void SecondOrderSolver::find_velocities_off_constraints() {
   }
   ConstrainedMotion motion;
   prepare(motion);
-  if (motion.factorize(redundant_constraints(), system(), still, conditions_) != LinearSolver::success || !motion.project(system(), still, conditions_)) return;
+  if (motion.factorize_with_all_masses(system(), still, conditions_) != LinearSolver::success || !motion.project(system(), still, conditions_)) return;
   for (std::size_t i = 0; i < off_constraints_.size(); ++i) off_constraints_[i] = current().v[i] - still.v[i];
 }
 

@@ -76,6 +76,14 @@ void StaticSolver::compute_mass_matrix() {
   system().mass_matrix(current(), pattern(), mass_);
 }
 
+double StaticSolver::metric_scale() {
+  std::vector<double> matrix(jacobian_.size()), masses;
+  system().mass_matrix(system().state(ConfigurationType::StartOfStep), *pattern_, matrix);
+  for (int j = 0; j < sizes_.ode2; ++j) masses.push_back(matrix[static_cast<std::size_t>(pattern_->slot(j, j))]);
+  fill_in_masses(system(), masses);
+  return scale_of_masses(masses, *pattern_, jacobian_, sizes_.ode2);
+}
+
 // Initial velocities are kept: with damping or gyroscopic forces, this is the steady state of a moving system.
 void StaticSolver::look_for_motion() {
   State& now = current();

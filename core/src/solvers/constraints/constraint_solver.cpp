@@ -1,0 +1,182 @@
+#include "dalembert/solvers/constraint_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "constraints/constraint_states.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Round-off of P is u s_max / eps, so 1e-10 leaves ten times as much noise in multipliers; 1e-8 is too large to pass a flat position of 400 loops.
+constexpr double regular_eps = 1e-9;
+// A gap g leaves constraints of strength (g / arm)^2: these are to be 1e-6 eps or less.
+constexpr double eps_per_squared_gap = 1e7;
+// Motions with larger gaps are refused. Static iterates are far off the constraints.
+constexpr double largest_eps = 1e-6, largest_eps_of_rates = 1e-5, largest_static_eps = 1e-2;
+// What Newton's method leaves of joints that fit.
+constexpr double fitting_gap = 1e-11;
+constexpr int most_refinements = 12;  // 2 to 4 where joints fit
+constexpr double refined = 1e-12;
+// The round-off of a part without forces that is larger than this shows in what is left.
+constexpr double large_part = 1e-3;
+constexpr int most_passes = 4;
+
+}  // namespace
+
+void ConstraintSolver::prepare(System& system, const State& state, const Conditions& conditions, const RedundantConstraintsSettings& settings, bool treats,
+                               Matrix kind) {
+  forget();
+  prepared_ = true;
+  kind_ = kind;
+  if (!treats) return;
+  const ConstraintMetric metric = constraint_metric(system, state, conditions, settings.momentLength);
+  first_ae_ = system.sizes().first_ae();
+  if (!metric.has_loops) return;
+  const ConstraintRank rank(system, state, conditions, metric);
+  active_ = rank.count() > 0 || !rank.certain();
+  metric_ = metric.weights;
+  units_ = metric.units;
+  for (std::size_t k = 0; k < metric_.size(); ++k)
+    if (metric_[k] > 0) rows_.push_back(static_cast<int>(k));
+  of_velocities_.assign(metric_.size(), 0);
+  const Pattern& pattern = system.pattern(false);
+  std::vector<double> part(static_cast<std::size_t>(pattern.values()));
+  system.tangent(without_multipliers(state), at_level(conditions, false), along_velocities, pattern, part);
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (row >= first_ae_ && column < system.sizes().ode2 && part[slot] != 0) of_velocities_[static_cast<std::size_t>(row - first_ae_)] = 1;
+  });
+  entries_.assign(metric_.size(), 0.0);
+  eps_ = regular_eps;
+}
+
+bool ConstraintSolver::activate() {
+  if (active_ || rows_.empty()) return false;
+  return active_ = true;
+}
+
+double ConstraintSolver::largest(std::span<const double> gaps) const {
+  double size = 0;
+  for (const int k : rows_)
+    if (!of_velocities_[static_cast<std::size_t>(k)]) size = std::max(size, std::abs(gaps[static_cast<std::size_t>(k)]) / unit(k));
+  return size;
+}
+
+double ConstraintSolver::largest_of_all(std::span<const double> gaps) const {
+  double size = 0;
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+    if (!of_velocities_[k]) size = std::max(size, std::abs(gaps[k]) / units_[k]);
+  return size;
+}
+
+void ConstraintSolver::choose(double gap, bool of_rates) {
+  const bool moves = kind_ != Matrix::statics;
+  const double most = moves ? std::max(largest_gap_, gap) : gap;
+  fit_ = !((kind_ == Matrix::motion ? largest_gap_ : most) > fitting_gap);
+  eps_ = std::clamp(eps_per_squared_gap * most * most, regular_eps, !moves ? largest_static_eps : of_rates ? largest_eps_of_rates : largest_eps);
+}
+
+LinearSolverOptions ConstraintSolver::options(LinearSolverOptions options) const {
+  if (!active_) return options;
+  for (const int k : rows_) options.tiny_diagonal.push_back(first_ae_ + k);
+  return options;
+}
+
+void ConstraintSolver::regularize(const Pattern& pattern, std::span<double> values, double scale, double rate, bool all_rates) {
+  if (slots_.empty())
+    for (const int k : rows_) slots_.push_back(pattern.slot(first_ae_ + k, first_ae_ + k));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto k = static_cast<std::size_t>(rows_[i]);
+    double& value = values[static_cast<std::size_t>(slots_[i])];
+    entries_[k] = 0;
+    if (value != 0) continue;  // an equation that is off states its multiplier
+    value = entries_[k] = -eps_ * scale * metric_[k] * (all_rates || of_velocities_[k] ? rate : 1);
+  }
+}
+
+std::span<double> ConstraintSolver::solve_for(LinearSolver& factors, std::span<const double> gaps) {
+  x_.assign(static_cast<std::size_t>(first_ae_) + gaps.size(), 0.0);
+  std::ranges::copy(gaps, x_.begin() + first_ae_);
+  factors.solve(x_);
+  return x_;
+}
+
+std::vector<double> ConstraintSolver::misfit(LinearSolver& factors, std::span<const double> gaps) {
+  std::vector<double> open(gaps.begin(), gaps.end());
+  for (std::size_t k = 0; k < open.size(); ++k)
+    if (!(metric_[k] > 0)) open[k] = 0;
+  const std::span<const double> x = solve_for(factors, open);
+  for (std::size_t k = 0; k < open.size(); ++k) open[k] = entries_[k] * x[static_cast<std::size_t>(first_ae_) + k];
+  return open;
+}
+
+// The residual of constraints after a solution is known without a product with the matrix: it is what eps D lambda has left.
+void ConstraintSolver::solve(LinearSolver& factors, std::span<double> x) {
+  const auto first = static_cast<std::size_t>(first_ae_);
+  const auto ode2 = first;
+  const auto size_of = [&](std::span<const double> numbers) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ode2; ++i) sum += numbers[i] * numbers[i];
+    return sum;
+  };
+  std::vector<double> open;
+  if (!fit_) {
+    open = misfit(factors, x.subspan(first));
+    for (std::size_t k = 0; k < open.size(); ++k) x[first + k] -= open[k];
+  }
+  factors.solve(x);
+  rest_.assign(x.size() - first, 0.0);
+  for (const int k : rows_) rest_[static_cast<std::size_t>(k)] = entry(k) * x[first + static_cast<std::size_t>(k)];
+  for (int i = 1; i < most_refinements; ++i) {
+    if (!fit_) {
+      open = misfit(factors, rest_);
+      for (std::size_t k = 0; k < open.size(); ++k) rest_[k] -= open[k];
+    }
+    const std::span<const double> change = solve_for(factors, rest_);
+    // Multipliers without forces would be added once more in each pass.
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] += change[j];
+    for (std::size_t k = 0; k < rest_.size(); ++k) rest_[k] = entries_[k] * change[first + k];
+    if (!(size_of(change) > refined * refined * size_of(x))) break;
+  }
+}
+
+// The factor 1 - (4 P^3 - 3 P^4) vanishes with its derivative where P is one: round-off of P does not show. Multipliers of a weak constraint, with
+// P = 1e-3, change by 4e-9.
+void ConstraintSolver::make_smallest(LinearSolver& factors, std::span<double> multipliers) {
+  const auto apply = [&](std::span<const double> from) {
+    std::vector<double> to(from.size());
+    for (const int k : rows_) to[static_cast<std::size_t>(k)] = entry(k) * from[static_cast<std::size_t>(k)];
+    const std::span<const double> x = solve_for(factors, to);
+    std::copy(x.begin() + first_ae_, x.end(), to.begin());
+    for (std::size_t k = 0; k < to.size(); ++k)
+      if (!(metric_[k] > 0)) to[k] = x[static_cast<std::size_t>(first_ae_) + k];
+    return to;
+  };
+  for (int time = 0; time < most_passes; ++time) {
+  const std::vector<double> once = apply(multipliers), twice = apply(once), thrice = apply(twice), four_times = apply(thrice);
+  double taken = 0, left = 0;
+  for (std::size_t k = 0; k < multipliers.size(); ++k) {
+    const double part = 4 * thrice[k] - 3 * four_times[k];
+    multipliers[k] -= part;
+    taken += metric_[k] * part * part;
+    left += metric_[k] * multipliers[k] * multipliers[k];
+  }
+  if (!(taken > large_part * large_part * left)) break;
+  }
+}
+
+double scale_of_masses(std::span<const double> masses, const Pattern& pattern, std::span<const double> matrix, int ode2) {
+  constexpr double round_off = 1e-10;  // of the largest: left by terms that cancel, where nothing resists
+  std::vector<double> ratios;
+  for (int j = 0; j < ode2; ++j)
+    if (const double mass = masses[static_cast<std::size_t>(j)]; mass > 0) ratios.push_back(std::abs(matrix[static_cast<std::size_t>(pattern.slot(j, j))]) / mass);
+  const double most = ratios.empty() ? 0 : std::ranges::max(ratios);
+  std::erase_if(ratios, [most](double x) { return !(x > round_off * most); });
+  if (ratios.empty()) return 1;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::ranges::nth_element(ratios, middle);
+  return 1 / *middle;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,137 @@
+#include "dalembert/solvers/constraint_rank.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "constraints/constraint_states.hpp"
+#include "dalembert/math/decompositions.hpp"
+#include "dalembert/output/numbers.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Squared remainders of columns of unit length. Where joints fit, less than this is round-off; gaps g leave up to (3 g)^2.
+constexpr double tolerance_where_joints_fit = 1e-12, largest_tolerance = 1e-7, largest_ratio = 3;
+constexpr double certain_multiple = 1e4;   // of the tolerance, by which independent columns are above it
+constexpr double share_of_equation = 1e-10;  // squared: in the null space
+
+Eigen::Map<const Eigen::MatrixXd> matrix(const std::vector<double>& columns, std::size_t rows) {
+  return {columns.data(), static_cast<Eigen::Index>(rows), rows == 0 ? 0 : static_cast<Eigen::Index>(columns.size() / rows)};
+}
+
+}  // namespace
+
+ConstraintRank::ConstraintRank(System& system, const State& state, const Conditions& conditions, const ConstraintMetric& metric, double tolerance)
+    : units_(metric.kinds), acting_(metric.acting) {
+  for (std::size_t k = 0; k < metric.weights.size(); ++k)
+    if (metric.weights[k] > 0) rows_.push_back(static_cast<int>(k));
+  if (rows_.empty() || !metric.has_loops) return;
+  const double gap = largest_ratio * metric.largest(gaps_of_positions(system, state, conditions));
+  if (tolerance == 0) {
+    tolerance = std::clamp(gap * gap, tolerance_where_joints_fit, largest_tolerance);
+    allows_for_gaps_ = tolerance > tolerance_where_joints_fit;
+  }
+
+  std::vector<SparseColumn> columns;
+  std::vector<double> lengths;
+  for (const int k : rows_) {
+    SparseColumn& column = columns.emplace_back();
+    double sum = 0;
+    for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)]) sum += value * value;
+    lengths.push_back(sum > 0 ? std::sqrt(sum) : 1);
+    for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)]) column.push_back({row, value / lengths.back()});
+    roots_.push_back(std::sqrt(metric.weights[static_cast<std::size_t>(k)]));
+  }
+  const SparseNullSpace found = sparse_null_space(columns, system.sizes().ode2, std::sqrt(tolerance));
+  weakest_ = found.smallest_pivot * found.smallest_pivot;
+  certain_ = found.columns.empty() || weakest_ > certain_multiple * tolerance;
+  for (const int i : found.columns) dependent_.push_back(rows_[static_cast<std::size_t>(i)]);
+  std::ranges::sort(dependent_);
+  if (found.columns.empty()) return;
+  // From columns of unit length to multipliers, and to those in the metric.
+  Eigen::MatrixXd basis = found.basis;
+  for (Eigen::Index i = 0; i < basis.rows(); ++i) basis.row(i) *= roots_[static_cast<std::size_t>(i)] / lengths[static_cast<std::size_t>(i)];
+  basis = orthonormal(basis);
+  null_space_.assign(basis.data(), basis.data() + basis.size());
+}
+
+std::vector<int> ConstraintRank::equations() const {
+  std::vector<int> found;
+  const auto space = matrix(null_space_, rows_.size());
+  for (Eigen::Index i = 0; i < space.rows(); ++i)
+    if (space.row(i).squaredNorm() > share_of_equation) found.push_back(rows_[static_cast<std::size_t>(i)]);
+  return found;
+}
+
+std::vector<double> ConstraintRank::misfit(std::span<const double> gaps) const {
+  std::vector<double> open(gaps.size(), 0.0);
+  if (count() == 0) return open;
+  const auto space = matrix(null_space_, rows_.size());
+  Eigen::VectorXd scaled(space.rows());
+  for (std::size_t i = 0; i < rows_.size(); ++i) scaled[static_cast<Eigen::Index>(i)] = gaps[static_cast<std::size_t>(rows_[i])] / roots_[i];
+  scaled = space * (space.transpose() * scaled).eval();
+  for (std::size_t i = 0; i < rows_.size(); ++i) open[static_cast<std::size_t>(rows_[i])] = scaled[static_cast<Eigen::Index>(i)] * roots_[i];
+  return open;
+}
+
+namespace {
+
+// f(owner, first, count) for the equations of each item, as places in rows.
+template <class F>
+void each_owner(std::span<const int> rows, const System& system, F&& f) {
+  const auto owners = system.equation_owners();
+  auto owner = owners.begin();
+  for (std::size_t i = 0; i < rows.size();) {
+    while (rows[i] >= owner->first + owner->count) ++owner;
+    std::size_t end = i;
+    while (end < rows.size() && rows[end] < owner->first + owner->count) ++end;
+    f(*owner, static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(end - i));
+    i = end;
+  }
+}
+
+}  // namespace
+
+// As many equations of an item can be left out as its part of the null space has independent columns.
+std::vector<ConstraintRank::Item> ConstraintRank::items(const System& system) const {
+  std::vector<Item> found;
+  if (count() == 0) return found;  // solvers that have not begun have no system
+  const auto space = matrix(null_space_, rows_.size());
+  each_owner(rows_, system, [&](const System::EquationOwner& owner, Eigen::Index first, Eigen::Index equations) {
+    const Eigen::MatrixXd part = space.middleRows(first, equations);
+    if (!(part.squaredNorm() > share_of_equation)) return;
+    const auto rank = static_cast<int>(
+        std::ranges::count_if(symmetric_eigenvalues(part * part.transpose()), [](double x) { return x > share_of_equation; }));
+    const auto acting = std::count(acting_.begin() + owner.first, acting_.begin() + owner.first + owner.count, 1);
+    found.push_back({owner.number, system.describe(owner), owner.first, owner.count, static_cast<int>(acting), rank});
+  });
+  return found;
+}
+
+// The part of gaps in the null space is the same whichever item they are at: the smallest gap of one item alone that has this part.
+std::vector<std::string> ConstraintRank::contradictions(std::span<const double> misfit, const System& system) const {
+  constexpr double not_all = 1e-2;
+  std::vector<std::string> lines;
+  if (count() == 0) return lines;
+  const auto space = matrix(null_space_, rows_.size());
+  Eigen::VectorXd scaled(space.rows());
+  for (std::size_t i = 0; i < rows_.size(); ++i) scaled[static_cast<Eigen::Index>(i)] = misfit[static_cast<std::size_t>(rows_[i])] / roots_[i];
+  const Eigen::VectorXd whole = space.transpose() * scaled;
+  each_owner(rows_, system, [&](const System::EquationOwner& owner, Eigen::Index first, Eigen::Index equations) {
+    const Eigen::MatrixXd part = space.middleRows(first, equations).transpose();
+    Eigen::VectorXd gap = smallest_solution(part, whole);
+    if ((part * gap - whole).norm() > not_all * whole.norm()) return;
+    for (Eigen::Index i = 0; i < gap.size(); ++i) gap[i] *= roots_[static_cast<std::size_t>(first + i)];
+    Eigen::Index worst = 0;
+    gap.cwiseAbs().maxCoeff(&worst);
+    const int equation = rows_[static_cast<std::size_t>(first + worst)];
+    const CoordinateUnit kind = units_[static_cast<std::size_t>(equation)];
+    const char* unit = kind == CoordinateUnit::meter ? " m" : kind == CoordinateUnit::radian ? " rad" : "";
+    lines.push_back(system.describe(owner) + ", equation " + std::to_string(equation - owner.first) + ": " + format_number(gap[worst]) + unit);
+  });
+  return lines;
+}
+
+}  // namespace dalembert

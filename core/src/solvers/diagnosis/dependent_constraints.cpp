@@ -1,0 +1,37 @@
+// Which constraint equations follow from others.
+#include <utility>
+
+#include "dalembert/solvers/constraint_solver.hpp"
+#include "dalembert/solvers/solver.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr double beside_position = 1e-3;  // of the size of the model
+
+}  // namespace
+
+[[gnu::noinline]] void Solver::find_rank(const State& at) {
+  rank_ = {};
+  rank_known_ = true;
+  if (sizes_.ae == 0) return;
+  if (constraint_solver().active()) {
+    const auto rank_at = [&](const State& state) {
+      return ConstraintRank(*system_, state, conditions_, constraint_metric(*system_, state, conditions_, settings_->redundantConstraints.momentLength));
+    };
+    rank_ = rank_at(at);
+    // In a singular position, more equations depend on each other than beside it.
+    if (rank_.count() > 0 && !is_static())
+      if (ConstraintRank beside = rank_at(moved_along_velocities(at, beside_position)); beside.count() < rank_.count()) rank_ = std::move(beside);
+  }
+  system_->reactions_are_known(rank_.equations());
+  if (rank_.count() == 0 || std::exchange(announced_rank_, true) || !verbose(1)) return;
+  std::string text = "  " + std::to_string(rank_.count()) + " of " + std::to_string(rank_.equations_examined()) +
+                     " constraint equations follow from others; where reactions are not unique, the smallest are taken:\n";
+  for (const auto& item : rank_.items(system()))
+    text += "    " + item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out\n";
+  say(1, text);
+}
+
+}  // namespace dalembert
