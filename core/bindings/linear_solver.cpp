@@ -1,4 +1,4 @@
-// The solvers of linear equations by themselves, for tests and measurements: LinearSolver and LeftOutEquations of dalembert._core.testing.
+// dalembert._core.testing.LinearSolver: the linear solver alone, for tests and benchmarks.
 #include "dalembert/linear/linear_solver.hpp"
 
 #include <pybind11/numpy.h>
@@ -85,17 +85,14 @@ void register_linear_solver(py::module_& module) {
   py::module_ testing = module.attr("testing");
   py::class_<PatternSolver>(testing, "LinearSolver",
                             "Solver of A x = b for matrices with one pattern, in compressed columns as scipy.sparse.csc_array "
-                            "has them. instructions: one of instruction_sets(), by default the first; left_out: "
-                            "unknowns that are zero, with their rows.")
+                            "has them. instructions: one of instruction_sets(), by default the first.")
       .def(py::init([](const Integers& column_start, const Integers& row_index, bool dense, double pivot_threshold,
-                       bool ignore_singular, int unsettled_matrices, const std::string& instructions, const std::vector<int>& left_out) {
-             LinearSolverOptions options{pivot_threshold, ignore_singular, unsettled_matrices, instructions};
-             options.left_out = left_out;
+                       bool ignore_singular, int unsettled_matrices, const std::string& instructions) {
+             const LinearSolverOptions options{pivot_threshold, ignore_singular, unsettled_matrices, instructions};
              return std::make_unique<PatternSolver>(column_start, row_index, dense, options);
            }),
            py::arg("indptr"), py::arg("indices"), py::kw_only(), py::arg("dense") = false, py::arg("pivot_threshold") = 0.0,
-           py::arg("ignore_singular") = false, py::arg("unsettled_matrices") = 0, py::arg("instructions") = "",
-           py::arg("left_out") = std::vector<int>{})
+           py::arg("ignore_singular") = false, py::arg("unsettled_matrices") = 0, py::arg("instructions") = "")
       .def("factorize", &PatternSolver::factorize, py::arg("data"),
            "Factors of the matrix with these values, which stand in the order of indices. Returns -1, or the column at "
            "which no pivot was left.")

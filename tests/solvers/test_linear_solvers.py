@@ -487,22 +487,6 @@ def test_an_unknown_without_equation_or_neighbours(loose: int) -> None:
     np.testing.assert_allclose(solver.solve(dense @ exact), exact, rtol=0, atol=100 * EPS)
 
 
-@pytest.mark.parametrize("dense", [False, True])
-def test_unknowns_that_are_left_out_are_zero(dense: bool) -> None:
-    """The others are solutions of the remaining matrix; a column without pivot is that of the whole one."""
-    matrix, left_out = chain(8, seed=4), [77, 60, 100]
-    kept = np.setdiff1d(np.arange(matrix.shape[0]), left_out)
-    b = np.random.default_rng(1).normal(size=matrix.shape[0])
-    solver = solver_of(matrix, dense=dense, left_out=left_out)
-    assert solver.factorize(matrix.data) == -1
-    x = solver.solve(b)
-    assert not x[left_out].any()
-    assert backward_error(csc(matrix.toarray()[np.ix_(kept, kept)]), x[kept], b[kept]) < 1e-14
-    without_row = matrix.toarray()
-    without_row[40] = without_row[:, 40] = 0
-    assert solver.factorize(on_pattern(matrix, without_row).data) == 40
-
-
 @pytest.mark.parametrize("noise", [0.0, 1e-27, 1e-15])
 @pytest.mark.parametrize("seed", range(5))
 def test_round_off_on_the_diagonal_is_not_a_scale(seed: int, noise: float) -> None:

@@ -152,7 +152,7 @@ std::optional<int> MultifrontalLu::negative_pivots(const Front& front, double* p
 
 // As `repeat`, without keeping the factors.
 std::optional<int> MultifrontalLu::negative_eigenvalues(std::span<const double> given) {
-  if (!planned_ || options_.ignore_singular || !options_.dependent.empty() || !options_.tiny_diagonal.empty()) return {};
+  if (!planned_ || options_.ignore_singular || !options_.tiny_diagonal.empty()) return {};
   const std::vector<double> inverse = inverse_pivot_;
   const double growth = std::exchange(growth_, 0.0);
   std::optional<int> count = 0;
@@ -174,7 +174,6 @@ std::optional<int> MultifrontalLu::negative_eigenvalues(std::span<const double> 
 }
 
 std::optional<int> OccupiedLu::negative_eigenvalues(std::span<const double> values) const {
-  if (!left_out_.empty()) return {};
   if (!occupied_) return solver_->negative_eigenvalues(values);
   if (std::ranges::any_of(zeros_, [&](int slot) { return values[slot] != 0; })) return {};
   int count = 0;

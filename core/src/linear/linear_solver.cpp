@@ -5,7 +5,6 @@
 #include "complete_pivoting_lu.hpp"
 #include "dense_lu.hpp"
 #include "occupied_lu.hpp"
-#include "reduced_lu.hpp"
 
 namespace dalembert {
 
@@ -18,7 +17,6 @@ std::unique_ptr<LinearSolver> make_linear_solver(const Pattern& pattern, LinearS
   switch (type) {
     case LinearSolverType::EXUdense:
     case LinearSolverType::EigenDense:
-      if (!options.left_out.empty()) return std::make_unique<ReducedLu>(pattern.size(), type, options);
       if (options.ignore_singular) return std::make_unique<CompletePivotingLu>(pattern.size(), options);
       return std::make_unique<DenseLu>(pattern.size(), options);
     case LinearSolverType::EigenSparse:

@@ -14,9 +14,7 @@ constexpr double largest_share = 0.5;
 }  // namespace
 
 OccupiedLu::OccupiedLu(const Pattern& pattern, const LinearSolverOptions& options)
-    : pattern_(pattern), options_(options), left_out_(std::exchange(options_.left_out, {})),
-      has_part_(static_cast<std::size_t>(pattern.size()), 1), unsettled_(options.unsettled_matrices) {
-  for (const int j : left_out_) has_part_[static_cast<std::size_t>(j)] = 0;
+    : pattern_(pattern), options_(options), unsettled_(options.unsettled_matrices) {
   take_whole_pattern();
 }
 
@@ -49,7 +47,6 @@ void OccupiedLu::solve(std::span<double> x) {
   if (static_cast<int>(coupled_.size()) == pattern_.size() || !occupied_) return solver_->solve(x);
   for (const Lone& lone : lone_) x[lone.unknown] *= lone.inverse;
   solver_->solve_for(coupled_, x);
-  for (const int j : left_out_) x[static_cast<std::size_t>(j)] = 0;
 }
 
 LinearSolverStatistics OccupiedLu::statistics() const {
@@ -88,16 +85,14 @@ void OccupiedLu::take(const std::vector<char>& occupied) {
     occupied_starts.push_back(static_cast<int>(occupied_rows.size()));
   }
   zeros_.clear();
-  pattern_.for_each_transposed([&](int slot, int transposed) {
-    if (!occupied[slot] && has_part_[static_cast<std::size_t>(rows[slot])] && has_part_[static_cast<std::size_t>(rows[transposed])]) zeros_.push_back(slot);
+  pattern_.for_each_transposed([&](int slot, int) {
+    if (!occupied[slot]) zeros_.push_back(slot);
   });
   occupied_ = Pattern::sparse(std::move(occupied_starts), std::move(occupied_rows));
   count_as_earlier();
   LinearSolverOptions options = options_;
-  for (std::vector<int>* unknowns : {&options.tiny_diagonal, &options.dependent}) {
-    std::erase_if(*unknowns, [&](int j) { return place[j] < 0; });
-    for (int& j : *unknowns) j = place[j];
-  }
+  std::erase_if(options.tiny_diagonal, [&](int j) { return place[j] < 0; });
+  for (int& j : options.tiny_diagonal) j = place[j];
   solver_ = std::make_unique<MultifrontalLu>(*occupied_, options, std::move(slots));
 }
 
@@ -107,16 +102,7 @@ std::vector<char> OccupiedLu::occupied_slots(std::span<const double> values) con
   pattern_.for_each_transposed([&, to = occupied.data()](int slot, int transposed) {
     if (values[slot] != 0 || slot == transposed) to[slot] = to[transposed] = 1;
   });
-  leave_out(occupied);
   return occupied;
-}
-
-// Rows and columns.
-void OccupiedLu::leave_out(std::vector<char>& occupied) const {
-  if (left_out_.empty()) return;
-  pattern_.for_each_transposed([&, rows = pattern_.row_index()](int slot, int transposed) {
-    if (!has_part_[static_cast<std::size_t>(rows[slot])]) occupied[slot] = occupied[transposed] = 0;
-  });
 }
 
 void OccupiedLu::find_neighbours(const std::vector<char>& occupied) {
@@ -124,7 +110,6 @@ void OccupiedLu::find_neighbours(const std::vector<char>& occupied) {
   lone_.clear();
   coupled_.clear();
   for (int j = 0; j < pattern_.size(); ++j) {
-    if (!has_part_[static_cast<std::size_t>(j)]) continue;
     const auto begin = occupied.begin() + starts[j], end = occupied.begin() + starts[j + 1];
     if (std::count(begin, end, 1) > 1) {
       coupled_.push_back(j);
@@ -135,11 +120,6 @@ void OccupiedLu::find_neighbours(const std::vector<char>& occupied) {
 }
 
 void OccupiedLu::take_whole_pattern() {
-  if (!left_out_.empty()) {
-    std::vector<char> all(static_cast<std::size_t>(pattern_.values()), 1);
-    leave_out(all);
-    return take(all);
-  }
   count_as_earlier();
   solver_ = std::make_unique<MultifrontalLu>(pattern_, options_);
   occupied_.reset();

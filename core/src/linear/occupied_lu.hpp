@@ -1,7 +1,6 @@
 // A sparse matrix with a mostly zero pattern, such as a mass matrix on the pattern of a tangent: only nonzero entries
 // are analysed and factorized, and unknowns without neighbours are divided by their diagonal entries. If another
 // entry becomes nonzero, the whole pattern is used, as for the first matrices if these may differ from later ones.
-// Dropped unknowns are ignored in both cases.
 #pragma once
 
 #include <memory>
@@ -30,7 +29,6 @@ class OccupiedLu final : public LinearSolver {
   bool mostly_zeros(std::span<const double> values) const;
   void take(const std::vector<char>& occupied);
   std::vector<char> occupied_slots(std::span<const double> values) const;
-  void leave_out(std::vector<char>& occupied) const;
   void find_neighbours(const std::vector<char>& occupied);
   int factorize_occupied(std::span<const double> values);
   void take_whole_pattern();
@@ -38,14 +36,12 @@ class OccupiedLu final : public LinearSolver {
 
   const Pattern& pattern_;
   LinearSolverOptions options_;
-  std::vector<int> left_out_;
-  std::vector<char> has_part_;      // by unknown
   int unsettled_;
   bool chosen_ = false;
   std::optional<Pattern> occupied_;  // pattern of the unknowns with neighbours
   std::vector<Lone> lone_;
-  std::vector<int> coupled_;  // the unknowns without neighbours
-  std::vector<int> zeros_;          // slots in the whole pattern that must stay zero
+  std::vector<int> coupled_;  // unknowns with neighbours
+  std::vector<int> zeros_;    // slots in the whole pattern that must stay zero
   std::unique_ptr<MultifrontalLu> solver_;
   LinearSolverStatistics earlier_;  // statistics of previous solvers
 };

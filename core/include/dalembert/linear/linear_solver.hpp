@@ -18,8 +18,6 @@ struct LinearSolverOptions {
   int unsettled_matrices = 0;  // zeros in the first matrices may become nonzero in later ones
   std::string instructions = {};  // one of instruction_sets(); empty: the first
   std::vector<int> tiny_diagonal = {};  // unknowns whose diagonal entry, if there is one, is too small to count as a pivot
-  std::vector<int> dependent = {};  // redundant ones among these: their last pivots are that entry
-  std::vector<int> left_out = {};  // dropped ones among these: rows and columns are ignored, solutions are zero
 };
 
 struct LinearSolverStatistics {
