@@ -21,6 +21,8 @@ class ConstrainedMotion {
                double end_time = std::numeric_limits<double>::infinity());
   // Constraints may have been switched on or off: their metric is found again at the next factorization.
   void examine_anew();
+  // Solves without regularization from now on. The factors have to be computed again.
+  void solve_as_regular();
   // The factors at this state. Returns LinearSolver::success, or the unknown without a pivot.
   int factorize(System& system, const State& state, const Conditions& conditions);
   // The same with ones where there are no masses.

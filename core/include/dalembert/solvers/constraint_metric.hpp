@@ -29,7 +29,12 @@ struct ConstraintMetric {
 
 double smallest_unit(const System& system);  // no unit of a length is smaller
 
-// At a state; `moment_length`: ratio of the weights of forces and moments, 0: the size of the mechanism.
-ConstraintMetric constraint_metric(System& system, const State& state, const Conditions& conditions, double moment_length = 0);
+// Inertia in the metric: the masses, or for the geometry of constraints alone, 1 for translations and the squared size of
+// the model for rotations.
+enum class Inertia { masses, lengths };
+
+// Metric at a state. `moment_length` is the ratio of the weights of forces and moments; 0 selects the size of the mechanism.
+ConstraintMetric constraint_metric(System& system, const State& state, const Conditions& conditions, double moment_length = 0,
+                                   Inertia inertia = Inertia::masses);
 
 }  // namespace dalembert

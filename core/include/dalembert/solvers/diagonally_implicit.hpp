@@ -43,6 +43,7 @@ class DiagonallyImplicitSolver : public Solver {
     find_accelerations();
     after_jump_ = true;
   }
+  void solve_as_regular() override;
   ConstrainedMotion* motion_under_constraints() override;
   void examine_constraints_anew() override {
     motion_.examine_anew();

@@ -47,6 +47,7 @@ class ExplicitSolver : public Solver {
     motion_.examine_anew();
     rank_known_ = false;
   }
+  void solve_as_regular() override { motion_.solve_as_regular(); }
   ConstrainedMotion* motion_under_constraints() override { return constrained_ ? &motion_ : nullptr; }
   KnownDerivatives complete_ends() override;
   void advise_on_growth() override;

@@ -78,6 +78,7 @@ class NewtonSolver : public Solver {
   void prepare_constraints();
   void begin_step_with_constraints();
   bool solves_with_dependent_constraints();
+  void solve_as_regular() override;
   bool leaves_constraints_open();
   std::unique_ptr<LinearSolver> new_linear_solver() const;
   void choose_eps();

@@ -250,6 +250,8 @@ class Solver {
   bool warned_of_undecided_start_ = false, warned_of_actions_ = false, warned_of_rest_ = false;
   double largest_misfit_ = 0;
   void find_rank() { find_rank(current()); }
+  // Called if constraints depend on each other only in the singular position of the start.
+  virtual void solve_as_regular() {}
   void find_rank(const State& at);
   ConstraintRank rank_;
   bool rank_known_ = false, announced_rank_ = false;

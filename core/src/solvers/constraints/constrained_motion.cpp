@@ -130,6 +130,11 @@ void ConstrainedMotion::examine_anew() {
   of_velocities_.clear();
 }
 
+void ConstrainedMotion::solve_as_regular() {
+  constraints_.deactivate();
+  factors_ = make_linear_solver(*pattern_, type_, options_);
+}
+
 int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
   if (!constraints_.is_prepared()) [[unlikely]] {
     constraints_.prepare(system, state, conditions, settings_, treats_redundancy_, ConstraintSolver::Matrix::accelerations);

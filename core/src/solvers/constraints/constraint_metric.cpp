@@ -37,10 +37,11 @@ double geometric_mean(const std::vector<double>& numbers) {
 // which of them have inertia.
 class ScaledColumns {
  public:
-  ScaledColumns(System& system, const State& still, const Conditions& conditions)
+  ScaledColumns(System& system, const State& still, const Conditions& conditions, Inertia inertia)
       : system_(system), pattern_(system.pattern(false)), ode2_(system.sizes().ode2), first_ae_(system.sizes().first_ae()), units_(system.coordinate_units()),
         nodes_(system.nodes_of_coordinates()), forces_(static_cast<std::size_t>(pattern_.values())), masses_(forces_.size()) {
-    system.mass_matrix(still, pattern_, masses_);
+    if (inertia == Inertia::masses) system.mass_matrix(still, pattern_, masses_);
+    else fill_with_lengths();
     system.tangent(still, at_level(conditions, false), along_positions, pattern_, forces_);
     for (int j = 0; j < ode2_; ++j) diagonal_.push_back(masses_[static_cast<std::size_t>(pattern_.slot(j, j))]);
     fill_in_masses(system, diagonal_);
@@ -90,6 +91,10 @@ class ScaledColumns {
     int first;             // coordinate
     Eigen::MatrixXd root;  // of the inverse inertia, without what makes the parameters longer
   };
+  void fill_with_lengths() {
+    const double length = system_.extent();
+    for (int j = 0; j < ode2_; ++j) masses_[at(pattern_.slot(j, j))] = units_[at(j)] == CoordinateUnit::radian ? length * length : 1;
+  }
   static std::size_t at(int j) { return static_cast<std::size_t>(j); }
   std::size_t kind(int j) const { return static_cast<std::size_t>(units_[at(j)]); }
 
@@ -238,12 +243,12 @@ double ConstraintMetric::largest(std::span<const double> gaps) const {
   return size;
 }
 
-ConstraintMetric constraint_metric(System& system, const State& state, const Conditions& conditions, double moment_length) {
+ConstraintMetric constraint_metric(System& system, const State& state, const Conditions& conditions, double moment_length, Inertia inertia) {
   const auto n = static_cast<std::size_t>(system.sizes().ae);
   ConstraintMetric metric{std::vector<double>(n, 0.0), std::vector<double>(n, 1.0), std::vector<CoordinateUnit>(n, CoordinateUnit::unknown),
                           std::vector<char>(n, 0), std::vector<std::vector<ConstraintMetric::Entry>>(n)};
   if (n == 0) return metric;
-  const ScaledColumns columns(system, without_multipliers(state), conditions);
+  const ScaledColumns columns(system, without_multipliers(state), conditions, inertia);
   std::vector<char> examined(n);
   for (std::size_t k = 0; k < n; ++k) examined[k] = system.constrains_motion(static_cast<int>(k)) && !columns.is_off(static_cast<int>(k));
   for (const System::EquationOwner& owner : system.equation_owners())

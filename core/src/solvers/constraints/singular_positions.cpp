@@ -4,6 +4,7 @@
 // estimated errors are made of it, and a step that ends in the very place does not know where to go on. So steps stay large.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -27,11 +28,13 @@ constexpr double not_to_be_trusted = 100;
 
 }  // namespace
 
-// By how much multipliers outgrow what they state: inverse to the weakest constraint.
+// The inverse strength of the weakest constraint, by geometry alone: a constraint between light bodies is not weak. Zero if
+// constraints are evidently independent, infinite in a singular position.
 double Solver::growth_of_multipliers(const State& state) {
   const Conditions conditions = at_level(conditions_, false);
-  const double weakest = ConstraintRank(*system_, state, conditions, constraint_metric(*system_, state, conditions), no_tolerance).weakest();
-  return weakest > 0 ? 1 / weakest : 0;
+  const ConstraintRank rank(*system_, state, conditions, constraint_metric(*system_, state, conditions, 0, Inertia::lengths), no_tolerance);
+  if (rank.count() > 0) return std::numeric_limits<double>::infinity();
+  return rank.weakest() > 0 ? 1 / rank.weakest() : 0;
 }
 
 void Solver::compare_constraints_with(const State& state) {
@@ -103,12 +106,12 @@ namespace {
 
 // Combinations of which less is left than the square of this are those of a position that is not further away, relative to the size of the model;
 // they are none of those that are there at the larger distance as well.
-constexpr double close_to_position = 1e-4, away_from_position = 1e-2;
+constexpr double close_to_position = 1e-3, away_from_position = 1e-2;
 constexpr int most_equations = 1000;  // thousands of combinations would take longer to name than the solution has taken
 
 }  // namespace
 
-// By this part of the size of the model, onto the constraints.
+// The state moved by this part of the size of the model, and projected onto the constraints if possible.
 State Solver::moved_along_velocities(const State& at, double part) {
   State moved = at;
   const double speed = largest(at.v);
@@ -119,8 +122,9 @@ State Solver::moved_along_velocities(const State& at, double part) {
   ConstrainedMotion motion;
   prepare(motion);
   const Conditions conditions = at_level(conditions_, false);
-  if (motion.factorize(*system_, moved, conditions) != LinearSolver::success || !motion.project(*system_, moved, conditions)) moved.q = at.q;
-  return moved;
+  State projected = moved;
+  const bool succeeds = motion.factorize(*system_, moved, conditions) == LinearSolver::success && motion.project(*system_, projected, conditions);
+  return succeeds ? projected : moved;
 }
 
 std::vector<std::string> Solver::items_in_singular_position() {
@@ -135,8 +139,7 @@ std::vector<std::string> Solver::items_in_singular_position() {
   const State away = moved_along_velocities(current(), away_from_position);
   const ConstraintRank there = rank_at(away);
   system_->reactions_are_known(here.equations());
-  const bool has_left = constraint_rank().count() > 0 && there.count() < constraint_rank().count();  // what always follows from others
-  if (has_left || !(there.count() < here.count())) return {};
+  if (!(there.count() < here.count())) return {};
   // Items that could leave out as many elsewhere may take part all the same, where all do.
   const std::vector<ConstraintRank::Item> always = there.items(*system_);
   std::vector<std::string> more, all;

@@ -1,6 +1,7 @@
 // Which constraint equations follow from others.
 #include <utility>
 
+#include "constraints/constraint_states.hpp"
 #include "dalembert/solvers/constraint_solver.hpp"
 #include "dalembert/solvers/solver.hpp"
 
@@ -8,7 +9,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr double beside_position = 1e-3;  // of the size of the model
+constexpr double near_position = 1e-3;  // of the size of the model
 
 }  // namespace
 
@@ -21,9 +22,17 @@ constexpr double beside_position = 1e-3;  // of the size of the model
       return ConstraintRank(*system_, state, conditions_, constraint_metric(*system_, state, conditions_, settings_->redundantConstraints.momentLength));
     };
     rank_ = rank_at(at);
-    // In a singular position, more equations depend on each other than beside it.
-    if (rank_.count() > 0 && !is_static())
-      if (ConstraintRank beside = rank_at(moved_along_velocities(at, beside_position)); beside.count() < rank_.count()) rank_ = std::move(beside);
+    bool leaves = rank_.count() == 0;
+    // In a singular position, more equations depend on each other than near it.
+    if (rank_.count() > 0 && !is_static()) {
+      ConstraintRank near = rank_at(moved_along_velocities(at, near_position));
+      if (near.count() < rank_.count()) {
+        rank_ = std::move(near);
+        leaves = largest(start_of_step().v) > at_rest;  // motion from rest needs the regularization in the first step
+        rank_known_ = leaves;
+      }
+    }
+    if (leaves && rank_.count() == 0 && rank_.certain() && !is_static()) solve_as_regular();
   }
   system_->reactions_are_known(rank_.equations());
   if (rank_.count() == 0 || std::exchange(announced_rank_, true) || !verbose(1)) return;

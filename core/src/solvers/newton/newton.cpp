@@ -56,6 +56,7 @@ void NewtonSolver::forget() {
   Solver::forget();
   full_newton_ = !newton_settings.useModifiedNewton;
   constraints_.forget();
+  forces_.reset();
   take_pattern();
   conv.jacobianUpdateRequested = true;
 }
@@ -120,11 +121,17 @@ double NewtonSolver::evaluate_residual() {
   reset_to_start_of_step();
   conv.jacobianUpdateRequested = true;
   if (iterate_to_the_end()) return true;
+  solve_as_regular();
+  return false;
+}
+
+void NewtonSolver::solve_as_regular() {
+  if (conv.newtonConverged) told_multipliers();
   constraints_.deactivate();
   misfit_.clear();
+  idle_ = Idle::none;
   linear_ = new_linear_solver();
   conv.jacobianUpdateRequested = true;
-  return false;
 }
 
 // Multipliers start from zero, coordinates from the prediction of the integrator.

@@ -116,11 +116,14 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
     return false;
   }
   contradiction_ = false;
-  if (!rank_known_) [[unlikely]] find_rank();  // where gaps of the start are closed, and singular positions are left
   if (misfit > silent_misfit && !conditions_.rate_level) warn_of_contradiction(misfit_);
   largest_misfit_ = std::max(largest_misfit_, misfit);
   // Rows of rates are not those of forces, as velocities turn them, and stiffness hardly resists some motions.
   idle_ = full_newton_ && !conditions_.rate_level && !is_static() ? Idle::at_factors : Idle::at_state;
+  if (!rank_known_) [[unlikely]] {  // the start may have had gaps, or may have been a singular position
+    find_rank();
+    if (!constraints_.active()) return true;
+  }
   if (!multipliers_may_wait() && !conditions_.rate_level) told_multipliers();
   return true;
 }

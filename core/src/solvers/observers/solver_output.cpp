@@ -268,6 +268,7 @@ void Solver::write_sensors() {
 void Solver::forget() {
   system_->forget_searches();
   joints_are_examined();
+  rank_known_ = false;
 }
 
 void Solver::write_restart() {

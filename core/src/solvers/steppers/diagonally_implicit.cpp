@@ -115,6 +115,11 @@ void DiagonallyImplicitSolver::forget() {
   prepare_factors();
 }
 
+void DiagonallyImplicitSolver::solve_as_regular() {
+  motion_.solve_as_regular();
+  factorized_for_ = 0;
+}
+
 void DiagonallyImplicitSolver::pattern_revised() { prepare_factors(); }
 
 void DiagonallyImplicitSolver::save_start_of_step() {
