@@ -16,6 +16,8 @@ import dalembert as exu
 from dalembert.solver import SolverError
 
 END = 5.0
+# Of a motion of 0.5 m: a thousand times the error of steps of 0.1 ms, and a hundred times the tolerance 1e-6.
+OF_SLOW_STARTS = 1e-4
 
 
 def error_of(bars: Bars) -> float:
@@ -154,13 +156,19 @@ def test_starts_in_the_flat_position_that_round_off_spoils_name_methods_that_do_
 def test_singular_positions_that_end_a_solution_are_named(
     solver: Any, loops: int, angle: float, rate: float, steps: int, tolerance: float | None
 ) -> None:
-    """Weight takes slow links through the flat position within a millisecond, a hundred thousandth of a radian from it: who gets through is right."""
+    """Weight takes slow links through the flat position within a millisecond, at most 1e-5 rad away from it, where
+    round-off decides whether a solver passes: then it continues correctly. Otherwise, the error names the joints."""
     bars, s = Bars(loops, angle=angle, rate=rate), by_tolerance(settings(END, 50), tolerance or 1e-6)
     s.timeIntegration.automaticStepSize = tolerance is not None
     s.timeIntegration.endTime, s.timeIntegration.numberOfSteps = 0.3, steps
-    with pytest.raises(SolverError) as refused:
+    try:
         bars.mbs.SolveDynamic(s, solverType=solver)
-    error = refused.value
+    except SolverError as refused:
+        error = refused
+    else:
+        wanted = parallelogram(loops, [0.3], (angle, rate))[0][:2]
+        np.testing.assert_allclose(bars.tip_output(Variable.Position), wanted, rtol=0, atol=OF_SLOW_STARTS)
+        return
     assert error.reason == "singularPosition"
     assert len(error.dependentEquations) > 2 * loops
     assert all("follow from others" in text or "more" in text for text in error.dependentEquations)
@@ -202,8 +210,7 @@ def test_slow_starts_in_the_flat_position_do_not_contradict(solver: Any, rate: f
         return
     error = np.linalg.norm(bars.tip_output(Variable.Position) - parallelogram(2, [0.3], (0, rate))[0][:2])
     solved = bars.mbs.sys["dynamicSolver"]
-    # Of 0.5 m: 1e-4 is a thousand times the error of steps of 0.1 ms, and a hundred times the tolerance.
-    assert error < 1e-4 or not solved.output.trusted or "starts in a singular position" in told
+    assert error < OF_SLOW_STARTS or not solved.output.trusted or "starts in a singular position" in told
 
 
 @pytest.mark.parametrize("rate", [-1e-2, -1e-3, -1e-5])
@@ -226,7 +233,8 @@ def test_slow_starts_follow_their_velocities(solver: Any, rate: float) -> None:
     ],
 )
 def test_branches_that_round_off_decides_are_told(solver: Any, loops: int, rate: float, steps: Any, capfd: Any) -> None:
-    """Weight turns velocities within 0.1 ms, in which they lead 1e-7 rad away from the flat position: its square is round-off."""
+    """Weight turns velocities within 0.1 ms, in which they lead 1e-7 rad away from the flat position: its square is
+    round-off. The motion continues correctly, or a warning is given."""
     bars, s = Bars(loops, angle=0, rate=rate), by_tolerance(settings(END, 50), 1e-4)
     s.timeIntegration.endTime = 0.3
     s.timeIntegration.automaticStepSize = steps is None
@@ -235,7 +243,10 @@ def test_branches_that_round_off_decides_are_told(solver: Any, loops: int, rate:
         assert bars.mbs.SolveDynamic(s, solverType=solver)
     except SolverError as error:
         assert error.reason == "singularPosition"
-    assert capfd.readouterr().out.count("starts in a singular position") == 1
+        return
+    wanted = parallelogram(loops, [0.3], (0, rate))[0][:2]
+    error_at_end = np.linalg.norm(bars.tip_output(Variable.Position) - wanted)
+    assert error_at_end < OF_SLOW_STARTS or capfd.readouterr().out.count("starts in a singular position") == 1
 
 
 class SliderCrank:

@@ -20,11 +20,11 @@ namespace {
 
 // A singular position takes the weakest constraint to zero; elsewhere it changes by less than this. Where it has begun in one, nothing is usual,
 // and only what is much closer to it counts.
-constexpr double weaker_by = 100, smallest_growth = 100, growth_beside_start = 1e4, singular_growth = 1e14;
+constexpr double weaker_by = 300, smallest_growth = 100, growth_beside_start = 1e4, singular_growth = 1e14;
 constexpr double largest_relative_turn = 0.1;  // of the velocities in a step, relative to their size
 constexpr double no_tolerance = 1e-30;   // of squared remainders: nothing depends on others
 constexpr double most_noise = 1e4;       // in units of the tolerances
-constexpr double not_to_be_trusted = 100;
+constexpr double not_to_be_trusted = 1000;
 
 }  // namespace
 
