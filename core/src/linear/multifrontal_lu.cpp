@@ -18,8 +18,9 @@ constexpr double smallest_ratios[] = {1e-6, 1e-4, 1e-2};
 constexpr double largest_residual = 1e-12;
 // Fronts of a stricter search may have so many times the rows of those of the first one.
 constexpr int harmless_fill = 3;
-// Largest admissible growth of the entries of L in a repeated factorization, which bounds the loss of digits.
-constexpr double largest_growth = 1e3;
+// Largest admissible growth of the entries of L in a repeated factorization, relative to that with the selected pivots,
+// which bounds the loss of digits. If L exceeds the size, which costs five digits, it may only grow a little further.
+constexpr double largest_growth = 1e3, largest_size = 1e5, smallest_growth = 10;
 
 }  // namespace
 
@@ -133,7 +134,8 @@ bool MultifrontalLu::repeat(std::span<const double> given) {
     kernels_.eliminate(panel, front.pivots, front.length, right, front.updates);
     kernels_.pack(panel, {front.pivots, front.updates}, front.length, right, inverse, factor(front.lower), factor(front.upper));
   }
-  return growth_ <= largest_growth * planned_growth_ && regular();
+  const double limit = std::max(std::min(largest_growth * planned_growth_, largest_size), smallest_growth * planned_growth_);
+  return growth_ <= limit && regular();
 }
 
 // All pivots are larger than the threshold.

@@ -12,9 +12,11 @@ namespace {
 // Round-off of P is u s_max / eps, so 1e-10 leaves ten times as much noise in multipliers; 1e-8 is too large to pass a flat position of 400 loops.
 constexpr double regular_eps = 1e-9;
 // A gap g leaves constraints of strength (g / arm)^2: these are to be 1e-6 eps or less.
-constexpr double eps_per_squared_gap = 1e7;
+constexpr double eps_per_squared_gap = 1e7, eps_of_rates_per_squared_gap = 1e4;
 // Motions with larger gaps are refused. Static iterates are far off the constraints.
-constexpr double largest_eps = 1e-6, largest_eps_of_rates = 1e-5, largest_static_eps = 1e-2;
+constexpr double largest_eps = 1e-6, largest_eps_of_rates = 1e-3, largest_static_eps = 1e-2;
+// Each pass removes a share P of what is left.
+constexpr int misfit_passes = 3;
 // What Newton's method leaves of joints that fit.
 constexpr double fitting_gap = 1e-11;
 constexpr int most_refinements = 12;  // 2 to 4 where joints fit
@@ -74,7 +76,7 @@ void ConstraintSolver::choose(double gap, bool of_rates) {
   const bool moves = kind_ != Matrix::statics;
   const double most = moves ? std::max(largest_gap_, gap) : gap;
   fit_ = !((kind_ == Matrix::motion ? largest_gap_ : most) > fitting_gap);
-  eps_ = std::clamp(eps_per_squared_gap * most * most, regular_eps, !moves ? largest_static_eps : of_rates ? largest_eps_of_rates : largest_eps);
+  eps_ = std::clamp((of_rates ? eps_of_rates_per_squared_gap : eps_per_squared_gap) * most * most, regular_eps, !moves ? largest_static_eps : of_rates ? largest_eps_of_rates : largest_eps);
 }
 
 LinearSolverOptions ConstraintSolver::options(LinearSolverOptions options) const {
@@ -106,8 +108,12 @@ std::vector<double> ConstraintSolver::misfit(LinearSolver& factors, std::span<co
   std::vector<double> open(gaps.begin(), gaps.end());
   for (std::size_t k = 0; k < open.size(); ++k)
     if (!(metric_[k] > 0)) open[k] = 0;
-  const std::span<const double> x = solve_for(factors, open);
-  for (std::size_t k = 0; k < open.size(); ++k) open[k] = entries_[k] * x[static_cast<std::size_t>(first_ae_) + k];
+  std::vector<double> closed = open;
+  for (int pass = 0; pass < misfit_passes; ++pass) {
+    const std::span<const double> x = solve_for(factors, closed);
+    for (std::size_t k = 0; k < open.size(); ++k) closed[k] -= entries_[k] * x[static_cast<std::size_t>(first_ae_) + k];
+  }
+  for (std::size_t k = 0; k < open.size(); ++k) open[k] -= closed[k];
   return open;
 }
 
