@@ -1,4 +1,4 @@
-// The metric of constraint equations: how strongly they act on the masses, and what counts as one in their gaps.
+// The metric of constraint equations: their effect on the masses, and the units of their gaps.
 #pragma once
 
 #include <span>
@@ -14,20 +14,20 @@ struct ConstraintMetric {
     int row;
     double value;
   };
-  // By constraint equation. Equations of nodes (unit lengths), and those that define an algebraic coordinate, have no weight: they never depend on
-  // others.
-  std::vector<double> weights;             // D: one number for all forces of a mechanism, and one for its moments
-  std::vector<double> units;               // of gaps: the size of the mechanism in m; 1 for angles
-  std::vector<CoordinateUnit> kinds;       // meter: a force, radian: a moment
-  std::vector<char> acting;                // the equation acts on a coordinate
-  std::vector<std::vector<Entry>> columns; // M^-1/2 G^T of equations with a weight
-  bool has_loops = false;                  // equations may depend on others: not each has a coordinate that no other acts on
+  // All vectors have one entry per constraint equation. Equations of nodes (unit lengths) and definitions of algebraic
+  // coordinates have no weight, because they are never redundant.
+  std::vector<double> weights;              // D: one number for all forces of a mechanism, and one for its moments
+  std::vector<double> units;                // unit of gaps: the size of the mechanism in m, or 1 for angles
+  std::vector<CoordinateUnit> kinds;        // meter for forces, radian for moments
+  std::vector<char> acting;                 // true if the equation acts on a coordinate
+  std::vector<std::vector<Entry>> columns;  // M^-1/2 G^T of equations with a weight
+  bool has_loops = false;  // false if each equation can be assigned a coordinate of its own, so that none is redundant
 
-  // The largest gap relative to the units, of equations with a weight.
+  // Largest gap relative to the units, for equations with a weight.
   double largest(std::span<const double> gaps) const;
 };
 
-double smallest_unit(const System& system);  // no unit of a length is smaller
+double smallest_unit(const System& system);  // lower limit of the units of lengths
 
 // Inertia in the metric: the masses, or for the geometry of constraints alone, 1 for translations and the squared size of
 // the model for rotations.

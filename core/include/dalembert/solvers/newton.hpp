@@ -25,7 +25,7 @@ class NewtonSolver : public Solver {
 
   // Residual of the current state; returns the number that is compared with the tolerances.
   virtual double compute_residual() = 0;
-  // Moves the current state by the increment; `initial`: to the prediction at the start of a step.
+  // Moves the current state by the increment, or to the prediction of a step if `initial`.
   virtual void compute_update(bool initial) = 0;
   // Values of the system matrix for the current state.
   virtual void compute_jacobian() = 0;
@@ -38,7 +38,7 @@ class NewtonSolver : public Solver {
   const Pattern& pattern() const { return *pattern_; }
 
  protected:
-  // As it is compared with the tolerances.
+  // Norm that is compared with the tolerances.
   template <class S>
   S norm_of(const std::vector<S>& residual) const {
     using std::sqrt;
@@ -47,16 +47,16 @@ class NewtonSolver : public Solver {
   }
   void examine_constraints_anew() override;
   const std::vector<double>* told_multipliers() override;
-  void multipliers_renewed() { idle_ = Idle::none; }  // to the smallest ones
-  // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
+  void multipliers_renewed() { idle_ = Idle::none; }  // multipliers have minimum norm
+  // Factorizes `jacobian_`. Returns false, with flags set, if it is singular.
   bool factorize();
 
-  // Of the last loop, without those that round-off has kept from making the residual smaller.
+  // Iterations of the last loop, without those in which round-off kept the residual from decreasing.
   int useful_iterations() const { return it.newtonSteps - loop_.idle; }
 
   const Pattern* pattern_ = nullptr;
   std::unique_ptr<LinearSolver> linear_;
-  bool factorized_ = false;  // what `linear_` was last given
+  bool factorized_ = false;  // result of the last factorization
   std::vector<double> residual_, increment_, jacobian_;
   double least_initial_residual_ = 0;  // tolerances are relative to no less
   bool full_newton_ = true;  // a new Jacobian in every iteration
@@ -65,7 +65,7 @@ class NewtonSolver : public Solver {
   friend class Lockstep;
   struct Loop {
     double initial_residual = 0;
-    double first_residual = 0;  // after the first iteration
+    double first_residual = 0;  // residual after the first iteration
     double best_residual = 0;
     int idle = 0;
     int iterations_to_close = 0;  // constraints, after the tolerances are met
@@ -74,7 +74,7 @@ class NewtonSolver : public Solver {
     bool one_more_step = false;  // after a restart, convergence counts only if confirmed by another iteration
   };
 
-  // ---- constraints that may be redundant (newton_constraints.cpp) ---------------------------------------------------
+  // ---- redundant constraints (newton_constraints.cpp) ---------------------------------------------------------------
   void prepare_constraints();
   void begin_step_with_constraints();
   bool solves_with_dependent_constraints();
@@ -86,10 +86,10 @@ class NewtonSolver : public Solver {
   double residual_without_misfit();
   bool settle_multipliers();
   double gap_of_positions();
-  // Of A^-1 in the Jacobian, relative to the inverse masses.
+  // Size of the inverse Jacobian of the coordinates, relative to the inverse masses.
   virtual double metric_scale() = 0;
   LinearSolverOptions newton_options() const;
-  // By which rows of constraints of velocities are multiplied in `jacobian_`.
+  // Factor of velocity constraints in `jacobian_`.
   virtual double rate_factor() const { return 1; }
 
   // ---- the parts of newton ---------------------------------------------------------------------------------------
@@ -114,7 +114,7 @@ class NewtonSolver : public Solver {
   double evaluate_residual();
   double relative_increment();
   double round_off_level();
-  // By which ODE2 equations are multiplied in `residual_`.
+  // Factor of ODE2 equations in `residual_`.
   virtual double row_scale() const { return 1; }
   std::vector<double> unscaled_residual() const;
   void report_failure();
@@ -124,12 +124,12 @@ class NewtonSolver : public Solver {
 
   Loop loop_;
   ConstraintSolver constraints_;
-  // Where a part of the multipliers from which no force comes has been left in them: in a state whose factors are at hand, or in one without.
+  // Whether multipliers still contain a null-space part, and whether the factors of their state are available.
   enum class Idle { none, at_factors, at_state };
   Idle idle_ = Idle::none;
-  std::unique_ptr<ConstrainedMotion> forces_;  // of constraints, for multipliers of states without factors
-  bool contradiction_ = false;  // Newton's method has converged, and left too much open
-  std::vector<double> misfit_;           // gaps that no motion closes, by equation; empty: none
+  std::unique_ptr<ConstrainedMotion> forces_;  // constraint forces, for multipliers of states without factors
+  bool contradiction_ = false;   // Newton's method converged with a misfit above the setting
+  std::vector<double> misfit_;  // gaps that no motion can close, by equation; may be empty
 };
 
 }  // namespace dalembert

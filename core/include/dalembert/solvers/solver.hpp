@@ -1,4 +1,4 @@
-// What all solvers share: the loop over steps with its step sizes, discontinuous iterations, output and messages.
+// Base class of all solvers: the loop over steps, step sizes, discontinuous iterations, output and messages.
 #pragma once
 
 #include <algorithm>
@@ -33,18 +33,18 @@ class Model;
 class StepInterpolation;
 struct RestartData;
 
-// What surrounds a system while it is solved.
+// Environment of a system while it is solved.
 struct SolverEnvironment {
   SolverHooks hooks;
   std::vector<SensorChannel> sensors;
   SensorStorage* sensor_storage = nullptr;
   std::string build;  // version of program, Python and platform, for file headers
-  const Model* model = nullptr;  // that the system was assembled from, to name items in a diagnosis
+  const Model* model = nullptr;  // model of the system, to name items in a diagnosis
 };
 const SolverEnvironment& no_environment();
 
-// Every public function that works on a system needs `attach` before. The steps of a solution are virtual functions, so
-// that a user may replace single ones.
+// Call `attach` before any function that needs a system. The steps of a solution are virtual functions, so that users can
+// replace single ones.
 class Solver {
  public:
   Solver();
@@ -52,24 +52,24 @@ class Solver {
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
-  // All three must live until the next attach, or the environment until it is to be forgotten.
+  // All arguments must exist until the next `attach`; the environment until `forget_environment`.
   void attach(System& system, const SimulationSettings& settings, const SolverEnvironment& environment);
   void forget_environment();
 
   // ---- a whole solution ------------------------------------------------------------------------------------------
-  // Initialize, solve all steps, finalize. False: failed, see diagnosis(). Exceptions of hooks, items and files pass through,
-  // with the state of the last completed step.
+  // Initializes, solves all steps, finalizes. Returns false on failure (see diagnosis()). Exceptions of hooks, items and files
+  // pass through with the state of the last completed step.
   bool solve_system();
   bool initialize();
   bool solve_steps();
   void finalize();
-  // Takes what is known of accelerations and rates at the start of the step into its state; whether they, and those at the end, are those
-  // of the motion.
+  // Completes the state at the start of the step by known accelerations and rates. Returns whether these, at both ends of
+  // the step, are derivatives of the motion.
   struct KnownDerivatives {
     bool accelerations, rates;
   };
   virtual KnownDerivatives complete_ends() { return {it.currentStepIndex > 1, it.currentStepIndex > 1}; }
-  // What was needed for the last solution alone; `initialize` makes it anew.
+  // Releases the memory of the last solution.
   virtual void free_memory() {}
 
   // ---- parts of initialize, in this order --------------------------------------------------------------------------
@@ -90,19 +90,19 @@ class Solver {
   virtual void finish_step(bool write);
   virtual bool reduce_step_size();
   virtual void increase_step_size();
-  // After a solution that has finished: what speaks against it.
+  // Collects doubts about a finished solution.
   virtual void look_back();
 
-  // ---- what it is --------------------------------------------------------------------------------------------------
+  // ---- properties --------------------------------------------------------------------------------------------------
   virtual bool is_static() const { return false; }
   virtual std::string name() const = 0;
   virtual bool controls_step_size() const { return false; }
   virtual bool enforces_constraints() const { return true; }
   virtual double load_factor() const { return 1; }
-  // What has been found of constraints that follow from others; count() is zero if there are none.
+  // Rank of the constraints; count() is the number of redundant equations.
   const ConstraintRank& constraint_rank() const { return rank_; }
   virtual const ConstraintSolver& constraint_solver() const = 0;
-  double largest_misfit() const { return largest_misfit_; }  // that they have left open, relative to the size of the model
+  double largest_misfit() const { return largest_misfit_; }  // relative to the size of the model
   double end_time() const;
 
   // ---- output ------------------------------------------------------------------------------------------------------
@@ -113,13 +113,13 @@ class Solver {
   void write_sensors();
   void write_restart();
 
-  // Empty after success.
+  // Text of the error; empty after success.
   std::string error_string() const;
-  // Why a solution that has finished is not to be trusted.
+  // Reasons not to trust a finished solution.
   const std::vector<std::string>& doubts() const { return doubts_; }
   const Diagnosis& diagnosis() const { return diagnosis_; }
 
-  LinearSolverType linear_type() const { return linear_type_; }  // of the settings, or chosen by the size of the system
+  LinearSolverType linear_type() const { return linear_type_; }  // given by settings or by the size of the system
   const Sizes& sizes() const { return sizes_; }
   System& system() { return *system_; }
   const System& system() const { return *system_; }
@@ -129,7 +129,7 @@ class Solver {
   SolverConvergenceData conv;
   SolverOutputData output;
   SolverTimer timer;
-  NewtonSettings newton_settings;       // of staticSolver or timeIntegration, whichever this solver has
+  NewtonSettings newton_settings;       // settings of staticSolver or timeIntegration
   DiscontinuousSettings discontinuous;
 
  protected:
@@ -138,65 +138,65 @@ class Solver {
   const State& initial() { return system_->state(ConfigurationType::Initial); }
   const SolverHooks& hooks() const { return environment_->hooks; }
   bool dense() const { return is_dense(linear_type_); }
-  LinearSolverOptions linear_options() const;  // of the settings
+  LinearSolverOptions linear_options() const;  // given by settings
   void prepare(ConstrainedMotion& motion) const;
-  double last_time() const;  // of the solution, after which user functions may not be defined
-  // Sets back what a discontinuous iteration has moved: everything except data.
+  double last_time() const;  // end of the solution; user functions may be undefined later
+  // Restores the state of a discontinuous iteration, except data coordinates.
   virtual void reset_to_start_of_step();
   virtual void save_start_of_step();
-  // Terms that are no items look for what acts in the current state.
+  // Runs the searches of terms that are not items, such as contact detection.
   void search();
   virtual void pattern_revised() {}
   void save_all_but_motion();  // q, v and a are left to the caller
-  // ---- going on from a restart file --------------------------------------------------------------------------------
+  // ---- restart -----------------------------------------------------------------------------------------------------
   bool continues() const { return continuation_ != nullptr; }
-  // What it needs besides the state: algorithmic accelerations, and some numbers more.
+  // Data in addition to the state, such as algorithmic accelerations.
   virtual std::span<const double> restart_values() const { return {}; }
   virtual std::vector<double> restart_numbers() const { return {}; }
   const std::vector<double>& continued_values() const;
   double continued_number(std::size_t i) const;
-  // ---- control of the step size: singular positions (singular_positions.cpp) ----------------------------------------
-  // Whether the constraints of this step nearly depend on each other, as they did not at the start.
+  // ---- singular positions (singular_positions.cpp) ------------------------------------------------------------------
+  // Whether constraints are nearly redundant in this step, in contrast to the start.
   bool near_singular_position();
   double growth_of_multipliers(const State& state);
-  bool has_weak_constraints();  // as beside a singular position
-  void compare_constraints_with(const State& state);  // from now on
-  // Whether a step is kept although its error, in units of the tolerances, has been estimated to be above them.
+  bool has_weak_constraints();
+  void compare_constraints_with(const State& state);  // sets the reference for near_singular_position
+  // Whether a step is accepted although its estimated error, in units of the tolerances, is above them.
   bool passes_singular_position(double error);
   void warn_of_rest();
-  void passing_singular_position();  // counts and tells it
-  // Whether so many steps have passed it that none will be the last; with the diagnosis.
+  void passing_singular_position();  // counts the step and prints a message
+  // Whether too many successive steps were in a singular position. Writes the diagnosis.
   bool stays_in_singular_position();
   void diagnose_singular_position();
-  // Of a solution that has failed where constraints nearly depend on each other that do not elsewhere: this is the reason, with the items.
+  // Changes the diagnosis of a failed solution if its reason is a singular position, and lists the items.
   void name_singular_position();
   State moved_along_velocities(const State& at, double part);
   std::vector<std::string> items_in_singular_position();
   std::vector<std::string> advice_on_singular_position() const;
-  // Whether constraints of positions are equations of each step, not of their derivatives.
+  // Whether steps enforce position constraints, not their derivatives.
   virtual bool keeps_positions() const { return false; }
-  // Whether a step that is lost beside such a position is to be tried with another size that is not much smaller: a few times.
+  // Whether a failed step near a singular position is repeated with a slightly different size. Limited to a few times.
   bool steps_aside();
-  StepCount singular_position_step_ = -2;  // the last one that passed it
-  // Of a step beside the one before, for which implicit methods correct what that has left in accelerations and velocities, with its round-off.
+  StepCount singular_position_step_ = -2;  // last step in a singular position
+  // Largest ratio of successive steps. Implicit methods correct errors of accelerations and velocities, including round-off.
   static constexpr double largest_growth = 2;
-  // The state has jumped: forces and accelerations have to be found anew.
+  // Recomputes forces and accelerations after a jump of the state.
   virtual void renew_accelerations() {}
-  // Around the masses, where the solver keeps it anyway; null: it does not.
+  // The solver's own factors of masses and constraints; null if it has none.
   virtual ConstrainedMotion* motion_under_constraints() { return nullptr; }
-  // After actions and functions of the user that may have switched constraints on or off.
+  // Called after actions and user functions that may have switched constraints on or off.
   virtual void examine_constraints_anew() {}
-  // After a restart file has been written: nothing that follows may depend on what is not in it.
+  // Discards all data that are not in a restart file, because later results must not depend on them.
   virtual void forget();
-  // Times that are closer to each other are the same.
+  // Smaller differences of times are ignored.
   double same_time() const { return std::min(1e-10, 1e-3 * it.currentStepSize); }
-  // Where the solver goes on with multipliers that are not the smallest ones: those of the current state that everybody else is told. Null: the state
-  // has them, now at the latest.
+  // Minimum-norm multipliers of the current state, if the solver continues with other ones. Null: those of the state have
+  // minimum norm after this call.
   virtual const std::vector<double>* told_multipliers() { return nullptr; }
-  void keep_told_multipliers();  // in the state
-  // Whether multipliers matter only while somebody is `Told`.
+  void keep_told_multipliers();  // writes them to the state
+  // Whether multipliers are read only while a `Told` object exists.
   bool multipliers_may_wait() const { return multipliers_may_wait_; }
-  // While others look at the current state.
+  // The current state has minimum-norm multipliers during the lifetime of this object.
   class Told {
    public:
     explicit Told(Solver& solver);
@@ -209,56 +209,56 @@ class Solver {
     const std::vector<double>* told_;
     std::vector<double> own_;
   };
-  // Whether the user has replaced a part of a step, which may change what the solver does.
+  // Whether a user function replaces a part of the step.
   virtual bool has_replaced_parts() const { return false; }
   virtual StepFactors step_factors() const;
   void warn(std::string_view text);
   std::string describe_switch(const Switch& at) const;
-  // As the console shows it.
+  // Number in the format of the console.
   std::string number(double value) const;
-  // ---- diagnosis: what is known at this point ----------------------------------------------------------------------
+  // ---- diagnosis ---------------------------------------------------------------------------------------------------
   Diagnosis& diagnose(FailureReason reason);
-  // With what can move freely, and equations that depend on each other.
+  // Lists unconstrained motions and linearly dependent equations.
   void diagnose_singular_matrix(const Pattern& pattern, std::span<const double> values);
-  void diagnose_open_gaps();  // that no motion onto the constraints has closed
-  // Of redundant constraints, by what no motion closes of their gaps.
+  void diagnose_open_gaps();  // gaps that projections could not close
+  // Whether joints with this misfit were consistent at the start of the solution, or at a state.
   bool has_left_constraints(std::span<const double> misfit);
-  bool have_fitted(const State& at, std::span<const double> misfit);  // beside this misfit
+  bool have_fitted(const State& at, std::span<const double> misfit);
   void diagnose_contradiction(std::span<const double> misfit);
   void warn_of_contradiction(std::span<const double> misfit);  // once
   void warn_of_undecided_start();  // once
   void warn_of_free_motion(std::span<const int> rows);
   void warn_of_instability(int directions, std::span<const int> rows);
-  void warn_of_velocities(std::span<const int> rows, double largest_force);  // in statics
-  // With the equations that have the largest residuals.
+  void warn_of_velocities(std::span<const int> rows, double largest_force);  // for static solutions
+  // Lists the equations with the largest residuals.
   void diagnose(FailureReason reason, std::span<const double> residual);
-  // Names what is not finite in the current state or, if there is nothing, in `residual`, with the items that it comes from.
+  // Lists numbers that are not finite, with their items, in the current state or otherwise in `residual`.
   void diagnose_not_finite(std::span<const double> residual = {});
   // Adds the largest of the numbers, with the items of their rows; the list stays short and begins with the largest.
   void add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const;
   // Whether the step that has been solved is the last one.
   bool ends_here() const { return path_ends_ ? *path_ends_ : it.currentTime >= it.endTime - 1e-6 * it.lastStepSize; }
-  // Times that may fall leave no other choice.
+  // True if output times may decrease.
   virtual bool writes_each_step() const { return false; }
-  virtual void advise_on_growth();  // adds what to do about it
-  // Adds what the user's system Jacobian function gives, for derivatives by q, v and ODE1 coordinates with these weights.
+  virtual void advise_on_growth();  // adds advice to the diagnosis
+  // Adds the user's system Jacobian, with these weights of derivatives by q, v and ODE1 coordinates.
   void add_user_jacobian(const Pattern& pattern, std::span<double> values, const std::array<double, 3>& weights);
-  // Whether a step is kept although its error is above the tolerances; with a warning, and a diagnosis where there are too many.
+  // Whether a step of minimum size is accepted although its error is above the tolerances. Warns; diagnoses too many of them.
   bool hold_at_minimum();
   virtual void diagnose_error_control();
-  std::string told_contradiction_;  // of redundant constraints, as it has been told
+  std::string told_contradiction_;  // text of the warning of inconsistent constraints
   bool warned_of_undecided_start_ = false, warned_of_actions_ = false, warned_of_rest_ = false;
   double largest_misfit_ = 0;
   void find_rank() { find_rank(current()); }
-  // Called if constraints depend on each other only in the singular position of the start.
-  virtual void solve_as_regular() {}
   void find_rank(const State& at);
+  // Called if constraints are redundant only in the singular position of the start.
+  virtual void solve_as_regular() {}
   ConstraintRank rank_;
   bool rank_known_ = false, announced_rank_ = false;
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
 
-  const bool* path_ends_ = nullptr;  // of a path that does not end at a time
+  const bool* path_ends_ = nullptr;  // end of a path that has no end time
   Sizes sizes_;
   Conditions conditions_;
   Diagnosis diagnosis_;
@@ -270,9 +270,9 @@ class Solver {
  private:
   friend class Lockstep;
   void choose_linear_solver();
-  void check_constraints();  // warns of initial values that do not fulfil them, or refuses these
+  void check_constraints();  // warns of initial values that violate constraints, or refuses them
   std::string constraints_that_close_at_start();
-  // ---- going on from a restart file (continuation.cpp) -------------------------------------------------------------
+  // ---- restart (continuation.cpp) ----------------------------------------------------------------------------------
   void read_continuation();
   void take_continuation();
   void continue_steps();
@@ -304,36 +304,36 @@ class Solver {
   bool end_with_event();
   bool event_reached() const;
   void act_on_events();
-  void end_as_scheduled();  // a step that would go further
+  void end_as_scheduled();  // shortens a step to a scheduled time
   void act_as_scheduled();
-  bool step_was_cut() const;  // and left nothing that the next one, of the usual size, could begin with
+  bool step_was_cut() const;  // to a size without information for the next step
   void advise_on_weak_constraints();
-  // ---- angles that lock (locking_angles.cpp) -----------------------------------------------------------------------
+  // ---- gimbal lock (locking_angles.cpp) ----------------------------------------------------------------------------
   void find_angles();
   void watch_angles();
   void doubt_angles();
   void doubt_equilibrium_of_angles();
   void advise_on_angles();
-  // Three, one after the other: of a node, or turns of a tree in the place of a ball joint.
+  // Three successive rotations, of a node or of a tree in place of a ball joint.
   struct Angles {
-    int node;           // -1: of a tree
-    std::size_t first;  // coordinate
+    int node;           // -1 for a tree
+    std::size_t first;  // first coordinate
   };
   std::string text_of(const Angles& angles, double second_angle) const;
   std::vector<Angles> angles_;
   struct Lock {
-    std::size_t first;  // coordinate
-    StepCount steps;    // that were too large; the first of them, and the second angle there
-    double time, second_angle;
+    std::size_t first;          // first coordinate
+    StepCount steps;            // number of steps that were too large
+    double time, second_angle;  // of the first of these steps
   };
   std::vector<Lock> locks_;
   // ---- contacts that add energy (rebounds.cpp) ---------------------------------------------------------------------
   void watch_rebounds();
   void doubt_rebounds();
   struct Rebound {
-    StepCount closed_at = -1, steps = 0;  // steps: in contact, at the largest growth
-    double approach = 0;                  // velocity before the step that has closed it
-    double growth = 0, largest = 0;       // logarithm of velocities after over before, since these were smallest
+    StepCount closed_at = -1, steps = 0;  // number of steps in contact at the largest growth
+    double approach = 0;                  // velocity before the contact closed
+    double growth = 0, largest = 0;       // logarithm of the ratio of velocities after and before
     double time = 0;
     Switch what{""};
   };
@@ -346,11 +346,11 @@ class Solver {
   bool try_step();
   void begin_step();
   void begin_discontinuous_iteration();
-  void accept_newton();  // it has converged: what follows in a discontinuous iteration
+  void accept_newton();  // continues a discontinuous iteration after convergence
   void step_failed();
   void step_succeeded();
   void end_steps();
-  // Out of the way of steps that need none of them.
+  // Functions that few steps need.
   void warn_of_step_sizes();
   void announce_step();
   void announce_discontinuous_iteration();
@@ -392,28 +392,28 @@ class Solver {
   SolutionFile solution_file_;
   SensorRecorder sensors_;
   OutputFile information_file_;
-  std::unique_ptr<RestartData> continuation_;  // null: from the initial values
+  std::unique_ptr<RestartData> continuation_;  // null without a restart
   std::unique_ptr<StepInterpolation> between_;
-  std::unique_ptr<EventWatch> watch_;  // null: there are no events
-  std::unique_ptr<EventLook> look_;    // with it
-  std::vector<Switch> switches_;       // of items, of the last solution that they have been asked about
+  std::unique_ptr<EventWatch> watch_;  // null without events
+  std::unique_ptr<EventLook> look_;    // null without events
+  std::vector<Switch> switches_;       // switches of items at the last evaluated state
   System::Updates iterates_without_ = System::Updates::all;  // items whose switches are events
   std::exception_ptr unwritten_;  // the first FileError of the run
-  // The clock is read every (look_mask_ + 1)-th step only, as seldom as a few milliseconds allow.
+  // The clock is read every (look_mask_ + 1)-th step, that is every few milliseconds.
   std::uint32_t steps_taken_ = 0, look_mask_ = 0;
   double last_look_ = 0;
   double last_restart_ = 0;
   StepCount aside_step_ = -2;
-  State compared_with_;     // constraints as they usually are, until a number has been made of it
+  State compared_with_;     // reference state, until usual_growth_ is computed
   double usual_growth_ = 0;
-  int times_aside_ = 0, passing_steps_ = 0;  // the latter with few others in between
+  int times_aside_ = 0, passing_steps_ = 0;
   bool end_reached_ = false;
-  std::uint64_t renewed_constraints_ = 0;  // when they have been looked at last
-  std::vector<char> equations_off_;        // empty: it is not known which
+  std::uint64_t renewed_constraints_ = 0;  // revision of the last check of constraints
+  std::vector<char> equations_off_;        // inactive equations; empty if unknown
   bool warned_minimum_ = false;
-  std::string closing_at_start_;  // why errors of the first steps are above the tolerances
-  bool step_completed_ = false;  // the state is that of the end of a step, not one that is tried
-  bool silent_ = false;  // while all steps are solved: nothing happens at their ends
+  std::string closing_at_start_;  // gaps that cause errors of the first steps
+  bool step_completed_ = false;  // the state is the end of an accepted step
+  bool silent_ = false;  // no output at the ends of steps
   bool multipliers_may_wait_ = false, start_is_told_ = false;
 };
 

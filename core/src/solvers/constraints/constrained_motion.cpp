@@ -12,11 +12,12 @@ namespace dalembert {
 
 namespace {
 
-// Gaps of this size, relative to that of the model, are round-off; larger ones are accepted where nothing makes them smaller: redundant
-// constraints may contradict each other.
+// Gaps relative to the size of the model: `closed` is round-off. Gaps up to `accepted` may remain if projections do not
+// reduce them further, because redundant constraints may contradict each other.
 constexpr double closed = 1e-13, accepted = 1e-9;
 constexpr int most_projections = 10;
-// The rows of the constraints.
+
+// Writes the rows of the constraints.
 //
 // Gradients are those of the rates by the velocities: Euler parameters turn a frame without their own lengthening, which
 // the gradient of a gap contains. Constraints of velocities are their own rates, so they are differentiated once, not twice.
@@ -31,8 +32,9 @@ void add_gradients(System& system, const State& state, Conditions conditions, co
   }
 }
 
-// Accelerations that change velocities by h, and positions by h^2, change those of gaps by G + 2 h dG/dt + h^2 d^2G/dt^2, which is found by
-// differences along the motion. Beside a singular position, where G hardly acts in some directions, its changes are more than itself.
+// If accelerations change velocities by h and positions by h^2, they change the accelerations of gaps by
+// G + 2 h dG/dt + h^2 d^2G/dt^2, which is computed by differences along the motion. Near a singular position G is small in
+// some directions, so that its changes dominate.
 void add_changes_of_gradients(System& system, const State& still, Conditions conditions, double h, const Pattern& pattern, std::span<double> matrix,
                               std::span<double> part) {
   conditions.rate_level = true;
@@ -157,7 +159,7 @@ void ConstrainedMotion::begin_step(System& system, const State& start, const Con
   if (constraints_.active()) constraints_.remember(constraints_.largest(gaps_of_positions(system, start, conditions)));
 }
 
-// In the metric of the masses, with others where there are none.
+// The metric of the masses, with substitutes for coordinates without mass.
 void ConstrainedMotion::fill_for_constraints(System& system, const State& state, const Conditions& conditions) {
   fill(system, state, conditions);
   const auto mass = [&](int j) -> double& { return matrix_[static_cast<std::size_t>(pattern_->slot(j, j))]; };
@@ -216,7 +218,7 @@ void ConstrainedMotion::find_driven(System& system, const State& state, const Co
 
 namespace {
 
-// To second derivatives of gaps along constant velocities, what accelerations change: rates are linear in the velocities.
+// Adds the effect of accelerations to second derivatives of gaps along constant velocities: rates are linear in velocities.
 void add_accelerations(System& system, const State& state, const Conditions& conditions, std::vector<double>& gap) {
   State moved = without_multipliers(state);
   std::vector<double> rates(gap.size());
@@ -258,10 +260,11 @@ void ConstrainedMotion::accelerations(System& system, const State& state, const 
   make_smallest(lambda);
 }
 
-// Means of both sides are exact to the square of the distance, and two distances to its fourth power.
+// The mean of both sides has an error of second order in the distance, the extrapolation of two distances one of fourth order.
 bool ConstrainedMotion::follow_motion(System& system, const State& start, const Conditions& conditions, std::vector<double>& a, std::vector<double>& lambda,
                                       const Find& find) {
-  constexpr double distance = 1e-3, same = 1e-4, agree = 0.1;  // of the model, and of accelerations
+  constexpr double distance = 1e-3;            // relative to the size of the model
+  constexpr double same = 1e-4, agree = 0.1;  // relative differences of accelerations
   const std::vector<double>& direction = largest(start.v) > at_rest ? start.v : a;
   double size = 0;
   const std::vector<CoordinateUnit> units = system.coordinate_units();
@@ -315,7 +318,7 @@ void ConstrainedMotion::make_smallest(const ConstraintSolver& metric, System& sy
   if (factors_->factorize(matrix_) == LinearSolver::success) constraints_.make_smallest(*factors_, lambda);
 }
 
-// User functions are asked at a few times: one that is constant there does not drive.
+// Compares user functions at a few times.
 std::vector<char> driven_equations(System& system, const State& state, const Conditions& conditions, double end_time) {
   State moved = without_multipliers(state);
   std::vector<char> driven(state.lambda.size(), 0);
@@ -339,8 +342,9 @@ void ConstrainedMotion::find_constraints_of_velocities(System& system, const Sta
   });
 }
 
-// What time adds along the motion, by differences; first ones of rates, second ones of gaps. Without it, Euler parameters that move along a line get
-// longer, which gaps show and their rates do not.
+// Adds the contribution of prescribed functions of time along the motion, by first differences of rates and second
+// differences of gaps. The difference to the gaps at a fixed time is taken because Euler parameters that move along a line
+// become longer, which changes gaps but not their rates.
 void ConstrainedMotion::add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap) {
   find_constraints_of_velocities(system, still, conditions);
   constexpr double tau = 1e-4;
@@ -375,8 +379,8 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
   find_constraints_of_velocities(system, still, conditions);
   find_driven(system, still, conditions);
   std::vector<double> gaps(n);
-  // As long as gaps become smaller; what is left of them, in units of `size`. Where Euler parameters get their length back, gaps of joints open
-  // by as much, and the next one closes them: two steps are compared.
+  // Repeats corrections while gaps become smaller, and returns the remaining gap in units of `size`. A correction of the
+  // length of Euler parameters opens joints by as much, which the next correction closes: every second gap is compared.
   const auto close = [&](bool of_rates, double size, auto&& apply) {
     double left = 0, before = 0;
     for (int i = 0; i < most_projections; ++i) {

@@ -16,15 +16,15 @@ namespace dalembert {
 
 namespace {
 
-// Masses that are so much smaller than others of an equation belong to motions without inertia.
+// Smaller masses, relative to others of an equation, belong to motions without inertia.
 constexpr double no_inertia = 1e-10;
-// Round-off of forces that act on no coordinate, relative to the largest of all equations.
+// Smaller gradients, relative to the largest of all equations, are round-off.
 constexpr double round_off_of_forces = 1e-12;
-// A column is independent of others if this share of its square is in a row of its own.
+// A column is independent if at least this share of its squared length is in a row of its own.
 constexpr double own_share = 1e-3;
-// The arm of moments is limited to these multiples of the radius of gyration: beyond, eps D of one kind would be round-off of the other.
+// Limits of the arm of moments, in radii of gyration. Otherwise, eps D of one kind would be round-off of the other.
 constexpr double smallest_arm = 1e-3, largest_arm = 20;
-// Positions in the model are rounded by more than what counts in mechanisms that are smaller than this share of it.
+// Smallest size of a mechanism relative to the model: positions are rounded relative to the size of the model.
 constexpr double smallest_share_of_model = 1e-4;
 
 double geometric_mean(const std::vector<double>& numbers) {
@@ -33,8 +33,8 @@ double geometric_mean(const std::vector<double>& numbers) {
   return numbers.empty() ? 0 : std::exp(sum / static_cast<double>(numbers.size()));
 }
 
-// The entries of M^-1/2 G^T, with one matrix for each node whose rotation is given by parameters of unit length: how the body is turned decides
-// which of them have inertia.
+// The entries of M^-1/2 G^T. Nodes with Euler parameters have a matrix of their own, because the orientation of the body
+// determines which of the parameters have inertia.
 class ScaledColumns {
  public:
   ScaledColumns(System& system, const State& still, const Conditions& conditions, Inertia inertia)
@@ -50,7 +50,7 @@ class ScaledColumns {
 
   std::span<const CoordinateUnit> units() const { return units_; }
 
-  // f(coordinate, entry) of G^T in the column of an equation.
+  // Calls f(coordinate, entry) for the entries of an equation in G^T.
   template <class F>
   void each_force(int equation, F&& f) const {
     const ColumnRange column = column_range(pattern_, first_ae_ + equation, ode2_);
@@ -58,14 +58,14 @@ class ScaledColumns {
       if (forces_[slot] != 0) f(row_in(pattern_, column, slot), forces_[slot]);
   }
 
-  // An equation that is off states its multiplier.
+  // An inactive equation defines its multiplier.
   bool is_off(int equation) const {
     const int slot = pattern_.slot(first_ae_ + equation, first_ae_ + equation);
     return slot >= 0 && forces_[at(slot)] != 0;
   }
 
   std::vector<ConstraintMetric::Entry> column(int equation) const {
-    std::array<double, 3> inertia{};  // the largest, by unit
+    std::array<double, 3> inertia{};  // largest inertia by unit
     each_force(equation, [&](int j, double) { inertia[kind(j)] = std::max(inertia[kind(j)], diagonal_[at(j)]); });
     std::map<int, Eigen::VectorXd> moments;  // by node
     std::vector<ConstraintMetric::Entry> entries;
@@ -88,8 +88,8 @@ class ScaledColumns {
 
  private:
   struct Turning {
-    int first;             // coordinate
-    Eigen::MatrixXd root;  // of the inverse inertia, without what makes the parameters longer
+    int first;             // first coordinate
+    Eigen::MatrixXd root;  // square root of the inverse inertia, without the direction that changes the length
   };
   void fill_with_lengths() {
     const double length = system_.extent();
@@ -136,9 +136,9 @@ class ScaledColumns {
   std::map<int, Turning> turnings_;
 };
 
-// Equations that act on a body in common belong to one mechanism.
+// Equations that act on the same body belong to one mechanism.
 struct Mechanisms {
-  std::vector<int> of_equation, of_coordinate;  // -1: none
+  std::vector<int> of_equation, of_coordinate;  // -1 if in no mechanism
   int count = 0;
 };
 Mechanisms find_mechanisms(const System& system, const ScaledColumns& columns, std::span<const char> examined) {
@@ -146,7 +146,7 @@ Mechanisms find_mechanisms(const System& system, const ScaledColumns& columns, s
   const auto numbers = bodies.empty() ? 0 : static_cast<std::size_t>(*std::ranges::max_element(bodies) + 1);
   const int equations = static_cast<int>(examined.size());
   DisjointSets joined(equations);
-  std::vector<int> first(numbers, -1);  // equation of a body
+  std::vector<int> first(numbers, -1);  // first equation of each body
   for (int k = 0; k < equations; ++k) {
     if (!examined[static_cast<std::size_t>(k)]) continue;
     columns.each_force(k, [&](int j, double) {
@@ -170,7 +170,7 @@ Mechanisms find_mechanisms(const System& system, const ScaledColumns& columns, s
   return found;
 }
 
-// Equations of one kind have one weight in a mechanism, whatever its bodies weigh: equal hinges carry equal parts.
+// Equations of one kind have the same weight in a mechanism, independently of masses, so that equal hinges carry equal parts.
 struct KindWeights {
   double force = 0, moment = 0, other = 0, size = 0;
   KindWeights(std::map<CoordinateUnit, std::vector<double>> of_kind, double size_of_mechanism, double size_of_model, double moment_length)
@@ -178,7 +178,7 @@ struct KindWeights {
         moment(geometric_mean(of_kind[CoordinateUnit::radian])),
         other(geometric_mean(of_kind[CoordinateUnit::unknown])) {
     const double gyration = force > 0 && moment > 0 ? std::sqrt(force / moment) : 0;
-    // A mechanism without extent, such as a wheel on a shaft, has the size of its bodies.
+    // The size of a mechanism without extent, such as a wheel on a shaft, is that of its bodies.
     size = size_of_mechanism > 0 ? size_of_mechanism : gyration > 0 ? gyration : size_of_model;
     const double arm = gyration > 0 ? std::clamp(size, smallest_arm * gyration, largest_arm * gyration) : size;
     const double length = moment_length > 0 ? moment_length : arm;
@@ -197,9 +197,10 @@ double squared_length(const std::vector<ConstraintMetric::Entry>& column) {
   return sum;
 }
 
-// Takes columns away one by one, each at a row that it alone has an entry in, which may leave others alone in theirs.
+// Removes columns one by one, each with a row in which no other column has an entry. Removals may free rows for others.
 bool all_have_own_rows(const std::vector<std::vector<ConstraintMetric::Entry>>& columns, std::span<const char> examined, int rows) {
-  std::vector<int> count(static_cast<std::size_t>(rows), 0), sum(count.size(), 0), alone;  // columns with an entry, and the sum of their numbers
+  // By row: number of columns with an entry, and the sum of their indices.
+  std::vector<int> count(static_cast<std::size_t>(rows), 0), sum(count.size(), 0), alone;
   const auto each = [&](int k, auto&& f) {
     for (const auto& [row, value] : columns[static_cast<std::size_t>(k)])
       if (value != 0) f(static_cast<std::size_t>(row), value);
@@ -267,7 +268,7 @@ ConstraintMetric constraint_metric(System& system, const State& state, const Con
   }
   for (std::size_t k = 0; k < n; ++k) {
     if (!examined[k]) continue;
-    if (!(forces[k] > round_off_of_forces * round_off_of_forces * largest_force)) continue;  // it depends on others
+    if (!(forces[k] > round_off_of_forces * round_off_of_forces * largest_force)) continue;  // redundant: it acts on no coordinate
     metric.columns[k] = columns.column(static_cast<int>(k));
     ratios[k] = squared_length(metric.columns[k]);
   }

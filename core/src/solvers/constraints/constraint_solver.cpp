@@ -9,26 +9,28 @@ namespace dalembert {
 
 namespace {
 
-// Round-off of P is u s_max / eps, so 1e-10 leaves ten times as much noise in multipliers; 1e-8 is too large to pass a flat position of 400 loops.
+// The round-off of P is u s_max / eps: 1e-10 gives ten times the noise in multipliers. 1e-8 is too large to pass a flat
+// position of 400 loops.
 constexpr double regular_eps = 1e-9;
-// A gap g leaves constraints of strength (g / arm)^2: these are to be 1e-6 eps or less.
+// A gap g turns a redundant constraint into one of the strength (g / arm)^2, which has to be at most 1e-6 eps for
+// positions. Misfit passes suffice for rates.
 constexpr double eps_per_squared_gap = 1e7, eps_of_rates_per_squared_gap = 1e4;
-// Motions with larger gaps are refused. Static iterates are far off the constraints.
+// Solvers refuse motions with larger gaps. Static iterates violate constraints more.
 constexpr double largest_eps = 1e-6, largest_eps_of_rates = 1e-3, largest_static_eps = 1e-2;
-// Each pass removes a share P of what is left.
+// Each pass removes the share P of the remaining gaps.
 constexpr int misfit_passes = 3;
-// What Newton's method leaves of joints that fit.
+// Newton's method leaves gaps up to this size in joints that fit.
 constexpr double fitting_gap = 1e-11;
-constexpr int most_refinements = 12;  // 2 to 4 where joints fit
+constexpr int most_refinements = 12;  // joints that fit need 2 to 4
 constexpr double refined = 1e-12;
-// The round-off of a part without forces that is larger than this shows in what is left.
+// If the removed null-space part is larger than this, relative to the rest, its round-off requires another pass.
 constexpr double large_part = 1e-3;
 constexpr int most_passes = 4;
 
 }  // namespace
 
-void ConstraintSolver::prepare(System& system, const State& state, const Conditions& conditions, const RedundantConstraintsSettings& settings, bool treats,
-                               Matrix kind) {
+void ConstraintSolver::prepare(System& system, const State& state, const Conditions& conditions,
+                               const RedundantConstraintsSettings& settings, bool treats, Matrix kind) {
   forget();
   prepared_ = true;
   kind_ = kind;
@@ -92,7 +94,7 @@ void ConstraintSolver::regularize(const Pattern& pattern, std::span<double> valu
     const auto k = static_cast<std::size_t>(rows_[i]);
     double& value = values[static_cast<std::size_t>(slots_[i])];
     entries_[k] = 0;
-    if (value != 0) continue;  // an equation that is off states its multiplier
+    if (value != 0) continue;  // an inactive equation defines its multiplier
     value = entries_[k] = -eps_ * scale * metric_[k] * (all_rates || of_velocities_[k] ? rate : 1);
   }
 }
@@ -117,38 +119,35 @@ std::vector<double> ConstraintSolver::misfit(LinearSolver& factors, std::span<co
   return open;
 }
 
-// The residual of constraints after a solution is known without a product with the matrix: it is what eps D lambda has left.
+// Iterative refinement. The residual of the exact constraints after a solution is -eps D lambda: no product with the
+// matrix is needed.
 void ConstraintSolver::solve(LinearSolver& factors, std::span<double> x) {
   const auto first = static_cast<std::size_t>(first_ae_);
-  const auto ode2 = first;
-  const auto size_of = [&](std::span<const double> numbers) {
+  const auto squared_motion = [&](std::span<const double> numbers) {
     double sum = 0;
-    for (std::size_t i = 0; i < ode2; ++i) sum += numbers[i] * numbers[i];
+    for (std::size_t i = 0; i < first; ++i) sum += numbers[i] * numbers[i];
     return sum;
   };
-  std::vector<double> open;
-  if (!fit_) {
-    open = misfit(factors, x.subspan(first));
-    for (std::size_t k = 0; k < open.size(); ++k) x[first + k] -= open[k];
-  }
+  const auto subtract_misfit = [&](std::span<double> gaps) {
+    if (fit_) return;
+    const std::vector<double> open = misfit(factors, gaps);
+    for (std::size_t k = 0; k < open.size(); ++k) gaps[k] -= open[k];
+  };
+  subtract_misfit(x.subspan(first));
   factors.solve(x);
   rest_.assign(x.size() - first, 0.0);
   for (const int k : rows_) rest_[static_cast<std::size_t>(k)] = entry(k) * x[first + static_cast<std::size_t>(k)];
   for (int i = 1; i < most_refinements; ++i) {
-    if (!fit_) {
-      open = misfit(factors, rest_);
-      for (std::size_t k = 0; k < open.size(); ++k) rest_[k] -= open[k];
-    }
+    subtract_misfit(rest_);
     const std::span<const double> change = solve_for(factors, rest_);
-    // Multipliers without forces would be added once more in each pass.
     for (std::size_t j = 0; j < x.size(); ++j) x[j] += change[j];
     for (std::size_t k = 0; k < rest_.size(); ++k) rest_[k] = entries_[k] * change[first + k];
-    if (!(size_of(change) > refined * refined * size_of(x))) break;
+    if (!(squared_motion(change) > refined * refined * squared_motion(x))) break;
   }
 }
 
-// The factor 1 - (4 P^3 - 3 P^4) vanishes with its derivative where P is one: round-off of P does not show. Multipliers of a weak constraint, with
-// P = 1e-3, change by 4e-9.
+// Applies 1 - (4 P^3 - 3 P^4), which vanishes with its derivative at P = 1, so that round-off of P has no influence.
+// Multipliers of a weak constraint, with P = 1e-3, change by 4e-9.
 void ConstraintSolver::make_smallest(LinearSolver& factors, std::span<double> multipliers) {
   const auto apply = [&](std::span<const double> from) {
     std::vector<double> to(from.size());
@@ -159,24 +158,26 @@ void ConstraintSolver::make_smallest(LinearSolver& factors, std::span<double> mu
       if (!(metric_[k] > 0)) to[k] = x[static_cast<std::size_t>(first_ae_) + k];
     return to;
   };
-  for (int time = 0; time < most_passes; ++time) {
-  const std::vector<double> once = apply(multipliers), twice = apply(once), thrice = apply(twice), four_times = apply(thrice);
-  double taken = 0, left = 0;
-  for (std::size_t k = 0; k < multipliers.size(); ++k) {
-    const double part = 4 * thrice[k] - 3 * four_times[k];
-    multipliers[k] -= part;
-    taken += metric_[k] * part * part;
-    left += metric_[k] * multipliers[k] * multipliers[k];
-  }
-  if (!(taken > large_part * large_part * left)) break;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const std::vector<double> cubed = apply(apply(apply(multipliers))), fourth = apply(cubed);
+    double removed = 0, left = 0;
+    for (std::size_t k = 0; k < multipliers.size(); ++k) {
+      const double part = 4 * cubed[k] - 3 * fourth[k];
+      multipliers[k] -= part;
+      removed += metric_[k] * part * part;
+      left += metric_[k] * multipliers[k] * multipliers[k];
+    }
+    if (!(removed > large_part * large_part * left)) break;
   }
 }
 
 double scale_of_masses(std::span<const double> masses, const Pattern& pattern, std::span<const double> matrix, int ode2) {
-  constexpr double round_off = 1e-10;  // of the largest: left by terms that cancel, where nothing resists
+  constexpr double round_off = 1e-10;  // smaller entries, relative to the largest, are round-off of terms that cancel
   std::vector<double> ratios;
-  for (int j = 0; j < ode2; ++j)
-    if (const double mass = masses[static_cast<std::size_t>(j)]; mass > 0) ratios.push_back(std::abs(matrix[static_cast<std::size_t>(pattern.slot(j, j))]) / mass);
+  for (int j = 0; j < ode2; ++j) {
+    const double mass = masses[static_cast<std::size_t>(j)];
+    if (mass > 0) ratios.push_back(std::abs(matrix[static_cast<std::size_t>(pattern.slot(j, j))]) / mass);
+  }
   const double most = ratios.empty() ? 0 : std::ranges::max(ratios);
   std::erase_if(ratios, [most](double x) { return !(x > round_off * most); });
   if (ratios.empty()) return 1;

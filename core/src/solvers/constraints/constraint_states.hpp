@@ -1,4 +1,4 @@
-// What the files about the motion along constraints share: states and conditions in which constraints are evaluated, and steps of positions.
+// Shared functions for the evaluation of constraints: states, conditions, and steps of positions.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline Conditions at_level(Conditions conditions, bool of_rates) {
   return conditions;
 }
 
-// Of constraints, whatever is enforced of them.
+// Position gaps, also if a solver enforces velocity constraints.
 inline std::vector<double> gaps_of_positions(System& system, const State& state, const Conditions& conditions) {
   std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
   system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
@@ -38,7 +38,7 @@ inline double largest(std::span<const double> numbers) {
   return size;
 }
 
-// By ODE2 coordinate: where there is none, the largest of its node in the same unit, or one.
+// Replaces zero masses of ODE2 coordinates by the largest mass of the node with the same unit, or by one.
 inline void fill_in_masses(const System& system, std::span<double> masses) {
   const std::vector<int> nodes = system.nodes_of_coordinates();
   const std::vector<CoordinateUnit> units = system.coordinate_units();
@@ -56,7 +56,7 @@ inline void move_positions(System& system, std::span<const double> step, std::ve
   if (system.has_lie_nodes()) system.compose(before, increment, q);
 }
 
-// Columns of ODE1 coordinates and of multipliers leave these out of the solution.
+// Removes ODE1 coordinates from the solution.
 inline void leave_out_ode1(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
   for (int i = s.ode2; i < s.first_ae(); ++i) {
     for_each_row(pattern, i, [&](int column) {
@@ -66,7 +66,7 @@ inline void leave_out_ode1(const Sizes& s, const Pattern& pattern, std::span<dou
   }
 }
 
-// Rows of constraints as if forces acted along the gradients, as most do: which multipliers exert none is seen by these forces alone.
+// Replaces constraint rows by the transposed columns of constraint forces, which determine the multipliers without force.
 inline void replace_gradients_by_forces(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
     if (column >= s.first_ae() && row < s.ode2) matrix[static_cast<std::size_t>(pattern.slot(column, row))] = matrix[slot];

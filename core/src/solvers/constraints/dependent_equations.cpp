@@ -6,9 +6,9 @@ namespace dalembert {
 
 namespace {
 
-constexpr int largest_size = 1000;  // one second of elimination
+constexpr int largest_size = 1000;  // takes one second
 constexpr double negligible_pivot = 1e-9;
-constexpr double negligible_share = 1e-4;  // of an equation in a combination
+constexpr double negligible_share = 1e-4;  // smallest share of an equation in a combination
 
 Eigen::MatrixXd dense(const Pattern& pattern, std::span<const double> values) {
   const int n = pattern.size();
@@ -21,14 +21,14 @@ Eigen::MatrixXd dense(const Pattern& pattern, std::span<const double> values) {
   return a;
 }
 
-// Rows, then columns get a largest entry of one: forces and gaps have different units.
+// Scales rows and then columns to a largest entry of one, because forces and gaps have different units.
 void equilibrate(Eigen::MatrixXd& a) {
   const auto inverse = [](double largest) { return largest > 0 ? 1 / largest : 1; };
   for (Eigen::Index i = 0; i < a.rows(); ++i) a.row(i) *= inverse(a.row(i).cwiseAbs().maxCoeff());
   for (Eigen::Index j = 0; j < a.cols(); ++j) a.col(j) *= inverse(a.col(j).cwiseAbs().maxCoeff());
 }
 
-// Rows of those vectors that the matrix, or its transpose, takes to zero.
+// Indices of nonzero entries in the null space of the matrix or of its transpose.
 std::vector<int> rows_of_kernel(const Pattern& pattern, std::span<const double> values, bool transposed) {
   std::vector<int> rows;
   if (pattern.size() > largest_size) return rows;

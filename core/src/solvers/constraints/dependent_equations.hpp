@@ -1,4 +1,4 @@
-// Which equations make a system matrix singular.
+// Equations that make a system matrix singular.
 #pragma once
 
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace dalembert {
 
-// Rows of which a combination vanishes, in ascending order; `values` in pattern order. None if the matrix is regular, or too large
-// for a dense elimination with full pivoting.
+// Linearly dependent rows in ascending order, for `values` in pattern order. The result is empty if the matrix is regular, or
+// too large for a dense elimination with full pivoting.
 std::vector<int> dependent_equations(const Pattern& pattern, std::span<const double> values);
 
-// Unknowns that can change together without a change of the right-hand side; empty under the same conditions.
+// Linearly dependent columns: unknowns that can change together without a change of the right-hand side.
 std::vector<int> free_unknowns(const Pattern& pattern, std::span<const double> values);
 
 }  // namespace dalembert

@@ -14,9 +14,10 @@ namespace dalembert {
 namespace {
 
 constexpr int dense_limit = 40;  // unknowns
-constexpr double tolerated_drift = 1000;  // multiple of the tolerance of positions where velocities are constrained: drift is an error of the steps
+// Factor of the position tolerance for solvers with velocity constraints, whose drift is an integration error.
+constexpr double tolerated_drift = 1000;
 
-// f(constraint, coordinate, derivative) of the constraint equations along the weights.
+// Calls f(constraint, coordinate, derivative) for the entries of the constraint Jacobian with these weights.
 template <class F>
 void each_gradient(System& system, const State& state, const Conditions& conditions, const Weights& weights, F&& f) {
   const Sizes& s = system.sizes();
@@ -50,7 +51,7 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
   const State still = without_multipliers(state);
   const Conditions position = at_level(conditions, false), rate = at_level(conditions, true);
   ConstraintRates now{std::vector<double>(n), std::vector<double>(n), std::vector<char>(n), std::vector<CoordinateUnit>(n)};
-  std::vector<double> along(n), before(n), after(n), later(n);  // along: the part of the velocities
+  std::vector<double> along(n), before(n), after(n), later(n);  // `along` is the contribution of the velocities
   const std::vector<CoordinateUnit> units = system.coordinate_units();
   each_gradient(system, still, position, along_velocities, [&](int k, int, double) { now.of_velocities[k] = 1; });
   each_gradient(system, still, rate, along_velocities, [&](int k, int j, double g) {
@@ -59,8 +60,8 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
     now.units[k] = std::max(now.units[k], units[j]);
   });
   system.gaps(still, rate, now.rates);
-  if (conditions.rate_level) return now;  // that is what the solver goes by
-  // Functions may not be defined before the start, or after the end: differences of the second order look ahead, or back.
+  if (conditions.rate_level) return now;  // the solver enforces these rates
+  // User functions may be undefined before the start or after the end: one-sided differences of second order.
   State moved = still;
   const double length = 1e-5 * std::max(1.0, std::abs(state.time)), step = state.time + 2 * length > latest ? -length : length;
   const auto gaps_after = [&](double time, std::vector<double>& gaps) {
@@ -78,7 +79,7 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
 
 namespace {
 
-// Without a look at rates, which functions of static models need not know.
+// Rates are not evaluated for static solvers: user functions may not support them.
 ConstraintRates constraints_at_rest(System& system, const State& state, const Conditions& conditions) {
   const auto n = static_cast<std::size_t>(system.sizes().ae);
   const State still = without_multipliers(state);
@@ -129,7 +130,7 @@ std::string listed(const std::vector<OpenConstraint>& open, const System& system
 
 }  // namespace
 
-// A static solver closes gaps, which may well be what it is asked to do.
+// Static solvers are allowed to close gaps.
 void Solver::check_constraints() {
   const auto& s = settings_->initialConditions;
   if (!s.checkConstraints || sizes_.ae == 0 || !enforces_constraints()) return;
@@ -150,7 +151,7 @@ void Solver::check_constraints() {
   else warn(text);
 }
 
-// After an action of an event, and what could be mended of it.
+// Called after actions of an event and the projection onto the constraints.
 [[gnu::noinline]] void Solver::warn_of_actions_against_constraints(int singular_row) {
   const auto& s = settings_->initialConditions;
   if (!s.checkConstraints || warned_of_actions_) return;
@@ -163,7 +164,7 @@ void Solver::check_constraints() {
   warn(text + ", and leads to large velocities and forces in the next step: let the action leave positions and velocities that fulfil all constraints.");
 }
 
-// First steps that close what is open by more than the tolerances have large errors, whatever their size.
+// A first step that closes larger gaps than the tolerances has large errors, independently of the step size.
 [[gnu::noinline]] std::string Solver::constraints_that_close_at_start() {
   if (sizes_.ae == 0 || !enforces_constraints()) return {};
   const double tolerance = settings_->timeIntegration.absoluteTolerance;

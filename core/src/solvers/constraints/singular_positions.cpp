@@ -1,7 +1,8 @@
-// Mechanisms that pass positions in which they could go on in more ways than one, such as a four-bar that lies flat.
+// Mechanisms that pass singular positions, from which several motions are possible, such as that of a flat four-bar.
 //
-// Velocities decide where they go, and do not jump. Accelerations and multipliers have noise there, which grows as steps become smaller:
-// estimated errors are made of it, and a step that ends in the very place does not know where to go on. So steps stay large.
+// Velocities determine the branch and do not jump. Accelerations and multipliers are noisy in a singular position, and the
+// noise increases as steps become smaller. It dominates error estimates, and a step that ends exactly there has no unique
+// continuation. Steps therefore remain large.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,12 +19,13 @@ namespace dalembert {
 
 namespace {
 
-// A singular position takes the weakest constraint to zero; elsewhere it changes by less than this. Where it has begun in one, nothing is usual,
-// and only what is much closer to it counts.
+// Near a singular position, the strength of the weakest constraint decreases by more than `weaker_by`. If the motion starts
+// in one, there is no reference value, and a fixed limit is used.
 constexpr double weaker_by = 300, smallest_growth = 100, growth_beside_start = 1e4, singular_growth = 1e14;
-constexpr double largest_relative_turn = 0.1;  // of the velocities in a step, relative to their size
-constexpr double no_tolerance = 1e-30;   // of squared remainders: nothing depends on others
-constexpr double most_noise = 1e4;       // in units of the tolerances
+constexpr double largest_relative_turn = 0.1;  // change of velocities in a step, relative to their size
+constexpr double no_tolerance = 1e-30;         // of squared remainders
+// Errors in units of the tolerances.
+constexpr double most_noise = 1e4;
 constexpr double not_to_be_trusted = 1000;
 
 }  // namespace
@@ -104,10 +106,10 @@ std::vector<std::string> Solver::advice_on_singular_position() const {
 
 namespace {
 
-// Combinations of which less is left than the square of this are those of a position that is not further away, relative to the size of the model;
-// they are none of those that are there at the larger distance as well.
+// Limits of remainders of the rank, which are proportional to the distance from a singular position. Equations that are
+// redundant at the smaller distance but not at the larger one are those of the position.
 constexpr double close_to_position = 1e-3, away_from_position = 1e-2;
-constexpr int most_equations = 1000;  // thousands of combinations would take longer to name than the solution has taken
+constexpr int most_equations = 1000;  // the diagnosis of larger models would take longer than the solution
 
 }  // namespace
 
@@ -140,7 +142,7 @@ std::vector<std::string> Solver::items_in_singular_position() {
   const ConstraintRank there = rank_at(away);
   system_->reactions_are_known(here.equations());
   if (!(there.count() < here.count())) return {};
-  // Items that could leave out as many elsewhere may take part all the same, where all do.
+  // Items with the same number of redundant equations elsewhere are listed only if there are no others.
   const std::vector<ConstraintRank::Item> always = there.items(*system_);
   std::vector<std::string> more, all;
   for (const ConstraintRank::Item& item : here.items(*system_)) {
@@ -165,7 +167,7 @@ std::vector<std::string> Solver::items_in_singular_position() {
   diagnosis_.advice = advice_on_singular_position();
 }
 
-// Velocities that vanish do not decide where a mechanism goes.
+// Velocities that vanish do not determine the branch.
 [[gnu::noinline]] void Solver::warn_of_rest() {
   warned_of_rest_ = true;
   std::vector<std::string> items = sizes_.ae <= most_equations ? items_in_singular_position() : std::vector<std::string>();

@@ -1,4 +1,4 @@
-// Constraints that functions of the user have switched on or off between steps, as they may at any time.
+// Constraints that user functions switched on or off between steps.
 #include <algorithm>
 #include <functional>
 #include <utility>
@@ -8,8 +8,8 @@
 
 namespace dalembert {
 
-// Equations that are off say what their multipliers are. What they were before the first change is not known, as functions of the user would have
-// to be asked for it in each solution.
+// Inactive equations define their multipliers. The state before the first change is unknown, because it would need calls of
+// user functions in each solution.
 [[gnu::noinline]] void Solver::look_for_switched_joints() {
   renewed_constraints_ = system_->renewed_constraints();
   State with = without_multipliers(current());
@@ -25,7 +25,7 @@ namespace dalembert {
   examine_constraints_anew();
 }
 
-// What is known of them already is what they are now.
+// Stores the current state of the constraints.
 void Solver::joints_are_examined() {
   renewed_constraints_ = system_->renewed_constraints();
   equations_off_.clear();

@@ -12,10 +12,11 @@ namespace dalembert {
 
 namespace {
 
-// Squared remainders of columns of unit length. Where joints fit, less than this is round-off; gaps g leave up to (3 g)^2.
+// Limits of squared remainders of columns with unit length. Smaller ones are round-off if joints fit; gaps g cause up to
+// (3 g)^2.
 constexpr double tolerance_where_joints_fit = 1e-12, largest_tolerance = 1e-7, largest_ratio = 3;
-constexpr double certain_multiple = 1e4;   // of the tolerance, by which independent columns are above it
-constexpr double share_of_equation = 1e-10;  // squared: in the null space
+constexpr double certain_multiple = 1e4;     // ratio of remainders to the tolerance that makes a count certain
+constexpr double share_of_equation = 1e-10;  // smallest squared entry of an equation in the null space
 
 Eigen::Map<const Eigen::MatrixXd> matrix(const std::vector<double>& columns, std::size_t rows) {
   return {columns.data(), static_cast<Eigen::Index>(rows), rows == 0 ? 0 : static_cast<Eigen::Index>(columns.size() / rows)};
@@ -50,7 +51,7 @@ ConstraintRank::ConstraintRank(System& system, const State& state, const Conditi
   for (const int i : found.columns) dependent_.push_back(rows_[static_cast<std::size_t>(i)]);
   std::ranges::sort(dependent_);
   if (found.columns.empty()) return;
-  // From columns of unit length to multipliers, and to those in the metric.
+  // Converts from columns of unit length to multipliers in the metric.
   Eigen::MatrixXd basis = found.basis;
   for (Eigen::Index i = 0; i < basis.rows(); ++i) basis.row(i) *= roots_[static_cast<std::size_t>(i)] / lengths[static_cast<std::size_t>(i)];
   basis = orthonormal(basis);
@@ -78,7 +79,7 @@ std::vector<double> ConstraintRank::misfit(std::span<const double> gaps) const {
 
 namespace {
 
-// f(owner, first, count) for the equations of each item, as places in rows.
+// Calls f(owner, first, count) with the range of each item in `rows`.
 template <class F>
 void each_owner(std::span<const int> rows, const System& system, F&& f) {
   const auto owners = system.equation_owners();
@@ -94,10 +95,10 @@ void each_owner(std::span<const int> rows, const System& system, F&& f) {
 
 }  // namespace
 
-// As many equations of an item can be left out as its part of the null space has independent columns.
+// The number of removable equations of an item is the rank of its rows in the null space.
 std::vector<ConstraintRank::Item> ConstraintRank::items(const System& system) const {
   std::vector<Item> found;
-  if (count() == 0) return found;  // solvers that have not begun have no system
+  if (count() == 0) return found;  // a solver that has not started has no system
   const auto space = matrix(null_space_, rows_.size());
   each_owner(rows_, system, [&](const System::EquationOwner& owner, Eigen::Index first, Eigen::Index equations) {
     const Eigen::MatrixXd part = space.middleRows(first, equations);
@@ -110,7 +111,7 @@ std::vector<ConstraintRank::Item> ConstraintRank::items(const System& system) co
   return found;
 }
 
-// The part of gaps in the null space is the same whichever item they are at: the smallest gap of one item alone that has this part.
+// For each item, the smallest gap of this item alone that has the given null-space part.
 std::vector<std::string> ConstraintRank::contradictions(std::span<const double> misfit, const System& system) const {
   constexpr double not_all = 1e-2;
   std::vector<std::string> lines;

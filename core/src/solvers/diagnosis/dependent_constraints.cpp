@@ -1,4 +1,4 @@
-// Which constraint equations follow from others.
+// Rank of the constraints at the start of a solution.
 #include <utility>
 
 #include "constraints/constraint_states.hpp"
@@ -9,7 +9,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr double near_position = 1e-3;  // of the size of the model
+constexpr double near_position = 1e-3;  // relative to the size of the model
 
 }  // namespace
 

@@ -21,17 +21,14 @@ constexpr int idle_iterations = 3;
 constexpr double negligible_increment = 1e-9;
 // ... and the residual is at most so many times the rounding errors of the terms that cancel in it.
 constexpr double rounding_errors = 1000;
-// Without loads, rounding errors are all that there is: with a residual of their own size, they move soft coordinates by up to this.
+// If there are no loads, the residual consists of rounding errors, which move soft coordinates by up to this size.
 constexpr double own_rounding_errors = 10, moved_by_rounding = 1e-6;
 
-// How far the first iteration takes the residual tells how much of the step is not linear, which falls with the square of the step
-// size, as errors of the step do. Below this, what may be left at the end falls with it ...
+// The reduction of the residual in the first iteration measures the nonlinearity of the step, which is proportional to the
+// square of the step size, as are integration errors. Below this reduction, the tolerance decreases in proportion ...
 constexpr double fine_step = 1e-2;
-// ... as far as to this fraction of the tolerance.
+// ... down to this fraction.
 constexpr double negligible_rest = 1e-4;
-
-// In coarse steps, what iterates far off the constraints have left open is looked at again so many times.
-constexpr int most_renewals = 5;
 
 // Springs and bodies that start along the axes leave most of their Jacobian zero until they have moved.
 constexpr int first_jacobians = 8;
@@ -92,7 +89,7 @@ double NewtonSolver::evaluate_residual() {
   return misfit_.empty() ? norm : residual_without_misfit();
 }
 
-// Its parts are inlined: calls take as long as what they compute in small systems.
+// All parts are inlined, because calls dominate the time of small systems.
 [[gnu::flatten]] bool NewtonSolver::newton() {
   contradiction_ = false;
   if (iterate_to_the_end() || solves_with_dependent_constraints()) return true;
@@ -206,7 +203,7 @@ void NewtonSolver::iterate() {
   judge(evaluate_residual());
 }
 
-// Moves the state by what the residual and the factors in hand tell.
+// Corrects the state by the current residual and factors.
 void NewtonSolver::correct_motion() {
   if (constraints_.active()) [[unlikely]] take_off_misfit();
   {
@@ -217,8 +214,8 @@ void NewtonSolver::correct_motion() {
   compute_update(false);
 }
 
-// The residual that has met the tolerance still tells where to go. In fine steps, what it leaves would add up to more than the errors of
-// the steps themselves; the correction costs no evaluation.
+// A correction by the last residual needs no further evaluation. Without it, the remaining errors of fine steps would add up
+// to more than their integration errors.
 bool NewtonSolver::leaves_correction() const {
   if (!newton_settings.useNewtonSolver || conv.newtonStagnated) return false;
   const double share = std::clamp(loop_.first_residual / (fine_step * loop_.initial_residual), negligible_rest, 1.0);

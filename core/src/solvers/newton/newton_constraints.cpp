@@ -1,4 +1,4 @@
-// Newton's method with constraints that may be redundant, or contradict each other a little.
+// Newton's method with constraints that may be redundant, or slightly inconsistent.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -12,7 +12,7 @@ namespace dalembert {
 namespace {
 
 constexpr double silent_misfit = ConstraintSolver::silent_misfit;
-constexpr double torn_apart = 0.5;  // gaps relative to the size of a mechanism, or in radians
+constexpr double torn_apart = 0.5;  // largest gap of static iterates, relative to the size of the mechanism or in radians
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::new_linear_solver() const {
   return make_linear_solver(*pattern_, linear_type(), constraints_.options(newton_options()));
 }
 
-// At the start of a solution, and after constraints have been switched on or off.
+// Called at the start of a solution, and after constraints were switched on or off.
 [[gnu::noinline]] void NewtonSolver::prepare_constraints() {
   const bool treats = sizes_.ae > 0 && settings().redundantConstraints.treat && !settings().linearSolverSettings.ignoreSingularJacobian;
   constraints_.prepare(system(), current(), conditions_, settings().redundantConstraints, treats,
@@ -39,9 +39,9 @@ void NewtonSolver::examine_constraints_anew() {
 
 double NewtonSolver::gap_of_positions() { return constraints_.largest(gaps_of_positions(system(), current(), conditions_)); }
 
-// Far off the constraints, eps of static iterates is large, and a correction closes only a part of the gaps.
+// If static iterates violate constraints, eps is large, and a correction closes only a part of the gaps.
 bool NewtonSolver::leaves_constraints_open() {
-  constexpr double closed = 1e-10, nearly_closed = 1e-8;  // of the size of a mechanism
+  constexpr double closed = 1e-10, nearly_closed = 1e-8;  // relative to the size of the mechanism
   constexpr int most_iterations = 3;
   if (!is_static()) return false;
   const auto gaps = std::span<const double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
@@ -56,7 +56,7 @@ void NewtonSolver::begin_step_with_constraints() {
   if (!is_static()) constraints_.remember(gap_of_positions());
 }
 
-// By the gap of the iterate, which is off the constraints where the step is predicted.
+// Selects eps by the gap of the iterate. The prediction of a step violates the constraints.
 void NewtonSolver::choose_eps() {
   double gap = 0;
   if (is_static() || !constraints_.joints_fit() || it.newtonSteps <= 1) {
@@ -68,12 +68,12 @@ void NewtonSolver::choose_eps() {
       gap = constraints_.largest(gaps);
     }
   }
-  if (is_static() && gap > torn_apart) conv.stopNewton = true;  // smaller load steps follow
+  if (is_static() && gap > torn_apart) conv.stopNewton = true;  // continues with a smaller load step
   constraints_.choose(gap, conditions_.rate_level);
   constraints_.regularize(*pattern_, jacobian_, metric_scale(), rate_factor(), conditions_.rate_level);
 }
 
-// What no motion closes of the gaps would make multipliers larger in each iteration.
+// Subtracts the misfit from the residual. Otherwise, multipliers would increase by it in each iteration.
 [[gnu::noinline]] void NewtonSolver::take_off_misfit() {
   if (constraints_.joints_fit()) return;
   const auto gaps = std::span<double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
@@ -88,8 +88,8 @@ double NewtonSolver::residual_without_misfit() {
   return norm_of(unscaled_residual());
 }
 
-// Multipliers start from zero in each step: what is idle of them is taken off where somebody looks, by the forces of this state where those of the
-// factors are others. This changes no motion.
+// Multipliers start at zero in each step, so that the removal of their null-space part does not change the motion. It is
+// done when they are read, with the constraint forces of the current state if those of the factors differ.
 const std::vector<double>* NewtonSolver::told_multipliers() {
   const Idle idle = std::exchange(idle_, Idle::none);
   if (idle == Idle::none) return nullptr;
@@ -102,7 +102,7 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
   return nullptr;
 }
 
-// After Newton's method has converged. False: constraints contradict each other too much.
+// Called after convergence of Newton's method. Returns false if the misfit exceeds the setting.
 [[gnu::noinline]] bool NewtonSolver::settle_multipliers() {
   if (!constraints_.active()) {
     find_rank();
@@ -118,7 +118,8 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
   contradiction_ = false;
   if (misfit > silent_misfit && !conditions_.rate_level) warn_of_contradiction(misfit_);
   largest_misfit_ = std::max(largest_misfit_, misfit);
-  // Rows of rates are not those of forces, as velocities turn them, and stiffness hardly resists some motions.
+  // Rows of velocity constraints differ from constraint forces, and static stiffness may be nearly singular: in these cases,
+  // the factors cannot compute minimum-norm multipliers.
   idle_ = full_newton_ && !conditions_.rate_level && !is_static() ? Idle::at_factors : Idle::at_state;
   if (!rank_known_) [[unlikely]] {  // the start may have had gaps, or may have been a singular position
     find_rank();

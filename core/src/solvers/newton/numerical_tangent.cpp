@@ -93,7 +93,7 @@ class Differences {
   std::vector<double> increment_, up_, down_;
 };
 
-// Which entries come from differences.
+// Selects the entries that are computed by differences.
 class Choice {
  public:
   Choice(System& system, const NewtonNumericalDifferentiationSettings& options)
@@ -102,7 +102,7 @@ class Choice {
 
   bool everything() const { return all_; }
   // Columns without a row in common can be moved at the same time: A. R. Curtis, M. J. D. Powell, J. K. Reid, On the estimation of sparse
-  // Jacobian matrices, IMA J. Appl. Math. 13, 1974. Where rows may depend on anything, each column is by itself.
+  // Jacobian matrices, IMA J. Appl. Math. 13, 1974. Each column is separate if dependencies are unknown.
   std::vector<std::vector<int>> groups(const Sizes& s) const {
     std::vector<std::vector<int>> groups;
     std::vector<std::vector<char>> occupied;  // rows of each group
@@ -132,7 +132,7 @@ class Choice {
  private:
   bool all_, algebraic_, motion_;
   int first_ae_;
-  const Pattern* of_items_;  // what items say that they depend on
+  const Pattern* of_items_;  // dependencies declared by items
 };
 
 double size_of_unknown(const Sizes& s, const State& state, const State& reference, bool with_reference, int column) {

@@ -1,4 +1,4 @@
-// What the user's system Jacobian function adds to the system matrix.
+// Contribution of the user's system Jacobian function to the system matrix.
 #include "dalembert/model/errors.hpp"
 #include "dalembert/solvers/solver.hpp"
 
