@@ -322,7 +322,7 @@ bool QuotientGraph::equal(int i, int j) {
 
 }  // namespace
 
-PivotSurplus pivot_surplus(const Pattern& pattern, std::span<const double> values) {
+PivotSurplus pivot_surplus(const Pattern& pattern, std::span<const double> values, std::span<const int> dependent) {
   const auto starts = pattern.column_start(), rows = pattern.row_index();
   PivotSurplus surplus(static_cast<std::size_t>(pattern.size()));
   for (int j = 0; j < pattern.size(); ++j) surplus[j] = values[pattern.slot(j, j)] != 0 ? 1 : -1;
@@ -338,6 +338,8 @@ PivotSurplus pivot_surplus(const Pattern& pattern, std::span<const double> value
   }
   for (int j = 0; j < pattern.size(); ++j)
     if (partner[j] > j && partner[partner[j]] == j) surplus[j] = 1;
+  for (const int j : dependent)
+    if (surplus[j] < 0) surplus[j] = 0;
   return surplus;
 }
 

@@ -152,7 +152,7 @@ std::optional<int> MultifrontalLu::negative_pivots(const Front& front, double* p
 
 // As `repeat`, without keeping the factors.
 std::optional<int> MultifrontalLu::negative_eigenvalues(std::span<const double> given) {
-  if (!planned_ || options_.ignore_singular || !options_.tiny_diagonal.empty()) return {};
+  if (!planned_ || options_.ignore_singular || !options_.dependent.empty() || !options_.tiny_diagonal.empty()) return {};
   const std::vector<double> inverse = inverse_pivot_;
   const double growth = std::exchange(growth_, 0.0);
   std::optional<int> count = 0;

@@ -48,7 +48,7 @@ int MultifrontalLu::start_again(std::span<const double> given) {
     for (const int j : options_.tiny_diagonal) pivots_alone[static_cast<std::size_t>(pattern_.slot(j, j))] = 0;
   }
   const std::span<const double> structure = pivots_alone.empty() ? values : pivots_alone;
-  if (!tree_) tree_ = elimination_tree(pattern_, structure);
+  if (!tree_) tree_ = elimination_tree(pattern_, structure, options_.dependent);
   scaling_ = balance(pattern_, structure);
   // The search is usually trivial without multipliers.
   planned_ = !options_.ignore_singular && std::ranges::none_of(scaling_.multiplier, [](char m) { return m != 0; }) &&

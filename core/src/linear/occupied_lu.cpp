@@ -91,8 +91,10 @@ void OccupiedLu::take(const std::vector<char>& occupied) {
   occupied_ = Pattern::sparse(std::move(occupied_starts), std::move(occupied_rows));
   count_as_earlier();
   LinearSolverOptions options = options_;
-  std::erase_if(options.tiny_diagonal, [&](int j) { return place[j] < 0; });
-  for (int& j : options.tiny_diagonal) j = place[j];
+  for (std::vector<int>* unknowns : {&options.tiny_diagonal, &options.dependent}) {
+    std::erase_if(*unknowns, [&](int j) { return place[j] < 0; });
+    for (int& j : *unknowns) j = place[j];
+  }
   solver_ = std::make_unique<MultifrontalLu>(*occupied_, options, std::move(slots));
 }
 

@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SparseQR>
 
 namespace dalembert {
 
@@ -58,35 +57,5 @@ MatrixXd kernel_of(const MatrixXd& matrix, double negligible_pivot) {
 }
 
 // Eigen moves columns of which less than its threshold is left behind all others: T = [T11 T12], and the basis is [-T11^-1 T12; 1].
-SparseNullSpace sparse_null_space(const std::vector<SparseColumn>& columns, int rows, double tolerance) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    for (const auto& [row, value] : columns[k]) entries.emplace_back(row, static_cast<int>(k), value);
-  const auto n = static_cast<Eigen::Index>(columns.size());
-  Eigen::SparseMatrix<double> matrix(std::max<Eigen::Index>(rows, n), n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> qr;
-  qr.setPivotThreshold(tolerance);
-  qr.compute(matrix);
-  const Eigen::Index rank = qr.rank();
-  const auto& order = qr.colsPermutation().indices();
-  SparseNullSpace found;
-  const Eigen::SparseMatrix<double> triangle = qr.matrixR();
-  for (Eigen::Index i = 0; i < rank; ++i) {
-    const double pivot = std::abs(triangle.coeff(i, i));
-    found.smallest_pivot = i == 0 ? pivot : std::min(found.smallest_pivot, pivot);
-  }
-  if (rank == n) return found;
-  const Eigen::SparseMatrix<double> independent = triangle.topLeftCorner(rank, rank);
-  const MatrixXd others = MatrixXd(triangle.topRightCorner(rank, n - rank));
-  const MatrixXd combined = independent.triangularView<Eigen::Upper>().solve(others);
-  found.basis = MatrixXd::Zero(n, n - rank);
-  for (Eigen::Index i = 0; i < rank; ++i) found.basis.row(order[i]) = -combined.row(i);
-  for (Eigen::Index i = rank; i < n; ++i) {
-    found.basis(order[i], i - rank) = 1;
-    found.columns.push_back(order[i]);
-  }
-  return found;
-}
 
 }  // namespace dalembert

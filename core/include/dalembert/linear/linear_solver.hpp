@@ -18,6 +18,7 @@ struct LinearSolverOptions {
   int unsettled_matrices = 0;  // zeros in the first matrices may become nonzero in later ones
   std::string instructions = {};  // one of instruction_sets(); empty: the first
   std::vector<int> tiny_diagonal = {};  // unknowns whose diagonal entry, if there is one, is too small to count as a pivot
+  std::vector<int> dependent = {};  // redundant ones among these: their last pivots are that entry
 };
 
 struct LinearSolverStatistics {

@@ -46,17 +46,4 @@ std::optional<TurnedApart> turned_apart(const Eigen::MatrixXd& columns, double l
 // Columns that span the null space of the matrix; smaller pivots, relative to the largest, count as zero.
 Eigen::MatrixXd kernel_of(const Eigen::MatrixXd& matrix, double negligible_pivot);
 
-// Columns of a sparse matrix that depend on earlier ones: these leave less than `tolerance` of their length, which is to be about one.
-struct SparseEntryOfColumn {
-  int row;
-  double value;
-};
-using SparseColumn = std::vector<SparseEntryOfColumn>;
-struct SparseNullSpace {
-  std::vector<int> columns;     // dependent ones
-  Eigen::MatrixXd basis;        // one column for each of them: combinations of all columns that vanish
-  double smallest_pivot = 0;    // of the independent ones
-};
-SparseNullSpace sparse_null_space(const std::vector<SparseColumn>& columns, int rows, double tolerance);
-
 }  // namespace dalembert

@@ -1,11 +1,13 @@
 // The rank of the constraint Jacobian, for counts, messages and reports. Steps do not use it.
 //
-// The columns of M^-1/2 G^T, each divided by its length, are decomposed by a sparse QR factorization. A column is redundant
-// if its remainder after projection onto earlier columns is below a tolerance. The triangular factor gives the null space
-// of G^T, and the null space gives the number of redundant equations, the items that could lose some, and the misfit: the
-// part of gaps that no motion can close.
+// The columns of M^-1/2 G^T, each divided by its length, are factorized (`GramFactors`). A column is redundant if its
+// remainder after projection onto earlier columns is below a tolerance. The factors give the null space of G^T, which
+// determines the items that could lose equations, and the misfit: the part of gaps that no motion can close. Large null
+// spaces are represented by a few random vectors. These have the same nonzero entries, and the same rank in the rows of one
+// item.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +16,8 @@
 #include "dalembert/system/system.hpp"
 
 namespace dalembert {
+
+class GramFactors;
 
 class ConstraintRank {
  public:
@@ -39,17 +43,24 @@ class ConstraintRank {
   std::vector<int> equations() const;  // equations with non-unique multipliers
   // Redundant equations: all others are independent.
   const std::vector<int>& dependent() const { return dependent_; }
-  // Part of the gaps that no motion can close.
+  // Part of the gaps that no motion can close. Zero if the null space is represented by random vectors.
   std::vector<double> misfit(std::span<const double> gaps) const;
   // One line per item for a diagnosis: the gap of the item if all other constraints were fulfilled.
   std::vector<std::string> contradictions(std::span<const double> misfit, const System& system) const;
 
  private:
+  const std::vector<double>& null_space() const;
+
   std::vector<int> rows_, dependent_;
   std::vector<double> roots_;       // square roots of the metric, by rows_
   std::vector<CoordinateUnit> units_;
   std::vector<char> acting_;        // true if the equation acts on a coordinate
-  std::vector<double> null_space_;  // orthonormal basis, in multipliers times roots_, column by column
+  std::vector<double> lengths_;     // of columns, by rows_
+  int largest_item_ = 0;            // largest number of equations of an item
+  mutable std::shared_ptr<const GramFactors> factors_;  // until the null space is known
+  // Orthonormal vectors, in multipliers times roots_, one after the other.
+  mutable std::vector<double> null_space_;
+  mutable bool whole_null_space_ = true;
   double weakest_ = 0;
   bool certain_ = true, allows_for_gaps_ = false;
 };

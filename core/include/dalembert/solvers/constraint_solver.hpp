@@ -92,6 +92,7 @@ class ConstraintSolver {
   double eps_ = 0, largest_gap_ = 0;
   int first_ae_ = 0;
   std::vector<int> rows_;           // equations with a metric
+  std::vector<int> dependent_;      // redundant equations, for the order of elimination
   std::vector<double> metric_;      // D for the inverse masses, by equation; zero if never redundant
   std::vector<double> units_;       // units of gaps, by equation
   std::vector<char> of_velocities_; // velocity constraints, by equation

@@ -266,11 +266,13 @@ bool ConstrainedMotion::follow_motion(System& system, const State& start, const 
   constexpr double distance = 1e-3;            // relative to the size of the model
   constexpr double same = 1e-4, agree = 0.1;  // relative differences of accelerations
   const std::vector<double>& direction = largest(start.v) > at_rest ? start.v : a;
+  if (!constraints_.active()) return true;
   double size = 0;
+  const double extent = system.extent();
   const std::vector<CoordinateUnit> units = system.coordinate_units();
   for (std::size_t i = 0; i < direction.size(); ++i)
-    size = std::max(size, std::abs(direction[i]) / (units[i] == CoordinateUnit::meter ? system.extent() : 1));
-  if (!constraints_.active() || !(size > at_rest)) return true;
+    size = std::max(size, std::abs(direction[i]) / (units[i] == CoordinateUnit::meter ? extent : 1));
+  if (!(size > at_rest)) return true;
   std::vector<double> spread(a.size());
   const auto mean = [&](double part) {
     std::pair<std::vector<double>, std::vector<double>> sum{std::vector<double>(a.size()), std::vector<double>(lambda.size())};

@@ -282,12 +282,13 @@ ConstraintMetric constraint_metric(System& system, const State& state, const Con
     all[metric.kinds[k]].push_back(ratios[k]);
   }
   std::vector<KindWeights> weights;
-  for (std::size_t i = 0; i < lengths.size(); ++i) weights.emplace_back(apart[i].empty() ? all : apart[i], lengths[i], system.extent(), moment_length);
+  const double extent = system.extent();
+  for (std::size_t i = 0; i < lengths.size(); ++i) weights.emplace_back(apart[i].empty() ? all : apart[i], lengths[i], extent, moment_length);
   for (std::size_t k = 0; k < n; ++k) {
     if (!examined[k]) continue;
     const KindWeights& known = weights[static_cast<std::size_t>(mechanisms.of_equation[k])];
     metric.weights[k] = known.of(metric.kinds[k]);
-    if (metric.kinds[k] == CoordinateUnit::meter) metric.units[k] = std::max(known.size, smallest_share_of_model * system.extent());
+    if (metric.kinds[k] == CoordinateUnit::meter) metric.units[k] = std::max(known.size, smallest_share_of_model * extent);
   }
   metric.has_loops = !all_have_own_rows(metric.columns, examined, system.sizes().ode2);
   return metric;

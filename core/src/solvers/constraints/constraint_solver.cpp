@@ -40,6 +40,7 @@ void ConstraintSolver::prepare(System& system, const State& state, const Conditi
   if (!metric.has_loops) return;
   const ConstraintRank rank(system, state, conditions, metric);
   active_ = rank.count() > 0 || !rank.certain();
+  dependent_ = rank.dependent();
   metric_ = metric.weights;
   units_ = metric.units;
   for (std::size_t k = 0; k < metric_.size(); ++k)
@@ -84,6 +85,7 @@ void ConstraintSolver::choose(double gap, bool of_rates) {
 LinearSolverOptions ConstraintSolver::options(LinearSolverOptions options) const {
   if (!active_) return options;
   for (const int k : rows_) options.tiny_diagonal.push_back(first_ae_ + k);
+  for (const int k : dependent_) options.dependent.push_back(first_ae_ + k);
   return options;
 }
 

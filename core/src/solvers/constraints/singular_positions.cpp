@@ -119,7 +119,8 @@ State Solver::moved_along_velocities(const State& at, double part) {
   const double speed = largest(at.v);
   if (!(speed > at_rest)) return moved;
   std::vector<double> step = at.v;
-  for (double& x : step) x *= part * system_->extent() / speed;
+  const double factor = part * system_->extent() / speed;
+  for (double& x : step) x *= factor;
   move_positions(*system_, step, moved.q);
   ConstrainedMotion motion;
   prepare(motion);

@@ -7,6 +7,8 @@
 #include "constraints/constraint_states.hpp"
 #include "dalembert/math/decompositions.hpp"
 #include "dalembert/output/numbers.hpp"
+#include "diagnosis/gram_factors.hpp"
+#include "steppers/number_sequence.hpp"
 
 namespace dalembert {
 
@@ -16,6 +18,7 @@ namespace {
 // (3 g)^2.
 constexpr double tolerance_where_joints_fit = 1e-12, largest_tolerance = 1e-7, largest_ratio = 3;
 constexpr double certain_multiple = 1e4;     // ratio of remainders to the tolerance that makes a count certain
+constexpr std::size_t most_exact = 12, further_samples = 4;  // vectors of a null space; random ones beyond the rows of an item
 constexpr double share_of_equation = 1e-10;  // smallest squared entry of an equation in the null space
 
 Eigen::Map<const Eigen::MatrixXd> matrix(const std::vector<double>& columns, std::size_t rows) {
@@ -35,32 +38,55 @@ ConstraintRank::ConstraintRank(System& system, const State& state, const Conditi
     allows_for_gaps_ = tolerance > tolerance_where_joints_fit;
   }
 
-  std::vector<SparseColumn> columns;
-  std::vector<double> lengths;
+  std::vector<GramFactors::Column> columns;
   for (const int k : rows_) {
-    SparseColumn& column = columns.emplace_back();
+    GramFactors::Column& column = columns.emplace_back();
     double sum = 0;
     for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)]) sum += value * value;
-    lengths.push_back(sum > 0 ? std::sqrt(sum) : 1);
-    for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)]) column.push_back({row, value / lengths.back()});
+    lengths_.push_back(sum > 0 ? std::sqrt(sum) : 1);
+    for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)]) column.push_back({row, value / lengths_.back()});
     roots_.push_back(std::sqrt(metric.weights[static_cast<std::size_t>(k)]));
   }
-  const SparseNullSpace found = sparse_null_space(columns, system.sizes().ode2, std::sqrt(tolerance));
-  weakest_ = found.smallest_pivot * found.smallest_pivot;
-  certain_ = found.columns.empty() || weakest_ > certain_multiple * tolerance;
-  for (const int i : found.columns) dependent_.push_back(rows_[static_cast<std::size_t>(i)]);
+  GramFactors factors(columns, system.sizes().ode2, tolerance);
+  weakest_ = factors.smallest_pivot();
+  certain_ = factors.dependent().empty() || weakest_ > certain_multiple * tolerance;
+  for (const int i : factors.dependent()) dependent_.push_back(rows_[static_cast<std::size_t>(i)]);
   std::ranges::sort(dependent_);
-  if (found.columns.empty()) return;
-  // Converts from columns of unit length to multipliers in the metric.
-  Eigen::MatrixXd basis = found.basis;
-  for (Eigen::Index i = 0; i < basis.rows(); ++i) basis.row(i) *= roots_[static_cast<std::size_t>(i)] / lengths[static_cast<std::size_t>(i)];
+  if (dependent_.empty()) return;
+  largest_item_ = 0;
+  for (const System::EquationOwner& owner : system.equation_owners()) largest_item_ = std::max(largest_item_, owner.count);
+  factors_ = std::make_shared<const GramFactors>(std::move(factors));
+}
+
+// Orthonormal vectors, computed at the first request: all of a small null space, otherwise random ones.
+const std::vector<double>& ConstraintRank::null_space() const {
+  if (!null_space_.empty() || !factors_) return null_space_;
+  const std::size_t count = dependent_.size();
+  const std::size_t samples = std::max(most_exact, static_cast<std::size_t>(largest_item_) + further_samples);
+  whole_null_space_ = count <= samples;
+  Eigen::MatrixXd basis(static_cast<Eigen::Index>(rows_.size()), static_cast<Eigen::Index>(std::min(count, samples)));
+  NumberSequence random;
+  std::vector<double> of_dependent(count, 0.0);
+  for (Eigen::Index j = 0; j < basis.cols(); ++j) {
+    if (whole_null_space_) {
+      std::ranges::fill(of_dependent, 0.0);
+      of_dependent[static_cast<std::size_t>(j)] = 1;
+    } else {
+      std::ranges::generate(of_dependent, random);
+    }
+    const std::vector<double> vector = factors_->null_vector(of_dependent);
+    for (std::size_t i = 0; i < vector.size(); ++i)  // from columns of unit length to multipliers in the metric
+      basis(static_cast<Eigen::Index>(i), j) = vector[i] * roots_[i] / lengths_[i];
+  }
   basis = orthonormal(basis);
   null_space_.assign(basis.data(), basis.data() + basis.size());
+  factors_.reset();
+  return null_space_;
 }
 
 std::vector<int> ConstraintRank::equations() const {
   std::vector<int> found;
-  const auto space = matrix(null_space_, rows_.size());
+  const auto space = matrix(null_space(), rows_.size());
   for (Eigen::Index i = 0; i < space.rows(); ++i)
     if (space.row(i).squaredNorm() > share_of_equation) found.push_back(rows_[static_cast<std::size_t>(i)]);
   return found;
@@ -69,7 +95,8 @@ std::vector<int> ConstraintRank::equations() const {
 std::vector<double> ConstraintRank::misfit(std::span<const double> gaps) const {
   std::vector<double> open(gaps.size(), 0.0);
   if (count() == 0) return open;
-  const auto space = matrix(null_space_, rows_.size());
+  const auto space = matrix(null_space(), rows_.size());
+  if (!whole_null_space_) return open;
   Eigen::VectorXd scaled(space.rows());
   for (std::size_t i = 0; i < rows_.size(); ++i) scaled[static_cast<Eigen::Index>(i)] = gaps[static_cast<std::size_t>(rows_[i])] / roots_[i];
   scaled = space * (space.transpose() * scaled).eval();
@@ -99,7 +126,7 @@ void each_owner(std::span<const int> rows, const System& system, F&& f) {
 std::vector<ConstraintRank::Item> ConstraintRank::items(const System& system) const {
   std::vector<Item> found;
   if (count() == 0) return found;  // a solver that has not started has no system
-  const auto space = matrix(null_space_, rows_.size());
+  const auto space = matrix(null_space(), rows_.size());
   each_owner(rows_, system, [&](const System::EquationOwner& owner, Eigen::Index first, Eigen::Index equations) {
     const Eigen::MatrixXd part = space.middleRows(first, equations);
     if (!(part.squaredNorm() > share_of_equation)) return;
@@ -116,7 +143,7 @@ std::vector<std::string> ConstraintRank::contradictions(std::span<const double> 
   constexpr double not_all = 1e-2;
   std::vector<std::string> lines;
   if (count() == 0) return lines;
-  const auto space = matrix(null_space_, rows_.size());
+  const auto space = matrix(null_space(), rows_.size());
   Eigen::VectorXd scaled(space.rows());
   for (std::size_t i = 0; i < rows_.size(); ++i) scaled[static_cast<Eigen::Index>(i)] = misfit[static_cast<std::size_t>(rows_[i])] / roots_[i];
   const Eigen::VectorXd whole = space.transpose() * scaled;
