@@ -128,6 +128,7 @@ std::string facts_after_type(const Row& row) {
   if (const std::string demanded = demand(row.check); !demanded.empty()) text += ", " + demanded;
   if (!row.unit.empty()) text += ", unit " + std::string(row.unit);
   if (row.needs_assemble) text += "; changes need Assemble()";
+  for (const std::string_view alias : row.aliases) text += "; also named " + std::string(alias);
   return text;
 }
 
@@ -154,8 +155,10 @@ py::list described_parameters(const ItemClass& item_class, bool visualization) {
   for (const auto& argument : visualization ? item_class.visualization_arguments : item_class.arguments) {
     if (argument.row == nullptr) continue;
     const Row& row = *argument.row;
+    py::list aliases;
+    for (const std::string_view alias : row.aliases) aliases.append(alias);
     made.append(py::make_tuple(row.name, type_words(row), check_name(row.check), facts_after_type(row),
-                               row_text(*item_class.type, row)));
+                               row_text(*item_class.type, row), py::tuple(aliases)));
   }
   return made;
 }

@@ -33,6 +33,7 @@ from dalembert._version import (
 )
 from dalembert import mainSystemExtensions as _extensions  # noqa: F401  importing it extends MainSystem
 from dalembert._solving.diagnosis import FinishedNotTrusted as FinishedNotTrusted, SolverError as SolverError
+from dalembert._geometry.rigid_transformation import HT as HT
 from dalembert.solver import (
     ComputeLinearizedSystem as ComputeLinearizedSystem,
     ComputeODE2Eigenvalues as ComputeODE2Eigenvalues,
@@ -69,6 +70,7 @@ _submodules = frozenset(
         "lieGroupIntegration",
         "machines",
         "mainSystemExtensions",
+        "misc",
         "particles",
         "physics",
         "plot",
@@ -81,6 +83,7 @@ _submodules = frozenset(
         "signalProcessing",
         "solver",
         "treeDynamics",
+        "types",
         "utilities",
     )
 )
@@ -108,6 +111,7 @@ if TYPE_CHECKING:
         lieGroupIntegration as lieGroupIntegration,
         machines as machines,
         mainSystemExtensions as mainSystemExtensions,
+        misc as misc,
         particles as particles,
         physics as physics,
         plot as plot,
@@ -120,6 +124,7 @@ if TYPE_CHECKING:
         signalProcessing as signalProcessing,
         solver as solver,
         treeDynamics as treeDynamics,
+        types as types,
         utilities as utilities,
     )
 else:
@@ -128,6 +133,7 @@ else:
         "ComputeODE2Eigenvalues",
         "ComputeSystemDegreeOfFreedom",
         "FinishedNotTrusted",
+        "HT",
         "ModelFileError",
         "RequireVersion",
         "SolveDynamic",

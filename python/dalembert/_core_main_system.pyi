@@ -17,6 +17,7 @@ from dalembert._core_settings import *
 from dalembert._core_system_data import SystemData
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.rigid_transformation import HT
 from dalembert._io import model_files as model_files
 from dalembert._pictures import draw as draw
 from dalembert._pictures import glb as glb
@@ -243,6 +244,8 @@ class MainSystem(_Bound):
         show: bool = True,
         create2D: bool = False,
         returnDict: Literal[False] = False,
+        referenceHT: HT | ArrayLike | None = None,
+        initialHT: HT | ArrayLike | None = None,
     ) -> ObjectIndex: ...
     @overload
     def CreateRigidBody(
@@ -265,11 +268,14 @@ class MainSystem(_Bound):
         create2D: bool = False,
         *,
         returnDict: Literal[True],
+        referenceHT: HT | ArrayLike | None = None,
+        initialHT: HT | ArrayLike | None = None,
     ) -> dict[str, Any]: ...
     CreateFFRFReducedOrderObject = flexible.CreateFFRFReducedOrderObject
     CreateSpringDamper = connectors.CreateSpringDamper
     CreateCartesianSpringDamper = connectors.CreateCartesianSpringDamper
     CreateRigidBodySpringDamper = connectors.CreateRigidBodySpringDamper
+    CreateLinearSpringDamper = connectors.CreateLinearSpringDamper
     CreateTorsionalSpringDamper = connectors.CreateTorsionalSpringDamper
     CreateDistanceConstraint = connectors.CreateDistanceConstraint
     CreateCoordinateConstraint = connectors.CreateCoordinateConstraint

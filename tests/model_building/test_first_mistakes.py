@@ -288,7 +288,7 @@ MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
     ("function without a name", lambda m: processing.ParameterVariation(lambda p: p["a"], {"a": (0, 1, 2)}, useMultiProcessing=True, showProgress=False), ["pickle", "evaluation 0", "define them with def in a file", "'threads'"]),
     ("sensor of another name", lambda m: (m.mbs.Assemble(), m.mbs.GetSensorValues("wy")), ["GetSensorValues", "'wy'", "Did you mean 'way'?"]),
     ("two sensors of one name", lambda m: m.measured(SensorBody(name="way", bodyNumber="mass", outputVariableType=Variable.Position)), ["'name'", "'way'", "belongs to sensor 0"]),
-    ("version to come", lambda m: exu.RequireVersion("9.9"), ["9.9", "1.11.0"]),
+    ("version to come", lambda m: exu.RequireVersion("9.9"), ["9.9", "1.13.6"]),
     ("type of a joint in quotes", lambda m: m.mbs.CreateKinematicTree("t", [TreeLink(linkInertia=BAR, jointType="RevoluteZ")]), ["CreateKinematicTree", "'listOfTreeLinks[0].jointType'", "exu.JointType.RevoluteZ"]),
     ("range in quotes", lambda m: processing.ParameterVariation(lambda p: 0, {"a": ("0", "1", 3)}, showProgress=False), ["ParameterVariation: range of 'a'", "a finite number", "'0' (str)"]),
     ("method that scipy has not", lambda m: processing.Minimize(lambda p: p["a"], {"a": (0, 1)}, method="newton", showProgress=False), ["Minimize: method", "'newton'", "Did you mean 'newton-cg'?"]),

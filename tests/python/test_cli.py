@@ -97,7 +97,7 @@ def test_errors_of_models_keep_their_traceback(tmp_path):
 def test_info(capsys):
     assert cli.main(["info"]) == 0
     out = capsys.readouterr().out
-    assert "interface" in out and "1.11.0" in out and "node types" in out
+    assert "interface" in out and "1.13.6" in out and "node types" in out
 
 
 def test_all_items_are_listed(capsys):

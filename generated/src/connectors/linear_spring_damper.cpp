@@ -45,10 +45,12 @@ constexpr std::array<Row, 14> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"LinearSpringDamper"};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 3> outputs{
+constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::DisplacementLocal,
     OutputVariableType::VelocityLocal,
     OutputVariableType::ForceLocal,
+    OutputVariableType::PotentialEnergy,
+    OutputVariableType::HomogeneousTransformationLocal,
 };
 
 const auto& physics = ConnectorPhysics<ObjectConnectorLinearSpringDamper, ObjectConnectorLinearSpringDamperRecord>{};

@@ -28,6 +28,11 @@ struct ObjectConnectorLinearSpringDamper : NoPairHistory, NoConnectorForms {
       case OutputVariableType::DisplacementLocal: values = {slide.displacement}; return true;
       case OutputVariableType::VelocityLocal: values = {slide.velocity}; return true;
       case OutputVariableType::ForceLocal: values = {p.activeConnector ? tension(p, c, slide) : 0.0}; return true;
+      case OutputVariableType::PotentialEnergy: {
+        const double stretch = slide.displacement - p.offset;
+        values = {p.activeConnector ? 0.5 * p.stiffness * stretch * stretch + p.force * stretch : 0.0};
+        return !p.springForceUserFunction;
+      }
       default: return false;
     }
   }

@@ -52,6 +52,11 @@ struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, NoSwitches, Always
       case OutputVariableType::AngularVelocityLocal: vector(r.angular_velocity); return true;
       case OutputVariableType::ForceLocal: vector(segment<3>(local(), 0)); return true;
       case OutputVariableType::TorqueLocal: vector(segment<3>(local(), 3)); return true;
+      case OutputVariableType::PotentialEnergy: {
+        const Vec<double, 6> stretch = joined(r.displacement, r.rotation) - p.offset;
+        values = {p.activeConnector ? 0.5 * dot(stretch, p.stiffness * stretch) : 0.0};
+        return !p.springForceTorqueUserFunction;
+      }
       default: return false;
     }
   }
