@@ -34,6 +34,11 @@ from dalembert._version import (
 from dalembert import mainSystemExtensions as _extensions  # noqa: F401  importing it extends MainSystem
 from dalembert._solving.diagnosis import FinishedNotTrusted as FinishedNotTrusted, SolverError as SolverError
 from dalembert._geometry.rigid_transformation import HT as HT
+from dalembert._solving.item_computations import (
+    ComputeItemType as ComputeItemType,
+    InspectType as InspectType,
+    MarkerType as MarkerType,
+)
 from dalembert.solver import (
     ComputeLinearizedSystem as ComputeLinearizedSystem,
     ComputeODE2Eigenvalues as ComputeODE2Eigenvalues,
@@ -129,11 +134,14 @@ if TYPE_CHECKING:
     )
 else:
     __all__ = [  # noqa: PLE0604
+        "ComputeItemType",
         "ComputeLinearizedSystem",
         "ComputeODE2Eigenvalues",
         "ComputeSystemDegreeOfFreedom",
         "FinishedNotTrusted",
         "HT",
+        "InspectType",
+        "MarkerType",
         "ModelFileError",
         "RequireVersion",
         "SolveDynamic",

@@ -29,6 +29,7 @@ from dalembert._solving import buckling as buckling
 from dalembert._solving import consistent as consistent
 from dalembert._solving import energies as energies
 from dalembert._solving import inspection as inspection
+from dalembert._solving import item_computations as item_computations
 from dalembert._solving import linearized as linearized
 from dalembert._solving import report as report
 from dalembert._solving import vibrations as vibrations
@@ -315,5 +316,7 @@ class MainSystem(_Bound):
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
     ComputeEnergies = energies.ComputeEnergies
     ComputeVibrationModes = vibrations.ComputeVibrationModes
+    ComputeItem = item_computations.ComputeItem
+    Inspect = item_computations.Inspect
     InspectSolution = inspection.InspectSolution
     Report = report.Report

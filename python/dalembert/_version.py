@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-from dalembert import _core
-
 __version__ = "0.1.0"
 interface_version = "1.13.6"  # the newest release whose models run
 _FOLDER = (1, 12)  # since then, files of solvers are in a folder by default
@@ -23,6 +21,8 @@ def use_interface(version: str) -> None:
 
     From 1.12 on, the default names of solution, restart and solver information file are in the folder solution/.
     """
+    from dalembert import _core
+
     _core._set_default_folder("solution/" if _numbers(version) >= _FOLDER else "")
 
 

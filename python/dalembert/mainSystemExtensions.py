@@ -31,6 +31,7 @@ _MODULES = {
     "_solving.consistent": ("ComputeConsistentInitialConditions",),
     "_solving.energies": ("ComputeEnergies",),
     "_solving.inspection": ("InspectSolution",),
+    "_solving.item_computations": ("ComputeItem", "Inspect"),
     "_solving.report": ("Report",),
     "_solving.vibrations": ("ComputeVibrationModes",),
     "_studies.variations": ("SolveVariations",),
