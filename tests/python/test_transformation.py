@@ -117,7 +117,7 @@ def test_entries_copies_and_pickles() -> None:
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [
-        ({"rotation": 2 * np.eye(3)}, "HT.rotation: expected a rotation matrix"),
+        ({"rotation": 2 * np.eye(3)}, "HT.rotation: expected a 3x3 rotation matrix"),
         ({"rotation": np.eye(3), "Rxyz": [0, 0, 0]}, "HT: rotation is given more than once, by rotation and Rxyz"),
         ({"rotation": np.eye(4), "translation": R}, "HT: translation is given twice, also by the 4 x 4 matrix"),
         ({"translation": [1, 2]}, "HT.translation"),

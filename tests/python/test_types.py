@@ -44,10 +44,9 @@ def body(mbs: Any, name: str) -> Any:
     """Add a body of a type with its first kind of node."""
     if name == "ObjectGround":
         return mbs.AddObject(exu.ObjectGround())
-    node = types.NodesForObject(name)[0]
-    values = {"ObjectRigidBody": {"inertia": [1, 1, 1, 0, 0, 0]}, "ObjectRotationalMass1D": {"inertia": 1}}
-    given: dict[str, Any] = values.get(name, {}) if "1D" in name else {"mass": 1} | values.get(name, {})
-    return mbs.AddObject(getattr(exu, name)(nodeNumber=mbs.AddNode(getattr(exu, node)()), **given))
+    nodes = types.NodesForObject(name)
+    node = "Node1D" if "Node1D" in nodes else nodes[0]
+    return mbs.AddObject(getattr(exu, name)(nodeNumber=mbs.AddNode(getattr(exu, node)()), physicsMass=1))
 
 
 @pytest.mark.parametrize(
