@@ -188,6 +188,18 @@ std::string class_doc(const ItemClass& item_class, bool visualization) {
     parameters += "    " + std::string(row.name) + ": " + type_words(row) + " = " + value + facts_after_type(row) + "\n        " +
                   std::string(row_text(type, row)) + "\n";
   }
+  if (!visualization) {
+    std::string others;
+    for (const auto& argument : arguments)
+      if (argument.row != nullptr)
+        for (const std::string_view alias : argument.row->aliases) others += ", " + std::string(alias) + "=...";
+    for (const auto& each : item_class.transformations) {
+      others += ", " + to_string(each.name) + "=None";
+      parameters += "    " + to_string(each.name) + ": exu.HT or 4x4 matrix\n        " + (each.position != nullptr ? std::string(each.position->name) + " and " : "") +
+                    std::string(each.rotation->name) + " as rigid transformation\n";
+    }
+    if (!others.empty()) signature += ", *" + others;
+  }
   std::string text = name + "(" + signature + ")\n--\n\n";
   const ItemText& of_spec = text_of(type);
   text += visualization ? "How a " + std::string(type.name) + " is drawn.\n" : std::string(of_spec.summary) + "\n";

@@ -5,8 +5,11 @@ Here they are GUI, mainSystemExtensions and resultsMonitor; with the alias, `imp
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
 from typing import Any
+
+from dalembert._tools.missing_names import missing, nearest
 
 __path__: list[str] = []  # dotted imports through the alias need a package
 MODULES = ("GUI", "mainSystemExtensions", "resultsMonitor")
@@ -15,7 +18,8 @@ MODULES = ("GUI", "mainSystemExtensions", "resultsMonitor")
 def __getattr__(name: str) -> Any:
     if name in MODULES:
         return import_module(f"dalembert.{name}")
-    raise AttributeError(f"module '{__name__}' has no attribute '{name}'", name=name)
+    text = f"module '{__name__}' has no attribute '{name}'"
+    raise missing(text, nearest(name, MODULES), name, sys.modules[__name__])
 
 
 def __dir__() -> list[str]:

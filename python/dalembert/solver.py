@@ -82,8 +82,10 @@ def _knows_settings(solve: Callable[..., Finished]) -> Callable[..., Finished]:
     @functools.wraps(solve)
     def call(*arguments: Any, **options: Any) -> Finished:
         if unknown := next((name for name in options if name not in names), None):
-            group = "staticSolver" if solve.__name__ == "SolveStatic" else "timeIntegration"
-            paths = sorted(paths_of_setting(unknown), key=lambda path: not path.startswith(group))
+            groups = ("staticSolver", "timeIntegration")
+            group, other = groups if solve.__name__ == "SolveStatic" else reversed(groups)
+            paths = [path for path in paths_of_setting(unknown) if not path.startswith(f"{other}.")]
+            paths.sort(key=lambda path: not path.startswith(group))
             hint = f"; it is a setting: simulationSettings.{paths[0]}" if paths else nearest(unknown, names)
             hint = hint or f"; known are: {', '.join(signature.parameters)}"
             raise TypeError(f"{solve.__name__}: unknown argument '{unknown}'{hint}")

@@ -157,6 +157,8 @@ def check_accelerations(variant: Variant) -> None:
             wanted = place.point(value)
         elif name == "RotationMatrix":
             wanted = (place.turn @ value.reshape(3, 3)).ravel()
+        elif name == "HomogeneousTransformation":
+            wanted = exu.HT(place.turn @ value[:3, :3], place.point(value[:3, 3])).HT44()
         elif name in TURNING and len(value) == 3:
             wanted = place.turn @ value
         scale = max(1, np.abs(value).max())

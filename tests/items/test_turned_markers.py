@@ -89,7 +89,7 @@ def test_outputs_of_a_turned_marker_and_its_parameters() -> None:
     item.localHT = TURN
     assert np.allclose(item.localRotation, TURN.rotation)
     assert exu.MarkerBodyRigid(localHT=None) == exu.MarkerBodyRigid()
-    with pytest.raises(TypeError, match="localPosition: given twice, by two of its names"):
+    with pytest.raises(TypeError, match="'localPosition': given twice, by two of its names"):
         exu.MarkerBodyRigid(localPosition=[1, 0, 0], localHT=place)
     with pytest.raises(ValueError, match="a rotation without translation"):
         exu.MarkerNodeRigid(localHT=place)

@@ -131,7 +131,7 @@ def test_every_way_to_name_a_parameter(mbs: exu.MainSystem, name: str, new: str,
     assert new not in content  # GetObject has the names of the reference pages
     assert new in dir(cls())
     assert f"also named {new}" in (cls.__doc__ or "")
-    with pytest.raises(TypeError, match=f"{name}: {old}: given twice, by two of its names"):
+    with pytest.raises(TypeError, match=f"{name}, parameter '{old}': given twice, by two of its names"):
         cls(**{new: value, old: value})
     with pytest.raises(TypeError, match=re.escape(f"there is no parameter '{new}x'. Did you mean '{new}'?")):
         cls(**{f"{new}x": value})
@@ -178,7 +178,7 @@ def test_variations_and_model_files_take_the_later_names(mbs: exu.MainSystem, tm
     mbs.AddSensor(exu.SensorBody(bodyNumber=body, outputVariableType=exu.OutputVariableType.Velocity))
     mbs.Assemble()
     results = mbs.SolveVariations({(body, "mass"): [1.0, 4.0]})
-    assert np.allclose(results.values[:, 0], [2, 0.5], rtol=0, atol=1e-9)  # F t/m at t = 1, exact for a constant force
+    assert np.allclose(results.sensorValues[:, 0], [2, 0.5], rtol=0, atol=1e-9)  # F t/m at t = 1, exact for a constant force
     file = tmp_path / "model.json"
     mbs.Save(file)
     text = file.read_text()

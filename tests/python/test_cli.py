@@ -111,7 +111,7 @@ def test_parameters_of_an_item(capsys):
     assert cli.main(["items", "MassPoint"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].startswith("ObjectMassPoint")
-    assert "    physicsMass: float = 0.0, >= 0, unit kg" in lines
+    assert "    physicsMass: float = 0.0, >= 0, unit kg; also named mass" in lines
     assert "    Position: 3 numbers, unit m" in lines
 
 

@@ -123,6 +123,7 @@ GENERAL: dict[str, Case] = {
     "linearSolverSettings.showCausingItems": Case(
         False, named("twice"), models.redundant, {"redundantConstraints.treat": False}, solver="static"
     ),
+    "continuation.ifAvailable": Case(True, solved, given={"solutionSettings.restartFileName": "/dev/null"}),
     "continuation.restartFileName": Case("/dev/null", solved),
     "events.ofItems": Case(True, motion, models.stopping),
     "denseOutput.atRequestedTimes": Case(True, times, given={"solutionSettings.sensorsWritePeriod": 0.15}),

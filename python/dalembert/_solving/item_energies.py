@@ -91,7 +91,7 @@ def CreateLoadEnergySensor(
         known = 0.0
     if known is None:
         raise ValueError(
-            f"CreateLoadEnergySensor: the potential energy of load {int(loadNumber)} ({load['loadType']}) is not known"
+            f"CreateLoadEnergySensor: the potential energy of load '{load['name']}' ({load['loadType']}) is not known"
             ": expected a constant force, a load on a coordinate, or the weight of a rigid body or mass point"
         )
 
