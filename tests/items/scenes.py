@@ -16,6 +16,9 @@ from codegen.model import Item, Parameter
 from codegen.scene import End, NodePlace
 from dalembert._core import testing
 
+# Parameters with which an item needs one more data coordinate.
+MORE_DATA = {"ObjectContactCoordinate": "impactModel"}
+
 if TYPE_CHECKING:
     from variants import Variant
 
@@ -443,7 +446,7 @@ class Scene:
         if "loadVector" in rows and not rows.get("bodyFixed"):
             rows["loadVector"] = self.place.turn @ rows["loadVector"]
         if variant.data:
-            n = item.scene.data
+            n = item.scene.data + (rows.get(MORE_DATA.get(item.name, ""), 0) > 0)
             rows["nodeNumber"] = self.mbs.AddNode(
                 exu.NodeGenericData(numberOfDataCoordinates=n, initialCoordinates=np.zeros(n))
             )
