@@ -105,7 +105,9 @@ def test_sensors_agree_with_outputs(item: Item) -> None:
     scene = model_with(item, seed=81)
     for sensor, read in sensors_of(scene):
         for configuration in CONFIGURATIONS:
-            np.testing.assert_array_equal(scene.mbs.GetSensorValues(sensor, configuration), numbers(read(configuration)))
+            np.testing.assert_array_equal(
+                scene.mbs.GetSensorValues(sensor, configuration), numbers(read(configuration))
+            )
 
 
 @pytest.mark.parametrize("item", SENSED, ids=lambda item: item.name)

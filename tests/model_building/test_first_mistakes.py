@@ -220,7 +220,7 @@ MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
     ("markers of a Create function", lambda m: m.mbs.CreateSpringDamper(markerNumbers=[0, 1]), ["CreateSpringDamper", "'markerNumbers'", "Pass markers as 'bodyNumbers'"]),
     ("marker of a force", lambda m: m.mbs.CreateForce(markerNumber=0, loadVector=[1, 0, 0]), ["CreateForce", "'markerNumber'", "Pass markers as 'bodyNumber'"]),
     ("short name of an argument", lambda m: m.mbs.CreateSpringDamper(length=1), ["CreateSpringDamper", "'length'", "Did you mean 'referenceLength'?"]),
-    ("short name of a parameter", lambda m: m.mbs.SetObjectParameter("bar", "center", 3), ["object 1 'bar'", "'center'", "Did you mean 'centerOfMass'?"]),
+    ("short name of a parameter", lambda m: m.mbs.SetObjectParameter("bar", "center", 3), ["object 1 'bar'", "'center'", "Did you mean 'physicsCenterOfMass'?"]),
     ("drawing of another item", lambda m: MassPoint(nodeNumber=0, visualization=VSpringDamper(drawSize=3)), ["ObjectMassPoint", "'visualization'", "'drawSize'", "VObjectMassPoint(...)"]),
     ("torque on a mass point", lambda m: (m.mbs.CreateTorque("twist", "mass", [0, 0, 1]), m.mbs.Assemble()), ["MarkerBodyRigid", "ObjectMassPoint has no orientation", "mbs.CreateRigidBody"]),
     ("spring function of two arguments", lambda m: (m.mbs.CreateSpringDamper("spring", ["ground", "mass"], stiffness=1, springForceUserFunction=lambda u, v: u), m.solve()), ["2 positional arguments but 8", "'spring'", "called as springForceUserFunction(mbs, t, itemNumber, "]),

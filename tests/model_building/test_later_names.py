@@ -178,7 +178,8 @@ def test_variations_and_model_files_take_the_later_names(mbs: exu.MainSystem, tm
     mbs.AddSensor(exu.SensorBody(bodyNumber=body, outputVariableType=exu.OutputVariableType.Velocity))
     mbs.Assemble()
     results = mbs.SolveVariations({(body, "mass"): [1.0, 4.0]})
-    assert np.allclose(results.sensorValues[:, 0], [2, 0.5], rtol=0, atol=1e-9)  # F t/m at t = 1, exact for a constant force
+    # F t/m at t = 1 is exact for a constant force
+    assert np.allclose(results.sensorValues[:, 0], [2, 0.5], rtol=0, atol=1e-9)
     file = tmp_path / "model.json"
     mbs.Save(file)
     text = file.read_text()

@@ -39,7 +39,7 @@ def end_of(mbs: Any) -> float:
 @pytest.mark.parametrize(
     ("method", "name", "least", "most"),
     [
-        (METHODS.GeneralizedAlpha, "implicit second order", 1e-5, 1e-4),  # w^3 t h^2/12 = 7e-5 times sin(2), and its damping
+        (METHODS.GeneralizedAlpha, "implicit second order", 1e-5, 1e-4),  # w^3 t h^2/12 = 7e-5, times sin(2)
         (METHODS.RK44, "RK44", 1e-11, 1e-8),  # w^5 t h^4/120 = 3e-9
         (METHODS.ExplicitMidpoint, "ExplicitMidpoint", 1e-5, 3e-4),  # w^3 t h^2/6
         (METHODS.ESDIRK43, "ESDIRK43", 1e-12, 1e-7),
