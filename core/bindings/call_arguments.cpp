@@ -1,6 +1,6 @@
 #include "call_arguments.hpp"
 
-#include <cstdint>
+#include <bitset>
 
 #include "dalembert/model/errors.hpp"
 #include "python_errors.hpp"
@@ -69,14 +69,13 @@ void assign_arguments(const CallTarget& target, PyObject* const* values, std::si
                              "(" + to_string(target.arguments()[0].name) + "=...)"});
   }
   for (std::size_t i = 0; i < positional; ++i) target.assign(i, values[i]);
-  std::uint64_t by_name = 0;  // bits of arguments; no item has as many as 64
+  std::bitset<64> by_name;  // more than the arguments of any item
   const Py_ssize_t named = keywords == nullptr ? 0 : PyTuple_GET_SIZE(keywords);
   for (Py_ssize_t k = 0; k < named; ++k) {
     const auto take = [&](std::size_t i) {
-      const std::uint64_t bit = std::uint64_t{1} << (i % 64);
       if (i < positional) refuse(ErrorKind::type, {target.where(), to_string(target.arguments()[i].name), "given by position and by name", "", "", ""});
-      if (i < 64 && (by_name & bit) != 0) refuse(ErrorKind::type, {target.where(), to_string(target.arguments()[i].name), "given twice, by two of its names", "", "", ""});
-      by_name |= bit;
+      if (by_name.test(i)) refuse(ErrorKind::type, {target.where(), to_string(target.arguments()[i].name), "given twice, by two of its names", "", "", ""});
+      by_name.set(i);
     };
     PyObject* const name = PyTuple_GET_ITEM(keywords, k);
     PyObject* const value = values[positional + static_cast<std::size_t>(k)];
@@ -89,7 +88,7 @@ void assign_arguments(const CallTarget& target, PyObject* const* values, std::si
     }
     const std::size_t i = find_argument(target, name);
     take(i);
-    target.assign(i, values[positional + static_cast<std::size_t>(k)]);
+    target.assign(i, value);
   }
 }
 

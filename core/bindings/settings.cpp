@@ -57,13 +57,13 @@ PyObject* make_object(SettingsView view) {
   return self;
 }
 
-// A structure of its own, with defaults.
-// Folder of files of solvers in new settings, see RequireVersion in python/dalembert/_version.py.
+// The folder of files of solvers in new settings, see RequireVersion in python/dalembert/_version.py.
 std::string& default_folder() {
   static std::string folder;
   return folder;
 }
 
+// A structure of its own, with defaults.
 SettingsView fresh(const SettingsClass& settings_class) {
   SettingsView view{settings_class.tree, settings_class.group, settings_class.tree->operations.create(), nullptr,
                     settings_class.path};

@@ -761,7 +761,7 @@ constexpr std::array<std::string_view, 17> ObjectANCFCable2D_rows{
     "height of the rectangle that is drawn; 0 draws the axis only",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 15> ObjectANCFCable2D_outputs{{
+constexpr std::array<OutputText, 16> ObjectANCFCable2D_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement of the local point"},
     {"Velocity", 3, "m/s", "global velocity of the local point"},
@@ -773,6 +773,7 @@ constexpr std::array<OutputText, 15> ObjectANCFCable2D_outputs{{
     {"ForceLocal", 1, "N", "axial force, positive for tension; oscillates along the element when bending dominates"},
     {"TorqueLocal", 1, "Nm", "bending moment, positive with positive curvature"},
     {"AngularVelocity", 3, "rad/s", "angular velocity of the cross section; only the third component is not zero"},
+    {"AngularVelocityLocal", 3, "rad/s", "the same vector, because the cross section rotates about z"},
     {"Acceleration", 3, "m/s^2", "global acceleration of the local point"},
     {"AngularAcceleration", 3, "rad/s^2", "angular acceleration of the cross section; only the third component is not zero"},
     {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
@@ -821,13 +822,18 @@ constexpr std::array<std::string_view, 7> ObjectBeamGeometricallyExact_rows{
     "outline of the cross section for drawing and contact, as a ``BeamSectionGeometry``",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 9> ObjectBeamGeometricallyExact_outputs{{
+constexpr std::array<OutputText, 14> ObjectBeamGeometricallyExact_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement of the local point"},
     {"Velocity", 3, "m/s", "global velocity of the local point"},
     {"Rotation", 3, "rad", "Tait-Bryan angles of the frame of the cross section"},
     {"StrainLocal", 6, "1", "strains in the frame of the cross section: xx, yy, zz, yz, xz, xy, of which xx, xz and xy can differ from zero"},
     {"CurvatureLocal", 3, "1/m", "twist and the two curvatures in the frame of the cross section"},
+    {"RotationMatrix", 9, "1", "rotation matrix from the frame of the cross section to the global frame, row by row"},
+    {"AngularVelocity", 3, "rad/s", "global angular velocity of the cross section"},
+    {"AngularVelocityLocal", 3, "rad/s", "angular velocity of the cross section in its own frame"},
+    {"ForceLocal", 3, "N", "axial force and the two shear forces in the frame of the cross section"},
+    {"TorqueLocal", 3, "Nm", "torsional moment and the two bending moments in the frame of the cross section"},
     {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
     {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
     {"PotentialEnergy", 1, "J", "energy of the strains; the local position has no influence, and loads are not included"},
@@ -1012,12 +1018,13 @@ constexpr std::array<std::string_view, 14> ObjectConnectorLinearSpringDamper_row
     "True: drawn as a cylinder, which suits an actuator; False: drawn as a spring",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 5> ObjectConnectorLinearSpringDamper_outputs{{
+constexpr std::array<OutputText, 6> ObjectConnectorLinearSpringDamper_outputs{{
     {"DisplacementLocal", 1, "m", "relative position of the markers along the axis"},
     {"VelocityLocal", 1, "m/s", "relative velocity of the markers along the axis"},
     {"ForceLocal", 1, "N", "scalar force on marker m0 in the direction of the axis"},
     {"PotentialEnergy", 1, "J", "energy of spring and constant force, zero where the spring is relaxed; not available with a user function"},
     {"HomogeneousTransformationLocal", 16, "various", "relative position and rotation of marker m1 in the axes of marker m0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"Displacement", 3, "m", "global position of marker m1 relative to marker m0"},
 }};
 
 constexpr std::array<std::string_view, 16> ObjectConnectorReevingSystemSprings_rows{
@@ -1061,7 +1068,7 @@ constexpr std::array<std::string_view, 15> ObjectConnectorRigidBodySpringDamper_
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 8> ObjectConnectorRigidBodySpringDamper_outputs{{
+constexpr std::array<OutputText, 9> ObjectConnectorRigidBodySpringDamper_outputs{{
     {"DisplacementLocal", 3, "m", "position of marker m1 relative to marker m0 in frame J0; the translational part of the logarithm with ``intrinsicFormulation``"},
     {"VelocityLocal", 3, "m/s", "global velocity of marker m1 minus that of marker m0, in frame J0; if ``intrinsicFormulation`` is set, in the mid-frame"},
     {"Rotation", 3, "rad", "Tait-Bryan angles (about x, y, z in turn) of J1 relative to J0; the rotation vector with ``intrinsicFormulation``"},
@@ -1070,6 +1077,7 @@ constexpr std::array<OutputText, 8> ObjectConnectorRigidBodySpringDamper_outputs
     {"TorqueLocal", 3, "Nm", "torque on marker m0, in frame J0; with ``intrinsicFormulation`` in the mid-frame, without the moment of the force"},
     {"PotentialEnergy", 1, "J", "energy of spring and constant force, zero where the spring is relaxed; not available with a user function"},
     {"HomogeneousTransformationLocal", 16, "various", "relative position and rotation of joint frame J1 in joint frame J0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"Displacement", 3, "m", "global position of marker m1 relative to marker m0"},
 }};
 
 constexpr std::array<std::string_view, 18> ObjectConnectorRollingDiscPenalty_rows{
@@ -1376,7 +1384,7 @@ constexpr std::array<std::string_view, 19> ObjectContactSphereTorus_rows{
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
-constexpr std::array<OutputText, 8> ObjectContactSphereTorus_outputs{{
+constexpr std::array<OutputText, 9> ObjectContactSphereTorus_outputs{{
     {"Position", 3, "m", "global contact point, in the middle of the overlap or gap"},
     {"Displacement", 3, "m", "global vector from marker m0 to marker m1"},
     {"DisplacementLocal", 1, "m", "gap, negative in contact"},
@@ -1385,6 +1393,7 @@ constexpr std::array<OutputText, 8> ObjectContactSphereTorus_outputs{{
     {"Director3", 3, "1", "contact normal, unit vector from the center line of the torus to the center of the sphere"},
     {"Force", 3, "N", "global contact force on marker m0, with friction; its negative acts on marker m1; 0 without contact"},
     {"Torque", 3, "Nm", "global vector whose negative is the torque of the contact force about marker m0"},
+    {"Velocity", 3, "m/s", "global velocity of the torus relative to the sphere at the contact point"},
 }};
 
 constexpr std::array<std::string_view, 18> ObjectContactSphereTriangle_rows{
@@ -1407,13 +1416,14 @@ constexpr std::array<std::string_view, 18> ObjectContactSphereTriangle_rows{
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
-constexpr std::array<OutputText, 6> ObjectContactSphereTriangle_outputs{{
+constexpr std::array<OutputText, 7> ObjectContactSphereTriangle_outputs{{
     {"Position", 3, "m", "global contact point, in the middle of the overlap or gap"},
     {"Displacement", 3, "m", "global vector from marker m0 to the nearest point of the triangle"},
     {"DisplacementLocal", 1, "m", "gap, negative in contact"},
     {"Director1", 3, "1", "unit vector from marker m0 to the nearest point of the triangle"},
     {"Force", 3, "N", "global contact force on marker m0, with friction; its negative acts on marker m1; 0 without contact"},
     {"Torque", 3, "Nm", "global vector whose negative is the torque of the contact force about marker m0"},
+    {"Velocity", 3, "m/s", "global velocity of the nearest point of the triangle relative to the center of the sphere"},
 }};
 
 constexpr std::array<std::string_view, 12> ObjectJointALEMoving2D_rows{
@@ -1479,6 +1489,16 @@ constexpr std::array<std::string_view, 9> ObjectJointPrismatic2D_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
+constexpr std::array<OutputText, 8> ObjectJointPrismatic2D_outputs{{
+    {"Position", 3, "m", "global position of marker m0"},
+    {"Velocity", 3, "m/s", "global velocity of marker m0"},
+    {"DisplacementLocal", 3, "m", "position of marker m1 relative to marker m0 in the axes of marker m0"},
+    {"Distance", 1, "m", "component of DisplacementLocal along ``axisMarker0``"},
+    {"Rotation", 1, "rad", "angle of marker m1 relative to marker m0, the error of the constraint for rotations"},
+    {"ForceLocal", 3, "N", "joint force on marker m0 in its axes"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation of marker m0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"HomogeneousTransformationLocal", 16, "various", "relative position and rotation of marker m1 in the axes of marker m0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+}};
 
 constexpr std::array<std::string_view, 9> ObjectJointPrismaticX_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
@@ -1512,6 +1532,12 @@ constexpr std::array<std::string_view, 6> ObjectJointRevolute2D_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
+constexpr std::array<OutputText, 4> ObjectJointRevolute2D_outputs{{
+    {"Position", 3, "m", "global position of marker m0"},
+    {"Velocity", 3, "m/s", "global velocity of marker m0"},
+    {"Displacement", 3, "m", "global position of marker m1 relative to marker m0, the error of the constraint"},
+    {"Force", 3, "N", "Lagrange multipliers, the global joint force on marker m0; the third value is 0"},
+}};
 
 constexpr std::array<std::string_view, 9> ObjectJointRevoluteZ_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
@@ -1591,11 +1617,12 @@ constexpr std::array<std::string_view, 12> ObjectJointSliding2D_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 4> ObjectJointSliding2D_outputs{{
+constexpr std::array<OutputText, 5> ObjectJointSliding2D_outputs{{
     {"Position", 3, "m", "global position of marker m0"},
     {"Velocity", 3, "m/s", "global velocity of marker m0"},
     {"SlidingCoordinate", 1, "m", "sliding coordinate along all elements, from 0 to the sum of their reference lengths"},
     {"Force", 3, "N", "Lagrange multipliers of the position constraint, the joint force"},
+    {"DisplacementLocal", 3, "m", "position of the cable at the sliding coordinate relative to the body, along and normal to the slope of the cable; the third value is 0"},
 }};
 
 constexpr std::array<std::string_view, 7> ObjectJointSpherical_rows{
@@ -1990,11 +2017,11 @@ constexpr std::array<ItemText, 97> all{{
      "\nExample:\n    # a mass that a belt, which does not bend or stretch much, takes along with 2 m/s for 0.35 s, from the first element to the second\n    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in range(3)]\n    way = mbs.AddNode(NodeGenericODE2(numberOfODE2Coordinates=1, referenceCoordinates=[0], initialCoordinates=[0], initialCoordinates_t=[2]))\n    cables = [mbs.AddObject(ALECable2D(physicsLength=1, physicsMassPerLength=1, physicsBendingStiffness=1, physicsAxialStiffness=1, nodeNumbers=[*pair, way]))\n              for pair in zip(nodes[:-1], nodes[1:])]\n    ground = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))\n    for node in nodes:\n        for coordinate in range(4):\n            fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=coordinate))\n            mbs.AddObject(CoordinateConstraint(markerNumbers=[ground, fixed]))\n    mass = mbs.AddNode(NodePoint2D(referenceCoordinates=[0.5, 0], initialVelocities=[2, 0]))\n    carried = mbs.AddMarker(MarkerBodyPosition(bodyNumber=mbs.AddObject(MassPoint2D(physicsMass=2, nodeNumber=mass))))\n    markers = [mbs.AddMarker(MarkerBodyCable2DCoordinates(bodyNumber=cable)) for cable in cables]\n    element = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))\n    mbs.AddObject(ALEMovingJoint2D(markerNumbers=[carried, markers[0]], slidingMarkerNumbers=markers, slidingMarkerOffsets=[0, 1], slidingOffset=0.5,\n                                   nodeNumbers=[element, way]))\n    mbs.Assemble()\n    settings = exu.SimulationSettings()\n    settings.timeIntegration.endTime = 0.35\n    settings.timeIntegration.numberOfSteps = 35\n    mbs.SolveDynamic(settings)\n    result = mbs.GetNodeOutput(mass, exu.OutputVariableType.Position)\n\nPage: reference/items/joints/ale_moving_2d.html\n"},
     {"A joint between two rigid body markers that constrains any choice of three translations and three rotations", ObjectJointGeneric_rows, ObjectJointGeneric_outputs,
      "\nUser functions:\n    offsetUserFunction(mbs, t, itemNumber, offsetUserFunctionParameters)\n        computes the prescribed relative position and rotation; should be twice differentiable, and fit initial position and velocity; called at every evaluation of the constraints on position level\n    offsetUserFunction_t(mbs, t, itemNumber, offsetUserFunctionParameters)\n        computes the time derivative of ``offsetUserFunction``\n\nCreated by: mbs.CreateGenericJoint(...)\n\nExample:\n    # slide inclined by 30 degrees, a force of 8 N downwards on 2 kg: s'' = -8 sin(30) / 2 = -2, normal force 8 cos(30)\n    ground = mbs.AddObject(ObjectGround())\n    node = mbs.AddNode(NodeRigidBodyRxyz())\n    body = mbs.AddObject(RigidBody(physicsMass=2, physicsInertia=[1, 1, 1, 0, 0, 0], nodeNumber=node))\n    mGround = mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground))\n    mBody = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    c, s = np.cos(np.pi / 6), np.sin(np.pi / 6)\n    A = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])\n    joint = mbs.AddObject(GenericJoint(markerNumbers=[mGround, mBody], constrainedAxes=[0, 1, 1, 1, 1, 1],\n                                       rotationMarker0=A, rotationMarker1=A))\n    mbs.AddLoad(Force(markerNumber=mBody, loadVector=[0, -8, 0]))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = [mbs.GetObjectOutput(joint, exu.OutputVariableType.DisplacementLocal)[0],\n              mbs.GetObjectOutput(joint, exu.OutputVariableType.ForceLocal)[1]]\n\nPage: reference/items/joints/generic.html\n"},
-    {"A prismatic joint of planar bodies: one point moves on a line that is fixed to the other body", ObjectJointPrismatic2D_rows, {},
+    {"A prismatic joint of planar bodies: one point moves on a line that is fixed to the other body", ObjectJointPrismatic2D_rows, ObjectJointPrismatic2D_outputs,
      "\nExample:\n    # a body of 1 kg on a line in direction (3, 4), pushed with 5 N along x: 3 m/s^2 along the line\n    node = mbs.AddNode(NodeRigidBody2D())\n    body = mbs.AddObject(RigidBody2D(physicsMass=1, physicsInertia=1, nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    mbs.AddObject(PrismaticJoint2D(markerNumbers=[m0, m1], axisMarker0=[0.6, 0.8, 0], normalMarker1=[-0.8, 0.6, 0]))\n    mbs.AddLoad(Force(markerNumber=m1, loadVector=[5, 0, 0]))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)\n\nPage: reference/items/joints/prismatic_2d.html\n"},
     {"A prismatic joint between two rigid body markers, free to translate along the x axis of the joint frame", ObjectJointPrismaticX_rows, ObjectJointPrismaticX_outputs,
      "\nCreated by: mbs.CreatePrismaticJoint(...)\n\nExample:\n    # a body of 2 kg on a guide along x, pushed with (4, 3) N: x'' = 4 / 2, and the guide carries 3 N\n    inertia = [1, 1, 1, 0, 0, 0]\n    node = mbs.AddNode(NodeRigidBodyRxyz())\n    body = mbs.AddObject(RigidBody(physicsMass=2, physicsInertia=inertia, nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    joint = mbs.AddObject(PrismaticJointX(markerNumbers=[m0, m1]))\n    mbs.AddLoad(Force(markerNumber=m1, loadVector=[4, 3, 0]))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Position)[0],\n              mbs.GetObjectOutput(joint, exu.OutputVariableType.ForceLocal)[1]]\n\nPage: reference/items/joints/prismatic_x.html\n"},
-    {"A revolute joint of planar bodies: keeps two points together in the x-y plane", ObjectJointRevolute2D_rows, {},
+    {"A revolute joint of planar bodies: keeps two points together in the x-y plane", ObjectJointRevolute2D_rows, ObjectJointRevolute2D_outputs,
      "\nExample:\n    # a rod turns about its end by a torque of 3 Nm: J = 0.75 + 3 * 0.5^2 = 1.5, angle 3 / (2 * 1.5) after 1 s; step 0.001\n    ground = mbs.AddObject(ObjectGround())\n    node = mbs.AddNode(NodeRigidBody2D(referenceCoordinates=[0.5, 0, 0]))\n    rod = mbs.AddObject(RigidBody2D(physicsMass=3, physicsInertia=0.75, nodeNumber=node))\n    mGround = mbs.AddMarker(MarkerBodyPosition(bodyNumber=ground))\n    mRod = mbs.AddMarker(MarkerBodyPosition(bodyNumber=rod, localPosition=[-0.5, 0, 0]))\n    mbs.AddObject(RevoluteJoint2D(markerNumbers=[mGround, mRod]))\n    mCenter = mbs.AddMarker(MarkerBodyRigid(bodyNumber=rod))\n    mbs.AddLoad(Torque(markerNumber=mCenter, loadVector=[0, 0, 3]))\n    mbs.Assemble()\n    settings = exu.SimulationSettings()\n    settings.timeIntegration.numberOfSteps = 1000\n    mbs.SolveDynamic(settings)\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)[2]\n\nPage: reference/items/joints/revolute_2d.html\n"},
     {"A revolute joint between two rigid body markers, free to rotate about the z axis of the joint frame", ObjectJointRevoluteZ_rows, ObjectJointRevoluteZ_outputs,
      "\nCreated by: mbs.CreateRevoluteJoint(...)\n\nExample:\n    # a body turns about a joint at 1 m from its center, by a torque of 3 Nm: J = 0.5 + 1 * 1^2, angle 3 / (2 * 1.5) after 1 s; step 0.001\n    ground = mbs.AddObject(ObjectGround())\n    node = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[1, 0, 0, 0, 0, 0]))\n    body = mbs.AddObject(RigidBody(physicsMass=1, physicsInertia=[1, 1, 0.5, 0, 0, 0], nodeNumber=node))\n    mGround = mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground))\n    mBody = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body, localPosition=[-1, 0, 0]))\n    joint = mbs.AddObject(RevoluteJointZ(markerNumbers=[mGround, mBody]))\n    mbs.AddLoad(Torque(markerNumber=mBody, loadVector=[0, 0, 3]))\n    mbs.Assemble()\n    settings = exu.SimulationSettings()\n    settings.timeIntegration.numberOfSteps = 1000\n    mbs.SolveDynamic(settings)\n    result = mbs.GetObjectOutput(joint, exu.OutputVariableType.Rotation)[2]\n\nPage: reference/items/joints/revolute_z.html\n"},

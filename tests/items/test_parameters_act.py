@@ -4,14 +4,13 @@ coordinates or an output of a model, or it does not fit the model."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import nullcontext, suppress
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 import pytest
 from exemptions import WITHOUT_EFFECT
-from scenes import Scene, random_direction
-from test_output_rates import ENERGIES
+from scenes import Scene, output_of, random_direction
 from test_outputs import find, reader
 from test_refused_changes import ROWS, accessors
 from variants import Variant, variants_with
@@ -54,8 +53,9 @@ def effects(scene: Scene, item: Item) -> Iterator[Any]:
         with suppress(ValueError):  # it has others
             yield mbs.GetMarkerOutput(number, variable)
     for output in item.outputs:
-        with suppress(exu.ModelError) if output.name in ENERGIES else nullcontext():  # user functions have no energy
-            yield reader(scene, item)(getattr(Variable, output.name), Configuration.Current)
+        value = output_of(reader(scene, item), getattr(Variable, output.name), Configuration.Current)
+        if value is not None:
+            yield value
 
 
 def others(row: Parameter, value: Any, rng: np.random.Generator) -> list[Any]:

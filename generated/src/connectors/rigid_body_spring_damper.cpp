@@ -66,7 +66,7 @@ constexpr std::array<Row, 15> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"RigidBodySpringDamper"};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 8> outputs{
+constexpr std::array<OutputVariableType, 9> outputs{
     OutputVariableType::DisplacementLocal,
     OutputVariableType::VelocityLocal,
     OutputVariableType::Rotation,
@@ -75,6 +75,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::TorqueLocal,
     OutputVariableType::PotentialEnergy,
     OutputVariableType::HomogeneousTransformationLocal,
+    OutputVariableType::Displacement,
 };
 
 const auto& physics = ConnectorPhysics<ObjectConnectorRigidBodySpringDamper, ObjectConnectorRigidBodySpringDamperRecord>{};

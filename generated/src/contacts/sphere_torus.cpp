@@ -42,7 +42,7 @@ constexpr std::array<Row, 19> rows{{
 
 constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 8> outputs{
+constexpr std::array<OutputVariableType, 9> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::DisplacementLocal,
@@ -51,6 +51,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::Director3,
     OutputVariableType::Force,
     OutputVariableType::Torque,
+    OutputVariableType::Velocity,
 };
 
 const auto& physics = ConnectorPhysics<ObjectContactSphereTorus, ObjectContactSphereTorusRecord>{};

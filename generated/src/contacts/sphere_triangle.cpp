@@ -41,13 +41,14 @@ constexpr std::array<Row, 18> rows{{
 
 constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 6> outputs{
+constexpr std::array<OutputVariableType, 7> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::DisplacementLocal,
     OutputVariableType::Director1,
     OutputVariableType::Force,
     OutputVariableType::Torque,
+    OutputVariableType::Velocity,
 };
 
 const auto& physics = ConnectorPhysics<ObjectContactSphereTriangle, ObjectContactSphereTriangleRecord>{};

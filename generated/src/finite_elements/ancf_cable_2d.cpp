@@ -82,7 +82,7 @@ constexpr std::array<Row, 17> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"Cable2D"};
 constexpr std::array<std::string_view, 0> provides{};
-constexpr std::array<OutputVariableType, 15> outputs{
+constexpr std::array<OutputVariableType, 16> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -94,6 +94,7 @@ constexpr std::array<OutputVariableType, 15> outputs{
     OutputVariableType::ForceLocal,
     OutputVariableType::TorqueLocal,
     OutputVariableType::AngularVelocity,
+    OutputVariableType::AngularVelocityLocal,
     OutputVariableType::Acceleration,
     OutputVariableType::AngularAcceleration,
     OutputVariableType::KineticEnergy,

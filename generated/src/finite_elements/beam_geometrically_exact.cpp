@@ -33,13 +33,18 @@ constexpr std::array<Row, 7> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"Beam3D"};
 constexpr std::array<std::string_view, 2> provides{"Body", "MultiNoded"};
-constexpr std::array<OutputVariableType, 9> outputs{
+constexpr std::array<OutputVariableType, 14> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
     OutputVariableType::Rotation,
     OutputVariableType::StrainLocal,
     OutputVariableType::CurvatureLocal,
+    OutputVariableType::RotationMatrix,
+    OutputVariableType::AngularVelocity,
+    OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::ForceLocal,
+    OutputVariableType::TorqueLocal,
     OutputVariableType::HomogeneousTransformation,
     OutputVariableType::KineticEnergy,
     OutputVariableType::PotentialEnergy,

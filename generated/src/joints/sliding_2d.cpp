@@ -35,11 +35,12 @@ constexpr std::array<Row, 12> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"SlidingJoint2D"};
 constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
-constexpr std::array<OutputVariableType, 4> outputs{
+constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::Position,
     OutputVariableType::Velocity,
     OutputVariableType::SlidingCoordinate,
     OutputVariableType::Force,
+    OutputVariableType::DisplacementLocal,
 };
 
 const auto& physics = ConstraintPhysics<ObjectJointSliding2D, ObjectJointSliding2DRecord>{};

@@ -46,6 +46,7 @@ struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, NoSwitches, Always
     const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
     const auto local = [&] { return p.activeConnector ? tension(p, c, r) : Vec<double, 6>{}; };
     switch (variable) {
+      case OutputVariableType::Displacement: vector(m1.position - m0.position); return true;
       case OutputVariableType::DisplacementLocal: vector(r.displacement); return true;
       case OutputVariableType::VelocityLocal: vector(r.velocity); return true;
       case OutputVariableType::Rotation: vector(r.rotation); return true;
