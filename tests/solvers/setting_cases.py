@@ -263,6 +263,7 @@ DYNAMIC: dict[str, Case] = {
     "relativeTolerance": Case(1e-2, steps, solver=CONTROLLED, given={"absoluteTolerance": 1e-12}),
     "reuseConstantMassMatrix": Case(False, says("massMatrix"), solver="RK44", given=MEASURED),
     "simulateInRealtime": Case(True, waits_longer_than(0.05), given=MEASURED),
+    "solverType": Case(exu.DynamicSolverType.ExplicitEuler, motion, solver="MainSolverExplicit"),
     "startTime": Case(0.5, times),
     "stepSizeMaxIncrease": Case(1.1, steps, solver=CONTROLLED, given={"initialStepSize": 1e-4}),
     "stepSizeSafety": Case(0.3, steps, solver=CONTROLLED),
