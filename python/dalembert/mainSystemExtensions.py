@@ -33,6 +33,7 @@ _MODULES = {
     "_solving.inspection": ("InspectSolution",),
     "_solving.report": ("Report",),
     "_solving.vibrations": ("ComputeVibrationModes",),
+    "_studies.exact_sensitivities": ("ComputeSensitivities",),
     "_studies.variations": ("SolveVariations",),
     "_io.model_files": ("Load", "Save"),
     "interactive": ("SolutionViewer",),
