@@ -50,6 +50,17 @@ from dalembert.solver import (
 
 if TYPE_CHECKING:
     from dalembert._io.model_files import ModelFileError as ModelFileError
+    from dalembert._studies.design_parameters import DesignParameter as DesignParameter
+    from dalembert._studies.differentiable_model import DifferentiableModel as DifferentiableModel
+    from dalembert._studies.differentiable_outputs import (
+        At as At,
+        Eigenvalue as Eigenvalue,
+        Final as Final,
+        Function as Function,
+        Integral as Integral,
+        Reaction as Reaction,
+    )
+    from dalembert._studies.not_differentiable import NotDifferentiable as NotDifferentiable
 
 _completion.tell_ipython()
 
@@ -93,6 +104,19 @@ _submodules = frozenset(
     )
 )
 _renamed = {"exudynCPP": _core}
+# Names of these modules, likewise.
+_classes = {
+    "ModelFileError": "_io.model_files",
+    "DesignParameter": "_studies.design_parameters",
+    "DifferentiableModel": "_studies.differentiable_model",
+    "At": "_studies.differentiable_outputs",
+    "Eigenvalue": "_studies.differentiable_outputs",
+    "Final": "_studies.differentiable_outputs",
+    "Function": "_studies.differentiable_outputs",
+    "Integral": "_studies.differentiable_outputs",
+    "Reaction": "_studies.differentiable_outputs",
+    "NotDifferentiable": "_studies.not_differentiable",
+}
 
 if TYPE_CHECKING:
     from dalembert import (
@@ -142,7 +166,6 @@ else:
         "HT",
         "InspectType",
         "MarkerType",
-        "ModelFileError",
         "RequireVersion",
         "SolveDynamic",
         "SolveStatic",
@@ -152,6 +175,7 @@ else:
         "SolverSuccess",
         "__version__",
         "interface_version",
+        *_classes,
         *[name for name in vars(_core) if not name.startswith("_")],
     ]
 
@@ -163,15 +187,15 @@ else:
             from importlib import import_module
 
             return import_module(f"dalembert.{name}")
-        if name == "ModelFileError":
-            from dalembert._io.model_files import ModelFileError
+        if name in _classes:
+            from importlib import import_module
 
-            return ModelFileError
+            return getattr(import_module(f"dalembert.{_classes[name]}"), name)
         if text := _planned.module_text(name):
             raise AttributeError(text)
         raise _missing_names.missing_in(_sys.modules[__name__], name)
 
     def __dir__() -> list[str]:
-        return sorted({*globals(), *_submodules, "ModelFileError"})
+        return sorted({*globals(), *_submodules, *_classes})
 
     _missing_names.explain_module(_sys.modules[__name__])

@@ -33,6 +33,7 @@ from dalembert._solving import item_computations as item_computations
 from dalembert._solving import linearized as linearized
 from dalembert._solving import report as report
 from dalembert._solving import vibrations as vibrations
+from dalembert._studies import exact_sensitivities as exact_sensitivities
 from dalembert._studies import variations as variations
 from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, robots, sensors, trees
 
@@ -312,6 +313,7 @@ class MainSystem(_Bound):
     SolveDynamic = solver.SolveDynamic
     SolveStatic = solver.SolveStatic
     SolveVariations = variations.SolveVariations
+    ComputeSensitivities = exact_sensitivities.ComputeSensitivities
     ComputeBucklingLoads = buckling.ComputeBucklingLoads
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
     ComputeEnergies = energies.ComputeEnergies

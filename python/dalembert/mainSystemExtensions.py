@@ -34,6 +34,7 @@ _MODULES = {
     "_solving.item_computations": ("ComputeItem", "Inspect"),
     "_solving.report": ("Report",),
     "_solving.vibrations": ("ComputeVibrationModes",),
+    "_studies.exact_sensitivities": ("ComputeSensitivities",),
     "_studies.variations": ("SolveVariations",),
     "_io.model_files": ("Load", "Save"),
     "interactive": ("SolutionViewer",),
