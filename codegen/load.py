@@ -19,6 +19,7 @@ from codegen.model import (
     Output,
     Quantity,
     SpecError,
+    Transformation,
     UserFunction,
 )
 from codegen.model_settings import Enum, Specs, value_type
@@ -32,10 +33,11 @@ GROUP_TABLES = (*TABLES, "quantities", "texts")
 TOP_LEVEL = (
     "name", "type_name", "object_type", "short_names", "create_functions", "summary", "provides", "requested_nodes",
     "requested_markers", "physics",
-    "nodes", "sized", "irregular", "beyond_reference", *TABLES, "user_functions", "scene", "docs", "example",
+    "nodes", "sized", "irregular", "beyond_reference", *TABLES, "transformations", "user_functions", "scene", "docs",
+    "example",
 )  # fmt: skip
 WORD_LISTS = ("short_names", "create_functions", "provides", "requested_nodes", "requested_markers", "nodes")
-OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc")
+OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc", "beyond_reference")
 ARGUMENT_KEYS = ("name", "type", "unit", "size", "doc")
 
 T = TypeVar("T")
@@ -92,6 +94,7 @@ def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]
             parameters=_rows("parameters", tables, lambda n, r: parameter(n, r, enums)),
             visualization=_rows("visualization", tables, lambda n, r: parameter(n, r, enums)),
             outputs=_rows("outputs", tables, lambda n, r: _output(n, r, enums)),
+            transformations=_rows("transformations", raw, _transformation),
             user_functions=_rows("user_functions", raw, _user_function),
             equations=_equations(docs.get("equations", ""), groups),
             quantities=tuple(_quantity(i, row, groups) for i, row in enumerate(docs.get("quantities", ()))),
@@ -242,7 +245,13 @@ def _output(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Out
         source=text(row, "from"),
         doc=row.get("doc", ""),
         symbol=row.get("symbol", ""),
+        beyond_reference=row.get("beyond_reference", ""),
     )
+
+
+def _transformation(name: str, row: Mapping[str, Any]) -> Transformation:
+    check_keys(row, ("position", "rotation"))
+    return Transformation(name, row.get("position", ""), text(row, "rotation"))
 
 
 def _user_function(name: str, table: Mapping[str, Any]) -> UserFunction:

@@ -181,6 +181,7 @@ class Output:
     source: str
     doc: str = ""
     symbol: str = ""
+    beyond_reference: str = ""  # description of the addition
 
     def __post_init__(self) -> None:
         check_documented(self.doc)
@@ -246,6 +247,18 @@ class Quantity:
 
 
 @dataclass(frozen=True)
+class Transformation:
+    """A rigid transformation, or a list of them, as another way to give a position and a rotation."""
+
+    name: str
+    position: str  # parameters; '' if it only rotates
+    rotation: str
+
+    def __post_init__(self) -> None:
+        check_identifier(self.name)
+
+
+@dataclass(frozen=True)
 class Example:
     """The mini example: code that ends with `result = ...`, and the value that result has."""
 
@@ -272,6 +285,7 @@ class Item:
     parameters: tuple[Parameter, ...]
     visualization: tuple[Parameter, ...]
     outputs: tuple[Output, ...] = ()
+    transformations: tuple[Transformation, ...] = ()
     user_functions: tuple[UserFunction, ...] = ()
     object_type: str = ""
     short_names: tuple[str, ...] = ()
@@ -334,6 +348,13 @@ class Item:
                     if name in seen:
                         raise SpecError(f"{table}.{row.name}: {name!r} is declared twice")
                     seen.add(name)
+        names = [row.name for row in self.parameters]
+        for each in self.transformations:
+            if each.name in {name for row in self.parameters for name in (row.name, *row.aliases)}:
+                raise SpecError(f"transformations.{each.name}: {each.name!r} is declared twice")
+            for part in (each.position, each.rotation):
+                if part and part not in names:
+                    raise SpecError(f"transformations.{each.name}: no parameter {part!r}; {nearest(part, names)}")
 
     def _check_functions(self) -> None:
         rows = {r.name for r in self.rows if r.type.function or r.type.name == "PyFunctionGraphicsData"}

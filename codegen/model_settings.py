@@ -26,8 +26,8 @@ class EnumValue:
         check_documented(self.doc)
         if self.beyond_reference is not None:
             check_documented(self.beyond_reference, "beyond_reference")
-        if not 0 <= self.value < 2**32:
-            raise SpecError(f"value: {self.value} does not fit into 32 bits")
+        if not 0 <= self.value < 2**63:
+            raise SpecError(f"value: {self.value} does not fit into 63 bits")
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,11 @@ class Enum:
         numbers = [v.value for v in self.values]
         if len(set(numbers)) != len(numbers):
             raise SpecError("values: a number is used twice")
+
+    @property
+    def bits(self) -> int:
+        """Size of the numbers in C++."""
+        return 32 if all(v.value < 2**32 for v in self.values) else 64
 
     @property
     def type(self) -> ParameterType:

@@ -78,6 +78,9 @@ def _cpp_files(specs: Specs) -> dict[str, str]:
     files = {
         "src/registry.cpp": fill("registry.cpp.j2", items=specs.items),
         "src/item_texts.cpp": fill("item_texts.cpp.j2", items=specs.items),
+        "src/item_transformations.cpp": fill(
+            "item_transformations.cpp.j2", items=[item for item in specs.items if item.transformations]
+        ),
         "src/settings_texts.cpp": fill(
             "settings_texts.cpp.j2", structs=list(chain(*map(settings.structs, specs.settings))), enums=specs.enums
         ),
@@ -100,6 +103,7 @@ def _python_files(specs: Specs) -> dict[str, str]:
         "python/dalembert/_core_items.pyi": fill("core_items.pyi.j2", items=specs.items),
         "python/dalembert/_core_enums.pyi": fill("core_enums.pyi.j2", enums=specs.enums),
         "python/dalembert/_core_settings.pyi": fill("core_settings.pyi.j2", files=parts),
+        "python/dalembert/_item_table.py": fill("item_table.py.j2", items=specs.items),
         "python/dalembert/_create_table.py": fill("create_table.py.j2", functions=python.create_functions(specs.items)),
         "python/dalembert/_function_sizes.py": fill(
             "function_sizes.py.j2",

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from textwrap import indent
 from typing import Any
 
-from codegen.model import BODY_FOLDERS, Argument, Item, Parameter, UserFunction
+from codegen.model import BODY_FOLDERS, Argument, Item, Parameter, Transformation, UserFunction
 from codegen.model_settings import Enum, Planned
 from codegen.views.cpp import one_line
 
@@ -140,6 +140,21 @@ def planned_entry(planned: Planned) -> str:
 def arguments_of(item: Item) -> list[Parameter]:
     """Rows that are arguments of the constructor."""
     return [row for row in item.parameters if not row.internal]
+
+
+def other_names(item: Item) -> list[tuple[Parameter, str]]:
+    """Return further names of arguments of the constructor, with their rows."""
+    return [(row, alias) for row in arguments_of(item) for alias in row.aliases]
+
+
+def transformation_type(transformation: Transformation) -> str:
+    return "Sequence[HT]" if transformation.name.endswith("s") else "HT | ArrayLike"
+
+
+def transformation_text(transformation: Transformation) -> str:
+    """Return the description of a transformation."""
+    parts = " and ".join(f"``{part}``" for part in (transformation.position, transformation.rotation) if part)
+    return f"{parts} as ``exu.HT``, or as 4 x 4 matrix"
 
 
 def create_functions(items: Iterable[Item]) -> dict[str, list[Item]]:

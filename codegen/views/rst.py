@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from typing import Any
 
 from codegen.model import Argument, Item, Output, Parameter, UserFunction
 from codegen.model_settings import Enum
@@ -158,6 +159,35 @@ def partners(item: Item, items: tuple[Item, ...], kind: str) -> list[Item]:
     wanted = set(item.requested_nodes if kind == "node" else item.requested_markers)
     found = [other for other in items if wanted and other.kind == kind and wanted <= set(other.provisions)]
     return [other for other in found if "Ground" not in other.provides] if kind == "node" else found
+
+
+def item_facts(item: Item, items: tuple[Item, ...]) -> str:
+    """Return the entry of an item in the table of dalembert.types, as a literal."""
+
+    def facts_of(row: Parameter) -> dict[str, Any]:
+        ranges = {"positive": "> 0", "non_negative": ">= 0"}
+        return {
+            "type": row.type.name,
+            "size": shape_text(row.shape),
+            "range": ranges.get(row.effective_check, ""),
+            "default": python_default(row),
+            "unit": row.unit,
+            "description": " ".join(row.doc.split()),
+        }
+
+    facts: dict[str, Any] = {
+        "kind": item.kind.capitalize(),
+        "types": list(item.provisions),
+        "requestedNodeTypes": list(item.requested_nodes),
+        "requestedMarkerTypes": list(item.requested_markers),
+        "outputVariables": [output.name for output in item.outputs],
+        "parameters": {row.name: facts_of(row) for row in item.parameters if not row.internal},
+        "visualization": {row.name: facts_of(row) for row in item.visualization},
+        "otherNames": {alias: row.name for row in item.parameters for alias in row.aliases},
+        "nodes": [other.name for other in partners(item, items, "node")],
+        "markers": [other.name for other in partners(item, items, "marker")],
+    }
+    return repr(facts)
 
 
 def users(item: Item, items: tuple[Item, ...]) -> list[Item]:

@@ -150,7 +150,7 @@ def _items(specs: Specs, kind: str) -> dict[str, Any]:
 
 
 def _item(item: Item, enums: dict[str, list[str]]) -> dict[str, Any]:
-    visualization = {row.name: _row(row, enums) for row in item.visualization}
+    visualization = {name: _row(row, enums) for row in item.visualization for name in (row.name, *row.aliases)}
     return {
         "type": "object",
         "description": item.summary,
@@ -158,7 +158,13 @@ def _item(item: Item, enums: dict[str, list[str]]) -> dict[str, Any]:
         "additionalProperties": False,
         "properties": {
             "type": {"const": item.name},
-            **{row.name: _row(row, enums) for row in item.parameters if not row.internal},
+            **{
+                name: _row(row, enums)
+                for row in item.parameters
+                if not row.internal
+                for name in (row.name, *row.aliases)
+            },
+            **{each.name: {"type": "array"} for each in item.transformations},
             "visualization": {"type": "object", "additionalProperties": False, "properties": visualization},
         },
     }

@@ -1,5 +1,7 @@
 #include "call_arguments.hpp"
 
+#include <bitset>
+
 #include "dalembert/model/errors.hpp"
 #include "python_errors.hpp"
 
@@ -37,6 +39,10 @@ namespace {
 std::size_t find_argument(const CallTarget& target, PyObject* name) {
   const auto& arguments = target.arguments();
   if (const auto* found = find_interned(arguments, name)) return static_cast<std::size_t>(found - arguments.data());
+  if (!target.visualization)
+    if (const auto* entry = find_interned(target.item_class.entries, name); entry != nullptr && entry->row != nullptr)
+      for (std::size_t i = 0; i < arguments.size(); ++i)
+        if (arguments[i].row == entry->row) return i;
   const std::string word = to_string(name);
   const ItemType& type = *target.item_class.type;
   const Row* row = target.visualization ? find_visualization_row(type, word) : find_row(type, word);
@@ -45,7 +51,10 @@ std::size_t find_argument(const CallTarget& target, PyObject* name) {
     if (row == nullptr && to_string(arguments[i].name) == word) return i;
   }
   std::vector<std::string> names;
-  for (const auto& argument : arguments) names.push_back(to_string(argument.name));
+  for (const auto& argument : arguments) {
+    names.push_back(to_string(argument.name));
+    if (argument.row != nullptr) names.insert(names.end(), argument.row->aliases.begin(), argument.row->aliases.end());
+  }
   refuse(ErrorKind::type, {target.where(), "", "there is no parameter " + in_quotes(word), "", "",
                            suggest_parameter(type, word, {names.begin(), names.end()})});
 }
@@ -60,12 +69,26 @@ void assign_arguments(const CallTarget& target, PyObject* const* values, std::si
                              "(" + to_string(target.arguments()[0].name) + "=...)"});
   }
   for (std::size_t i = 0; i < positional; ++i) target.assign(i, values[i]);
+  std::bitset<64> by_name;  // more than the arguments of any item
   const Py_ssize_t named = keywords == nullptr ? 0 : PyTuple_GET_SIZE(keywords);
   for (Py_ssize_t k = 0; k < named; ++k) {
-    const std::size_t i = find_argument(target, PyTuple_GET_ITEM(keywords, k));
-    if (i < positional)
-      refuse(ErrorKind::type, {target.where(), to_string(target.arguments()[i].name), "given by position and by name", "", "", ""});
-    target.assign(i, values[positional + static_cast<std::size_t>(k)]);
+    const auto take = [&](std::size_t i) {
+      if (i < positional) refuse(ErrorKind::type, {target.where(), to_string(target.arguments()[i].name), "given by position and by name", "", "", ""});
+      if (by_name.test(i)) refuse(ErrorKind::type, {target.where(), to_string(target.arguments()[i].name), "given twice, by two of its names", "", "", ""});
+      by_name.set(i);
+    };
+    PyObject* const name = PyTuple_GET_ITEM(keywords, k);
+    PyObject* const value = values[positional + static_cast<std::size_t>(k)];
+    if (const auto* transformation = target.visualization ? nullptr : find_transformation(target.item_class, name)) {
+      if (value == Py_None) continue;
+      for (std::size_t i = 0; i < target.arguments().size(); ++i)
+        if (const Row* row = target.arguments()[i].row; row != nullptr && (row == transformation->position || row == transformation->rotation)) take(i);
+      set_transformation(target.item_class, *transformation, value, target.record, [&] { return target.where(); });
+      continue;
+    }
+    const std::size_t i = find_argument(target, name);
+    take(i);
+    target.assign(i, value);
   }
 }
 

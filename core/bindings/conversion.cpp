@@ -475,7 +475,7 @@ py::object write(const std::vector<ItemIndex<K>>& value, Form, PyObject*) {
   return list;
 }
 py::object write(OutputVariableType value, Form, PyObject*) {
-  return enum_member("OutputVariableType", static_cast<std::uint32_t>(value));
+  return enum_member("OutputVariableType", static_cast<std::uint64_t>(value));
 }
 py::object write(const std::vector<JointType>& value, Form, PyObject*) {
   py::list list;
@@ -536,7 +536,7 @@ py::array_t<double> new_array(std::vector<py::ssize_t> shape, const double* numb
 Enumeration::Enumeration(const char* name)
     : name(name), type_(reinterpret_cast<PyTypeObject*>(py::object(core_module().attr(name)).release().ptr())) {}
 
-py::object enum_member(const char* name, std::uint32_t value) { return core_module().attr(name)(value); }
+py::object enum_member(const char* name, std::uint64_t value) { return core_module().attr(name)(value); }
 
 py::handle core_module() { return module_handle; }
 void set_core_module(py::module_& module) { module_handle = module; }

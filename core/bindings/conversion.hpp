@@ -32,7 +32,7 @@ class Enumeration {
  public:
   explicit Enumeration(const char* name);
   bool has(PyObject* value) const { return Py_TYPE(value) == type_ || PyObject_TypeCheck(value, type_); }
-  static std::uint32_t number(PyObject* member) { return static_cast<std::uint32_t>(PyLong_AsLongLong(member)); }
+  static std::uint64_t number(PyObject* member) { return static_cast<std::uint64_t>(PyLong_AsLongLong(member)); }
   const char* const name;
 
  private:
@@ -40,7 +40,7 @@ class Enumeration {
 };
 
 // A member of an enumeration, e.g. ("OutputVariableType", 2).
-py::object enum_member(const char* name, std::uint32_t value);
+py::object enum_member(const char* name, std::uint64_t value);
 // Suggests the enumeration member that a text probably means.
 std::string member_advice(const std::string& enumeration, PyObject* value);
 // The module `_core` itself.

@@ -10,6 +10,7 @@
 #include "main_system.hpp"
 #include "module.hpp"
 #include "solver_data.hpp"
+#include "system_derivatives.hpp"
 
 namespace dalembert {
 namespace {
@@ -290,6 +291,7 @@ void register_evaluation(py::module_& module) {
   register_updates(testing);
   register_division(testing);
   register_system_terms(testing);
+  register_system_derivatives(testing);
 }
 
 }  // namespace dalembert

@@ -10,6 +10,7 @@
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
+#include "dalembert/reflection/item_transformations.hpp"
 #include "index_lists.hpp"
 #include "item_docs.hpp"
 #include "item_equality.hpp"
@@ -149,6 +150,22 @@ int set_attribute(PyObject* self, PyObject* value, void* closure) {
                                "", ""});
     }
     set_member(*object->item_class, row, value, object->record.get(), [&] { return target.where(); });
+  });
+}
+
+PyObject* get_transformation_attribute(PyObject* self, void* closure) {
+  return guarded([&] {
+    auto* item = reinterpret_cast<ItemObject*>(self);
+    return get_transformation(item->item_class->transformations[reinterpret_cast<std::size_t>(closure)], item->record.get()).release().ptr();
+  });
+}
+int set_transformation_attribute(PyObject* self, PyObject* value, void* closure) {
+  return guarded_status([&] {
+    auto* item = reinterpret_cast<ItemObject*>(self);
+    detach(item);
+    const CallTarget target{*item->item_class, item->record.get(), false};
+    set_transformation(*item->item_class, item->item_class->transformations[reinterpret_cast<std::size_t>(closure)],
+                       value == nullptr ? Py_None : value, item->record.get(), [&] { return target.where(); });
   });
 }
 
@@ -326,7 +343,8 @@ std::vector<PyType_Slot> common_slots() {
 }
 
 template <class Object>
-PyGetSetDef* make_attributes(const ItemType& type, bool visualization) {
+PyGetSetDef* make_attributes(const ItemClass& item_class, bool visualization) {
+  const ItemType& type = *item_class.type;
   static std::deque<std::vector<PyGetSetDef>> kept;
   auto& attributes = kept.emplace_back();
   for (const Row& row : type.rows) {
@@ -338,6 +356,10 @@ PyGetSetDef* make_attributes(const ItemType& type, bool visualization) {
     add(row.name);
     for (const std::string_view alias : row.aliases) add(alias);
   }
+  if (!visualization)
+    for (std::size_t i = 0; i < item_class.transformations.size(); ++i)
+      attributes.push_back({PyUnicode_AsUTF8(item_class.transformations[i].name), get_transformation_attribute, set_transformation_attribute,
+                            "Position and rotation as exu.HT.", reinterpret_cast<void*>(i)});
   if (!visualization) attributes.push_back({"visualization", get_visualization, assign_visualization, "How the item is drawn.", nullptr});
   attributes.push_back({nullptr, nullptr, nullptr, nullptr, nullptr});
   return attributes.data();
@@ -356,6 +378,10 @@ void add_names(ItemClass& item_class) {
     if (row.internal) continue;
     (visualization ? item_class.visualization_arguments : item_class.arguments).push_back({&row, interned(name)});
   }
+  for (const ItemTransformation& each : item_transformations())
+    if (each.item == type.name)
+      item_class.transformations.push_back({interned(std::string(each.name)), each.position.empty() ? nullptr : find_row(type, each.position),
+                                            find_row(type, each.rotation)});
   item_class.arguments.push_back({nullptr, interned("visualization")});
   item_class.entries.push_back({nullptr, interned("visualization")});
   for (const std::string_view name : {type.type_name, type.name})
@@ -372,7 +398,7 @@ void make_class(const ItemType& type) {
   auto slots = common_slots<ItemObject>();
   slots.push_back({Py_tp_iter, reinterpret_cast<void*>(item_iterate)});
   slots.push_back({Py_tp_methods, item_methods});
-  slots.push_back({Py_tp_getset, make_attributes<ItemObject>(type, false)});
+  slots.push_back({Py_tp_getset, make_attributes<ItemObject>(*item_class, false)});
   item_class->python_type = make_type(name, class_doc(*item_class, false), sizeof(ItemObject), slots, item_base);
   item_class->python_type->tp_vectorcall = object_call<ItemObject>;
 
@@ -381,7 +407,7 @@ void make_class(const ItemType& type) {
   slots.push_back({Py_mp_subscript, reinterpret_cast<void*>(visualization_get_item)});
   slots.push_back({Py_mp_ass_subscript, reinterpret_cast<void*>(visualization_set_item)});
   slots.push_back({Py_tp_methods, visualization_methods});
-  slots.push_back({Py_tp_getset, make_attributes<VisualizationObject>(type, true)});
+  slots.push_back({Py_tp_getset, make_attributes<VisualizationObject>(*item_class, true)});
   item_class->visualization_type =
       make_type("V" + name, class_doc(*item_class, true), sizeof(VisualizationObject), slots, visualization_base);
   item_class->visualization_type->tp_vectorcall = object_call<VisualizationObject>;
@@ -435,7 +461,7 @@ void register_items(py::module_& module) {
     const auto found = by_python_type.find(reinterpret_cast<const PyTypeObject*>(cls.ptr()));
     if (found == by_python_type.end()) throw py::type_error("_parameters_of: " + py::repr(cls).cast<std::string>() + " is no item class");
     return described_parameters(*found->second, found->first == found->second->visualization_type);
-  }, py::arg("cls"), py::pos_only(), "(name, type, check, facts, text) of the parameters of an item class or a visualization class.");
+  }, py::arg("cls"), py::pos_only(), "(name, type, check, facts, text, other names) of the parameters of an item class or a visualization class.");
   module.def("_outputs_of", [](const py::type& cls) {
     const auto found = by_python_type.find(reinterpret_cast<const PyTypeObject*>(cls.ptr()));
     if (found == by_python_type.end()) throw py::type_error("_outputs_of: " + py::repr(cls).cast<std::string>() + " is no item class");

@@ -24,6 +24,12 @@ struct ItemClass {
   };
   std::vector<Argument> arguments;  // arguments of NodePoint(...), by position
   std::vector<Argument> visualization_arguments;  // of VNodePoint(...)
+  // A rigid transformation as another way to give a position and a rotation, or lists of them; null: only a rotation.
+  struct Transformation {
+    PyObject* name = nullptr;  // interned
+    const Row *position = nullptr, *rotation = nullptr;
+  };
+  std::vector<Transformation> transformations;
   std::vector<Argument> entries;  // entries of dictionaries, with aliases; visualization parameters begin with 'V'
   std::shared_ptr<const void> defaults;           // a record as the spec gives it
 };
@@ -57,6 +63,10 @@ Item take_item(ItemObject* object);
 
 // Sets one member; errors name item and parameter. `where` describes the item.
 void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const Label& where);
+// Transformations: None sets nothing.
+const ItemClass::Transformation* find_transformation(const ItemClass& item_class, PyObject* name);  // nullptr: there is none
+void set_transformation(const ItemClass& item_class, const ItemClass::Transformation& transformation, PyObject* value, void* record, const Label& where);
+py::object get_transformation(const ItemClass::Transformation& transformation, const void* record);
 // Set visualization parameters from a V object, a dictionary or another mapping.
 void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const Label& where);
 
@@ -65,10 +75,8 @@ py::dict item_dictionary(const ItemType& type, const void* record, const std::st
 // The reverse. The item's kind must be `kind`.
 Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const Label& where);
 
-// Write the given parameters over those in `record`. Models exist whose dictionaries have superfluous keys: `warn` goes on.
-enum class UnknownKeys { refuse, warn };
-void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const Label& where,
-                            UnknownKeys unknown_keys);
+// Writes the given parameters over those in `record`. Of two names of one parameter, the later entry counts.
+void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const Label& where);
 
 void register_items(py::module_& module);
 

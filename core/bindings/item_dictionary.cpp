@@ -77,10 +77,6 @@ PyObject* type_key_name(ItemKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-void warn_of_ignored(const Complaint& text) {
-  warn(text.text() + " The entry is ignored.");
-}
-
 // Converts a row to its dictionary entry.
 py::object entry_of(const Row& row, const void* record, const std::string& name, bool graphics) {
   if (row.role == Role::name) return py::str(name);
@@ -119,6 +115,33 @@ void set_member(const ItemClass& item_class, const Row& row, PyObject* value, vo
     refuse(refusal.kind, {where.text(), name(), "", show(value), expected, refusal.advice});
   }
   if (row.check == Check::orthogonal) warn_if_doubtful(row, record, value, name(), where);
+}
+
+const ItemClass::Transformation* find_transformation(const ItemClass& item_class, PyObject* name) {
+  for (const auto& each : item_class.transformations)
+    if (each.name == name || (PyUnicode_Check(name) && PyUnicode_Compare(each.name, name) == 0)) return &each;
+  return nullptr;
+}
+
+namespace {
+py::module_ transformation_module() { return py::module_::import("dalembert._geometry.rigid_transformation"); }
+bool is_list(const ItemClass::Transformation& transformation) { return transformation.rotation->storage == Storage::matrix3s; }
+}  // namespace
+
+void set_transformation(const ItemClass& item_class, const ItemClass::Transformation& transformation, PyObject* value, void* record, const Label& where) {
+  if (value == Py_None) return;
+  const std::string name = where.text() + ": " + to_string(transformation.name);
+  const py::tuple parts = transformation_module().attr("parts")(name, py::handle(value), is_list(transformation), transformation.position != nullptr);
+  if (transformation.position != nullptr) set_member(item_class, *transformation.position, parts[0].ptr(), record, where);
+  set_member(item_class, *transformation.rotation, parts[1].ptr(), record, where);
+}
+
+py::object get_transformation(const ItemClass::Transformation& transformation, const void* record) {
+  const auto read = [&](const Row* row) -> py::object {
+    if (row == nullptr) return py::none();
+    return py::reinterpret_steal<py::object>(to_python(*row, member(record, *row), Form::copy, nullptr));
+  };
+  return transformation_module().attr("of_parts")(read(transformation.position), read(transformation.rotation), is_list(transformation));
 }
 
 void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const Label& where) {
@@ -179,27 +202,29 @@ py::dict item_dictionary(const ItemType& type, const void* record, const std::st
 namespace {
 
 // The entry of a key that is not interned; nullptr: there is nothing to set.
-const ItemClass::Argument* find_spelt(const ItemClass& item_class, PyObject* key, const Label& where, UnknownKeys unknown_keys) {
+const ItemClass::Argument* find_spelt(const ItemClass& item_class, PyObject* key, const Label& where) {
   const ItemType& type = *item_class.type;
   const std::string word = PyUnicode_Check(key) ? to_string(key) : show(key);
   if (word == type_key(type.kind)) return nullptr;
   for (const auto& entry : item_class.entries)
     if (to_string(entry.name) == word) return &entry;
-  const Complaint text{where.text(), "", "there is no parameter " + in_quotes(word), "", "", suggest_parameter(type, word)};
-  if (unknown_keys == UnknownKeys::refuse) refuse(ErrorKind::value, text);
-  warn_of_ignored(text);
-  return nullptr;
+  refuse(ErrorKind::value, {where.text(), "", "there is no parameter " + in_quotes(word), "", "", suggest_parameter(type, word)});
 }
 
 }  // namespace
 
-void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const Label& where,
-                            UnknownKeys unknown_keys) {
+void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const Label& where) {
   PyObject* const type_name = type_key_name(item_class.type->kind);
   for (const auto& [key, value] : dictionary) {
     if (key.ptr() == type_name) continue;
     const auto* entry = find_interned(item_class.entries, key.ptr());
-    if (entry == nullptr) entry = find_spelt(item_class, key.ptr(), where, unknown_keys);
+    if (entry == nullptr) {
+      if (const auto* transformation = find_transformation(item_class, key.ptr())) {
+        set_transformation(item_class, *transformation, value.ptr(), record, where);
+        continue;
+      }
+      entry = find_spelt(item_class, key.ptr(), where);
+    }
     if (entry == nullptr) continue;
     if (entry->row == nullptr) {
       set_visualization(item_class, value.ptr(), record, where);
@@ -233,8 +258,7 @@ Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const Label
   const ItemClass& item_class = class_in(kind, dictionary, where);
   const ItemType& type = *item_class.type;
   std::shared_ptr<void> record = type.record.create();
-  update_from_dictionary(item_class, dictionary, record.get(), [&] { return where.text() + ": " + std::string(type.name); },
-                         UnknownKeys::warn);
+  update_from_dictionary(item_class, dictionary, record.get(), [&] { return where.text() + ": " + std::string(type.name); });
   return {&type, std::move(record)};
 }
 

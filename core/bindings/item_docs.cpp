@@ -128,6 +128,7 @@ std::string facts_after_type(const Row& row) {
   if (const std::string demanded = demand(row.check); !demanded.empty()) text += ", " + demanded;
   if (!row.unit.empty()) text += ", unit " + std::string(row.unit);
   if (row.needs_assemble) text += "; changes need Assemble()";
+  for (const std::string_view alias : row.aliases) text += "; also named " + std::string(alias);
   return text;
 }
 
@@ -154,8 +155,10 @@ py::list described_parameters(const ItemClass& item_class, bool visualization) {
   for (const auto& argument : visualization ? item_class.visualization_arguments : item_class.arguments) {
     if (argument.row == nullptr) continue;
     const Row& row = *argument.row;
+    py::list aliases;
+    for (const std::string_view alias : row.aliases) aliases.append(alias);
     made.append(py::make_tuple(row.name, type_words(row), check_name(row.check), facts_after_type(row),
-                               row_text(*item_class.type, row)));
+                               row_text(*item_class.type, row), py::tuple(aliases)));
   }
   return made;
 }
@@ -184,6 +187,18 @@ std::string class_doc(const ItemClass& item_class, bool visualization) {
     signature += std::string(row.name) + "=" + value;
     parameters += "    " + std::string(row.name) + ": " + type_words(row) + " = " + value + facts_after_type(row) + "\n        " +
                   std::string(row_text(type, row)) + "\n";
+  }
+  if (!visualization) {
+    std::string others;
+    for (const auto& argument : arguments)
+      if (argument.row != nullptr)
+        for (const std::string_view alias : argument.row->aliases) others += ", " + std::string(alias) + "=...";
+    for (const auto& each : item_class.transformations) {
+      others += ", " + to_string(each.name) + "=None";
+      parameters += "    " + to_string(each.name) + ": exu.HT or 4x4 matrix\n        " + (each.position != nullptr ? std::string(each.position->name) + " and " : "") +
+                    std::string(each.rotation->name) + " as rigid transformation\n";
+    }
+    if (!others.empty()) signature += ", *" + others;
   }
   std::string text = name + "(" + signature + ")\n--\n\n";
   const ItemText& of_spec = text_of(type);

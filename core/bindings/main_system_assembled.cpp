@@ -66,6 +66,13 @@ py::object number_or_array(const std::vector<double>& values) {
   return values.size() == 1 ? py::object(py::float_(values[0])) : array(values);
 }
 
+// Rigid transformations are returned as HT.
+py::object output_value(OutputVariableType variable, const std::vector<double>& values) {
+  if (variable != OutputVariableType::HomogeneousTransformation && variable != OutputVariableType::HomogeneousTransformationLocal)
+    return number_or_array(values);
+  return py::module_::import("dalembert._geometry.rigid_transformation").attr("of_matrix")(array(values));
+}
+
 // Source of an output: the assembled system or, in the reference configuration, the item alone.
 struct Source {
   Source(MainSystem& main, const char* method, ItemKind kind, int item, ConfigurationType configuration) {
@@ -112,8 +119,9 @@ void register_outputs(Class& main_system) {
         const ConfigurationType in = current_or(main, configuration, "GetNodeOutput");
         const Source source(main, "GetNodeOutput", ItemKind::node, number, in);
         std::vector<double> values;
-        source.system->node_output(source.number, variable_argument(variable, "GetNodeOutput"), in, values);
-        return number_or_array(values);
+        const OutputVariableType asked = variable_argument(variable, "GetNodeOutput");
+        source.system->node_output(source.number, asked, in, values);
+        return output_value(asked, values);
       },
       py::arg("nodeNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a node, in the current configuration or another one; a number or an array, in the units of the node's page.");
   main_system.def(
@@ -121,10 +129,10 @@ void register_outputs(Class& main_system) {
       [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& configuration) {
         const int number = item_number_argument(main, ItemKind::object, object.ptr(), "GetObjectOutput");
         std::vector<double> values;
-        main.assembled("GetObjectOutput")
-            .object_output(number, variable_argument(variable, "GetObjectOutput"),
-                           current_or(main, configuration, "GetObjectOutput"), values);
-        return number_or_array(values);
+        System& system = main.assembled("GetObjectOutput");
+        const OutputVariableType asked = variable_argument(variable, "GetObjectOutput");
+        system.object_output(number, asked, current_or(main, configuration, "GetObjectOutput"), values);
+        return output_value(asked, values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration") = py::none(),
       "An output variable of an object, e.g. the force in a connector; a number or an array, in the units of its page.");
@@ -138,8 +146,9 @@ void register_outputs(Class& main_system) {
         const ConfigurationType in = current_or(main, configuration, method);
         const Source source(main, method, ItemKind::object, number, in);
         std::vector<double> values;
-        source.system->body_output(source.number, variable_argument(variable, method), local, in, values);
-        return number_or_array(values);
+        const OutputVariableType asked = variable_argument(variable, method);
+        source.system->body_output(source.number, asked, local, in, values);
+        return output_value(asked, values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("localPosition") = std::vector<double>{0, 0, 0},
       py::arg("configuration") = py::none(), "An output variable of a body at a local position.");
@@ -149,10 +158,11 @@ void register_outputs(Class& main_system) {
         const char* const method = "GetObjectOutputSuperElement";
         const int number = item_number_argument(main, ItemKind::object, object.ptr(), method);
         std::vector<double> values;
+        const OutputVariableType asked = variable_argument(variable, method);
         main.assembled(method)
-            .super_element_output(number, variable_argument(variable, method), mesh_node_argument(main, number, mesh_node, method),
+            .super_element_output(number, asked, mesh_node_argument(main, number, mesh_node, method),
                                   current_or(main, configuration, method), values);
-        return number_or_array(values);
+        return output_value(asked, values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("meshNodeNumber"), py::arg("configuration") = py::none(),
       "An output variable of a super element at one of its mesh nodes.");
@@ -163,8 +173,9 @@ void register_outputs(Class& main_system) {
         const ConfigurationType in = current_or(main, configuration, "GetMarkerOutput");
         const Source source(main, "GetMarkerOutput", ItemKind::marker, number, in);
         std::vector<double> values;
-        source.system->marker_output(source.number, variable_argument(variable, "GetMarkerOutput"), in, values);
-        return array(values);
+        const OutputVariableType asked = variable_argument(variable, "GetMarkerOutput");
+        source.system->marker_output(source.number, asked, in, values);
+        return asked == OutputVariableType::HomogeneousTransformation ? output_value(asked, values) : array(values);
       },
       py::arg("markerNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a marker, such as its position (m).");
 }

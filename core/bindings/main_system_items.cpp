@@ -153,7 +153,16 @@ const Row& require_row(const MainSystem& main, ItemKind kind, int number, std::s
   return *row;
 }
 
+// A rigid transformation of that name, for Get...Parameter and Set...Parameter; nullptr: there is none.
+const ItemClass::Transformation* transformation_of(const MainSystem& main, ItemKind kind, int number, std::string_view name) {
+  const ItemClass& item_class = class_of(*main.model.item(kind, number).type);
+  if (item_class.transformations.empty()) return nullptr;
+  return find_transformation(item_class, py::str(std::string(name)).ptr());
+}
+
 py::object get_parameter(const MainSystem& main, ItemKind kind, int number, const std::string& name) {
+  if (const auto* transformation = transformation_of(main, kind, number, name))
+    return get_transformation(*transformation, main.model.item(kind, number).record.get());
   const Row& row = require_row(main, kind, number, name);
   if (row.role == Role::name) return py::str(main.model.name(kind, number));
   const Item& item = main.model.item(kind, number);
@@ -172,6 +181,17 @@ void take_over(MainSystem& main) {
 }
 
 void set_parameter(MainSystem& main, ItemKind kind, int number, std::string_view name, PyObject* value) {
+  if (const auto* transformation = transformation_of(main, kind, number, name)) {
+    const Item& item = main.model.item(kind, number);
+    const std::shared_ptr<void> changed = item.type->record.copy(item.record.get());
+    set_transformation(class_of(*item.type), *transformation, value, changed.get(), [&] { return main.model.describe(kind, number); });
+    for (const Row* part : {transformation->position, transformation->rotation})
+      if (part != nullptr) {
+        const py::object given = py::reinterpret_steal<py::object>(to_python(*part, member(changed.get(), *part), Form::copy, nullptr));
+        set_parameter(main, kind, number, part->name, given.ptr());
+      }
+    return;
+  }
   const Row& row = require_row(main, kind, number, name);
   const Item& item = main.model.item(kind, number);
   const auto where = [&] { return main.model.describe(kind, number); };
@@ -210,7 +230,7 @@ void modify_item(MainSystem& main, ItemKind kind, int number, const py::dict& ch
     }
   }
   std::shared_ptr<void> record = type.record.copy(old.record.get());
-  update_from_dictionary(class_of(type), changes, record.get(), where, UnknownKeys::refuse);
+  update_from_dictionary(class_of(type), changes, record.get(), where);
   main.restructure([&] { return "mbs." + method_name("Modify", kind) + "(...)"; }).replace(kind, number, {&type, bind_user_functions(type, std::move(record), main)});
 }
 

@@ -1,4 +1,5 @@
 // Functions and objects of the module itself: Print and its switches, versions, dictionaries for users.
+#include <cstdlib>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -126,7 +127,7 @@ void set_write_to_file(const std::string& filename, bool write_file, bool append
   c.printToFileAppend = append;
   c.flushFileAlways = flush_always;
   if (!write_file) return;
-  c.file.open(filename, append, "file of exu.SetWriteToFile");
+  c.file.open(output_path(filename), append, "file of exu.SetWriteToFile");
   c.printToFile = true;
 }
 
@@ -224,9 +225,15 @@ void register_config(py::module_& module) {
   c.def_readonly("printToFile", &Config::printToFile, "Whether output goes to a file, see SetWriteToFile.");
   c.def_readonly("printFileName", &Config::printFileName, "Name of that file.");
   c.def_readonly("printToFileAppend", &Config::printToFileAppend, "Whether that file is continued.");
+  c.def_property(
+      "outputDirectory", [](const Config&) { return output_directory(); }, [](const Config&, std::string directory) { output_directory() = std::move(directory); },
+      "Folder of files of solvers, sensors and SetWriteToFile; '' for none. At the start it is that of the environment variable "
+      "DALEMBERT_OUTPUTDIRECTORY or EXUDYN_OUTPUTDIRECTORY.");
+  for (const char* variable : {"EXUDYN_OUTPUTDIRECTORY", "DALEMBERT_OUTPUTDIRECTORY"})
+    if (const char* given = std::getenv(variable)) output_directory() = given;
   c.def("__repr__", [](const Config& self) {
     return attributes_text(self,
-                           {"suppressWarnings", "outputPrecision", "linalgOutputFormatPython", "printDelayMilliSeconds",
+                           {"outputDirectory", "suppressWarnings", "outputPrecision", "linalgOutputFormatPython", "printDelayMilliSeconds",
                             "printFlushAlways", "printToConsole", "printToFile", "printFileName", "printToFileAppend"});
   });
   module.attr("config") = py::cast(config(), py::return_value_policy::reference);

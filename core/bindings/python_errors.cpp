@@ -2,6 +2,8 @@
 
 #include <pybind11/numpy.h>
 
+#include <initializer_list>
+
 #include "dalembert/output/file_error.hpp"
 #include "index_types.hpp"
 
@@ -10,16 +12,45 @@ namespace {
 
 constexpr std::size_t longest_shown = 200;
 
+// Exceptions of the module, each also a built-in one; they live as long as the process.
+struct ErrorClasses {
+  PyObject *model = PyExc_ValueError, *type = PyExc_TypeError, *index = PyExc_IndexError, *name = PyExc_AttributeError,
+           *state = PyExc_RuntimeError, *planned = PyExc_NotImplementedError;
+} error_classes;
+
 PyObject* exception_of(ErrorKind kind) {
   switch (kind) {
-    case ErrorKind::value: return PyExc_ValueError;
-    case ErrorKind::type: return PyExc_TypeError;
-    case ErrorKind::index: return PyExc_IndexError;
-    case ErrorKind::name: return PyExc_AttributeError;
-    case ErrorKind::state: return PyExc_RuntimeError;
-    case ErrorKind::planned: return PyExc_NotImplementedError;
+    case ErrorKind::value: return error_classes.model;
+    case ErrorKind::type: return error_classes.type;
+    case ErrorKind::index: return error_classes.index;
+    case ErrorKind::name: return error_classes.name;
+    case ErrorKind::state: return error_classes.state;
+    case ErrorKind::planned: return error_classes.planned;
   }
   return PyExc_RuntimeError;
+}
+
+PyObject* make_exception(py::module_& module, const char* name, const char* doc, std::initializer_list<PyObject*> bases) {
+  py::tuple all(bases.size());
+  std::size_t i = 0;
+  for (PyObject* base : bases) all[i++] = py::reinterpret_borrow<py::object>(base);
+  PyObject* made = PyErr_NewExceptionWithDoc((std::string("dalembert.") + name).c_str(), doc, all.ptr(), nullptr);
+  if (made == nullptr) throw py::error_already_set();
+  module.add_object(name, py::handle(made));
+  return made;
+}
+
+void make_exceptions(py::module_& module) {
+  PyObject* const base = make_exception(module, "ExudynError", "Base of all errors of models, settings and solvers.", {PyExc_Exception});
+  PyObject* const value = make_exception(module, "ExudynValueError", "A value that is not allowed.", {base, PyExc_ValueError});
+  error_classes.model = make_exception(module, "ModelError", "An invalid value in a model or in settings; its text has the item and the parameter.", {value});
+  error_classes.type = make_exception(module, "ExudynTypeError", "A value of the wrong type, or an unknown argument.", {base, PyExc_TypeError});
+  error_classes.index = make_exception(module, "ExudynIndexError", "The number of an item that does not exist.", {base, PyExc_IndexError});
+  error_classes.name = make_exception(module, "ExudynAttributeError", "An unknown parameter of an item or setting.", {base, PyExc_AttributeError});
+  error_classes.state = make_exception(module, "StateError", "A call that is not possible in this state, for instance before Assemble.", {base, PyExc_RuntimeError});
+  error_classes.planned = make_exception(module, "NotImplementedFeatureError", "A feature that is planned.", {base, PyExc_NotImplementedError});
+  make_exception(module, "InternalError", "Not raised; for models that catch it.", {base, PyExc_RuntimeError});
+  make_exception(module, "ExudynArithmeticError", "Not raised; for models that catch it.", {base, PyExc_ArithmeticError});
 }
 
 // An OSError with errno and filename: FileNotFoundError and the like, as Python chooses them.
@@ -104,7 +135,8 @@ std::string show(PyObject* value) {
   return text + ")";
 }
 
-void register_errors(py::module_&) {
+void register_errors(py::module_& module) {
+  make_exceptions(module);
   py::register_local_exception_translator([](std::exception_ptr pointer) {
     try {
       std::rethrow_exception(pointer);

@@ -57,11 +57,22 @@ PyObject* make_object(SettingsView view) {
   return self;
 }
 
+// The folder of files of solvers in new settings, see RequireVersion in python/dalembert/_version.py.
+std::string& default_folder() {
+  static std::string folder;
+  return folder;
+}
+
 // A structure of its own, with defaults.
 SettingsView fresh(const SettingsClass& settings_class) {
   SettingsView view{settings_class.tree, settings_class.group, settings_class.tree->operations.create(), nullptr,
                     settings_class.path};
   view.data = static_cast<char*>(view.root.get()) + settings_class.offset;
+  if (!default_folder().empty() && view.tree->group == &simulation_settings_group()) {
+    auto& files = static_cast<SimulationSettings*>(view.root.get())->solutionSettings;
+    for (std::string* name : {&files.coordinatesSolutionFileName, &files.restartFileName, &files.solverInformationFileName})
+      name->insert(0, default_folder());
+  }
   return view;
 }
 
@@ -352,6 +363,8 @@ void register_settings(py::module_& module) {
   }
   for (const auto& [name, structure] : class_names)
     if (py::hasattr(module, structure)) module.attr(name) = module.attr(structure);
+  module.def("_set_default_folder", [](const std::string& folder) { default_folder() = folder; }, py::arg("folder"),
+             "Set the folder of solution, restart and solver information file in new SimulationSettings.");
   module.def(
       "_visualization_settings_without_effect",
       [] {

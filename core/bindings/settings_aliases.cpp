@@ -39,6 +39,7 @@ constexpr SettingsAlias simulation_names[] = {
     {"solution.flushFilesImmediately", "solutionSettings.flushFilesImmediately"},
     {"solution.precision", "solutionSettings.outputPrecision"},
     {"solution.recordImagesInterval", "solutionSettings.recordImagesInterval"},
+    {"solution.restart.continueIfAvailable", "continuation.ifAvailable"},
     {"solution.restart.name", "solutionSettings.restartFileName"},
     {"solution.restart.write", "solutionSettings.writeRestartFile"},
     {"solution.restart.writePeriod", "solutionSettings.restartWritePeriod"},
@@ -66,7 +67,6 @@ constexpr SettingsAlias simulation_names[] = {
     {"timeIntegration.realtime.active", "timeIntegration.simulateInRealtime"},
     {"timeIntegration.realtime.factor", "timeIntegration.realtimeFactor"},
     {"timeIntegration.realtime.waitMicroseconds", "timeIntegration.realtimeWaitMicroseconds"},
-    {"timeIntegration.solverType", "timeIntegration.explicitIntegration.dynamicSolverType"},
 };
 
 // Earlier names of the parameters of VisualizationSettings. No target: the parameter has no effect any more.

@@ -150,7 +150,7 @@ constexpr std::array<EnumEntry, 10> ObjectType_entries{{
     {"EndOfEnumList", 1024},
 }};
 
-constexpr std::array<EnumEntry, 36> OutputVariableType_entries{{
+constexpr std::array<EnumEntry, 40> OutputVariableType_entries{{
     {"_None", 0},
     {"Distance", 1},
     {"Position", 2},
@@ -187,6 +187,10 @@ constexpr std::array<EnumEntry, 36> OutputVariableType_entries{{
     {"StressLocal", 536870912},
     {"CurvatureLocal", 1073741824},
     {"ConstraintEquation", 2147483648},
+    {"KineticEnergy", 4294967296},
+    {"PotentialEnergy", 8589934592},
+    {"HomogeneousTransformation", 17179869184},
+    {"HomogeneousTransformationLocal", 34359738368},
 }};
 
 constexpr std::array<EnumTable, 13> tables{{

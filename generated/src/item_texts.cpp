@@ -79,7 +79,7 @@ constexpr std::array<std::string_view, 7> NodePoint_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 12> NodePoint_outputs{{
+constexpr std::array<OutputText, 13> NodePoint_outputs{{
     {"Position", 3, "m", "global position vector"},
     {"Displacement", 3, "m", "global position minus the global position in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -92,6 +92,7 @@ constexpr std::array<OutputText, 12> NodePoint_outputs{{
     {"Rotation", 3, "rad", "zero, as the node has no orientation; there for completeness"},
     {"AngularVelocity", 3, "rad/s", "zero, as the node has no orientation; there for completeness"},
     {"AngularVelocityLocal", 3, "rad/s", "zero, as the node has no orientation; there for completeness"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 7> NodePoint2D_rows{
@@ -103,7 +104,7 @@ constexpr std::array<std::string_view, 7> NodePoint2D_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 12> NodePoint2D_outputs{{
+constexpr std::array<OutputText, 13> NodePoint2D_outputs{{
     {"Position", 3, "m", "global position; the third component is zero"},
     {"Displacement", 3, "m", "global displacement; the third component is zero"},
     {"Velocity", 3, "m/s", "global velocity; the third component is zero"},
@@ -116,6 +117,7 @@ constexpr std::array<OutputText, 12> NodePoint2D_outputs{{
     {"Rotation", 3, "rad", "zero, as the node has no orientation; there for completeness"},
     {"AngularVelocity", 3, "rad/s", "zero, as the node has no orientation; there for completeness"},
     {"AngularVelocityLocal", 3, "rad/s", "zero, as the node has no orientation; there for completeness"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 7> NodePoint2DSlope1_rows{
@@ -145,7 +147,7 @@ constexpr std::array<std::string_view, 5> NodePointGround_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 10> NodePointGround_outputs{{
+constexpr std::array<OutputText, 11> NodePointGround_outputs{{
     {"Position", 3, "m", "global position; always the reference position"},
     {"Displacement", 3, "m", "zero"},
     {"Velocity", 3, "m/s", "zero"},
@@ -156,6 +158,7 @@ constexpr std::array<OutputText, 10> NodePointGround_outputs{{
     {"Rotation", 3, "rad", "zero, as the node has no orientation; there for completeness"},
     {"AngularVelocity", 3, "rad/s", "zero, as the node has no orientation; there for completeness"},
     {"AngularVelocityLocal", 3, "rad/s", "zero, as the node has no orientation; there for completeness"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 7> NodePointSlope1_rows{
@@ -187,7 +190,7 @@ constexpr std::array<std::string_view, 7> NodePointSlope12_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 12> NodePointSlope12_outputs{{
+constexpr std::array<OutputText, 13> NodePointSlope12_outputs{{
     {"Position", 3, "m", "global position vector"},
     {"Displacement", 3, "m", "global position minus the global position in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -200,6 +203,7 @@ constexpr std::array<OutputText, 12> NodePointSlope12_outputs{{
     {"Rotation", 3, "rad", "Tait-Bryan angles of the rotation matrix, for rotations about x, y and z in turn"},
     {"AngularVelocity", 3, "rad/s", "angular velocity in global coordinates"},
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity in body coordinates"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 7> NodePointSlope23_rows{
@@ -211,7 +215,7 @@ constexpr std::array<std::string_view, 7> NodePointSlope23_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 12> NodePointSlope23_outputs{{
+constexpr std::array<OutputText, 13> NodePointSlope23_outputs{{
     {"Position", 3, "m", "global position vector"},
     {"Displacement", 3, "m", "global position minus the global position in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -224,6 +228,7 @@ constexpr std::array<OutputText, 12> NodePointSlope23_outputs{{
     {"Rotation", 3, "rad", "Tait-Bryan angles of the rotation matrix, for rotations about x, y and z in turn"},
     {"AngularVelocity", 3, "rad/s", "angular velocity in global coordinates"},
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity in body coordinates"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 7> NodeRigidBody2D_rows{
@@ -235,7 +240,7 @@ constexpr std::array<std::string_view, 7> NodeRigidBody2D_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 13> NodeRigidBody2D_outputs{{
+constexpr std::array<OutputText, 14> NodeRigidBody2D_outputs{{
     {"Position", 3, "m", "global position; the third component is zero"},
     {"Displacement", 3, "m", "global position minus the global position in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -249,6 +254,7 @@ constexpr std::array<OutputText, 13> NodeRigidBody2D_outputs{{
     {"Rotation", 3, "rad", "only the third component is not zero: the angle about z, including its reference value"},
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity in body coordinates"},
     {"AngularAcceleration", 3, "rad/s^2", "angular acceleration in global coordinates"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 8> NodeRigidBodyEP_rows{
@@ -261,7 +267,7 @@ constexpr std::array<std::string_view, 8> NodeRigidBodyEP_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 13> NodeRigidBodyEP_outputs{{
+constexpr std::array<OutputText, 14> NodeRigidBodyEP_outputs{{
     {"Position", 3, "m", "global position vector"},
     {"Displacement", 3, "m", "global position minus the global position in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -275,6 +281,7 @@ constexpr std::array<OutputText, 13> NodeRigidBodyEP_outputs{{
     {"AngularVelocity", 3, "rad/s", "angular velocity in global coordinates"},
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity in body coordinates"},
     {"AngularAcceleration", 3, "rad/s^2", "angular acceleration in global coordinates"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 7> NodeRigidBodyRotVecLG_rows{
@@ -286,7 +293,7 @@ constexpr std::array<std::string_view, 7> NodeRigidBodyRotVecLG_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 11> NodeRigidBodyRotVecLG_outputs{{
+constexpr std::array<OutputText, 12> NodeRigidBodyRotVecLG_outputs{{
     {"Position", 3, "m", "global position vector"},
     {"Displacement", 3, "m", "global position minus the global position in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -298,6 +305,7 @@ constexpr std::array<OutputText, 11> NodeRigidBodyRotVecLG_outputs{{
     {"Rotation", 3, "rad", "Tait-Bryan angles of the rotation matrix, for rotations about x, y and z in turn"},
     {"AngularVelocity", 3, "rad/s", "angular velocity in global coordinates"},
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity in body coordinates"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 7> NodeRigidBodyRxyz_rows{
@@ -309,7 +317,7 @@ constexpr std::array<std::string_view, 7> NodeRigidBodyRxyz_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 13> NodeRigidBodyRxyz_outputs{{
+constexpr std::array<OutputText, 14> NodeRigidBodyRxyz_outputs{{
     {"Position", 3, "m", "global position vector"},
     {"Displacement", 3, "m", "global position minus the global position in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -323,6 +331,7 @@ constexpr std::array<OutputText, 13> NodeRigidBodyRxyz_outputs{{
     {"AngularVelocity", 3, "rad/s", "angular velocity in global coordinates"},
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity in body coordinates"},
     {"AngularAcceleration", 3, "rad/s^2", "angular acceleration in global coordinates"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 9> ObjectGenericODE1_rows{
@@ -350,12 +359,13 @@ constexpr std::array<std::string_view, 6> ObjectGround_rows{
     "function that returns the shapes to be drawn, called at every redraw; shapes are given in the frame of the body",
     "shapes attached to the body frame, as made by the functions of the graphics module",
 };
-constexpr std::array<OutputText, 5> ObjectGround_outputs{{
+constexpr std::array<OutputText, 6> ObjectGround_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "zero"},
     {"Velocity", 3, "m/s", "zero"},
     {"AngularVelocity", 3, "rad/s", "zero"},
     {"RotationMatrix", 9, "1", "rotation matrix from the body frame to the global frame, row by row"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 7> ObjectMass1D_rows{
@@ -367,7 +377,7 @@ constexpr std::array<std::string_view, 7> ObjectMass1D_rows{
     "False: the item is not drawn",
     "shapes attached to the body frame, as made by the functions of the graphics module",
 };
-constexpr std::array<OutputText, 7> ObjectMass1D_outputs{{
+constexpr std::array<OutputText, 10> ObjectMass1D_outputs{{
     {"Position", 3, "m", "global position vector"},
     {"Displacement", 3, "m", "global position minus the global position in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -375,6 +385,9 @@ constexpr std::array<OutputText, 7> ObjectMass1D_outputs{{
     {"Rotation", 3, "rad", "Tait-Bryan angles of the rotation matrix, for rotations about x, y and z in turn"},
     {"AngularVelocity", 3, "rad/s", "zero"},
     {"AngularVelocityLocal", 3, "rad/s", "zero"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "zero: a point has no strains, and weight is a load"},
 }};
 
 constexpr std::array<std::string_view, 5> ObjectMassPoint_rows{
@@ -384,7 +397,7 @@ constexpr std::array<std::string_view, 5> ObjectMassPoint_rows{
     "False: the item is not drawn",
     "shapes attached to the body frame, as made by the functions of the graphics module",
 };
-constexpr std::array<OutputText, 8> ObjectMassPoint_outputs{{
+constexpr std::array<OutputText, 11> ObjectMassPoint_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement, the same for all local points"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -393,6 +406,9 @@ constexpr std::array<OutputText, 8> ObjectMassPoint_outputs{{
     {"Rotation", 3, "rad", "zero, as the body does not rotate; there for completeness"},
     {"AngularVelocity", 3, "rad/s", "zero, as the body does not rotate; there for completeness"},
     {"AngularVelocityLocal", 3, "rad/s", "zero, as the body does not rotate; there for completeness"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "zero: a point has no strains, and weight is a load"},
 }};
 
 constexpr std::array<std::string_view, 5> ObjectMassPoint2D_rows{
@@ -402,7 +418,7 @@ constexpr std::array<std::string_view, 5> ObjectMassPoint2D_rows{
     "False: the item is not drawn",
     "shapes attached to the body frame, as made by the functions of the graphics module",
 };
-constexpr std::array<OutputText, 8> ObjectMassPoint2D_outputs{{
+constexpr std::array<OutputText, 11> ObjectMassPoint2D_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement, the same for all local points; the third component is zero"},
     {"Velocity", 3, "m/s", "global velocity; the third component is zero"},
@@ -411,6 +427,9 @@ constexpr std::array<OutputText, 8> ObjectMassPoint2D_outputs{{
     {"Rotation", 3, "rad", "zero, as the body does not rotate; there for completeness"},
     {"AngularVelocity", 3, "rad/s", "zero, as the body does not rotate; there for completeness"},
     {"AngularVelocityLocal", 3, "rad/s", "zero, as the body does not rotate; there for completeness"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "zero: a point has no strains, and weight is a load"},
 }};
 
 constexpr std::array<std::string_view, 8> ObjectRigidBody_rows{
@@ -423,7 +442,7 @@ constexpr std::array<std::string_view, 8> ObjectRigidBody_rows{
     "function that returns the shapes to be drawn, called at every redraw; shapes are given in the frame of the body",
     "shapes attached to the body frame, as made by the functions of the graphics module",
 };
-constexpr std::array<OutputText, 12> ObjectRigidBody_outputs{{
+constexpr std::array<OutputText, 15> ObjectRigidBody_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement of the local point from its place in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity of the local point"},
@@ -436,6 +455,9 @@ constexpr std::array<OutputText, 12> ObjectRigidBody_outputs{{
     {"AccelerationLocal", 3, "m/s^2", "acceleration of the local point in body coordinates"},
     {"AngularAcceleration", 3, "rad/s^2", "angular acceleration in global coordinates"},
     {"AngularAccelerationLocal", 3, "rad/s^2", "angular acceleration in body coordinates"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "zero: a rigid body has no strains, and weight is a load"},
 }};
 
 constexpr std::array<std::string_view, 8> ObjectRigidBody2D_rows{
@@ -448,7 +470,7 @@ constexpr std::array<std::string_view, 8> ObjectRigidBody2D_rows{
     "function that returns the shapes to be drawn, called at every redraw; shapes are given in the frame of the body",
     "shapes attached to the body frame, as made by the functions of the graphics module",
 };
-constexpr std::array<OutputText, 12> ObjectRigidBody2D_outputs{{
+constexpr std::array<OutputText, 15> ObjectRigidBody2D_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement of the local point from its place in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity of the local point"},
@@ -461,6 +483,9 @@ constexpr std::array<OutputText, 12> ObjectRigidBody2D_outputs{{
     {"AccelerationLocal", 3, "m/s^2", "acceleration of the local point in body coordinates"},
     {"AngularAcceleration", 3, "rad/s^2", "angular acceleration in global coordinates"},
     {"AngularAccelerationLocal", 3, "rad/s^2", "angular acceleration in body coordinates"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "zero: a rigid body has no strains, and weight is a load"},
 }};
 
 constexpr std::array<std::string_view, 7> ObjectRotationalMass1D_rows{
@@ -472,7 +497,7 @@ constexpr std::array<std::string_view, 7> ObjectRotationalMass1D_rows{
     "False: the item is not drawn",
     "shapes attached to the body frame, as made by the functions of the graphics module",
 };
-constexpr std::array<OutputText, 7> ObjectRotationalMass1D_outputs{{
+constexpr std::array<OutputText, 10> ObjectRotationalMass1D_outputs{{
     {"Position", 3, "m", "global position of the local point, which turns with the body"},
     {"Displacement", 3, "m", "global position minus the global position in the reference configuration"},
     {"Velocity", 3, "m/s", "global velocity"},
@@ -480,6 +505,9 @@ constexpr std::array<OutputText, 7> ObjectRotationalMass1D_outputs{{
     {"Rotation", 1, "rad", "angle about the axis, including its reference value; not reduced to one turn"},
     {"AngularVelocity", 3, "rad/s", "angular velocity in global coordinates"},
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity in body coordinates; only the third component is not zero"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "zero: a rigid body has no strains, and weight is a load"},
 }};
 
 constexpr std::array<std::string_view, 25> ObjectFFRF_rows{
@@ -509,11 +537,13 @@ constexpr std::array<std::string_view, 25> ObjectFFRF_rows{
     "surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn",
     "draw the nodes of the object at their deformed positions, whether or not the nodes themselves are shown",
 };
-constexpr std::array<OutputText, 4> ObjectFFRF_outputs{{
+constexpr std::array<OutputText, 6> ObjectFFRF_outputs{{
     {"Coordinates", 0, "various", "coordinates of all nodes of the object, relative to the reference values"},
     {"Coordinates_t", 0, "various", "first time derivatives of the coordinates of all nodes"},
     {"Coordinates_tt", 0, "various", "second time derivatives of the coordinates of all nodes"},
     {"Force", 0, "various", "generalized forces of the object without inertia, one per coordinate, as they stand on the left hand side of the equations of motion"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "strain energy of the mesh; not available with a force user function"},
 }};
 
 constexpr std::array<std::string_view, 28> ObjectFFRFreducedOrder_rows{
@@ -546,10 +576,12 @@ constexpr std::array<std::string_view, 28> ObjectFFRFreducedOrder_rows{
     "surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn",
     "draw the mesh nodes at their deformed positions",
 };
-constexpr std::array<OutputText, 3> ObjectFFRFreducedOrder_outputs{{
+constexpr std::array<OutputText, 5> ObjectFFRFreducedOrder_outputs{{
     {"Coordinates", 0, "various", "coordinates of both nodes, relative to the reference values"},
     {"Coordinates_t", 0, "various", "first time derivatives of the coordinates of both nodes"},
     {"Force", 0, "various", "generalized forces of the object without accelerations, one per coordinate, as they stand on the left hand side of the equations of motion: elastic forces and those that are quadratic in velocities"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "strain energy of the modes; not available with a force user function"},
 }};
 
 constexpr std::array<std::string_view, 18> ObjectGenericODE2_rows{
@@ -572,12 +604,14 @@ constexpr std::array<std::string_view, 18> ObjectGenericODE2_rows{
     "draw the nodes of the object at their deformed positions, whether or not the nodes themselves are shown",
     "function that returns the shapes to be drawn, called at every redraw; shapes are given in the global frame",
 };
-constexpr std::array<OutputText, 5> ObjectGenericODE2_outputs{{
+constexpr std::array<OutputText, 7> ObjectGenericODE2_outputs{{
     {"CoordinatesTotal", 0, "various", "coordinates of all nodes of the object, including the reference values"},
     {"Coordinates", 0, "various", "coordinates of all nodes of the object, relative to the reference values"},
     {"Coordinates_t", 0, "various", "first time derivatives of the coordinates of all nodes"},
     {"Coordinates_tt", 0, "various", "second time derivatives of the coordinates of all nodes"},
     {"Force", 0, "various", "generalized forces of the object without inertia, one per coordinate, as they stand on the left hand side of the equations of motion"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "stiffness times displacements, and the constant force vector, as work since the reference configuration; not available with a force user function"},
 }};
 
 constexpr std::array<std::string_view, 26> ObjectKinematicTree_rows{
@@ -608,11 +642,13 @@ constexpr std::array<std::string_view, 26> ObjectKinematicTree_rows{
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
     "a list of shapes in the frame of the link; empty, or as long as there are links",
 };
-constexpr std::array<OutputText, 4> ObjectKinematicTree_outputs{{
+constexpr std::array<OutputText, 6> ObjectKinematicTree_outputs{{
     {"Coordinates", 0, "various", "joint coordinates, including the reference values (unlike the output of the same name of the node)"},
     {"Coordinates_t", 0, "various", "joint velocities"},
     {"Coordinates_tt", 0, "various", "joint accelerations"},
     {"Force", 0, "various", "generalized forces of the object without inertia, one per coordinate, as they stand on the left hand side of the equations of motion"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "work against weight, link forces and joint forces since the reference configuration, and the springs of joint controllers; not available with a force user function"},
 }};
 
 constexpr std::array<std::string_view, 18> ObjectALEANCFCable2D_rows{
@@ -635,7 +671,7 @@ constexpr std::array<std::string_view, 18> ObjectALEANCFCable2D_rows{
     "height of the rectangle that is drawn; 0 draws the axis only",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 10> ObjectALEANCFCable2D_outputs{{
+constexpr std::array<OutputText, 12> ObjectALEANCFCable2D_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement of the local point"},
     {"Velocity", 3, "m/s", "global velocity of the material at the local point"},
@@ -646,6 +682,8 @@ constexpr std::array<OutputText, 10> ObjectALEANCFCable2D_outputs{{
     {"CurvatureLocal", 1, "1/m", "material curvature of the axis; positive for a left turn along the axis"},
     {"ForceLocal", 1, "N", "axial force, positive for tension; oscillates along the element when bending dominates"},
     {"TorqueLocal", 1, "Nm", "bending moment, positive with positive curvature"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "energy of the strains; the local position has no influence, and loads are not included"},
 }};
 
 constexpr std::array<std::string_view, 9> ObjectANCFBeam_rows{
@@ -659,7 +697,7 @@ constexpr std::array<std::string_view, 9> ObjectANCFBeam_rows{
     "outline of the cross section for drawing and contact, as a ``BeamSectionGeometry``",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 9> ObjectANCFBeam_outputs{{
+constexpr std::array<OutputText, 12> ObjectANCFBeam_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement of the local point"},
     {"Velocity", 3, "m/s", "global velocity of the local point"},
@@ -669,6 +707,9 @@ constexpr std::array<OutputText, 9> ObjectANCFBeam_outputs{{
     {"Acceleration", 3, "m/s^2", "global acceleration of the local point"},
     {"Rotation", 3, "rad", "Tait-Bryan angles of the frame of the cross section"},
     {"RotationMatrix", 9, "1", "rotation matrix from the frame of the cross section to the global frame, row by row"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "energy of the strains; the local position has no influence, and loads are not included"},
 }};
 
 constexpr std::array<std::string_view, 14> ObjectANCFCable_rows{
@@ -687,7 +728,7 @@ constexpr std::array<std::string_view, 14> ObjectANCFCable_rows{
     "radius of the cylinder that is drawn; 0 draws the axis only",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 9> ObjectANCFCable_outputs{{
+constexpr std::array<OutputText, 11> ObjectANCFCable_outputs{{
     {"Position", 3, "m", "global position of the axis"},
     {"Displacement", 3, "m", "global displacement of the axis"},
     {"Velocity", 3, "m/s", "global velocity of the axis"},
@@ -697,6 +738,8 @@ constexpr std::array<OutputText, 9> ObjectANCFCable_outputs{{
     {"ForceLocal", 1, "N", "axial force, positive for tension; oscillates along the element when bending dominates"},
     {"TorqueLocal", 3, "Nm", "bending moments; there is no torsional moment"},
     {"Acceleration", 3, "m/s^2", "global acceleration of the axis"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "energy of the strains; the local position has no influence, and loads are not included"},
 }};
 
 constexpr std::array<std::string_view, 17> ObjectANCFCable2D_rows{
@@ -718,7 +761,7 @@ constexpr std::array<std::string_view, 17> ObjectANCFCable2D_rows{
     "height of the rectangle that is drawn; 0 draws the axis only",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 13> ObjectANCFCable2D_outputs{{
+constexpr std::array<OutputText, 16> ObjectANCFCable2D_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement of the local point"},
     {"Velocity", 3, "m/s", "global velocity of the local point"},
@@ -730,11 +773,14 @@ constexpr std::array<OutputText, 13> ObjectANCFCable2D_outputs{{
     {"ForceLocal", 1, "N", "axial force, positive for tension; oscillates along the element when bending dominates"},
     {"TorqueLocal", 1, "Nm", "bending moment, positive with positive curvature"},
     {"AngularVelocity", 3, "rad/s", "angular velocity of the cross section; only the third component is not zero"},
+    {"AngularVelocityLocal", 3, "rad/s", "the same vector, because the cross section rotates about z"},
     {"Acceleration", 3, "m/s^2", "global acceleration of the local point"},
     {"AngularAcceleration", 3, "rad/s^2", "angular acceleration of the cross section; only the third component is not zero"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "energy of the strains; the local position has no influence, and loads are not included"},
 }};
 
-constexpr std::array<std::string_view, 13> ObjectANCFThinPlate_rows{
+constexpr std::array<std::string_view, 15> ObjectANCFThinPlate_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "thickness of the plate: a value, or interpolated values of the nodes",
     "mass per volume",
@@ -746,10 +792,12 @@ constexpr std::array<std::string_view, 13> ObjectANCFThinPlate_rows{
     "for each node the length of the side in y that belongs to a unit slope; not positive: the distance of the nodes",
     "four nodes with position and two slopes, at the local corners (-1, -1), (1, -1), (1, 1), (-1, 1)",
     "integration of the elastic forces: 0: 4 by 4 Gauss points, 1: 3 by 3",
+    "membrane forces of damping are this factor times membrane stiffness times strain rates",
+    "the same for bending stiffness and rates of curvature; negative: ``stiffnessProportionalDamping``",
     "False: the item is not drawn",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 11> ObjectANCFThinPlate_outputs{{
+constexpr std::array<OutputText, 13> ObjectANCFThinPlate_outputs{{
     {"Position", 3, "m", "global position of the local point; local coordinates run from -1 to 1, the third one over the thickness"},
     {"Displacement", 3, "m", "global displacement of the local point"},
     {"Velocity", 3, "m/s", "global velocity of the local point"},
@@ -761,6 +809,8 @@ constexpr std::array<OutputText, 11> ObjectANCFThinPlate_outputs{{
     {"TorqueLocal", 3, "N", "moments per length, two bending moments and the twisting moment, of the curvatures along x and y"},
     {"StressLocal", 6, "N/m^2", "stress components xx, yy, zz, yz, xz, xy at the local point; out-of-plane components are zero"},
     {"Acceleration", 3, "m/s^2", "global acceleration of the local point"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "energy of the strains; the local position has no influence, and loads are not included"},
 }};
 
 constexpr std::array<std::string_view, 7> ObjectBeamGeometricallyExact_rows{
@@ -772,13 +822,21 @@ constexpr std::array<std::string_view, 7> ObjectBeamGeometricallyExact_rows{
     "outline of the cross section for drawing and contact, as a ``BeamSectionGeometry``",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 6> ObjectBeamGeometricallyExact_outputs{{
+constexpr std::array<OutputText, 14> ObjectBeamGeometricallyExact_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement of the local point"},
     {"Velocity", 3, "m/s", "global velocity of the local point"},
     {"Rotation", 3, "rad", "Tait-Bryan angles of the frame of the cross section"},
     {"StrainLocal", 6, "1", "strains in the frame of the cross section: xx, yy, zz, yz, xz, xy, of which xx, xz and xy can differ from zero"},
     {"CurvatureLocal", 3, "1/m", "twist and the two curvatures in the frame of the cross section"},
+    {"RotationMatrix", 9, "1", "rotation matrix from the frame of the cross section to the global frame, row by row"},
+    {"AngularVelocity", 3, "rad/s", "global angular velocity of the cross section"},
+    {"AngularVelocityLocal", 3, "rad/s", "angular velocity of the cross section in its own frame"},
+    {"ForceLocal", 3, "N", "axial force and the two shear forces in the frame of the cross section"},
+    {"TorqueLocal", 3, "Nm", "torsional moment and the two bending moments in the frame of the cross section"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "energy of the strains; the local position has no influence, and loads are not included"},
 }};
 
 constexpr std::array<std::string_view, 16> ObjectBeamGeometricallyExact2D_rows{
@@ -799,7 +857,7 @@ constexpr std::array<std::string_view, 16> ObjectBeamGeometricallyExact2D_rows{
     "height of the rectangle that is drawn; 0 draws the axis only",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 8> ObjectBeamGeometricallyExact2D_outputs{{
+constexpr std::array<OutputText, 10> ObjectBeamGeometricallyExact2D_outputs{{
     {"Position", 3, "m", "global position of the local point"},
     {"Displacement", 3, "m", "global displacement of the local point"},
     {"Velocity", 3, "m/s", "global velocity of the local point"},
@@ -808,6 +866,8 @@ constexpr std::array<OutputText, 8> ObjectBeamGeometricallyExact2D_outputs{{
     {"CurvatureLocal", 3, "1/m", "only the third component is not zero: the curvature that moments act against"},
     {"ForceLocal", 3, "N", "axial force, shear force, zero; in the frame of the cross section"},
     {"TorqueLocal", 3, "Nm", "only the third component is not zero: the bending moment"},
+    {"KineticEnergy", 1, "J", "kinetic energy of the whole body; the local position has no influence"},
+    {"PotentialEnergy", 1, "J", "energy of the strains; the local position has no influence, and loads are not included"},
 }};
 
 constexpr std::array<std::string_view, 10> ObjectConnectorCartesianSpringDamper_rows{
@@ -822,11 +882,12 @@ constexpr std::array<std::string_view, 10> ObjectConnectorCartesianSpringDamper_
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 4> ObjectConnectorCartesianSpringDamper_outputs{{
+constexpr std::array<OutputText, 5> ObjectConnectorCartesianSpringDamper_outputs{{
     {"Displacement", 3, "m", "global position of marker m1 relative to marker m0, minus ``offset``"},
     {"Distance", 1, "m", "length of that displacement, so zero where the springs carry no force"},
     {"Velocity", 3, "m/s", "global velocity of marker m1 relative to marker m0"},
     {"Force", 3, "N", "global force vector that acts on marker m0; its negative acts on marker m1"},
+    {"PotentialEnergy", 1, "J", "energy of spring and constant force, zero where the spring is relaxed; not available with a user function"},
 }};
 
 constexpr std::array<std::string_view, 10> ObjectConnectorCoordinateSpringDamper_rows{
@@ -841,10 +902,11 @@ constexpr std::array<std::string_view, 10> ObjectConnectorCoordinateSpringDamper
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 3> ObjectConnectorCoordinateSpringDamper_outputs{{
+constexpr std::array<OutputText, 4> ObjectConnectorCoordinateSpringDamper_outputs{{
     {"Displacement", 1, "various", "difference of the marker coordinates, not reduced by ``offset``"},
     {"Velocity", 1, "various", "difference of the marker velocity coordinates"},
     {"Force", 1, "various", "generalized force of spring and damper, positive if it draws the coordinates together after extension"},
+    {"PotentialEnergy", 1, "J", "energy of spring and constant force, zero where the spring is relaxed; not available with a user function"},
 }};
 
 constexpr std::array<std::string_view, 26> ObjectConnectorCoordinateSpringDamperExt_rows{
@@ -893,10 +955,11 @@ constexpr std::array<std::string_view, 10> ObjectConnectorGravity_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 3> ObjectConnectorGravity_outputs{{
+constexpr std::array<OutputText, 4> ObjectConnectorGravity_outputs{{
     {"Distance", 1, "m", "distance of the markers"},
     {"Displacement", 3, "m", "global vector from marker m0 to marker m1"},
     {"Force", 3, "N", "global force on marker m0, towards marker m1; its negative acts on marker m1"},
+    {"PotentialEnergy", 1, "J", "energy of the attraction, zero at infinite distance"},
 }};
 
 constexpr std::array<std::string_view, 30> ObjectConnectorHydraulicActuatorSimple_rows{
@@ -955,10 +1018,13 @@ constexpr std::array<std::string_view, 14> ObjectConnectorLinearSpringDamper_row
     "True: drawn as a cylinder, which suits an actuator; False: drawn as a spring",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 3> ObjectConnectorLinearSpringDamper_outputs{{
+constexpr std::array<OutputText, 6> ObjectConnectorLinearSpringDamper_outputs{{
     {"DisplacementLocal", 1, "m", "relative position of the markers along the axis"},
     {"VelocityLocal", 1, "m/s", "relative velocity of the markers along the axis"},
     {"ForceLocal", 1, "N", "scalar force on marker m0 in the direction of the axis"},
+    {"PotentialEnergy", 1, "J", "energy of spring and constant force, zero where the spring is relaxed; not available with a user function"},
+    {"HomogeneousTransformationLocal", 16, "various", "relative position and rotation of marker m1 in the axes of marker m0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"Displacement", 3, "m", "global position of marker m1 relative to marker m0"},
 }};
 
 constexpr std::array<std::string_view, 16> ObjectConnectorReevingSystemSprings_rows{
@@ -1002,13 +1068,16 @@ constexpr std::array<std::string_view, 15> ObjectConnectorRigidBodySpringDamper_
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 6> ObjectConnectorRigidBodySpringDamper_outputs{{
+constexpr std::array<OutputText, 9> ObjectConnectorRigidBodySpringDamper_outputs{{
     {"DisplacementLocal", 3, "m", "position of marker m1 relative to marker m0 in frame J0; the translational part of the logarithm with ``intrinsicFormulation``"},
     {"VelocityLocal", 3, "m/s", "global velocity of marker m1 minus that of marker m0, in frame J0; if ``intrinsicFormulation`` is set, in the mid-frame"},
     {"Rotation", 3, "rad", "Tait-Bryan angles (about x, y, z in turn) of J1 relative to J0; the rotation vector with ``intrinsicFormulation``"},
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity of marker m1 relative to marker m0, in frame J0; if ``intrinsicFormulation`` is set, in the mid-frame"},
     {"ForceLocal", 3, "N", "force on marker m0, in frame J0; if ``intrinsicFormulation`` is set, in the mid-frame"},
     {"TorqueLocal", 3, "Nm", "torque on marker m0, in frame J0; with ``intrinsicFormulation`` in the mid-frame, without the moment of the force"},
+    {"PotentialEnergy", 1, "J", "energy of spring and constant force, zero where the spring is relaxed; not available with a user function"},
+    {"HomogeneousTransformationLocal", 16, "various", "relative position and rotation of joint frame J1 in joint frame J0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"Displacement", 3, "m", "global position of marker m1 relative to marker m0"},
 }};
 
 constexpr std::array<std::string_view, 18> ObjectConnectorRollingDiscPenalty_rows{
@@ -1053,12 +1122,13 @@ constexpr std::array<std::string_view, 12> ObjectConnectorSpringDamper_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 5> ObjectConnectorSpringDamper_outputs{{
+constexpr std::array<OutputText, 6> ObjectConnectorSpringDamper_outputs{{
     {"Distance", 1, "m", "distance of the two markers, the current length of the spring"},
     {"Displacement", 3, "m", "global vector from marker m0 to marker m1"},
     {"Velocity", 3, "m/s", "global velocity of marker m1 relative to marker m0"},
     {"Force", 3, "N", "global force vector, the scalar force times the direction from marker m0 to marker m1; it is the force on marker m0"},
     {"ForceLocal", 1, "N", "scalar force, positive in tension"},
+    {"PotentialEnergy", 1, "J", "energy of spring and constant force, zero where the spring is relaxed; not available with a user function"},
 }};
 
 constexpr std::array<std::string_view, 15> ObjectConnectorTorsionalSpringDamper_rows{
@@ -1078,10 +1148,11 @@ constexpr std::array<std::string_view, 15> ObjectConnectorTorsionalSpringDamper_
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 3> ObjectConnectorTorsionalSpringDamper_outputs{{
+constexpr std::array<OutputText, 4> ObjectConnectorTorsionalSpringDamper_outputs{{
     {"Rotation", 1, "rad", "angle of J1 relative to J0 about the z axis of J0; in the range of half a turn to both sides, or continuous with a data node"},
     {"AngularVelocityLocal", 1, "rad/s", "z component in J0 of the angular velocity of marker m1 relative to marker m0"},
     {"TorqueLocal", 1, "Nm", "torque on marker m0 about the z axis of J0; its negative acts on marker m1"},
+    {"PotentialEnergy", 1, "J", "energy of spring and constant force, zero where the spring is relaxed; not available with a user function"},
 }};
 
 constexpr std::array<std::string_view, 11> ObjectConnectorCoordinate_rows{
@@ -1187,18 +1258,25 @@ constexpr std::array<OutputText, 4> ObjectContactConvexRoll_outputs{{
     {"Torque", 3, "Nm", "global torque of that force about the center of the roll"},
 }};
 
-constexpr std::array<std::string_view, 10> ObjectContactCoordinate_rows{
+constexpr std::array<std::string_view, 14> ObjectContactCoordinate_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0",
-    "NodeGenericData with one data coordinate, the gap of the last update; must not be positive if the simulation begins in contact",
+    "NodeGenericData with one data coordinate, the gap of the last update, which must not be positive if the simulation begins in contact; with an ``impactModel`` other than 0 a second one, the impact velocity",
     "contact stiffness; N/m for coordinates that are lengths",
     "contact damping coefficient; Ns/m for coordinates that are lengths",
     "difference of the coordinates at which contact begins; m for lengths",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
+    "exponent n of the penetration in the normal force; 1.5 for Hertzian contact",
+    "ratio of normal speeds after and before an impact, for ``impactModel`` 1 and 2; positive, 1: elastic",
+    "lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more",
+    "0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients",
     "False: the item is not drawn",
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
+constexpr std::array<OutputText, 1> ObjectContactCoordinate_outputs{{
+    {"Distance", 1, "various", "gap, the difference of the coordinates minus the offset; negative in contact"},
+}};
 
 constexpr std::array<std::string_view, 19> ObjectContactCurveCircles_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
@@ -1306,7 +1384,7 @@ constexpr std::array<std::string_view, 19> ObjectContactSphereTorus_rows{
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
-constexpr std::array<OutputText, 8> ObjectContactSphereTorus_outputs{{
+constexpr std::array<OutputText, 9> ObjectContactSphereTorus_outputs{{
     {"Position", 3, "m", "global contact point, in the middle of the overlap or gap"},
     {"Displacement", 3, "m", "global vector from marker m0 to marker m1"},
     {"DisplacementLocal", 1, "m", "gap, negative in contact"},
@@ -1315,6 +1393,7 @@ constexpr std::array<OutputText, 8> ObjectContactSphereTorus_outputs{{
     {"Director3", 3, "1", "contact normal, unit vector from the center line of the torus to the center of the sphere"},
     {"Force", 3, "N", "global contact force on marker m0, with friction; its negative acts on marker m1; 0 without contact"},
     {"Torque", 3, "Nm", "global vector whose negative is the torque of the contact force about marker m0"},
+    {"Velocity", 3, "m/s", "global velocity of the torus relative to the sphere at the contact point"},
 }};
 
 constexpr std::array<std::string_view, 18> ObjectContactSphereTriangle_rows{
@@ -1337,13 +1416,14 @@ constexpr std::array<std::string_view, 18> ObjectContactSphereTriangle_rows{
     "True: the item is drawn",
     "red, green, blue and opacity of the drawn shapes",
 };
-constexpr std::array<OutputText, 6> ObjectContactSphereTriangle_outputs{{
+constexpr std::array<OutputText, 7> ObjectContactSphereTriangle_outputs{{
     {"Position", 3, "m", "global contact point, in the middle of the overlap or gap"},
     {"Displacement", 3, "m", "global vector from marker m0 to the nearest point of the triangle"},
     {"DisplacementLocal", 1, "m", "gap, negative in contact"},
     {"Director1", 3, "1", "unit vector from marker m0 to the nearest point of the triangle"},
     {"Force", 3, "N", "global contact force on marker m0, with friction; its negative acts on marker m1; 0 without contact"},
     {"Torque", 3, "Nm", "global vector whose negative is the torque of the contact force about marker m0"},
+    {"Velocity", 3, "m/s", "global velocity of the nearest point of the triangle relative to the center of the sphere"},
 }};
 
 constexpr std::array<std::string_view, 12> ObjectJointALEMoving2D_rows{
@@ -1385,7 +1465,7 @@ constexpr std::array<std::string_view, 14> ObjectJointGeneric_rows{
     "length of the drawn axes",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 8> ObjectJointGeneric_outputs{{
+constexpr std::array<OutputText, 10> ObjectJointGeneric_outputs{{
     {"Position", 3, "m", "global position of marker m0"},
     {"Velocity", 3, "m/s", "global velocity of marker m0"},
     {"DisplacementLocal", 3, "m", "position of marker m1 relative to marker m0 in frame J0; constrained components show the error of the constraint"},
@@ -1394,6 +1474,8 @@ constexpr std::array<OutputText, 8> ObjectJointGeneric_outputs{{
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity of marker m1 relative to marker m0, in frame J0"},
     {"ForceLocal", 3, "N", "Lagrange multipliers of the translations in frame J0: the force on marker m0; 0 in free directions"},
     {"TorqueLocal", 3, "Nm", "Lagrange multipliers of the rotations in the order of the equations, signs and axes as given there; 0 where there is no equation"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation of joint frame J0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"HomogeneousTransformationLocal", 16, "various", "relative position and rotation of joint frame J1 in joint frame J0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 9> ObjectJointPrismatic2D_rows{
@@ -1407,6 +1489,16 @@ constexpr std::array<std::string_view, 9> ObjectJointPrismatic2D_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
+constexpr std::array<OutputText, 8> ObjectJointPrismatic2D_outputs{{
+    {"Position", 3, "m", "global position of marker m0"},
+    {"Velocity", 3, "m/s", "global velocity of marker m0"},
+    {"DisplacementLocal", 3, "m", "position of marker m1 relative to marker m0 in the axes of marker m0"},
+    {"Distance", 1, "m", "component of DisplacementLocal along ``axisMarker0``"},
+    {"Rotation", 1, "rad", "angle of marker m1 relative to marker m0, the error of the constraint for rotations"},
+    {"ForceLocal", 3, "N", "joint force on marker m0 in its axes"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation of marker m0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"HomogeneousTransformationLocal", 16, "various", "relative position and rotation of marker m1 in the axes of marker m0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+}};
 
 constexpr std::array<std::string_view, 9> ObjectJointPrismaticX_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
@@ -1419,7 +1511,7 @@ constexpr std::array<std::string_view, 9> ObjectJointPrismaticX_rows{
     "length of the drawn axis",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 8> ObjectJointPrismaticX_outputs{{
+constexpr std::array<OutputText, 10> ObjectJointPrismaticX_outputs{{
     {"Position", 3, "m", "global position of marker m0"},
     {"Velocity", 3, "m/s", "global velocity of marker m0"},
     {"DisplacementLocal", 3, "m", "position of marker m1 relative to marker m0 in frame J0; constrained components show the error of the constraint"},
@@ -1428,6 +1520,8 @@ constexpr std::array<OutputText, 8> ObjectJointPrismaticX_outputs{{
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity of marker m1 relative to marker m0, in frame J0"},
     {"ForceLocal", 3, "N", "joint force on marker m0, in frame J0; the first value is 0"},
     {"TorqueLocal", 3, "Nm", "Lagrange multipliers of the three rotations: about the x axis, the negative y axis and the negative z axis"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation of joint frame J0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"HomogeneousTransformationLocal", 16, "various", "relative position and rotation of joint frame J1 in joint frame J0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 6> ObjectJointRevolute2D_rows{
@@ -1438,6 +1532,12 @@ constexpr std::array<std::string_view, 6> ObjectJointRevolute2D_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
+constexpr std::array<OutputText, 4> ObjectJointRevolute2D_outputs{{
+    {"Position", 3, "m", "global position of marker m0"},
+    {"Velocity", 3, "m/s", "global velocity of marker m0"},
+    {"Displacement", 3, "m", "global position of marker m1 relative to marker m0, the error of the constraint"},
+    {"Force", 3, "N", "Lagrange multipliers, the global joint force on marker m0; the third value is 0"},
+}};
 
 constexpr std::array<std::string_view, 9> ObjectJointRevoluteZ_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
@@ -1450,7 +1550,7 @@ constexpr std::array<std::string_view, 9> ObjectJointRevoluteZ_rows{
     "length of the drawn axis",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 8> ObjectJointRevoluteZ_outputs{{
+constexpr std::array<OutputText, 10> ObjectJointRevoluteZ_outputs{{
     {"Position", 3, "m", "global position of marker m0"},
     {"Velocity", 3, "m/s", "global velocity of marker m0"},
     {"DisplacementLocal", 3, "m", "position of marker m1 relative to marker m0 in frame J0; constrained components show the error of the constraint"},
@@ -1459,6 +1559,8 @@ constexpr std::array<OutputText, 8> ObjectJointRevoluteZ_outputs{{
     {"AngularVelocityLocal", 3, "rad/s", "angular velocity of marker m1 relative to marker m0, in frame J0"},
     {"ForceLocal", 3, "N", "joint force on marker m0, in frame J0"},
     {"TorqueLocal", 3, "Nm", "Lagrange multipliers of the two rotations, the first one about the negative y axis, the second one about the x axis; the third value is 0"},
+    {"HomogeneousTransformation", 16, "various", "position and rotation of joint frame J0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
+    {"HomogeneousTransformationLocal", 16, "various", "relative position and rotation of joint frame J1 in joint frame J0 as a 4 x 4 matrix, row by row; output functions return ``exu.HT``"},
 }};
 
 constexpr std::array<std::string_view, 10> ObjectJointRollingDisc_rows{
@@ -1515,11 +1617,12 @@ constexpr std::array<std::string_view, 12> ObjectJointSliding2D_rows{
     "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
 };
-constexpr std::array<OutputText, 4> ObjectJointSliding2D_outputs{{
+constexpr std::array<OutputText, 5> ObjectJointSliding2D_outputs{{
     {"Position", 3, "m", "global position of marker m0"},
     {"Velocity", 3, "m/s", "global velocity of marker m0"},
     {"SlidingCoordinate", 1, "m", "sliding coordinate along all elements, from 0 to the sum of their reference lengths"},
     {"Force", 3, "N", "Lagrange multipliers of the position constraint, the joint force"},
+    {"DisplacementLocal", 3, "m", "position of the cable at the sliding coordinate relative to the body, along and normal to the slope of the cable; the third value is 0"},
 }};
 
 constexpr std::array<std::string_view, 7> ObjectJointSpherical_rows{
@@ -1592,18 +1695,20 @@ constexpr std::array<std::string_view, 4> MarkerBodyPosition_rows{
     "False: the item is not drawn",
 };
 
-constexpr std::array<std::string_view, 4> MarkerBodyRigid_rows{
+constexpr std::array<std::string_view, 5> MarkerBodyRigid_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "body to which the marker is attached",
     "position of the marker in the body frame, relative to the reference point of the body",
+    "rotation of the marker in the frame that it would have without: joints and body-fixed loads use the turned axes. ``localHT`` sets position and rotation",
     "False: the item is not drawn",
 };
 
-constexpr std::array<std::string_view, 5> MarkerKinematicTreeRigid_rows{
+constexpr std::array<std::string_view, 6> MarkerKinematicTreeRigid_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "kinematic tree to which the marker is attached",
     "number of the link within the tree, from 0, or its name, or that of its joint; -1 means not set and is rejected",
     "position of the marker in the frame of the link",
+    "rotation of the marker in the frame that it would have without: joints and body-fixed loads use the turned axes. ``localHT`` sets position and rotation",
     "False: the item is not drawn",
 };
 
@@ -1633,9 +1738,10 @@ constexpr std::array<std::string_view, 3> MarkerNodePosition_rows{
     "False: the item is not drawn",
 };
 
-constexpr std::array<std::string_view, 3> MarkerNodeRigid_rows{
+constexpr std::array<std::string_view, 4> MarkerNodeRigid_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "node with position and orientation, such as a rigid body node, to which the marker is attached",
+    "rotation of the marker in the frame that it would have without: joints and body-fixed loads use the turned axes. ``localHT`` sets position and rotation",
     "False: the item is not drawn",
 };
 
@@ -1661,7 +1767,7 @@ constexpr std::array<std::string_view, 6> MarkerSuperElementPosition_rows{
     "True: the mesh nodes of the marker are drawn as well",
 };
 
-constexpr std::array<std::string_view, 9> MarkerSuperElementRigid_rows{
+constexpr std::array<std::string_view, 10> MarkerSuperElementRigid_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "super element to which the marker is attached",
     "correction of the marker position in the reference frame of the super element, if the mean of the mesh nodes is not the wanted point; should be small",
@@ -1669,6 +1775,7 @@ constexpr std::array<std::string_view, 9> MarkerSuperElementRigid_rows{
     "weight of every mesh node, as many as mesh nodes; should sum up to 1, for instance parts of the area of an interface",
     "True: the mean rotation follows from the angular momentum of the weighted nodes; False: it is a mean weighted by squared distances",
     "0: rotation and angular velocity are linearized; 1: rotation by the exponential map; 2: rotation by the exponential map and angular velocity by its tangent map, the consistent choice",
+    "rotation of the marker in the frame that it would have without: joints and body-fixed loads use the turned axes. ``localHT`` sets position and rotation",
     "False: the item is not drawn",
     "True: the mesh nodes of the marker are drawn as well",
 };
@@ -1873,7 +1980,7 @@ constexpr std::array<ItemText, 97> all{{
     {"A double-acting hydraulic cylinder between two points, with the build-up of pressure in both chambers", ObjectConnectorHydraulicActuatorSimple_rows, ObjectConnectorHydraulicActuatorSimple_outputs,
      "\nExample:\n    # one chamber of a locked actuator fills: the root of the pressure difference falls from 10 by 5 per second\n    node = mbs.AddNode(NodeGenericODE1(referenceCoordinates=[0, 0], initialCoordinates=[0, 0], numberOfODE1Coordinates=2))\n    ground = mbs.AddObject(ObjectGround())\n    m0 = mbs.AddMarker(MarkerBodyPosition(bodyNumber=ground))\n    m1 = mbs.AddMarker(MarkerBodyPosition(bodyNumber=ground, localPosition=[1, 0, 0]))\n    actuator = mbs.AddObject(HydraulicActuatorSimple(markerNumbers=[m0, m1], nodeNumbers=[node], offsetLength=0.8, strokeLength=0.5,\n                                                     chamberCrossSection0=0.01, chamberCrossSection1=0.01, hoseVolume0=1, hoseVolume1=1,\n                                                     valveOpening0=1, oilBulkModulus=10, nominalFlow=1, systemPressure=100))\n    mbs.Assemble()\n    mbs.SolveDynamic(solverType=exu.DynamicSolverType.RK44)\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)[0],\n              mbs.GetObjectOutput(actuator, exu.OutputVariableType.Force)[0]]\n\nPage: reference/items/connectors/hydraulic_actuator_simple.html\n"},
     {"A spring and damper along an axis that is fixed to the first marker, as in a prismatic joint", ObjectConnectorLinearSpringDamper_rows, ObjectConnectorLinearSpringDamper_outputs,
-     "\nUser functions:\n    springForceUserFunction(mbs, t, itemNumber, displacement, velocity, stiffness, damping, offset)\n        computes the scalar force along the axis and replaces stiffness, damping, offsets and constant force; called at every evaluation of the residual and for its derivatives\n\nExample:\n    # a body on a prismatic joint along x, pushed with 5 N against a spring of 10 N/m\n    node = mbs.AddNode(NodeRigidBody2D())\n    body = mbs.AddObject(RigidBody2D(physicsMass=1, physicsInertia=1, nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    mbs.AddObject(PrismaticJoint2D(markerNumbers=[m0, m1]))\n    spring = mbs.AddObject(LinearSpringDamper(markerNumbers=[m0, m1], stiffness=10))\n    mbs.AddLoad(Force(markerNumber=m1, loadVector=[5, 0, 0]))\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = [mbs.GetObjectOutput(spring, exu.OutputVariableType.DisplacementLocal),\n              mbs.GetObjectOutput(spring, exu.OutputVariableType.ForceLocal)]\n\nPage: reference/items/connectors/linear_spring_damper.html\n"},
+     "\nUser functions:\n    springForceUserFunction(mbs, t, itemNumber, displacement, velocity, stiffness, damping, offset)\n        computes the scalar force along the axis and replaces stiffness, damping, offsets and constant force; called at every evaluation of the residual and for its derivatives\n\nCreated by: mbs.CreateLinearSpringDamper(...)\n\nExample:\n    # a body on a prismatic joint along x, pushed with 5 N against a spring of 10 N/m\n    node = mbs.AddNode(NodeRigidBody2D())\n    body = mbs.AddObject(RigidBody2D(physicsMass=1, physicsInertia=1, nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    mbs.AddObject(PrismaticJoint2D(markerNumbers=[m0, m1]))\n    spring = mbs.AddObject(LinearSpringDamper(markerNumbers=[m0, m1], stiffness=10))\n    mbs.AddLoad(Force(markerNumber=m1, loadVector=[5, 0, 0]))\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = [mbs.GetObjectOutput(spring, exu.OutputVariableType.DisplacementLocal),\n              mbs.GetObjectOutput(spring, exu.OutputVariableType.ForceLocal)]\n\nPage: reference/items/connectors/linear_spring_damper.html\n"},
     {"A massless elastic rope that runs without friction over sheaves and joins two end points", ObjectConnectorReevingSystemSprings_rows, ObjectConnectorReevingSystemSprings_outputs,
      "\nExample:\n    # a rope over a sheave of radius 0.5 m, with two spans of 2 m, stretched by pi/2 + 4 - 5 from 5 m\n    ground = mbs.AddObject(ObjectGround())\n    points = [[-0.5, 0, 0], [0, 2, 0], [0.5, 0, 0]]\n    markers = [mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=p)) for p in points]\n    rope = mbs.AddObject(ReevingSystemSprings(markerNumbers=markers, stiffnessPerLength=100, referenceLength=5,\n                                              sheavesAxes=exu.Vector3DList([[0, 0, -1]] * 3), sheavesRadii=[0, 0.5, 0]))\n    mbs.Assemble()\n    result = [mbs.GetObjectOutput(rope, exu.OutputVariableType.Distance), mbs.GetObjectOutput(rope, exu.OutputVariableType.ForceLocal)]\n\nPage: reference/items/connectors/reeving_system_springs.html\n"},
     {"A spring and damper with six components, against relative translation and rotation of two rigid body markers", ObjectConnectorRigidBodySpringDamper_rows, ObjectConnectorRigidBodySpringDamper_outputs,
@@ -1894,7 +2001,7 @@ constexpr std::array<ItemText, 97> all{{
      "\nExample:\n    # a circle of radius 0.2, pressed with 10 N against 1000 N/m of the second segment of a fixed cable\n    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, 1.5)]\n    cable = mbs.AddObject(Cable2D(physicsLength=1.5, physicsMassPerLength=1, physicsBendingStiffness=1, physicsAxialStiffness=1, nodeNumbers=nodes))\n    ground = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))\n    center = mbs.AddNode(NodePoint2D(referenceCoordinates=[0.75, 0.2]))\n    for node, count in [(nodes[0], 4), (nodes[1], 4), (center, 1)]:\n        for coordinate in range(count):\n            fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=coordinate))\n            mbs.AddObject(CoordinateConstraint(markerNumbers=[ground, fixed]))\n    circle = mbs.AddMarker(MarkerBodyPosition(bodyNumber=mbs.AddObject(MassPoint2D(physicsMass=1, nodeNumber=center))))\n    shape = mbs.AddMarker(MarkerBodyCable2DShape(bodyNumber=cable, numberOfSegments=3))\n    gaps = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[1, 0, 1]))\n    mbs.AddObject(ObjectContactCircleCable2D(markerNumbers=[circle, shape], nodeNumber=gaps, numberOfContactSegments=3, contactStiffness=1000,\n                                             circleRadius=0.2))\n    mbs.AddLoad(Force(markerNumber=circle, loadVector=[0, -10, 0]))\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = mbs.GetNodeOutput(center, exu.OutputVariableType.Position)[1]\n\nPage: reference/items/contacts/circle_cable_2d.html\n"},
     {"Contact of a convex roll, a body of revolution with a polynomial profile, with the ground plane", ObjectContactConvexRoll_rows, ObjectContactConvexRoll_outputs,
      "\nExample:\n    # a barrel, pressed with 10 N against 1000 N/m of the ground\n    node = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[0, 0, 0.1, 0, 0, 0]))\n    barrel = mbs.AddObject(RigidBody(physicsMass=1, physicsInertia=[1, 1, 1, 0, 0, 0], nodeNumber=node))\n    mGround = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    mBody = mbs.AddMarker(MarkerBodyRigid(bodyNumber=barrel))\n    mbs.AddObject(GenericJoint(markerNumbers=[mGround, mBody], constrainedAxes=[1, 1, 0, 1, 1, 1]))\n    data = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[-0.001, 0, 0]))\n    mbs.AddObject(ObjectContactConvexRoll(markerNumbers=[mGround, mBody], nodeNumber=data, rollLength=0.2, coefficientsHull=[-1, 0, 0.1], contactStiffness=1000))\n    mbs.AddLoad(Force(markerNumber=mBody, loadVector=[0, 0, -10]))\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Displacement)\n\nPage: reference/items/contacts/convex_roll.html\n"},
-    {"Contact of two coordinates, a one-sided spring and damper", ObjectContactCoordinate_rows, {},
+    {"Contact of two coordinates, a one-sided spring and damper", ObjectContactCoordinate_rows, ObjectContactCoordinate_outputs,
      "\nExample:\n    # a mass pressed with 10 N against a stop of 100 N/m at the coordinate 0.05\n    node = mbs.AddNode(Node1D())\n    mbs.AddObject(Mass1D(physicsMass=1, nodeNumber=node))\n    ground = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))\n    mass = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))\n    data = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[-0.05]))\n    mbs.AddObject(ObjectContactCoordinate(markerNumbers=[ground, mass], nodeNumber=data, contactStiffness=100, offset=0.05))\n    mbs.AddLoad(LoadCoordinate(markerNumber=mass, load=-10))\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)\n\nPage: reference/items/contacts/coordinate.html\n"},
     {"Contact of a planar curve with circles, as of a cam with its followers", ObjectContactCurveCircles_rows, ObjectContactCurveCircles_outputs,
      "\nExample:\n    # a roller, pressed with 10 N against a line of length 0.8 with 1250 N/m per length\n    node = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[0, 0, 0.1, 0, 0, 0]))\n    roller = mbs.AddObject(RigidBody(physicsMass=1, physicsInertia=[1, 1, 1, 0, 0, 0], nodeNumber=node))\n    mGround = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    mBody = mbs.AddMarker(MarkerBodyRigid(bodyNumber=roller))\n    mbs.AddObject(GenericJoint(markerNumbers=[mGround, mBody], constrainedAxes=[1, 1, 0, 1, 1, 1]))\n    data = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[0, -0.001, 0]))\n    line = exu.MatrixContainer([[-0.4, 0, 0.4, 0]])\n    mbs.AddObject(ObjectContactCurveCircles(markerNumbers=[mGround, mBody], nodeNumber=data, circlesRadii=[0.1], segmentsData=line,\n                                            rotationMarker0=[[1, 0, 0], [0, 0, 1], [0, -1, 0]], contactStiffness=1250))\n    mbs.AddLoad(Force(markerNumber=mBody, loadVector=[0, 0, -10]))\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Displacement)\n\nPage: reference/items/contacts/curve_circles.html\n"},
@@ -1910,11 +2017,11 @@ constexpr std::array<ItemText, 97> all{{
      "\nExample:\n    # a mass that a belt, which does not bend or stretch much, takes along with 2 m/s for 0.35 s, from the first element to the second\n    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in range(3)]\n    way = mbs.AddNode(NodeGenericODE2(numberOfODE2Coordinates=1, referenceCoordinates=[0], initialCoordinates=[0], initialCoordinates_t=[2]))\n    cables = [mbs.AddObject(ALECable2D(physicsLength=1, physicsMassPerLength=1, physicsBendingStiffness=1, physicsAxialStiffness=1, nodeNumbers=[*pair, way]))\n              for pair in zip(nodes[:-1], nodes[1:])]\n    ground = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))\n    for node in nodes:\n        for coordinate in range(4):\n            fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=coordinate))\n            mbs.AddObject(CoordinateConstraint(markerNumbers=[ground, fixed]))\n    mass = mbs.AddNode(NodePoint2D(referenceCoordinates=[0.5, 0], initialVelocities=[2, 0]))\n    carried = mbs.AddMarker(MarkerBodyPosition(bodyNumber=mbs.AddObject(MassPoint2D(physicsMass=2, nodeNumber=mass))))\n    markers = [mbs.AddMarker(MarkerBodyCable2DCoordinates(bodyNumber=cable)) for cable in cables]\n    element = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))\n    mbs.AddObject(ALEMovingJoint2D(markerNumbers=[carried, markers[0]], slidingMarkerNumbers=markers, slidingMarkerOffsets=[0, 1], slidingOffset=0.5,\n                                   nodeNumbers=[element, way]))\n    mbs.Assemble()\n    settings = exu.SimulationSettings()\n    settings.timeIntegration.endTime = 0.35\n    settings.timeIntegration.numberOfSteps = 35\n    mbs.SolveDynamic(settings)\n    result = mbs.GetNodeOutput(mass, exu.OutputVariableType.Position)\n\nPage: reference/items/joints/ale_moving_2d.html\n"},
     {"A joint between two rigid body markers that constrains any choice of three translations and three rotations", ObjectJointGeneric_rows, ObjectJointGeneric_outputs,
      "\nUser functions:\n    offsetUserFunction(mbs, t, itemNumber, offsetUserFunctionParameters)\n        computes the prescribed relative position and rotation; should be twice differentiable, and fit initial position and velocity; called at every evaluation of the constraints on position level\n    offsetUserFunction_t(mbs, t, itemNumber, offsetUserFunctionParameters)\n        computes the time derivative of ``offsetUserFunction``\n\nCreated by: mbs.CreateGenericJoint(...)\n\nExample:\n    # slide inclined by 30 degrees, a force of 8 N downwards on 2 kg: s'' = -8 sin(30) / 2 = -2, normal force 8 cos(30)\n    ground = mbs.AddObject(ObjectGround())\n    node = mbs.AddNode(NodeRigidBodyRxyz())\n    body = mbs.AddObject(RigidBody(physicsMass=2, physicsInertia=[1, 1, 1, 0, 0, 0], nodeNumber=node))\n    mGround = mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground))\n    mBody = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    c, s = np.cos(np.pi / 6), np.sin(np.pi / 6)\n    A = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])\n    joint = mbs.AddObject(GenericJoint(markerNumbers=[mGround, mBody], constrainedAxes=[0, 1, 1, 1, 1, 1],\n                                       rotationMarker0=A, rotationMarker1=A))\n    mbs.AddLoad(Force(markerNumber=mBody, loadVector=[0, -8, 0]))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = [mbs.GetObjectOutput(joint, exu.OutputVariableType.DisplacementLocal)[0],\n              mbs.GetObjectOutput(joint, exu.OutputVariableType.ForceLocal)[1]]\n\nPage: reference/items/joints/generic.html\n"},
-    {"A prismatic joint of planar bodies: one point moves on a line that is fixed to the other body", ObjectJointPrismatic2D_rows, {},
+    {"A prismatic joint of planar bodies: one point moves on a line that is fixed to the other body", ObjectJointPrismatic2D_rows, ObjectJointPrismatic2D_outputs,
      "\nExample:\n    # a body of 1 kg on a line in direction (3, 4), pushed with 5 N along x: 3 m/s^2 along the line\n    node = mbs.AddNode(NodeRigidBody2D())\n    body = mbs.AddObject(RigidBody2D(physicsMass=1, physicsInertia=1, nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    mbs.AddObject(PrismaticJoint2D(markerNumbers=[m0, m1], axisMarker0=[0.6, 0.8, 0], normalMarker1=[-0.8, 0.6, 0]))\n    mbs.AddLoad(Force(markerNumber=m1, loadVector=[5, 0, 0]))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)\n\nPage: reference/items/joints/prismatic_2d.html\n"},
     {"A prismatic joint between two rigid body markers, free to translate along the x axis of the joint frame", ObjectJointPrismaticX_rows, ObjectJointPrismaticX_outputs,
      "\nCreated by: mbs.CreatePrismaticJoint(...)\n\nExample:\n    # a body of 2 kg on a guide along x, pushed with (4, 3) N: x'' = 4 / 2, and the guide carries 3 N\n    inertia = [1, 1, 1, 0, 0, 0]\n    node = mbs.AddNode(NodeRigidBodyRxyz())\n    body = mbs.AddObject(RigidBody(physicsMass=2, physicsInertia=inertia, nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    joint = mbs.AddObject(PrismaticJointX(markerNumbers=[m0, m1]))\n    mbs.AddLoad(Force(markerNumber=m1, loadVector=[4, 3, 0]))\n    mbs.Assemble()\n    mbs.SolveDynamic()\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Position)[0],\n              mbs.GetObjectOutput(joint, exu.OutputVariableType.ForceLocal)[1]]\n\nPage: reference/items/joints/prismatic_x.html\n"},
-    {"A revolute joint of planar bodies: keeps two points together in the x-y plane", ObjectJointRevolute2D_rows, {},
+    {"A revolute joint of planar bodies: keeps two points together in the x-y plane", ObjectJointRevolute2D_rows, ObjectJointRevolute2D_outputs,
      "\nExample:\n    # a rod turns about its end by a torque of 3 Nm: J = 0.75 + 3 * 0.5^2 = 1.5, angle 3 / (2 * 1.5) after 1 s; step 0.001\n    ground = mbs.AddObject(ObjectGround())\n    node = mbs.AddNode(NodeRigidBody2D(referenceCoordinates=[0.5, 0, 0]))\n    rod = mbs.AddObject(RigidBody2D(physicsMass=3, physicsInertia=0.75, nodeNumber=node))\n    mGround = mbs.AddMarker(MarkerBodyPosition(bodyNumber=ground))\n    mRod = mbs.AddMarker(MarkerBodyPosition(bodyNumber=rod, localPosition=[-0.5, 0, 0]))\n    mbs.AddObject(RevoluteJoint2D(markerNumbers=[mGround, mRod]))\n    mCenter = mbs.AddMarker(MarkerBodyRigid(bodyNumber=rod))\n    mbs.AddLoad(Torque(markerNumber=mCenter, loadVector=[0, 0, 3]))\n    mbs.Assemble()\n    settings = exu.SimulationSettings()\n    settings.timeIntegration.numberOfSteps = 1000\n    mbs.SolveDynamic(settings)\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)[2]\n\nPage: reference/items/joints/revolute_2d.html\n"},
     {"A revolute joint between two rigid body markers, free to rotate about the z axis of the joint frame", ObjectJointRevoluteZ_rows, ObjectJointRevoluteZ_outputs,
      "\nCreated by: mbs.CreateRevoluteJoint(...)\n\nExample:\n    # a body turns about a joint at 1 m from its center, by a torque of 3 Nm: J = 0.5 + 1 * 1^2, angle 3 / (2 * 1.5) after 1 s; step 0.001\n    ground = mbs.AddObject(ObjectGround())\n    node = mbs.AddNode(NodeRigidBodyRxyz(referenceCoordinates=[1, 0, 0, 0, 0, 0]))\n    body = mbs.AddObject(RigidBody(physicsMass=1, physicsInertia=[1, 1, 0.5, 0, 0, 0], nodeNumber=node))\n    mGround = mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground))\n    mBody = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body, localPosition=[-1, 0, 0]))\n    joint = mbs.AddObject(RevoluteJointZ(markerNumbers=[mGround, mBody]))\n    mbs.AddLoad(Torque(markerNumber=mBody, loadVector=[0, 0, 3]))\n    mbs.Assemble()\n    settings = exu.SimulationSettings()\n    settings.timeIntegration.numberOfSteps = 1000\n    mbs.SolveDynamic(settings)\n    result = mbs.GetObjectOutput(joint, exu.OutputVariableType.Rotation)[2]\n\nPage: reference/items/joints/revolute_z.html\n"},

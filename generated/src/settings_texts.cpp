@@ -41,7 +41,8 @@ constexpr std::array<std::string_view, 4> DiscontinuousSettings_rows{
     "true: the step size follows recommendations of items, for example at the start of a contact; false: they are ignored",
 };
 
-constexpr std::array<std::string_view, 1> ContinuationSettings_rows{
+constexpr std::array<std::string_view, 2> ContinuationSettings_rows{
+    "true: ``SolveDynamic`` and ``SolveStatic`` go on from the file ``solutionSettings.restartFileName`` if it exists, else they start from the initial values; a ``restartFileName`` given here is used in any case",
     "restart file of a solution with the same model, solver and settings; its start time, end time and number of steps are those of the whole solution. Solution and sensor files continue at their position in the restart file; later rows are overwritten. Empty: start from the initial values",
 };
 
@@ -174,7 +175,7 @@ constexpr std::array<std::string_view, 10> TimeIntegrationGeneralizedAlphaSettin
     "true: Newmark method with the parameters given here; false: generalized-alpha",
 };
 
-constexpr std::array<std::string_view, 23> TimeIntegrationSettings_rows{
+constexpr std::array<std::string_view, 24> TimeIntegrationSettings_rows{
     "absolute tolerance of the error control of explicit integrators, in the units of the coordinates",
     "true: an implicit step that fails is repeated with a smaller step size; false: it is an error",
     "factor of the step size when a step has failed",
@@ -194,6 +195,7 @@ constexpr std::array<std::string_view, 23> TimeIntegrationSettings_rows{
     "true: the solver waits until real time has caught up with the simulated time; it does not wait when it is too slow",
     "time at which the integration starts",
     "sum of numbers that select the contents of a line about a step: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only",
+    "method of ``SolveDynamic`` when it is called without ``solverType``; ``MainSolverExplicit`` uses it if it is an explicit one, else ``explicitIntegration.dynamicSolverType``",
     "largest factor by which the automatic step size grows from one step to the next",
     "factor of the step size that the error estimate allows; smaller values avoid rejected steps",
     "amount of output on the console: no output (0), occasional lines (1), a line per step (2), also the solution (3), mass matrix and Jacobian (4), inverse of the Jacobian (5)",
@@ -770,7 +772,7 @@ constexpr std::array<std::string_view, 10> ObjectType_values{
     "upper bound of the values; not a kind of object",
 };
 
-constexpr std::array<std::string_view, 36> OutputVariableType_values{
+constexpr std::array<std::string_view, 40> OutputVariableType_values{
     "no output variable; sensors refuse it",
     "distance between two points, or gap of a contact",
     "position in global coordinates",
@@ -807,6 +809,10 @@ constexpr std::array<std::string_view, 36> OutputVariableType_values{
     "stress components in the local frame",
     "curvature and twist in the local frame",
     "residual of the constraint equations of a constraint or joint",
+    "kinetic energy of a body, of all of its points",
+    "energy that a body or connector stores: strain energy, and the potential of forces among its own parameters, such as the gravity of a kinematic tree; loads are not included",
+    "position and rotation as a 4 x 4 matrix: from the body frame to the global frame; of joints, frame J0. Output functions return ``exu.HT``, sensors have the 16 entries, row by row",
+    "relative position and rotation of joint frame J1 in joint frame J0 as a 4 x 4 matrix",
 };
 
 constexpr std::array<EnumText, 13> enumerations{{

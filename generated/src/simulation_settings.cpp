@@ -75,7 +75,8 @@ constexpr std::array<SettingRule, 1> DiscontinuousSettings_rules{{
 }};
 constexpr SettingsGroup DiscontinuousSettings_group{"DiscontinuousSettings", DiscontinuousSettings_rows, {}, DiscontinuousSettings_rules};
 
-constexpr std::array<Row, 1> ContinuationSettings_rows{{
+constexpr std::array<Row, 2> ContinuationSettings_rows{{
+    {.name = "ifAvailable", .storage = Storage::boolean, .offset = offsetof(ContinuationSettings, ifAvailable), .role = Role::parameter},
     {.name = "restartFileName", .storage = Storage::text, .offset = offsetof(ContinuationSettings, restartFileName), .role = Role::parameter},
 }};
 constexpr SettingsGroup ContinuationSettings_group{"ContinuationSettings", ContinuationSettings_rows, {}};
@@ -282,7 +283,7 @@ constexpr std::array<SettingRule, 4> TimeIntegrationGeneralizedAlphaSettings_rul
 }};
 constexpr SettingsGroup TimeIntegrationGeneralizedAlphaSettings_group{"TimeIntegrationGeneralizedAlphaSettings", TimeIntegrationGeneralizedAlphaSettings_rows, {}, TimeIntegrationGeneralizedAlphaSettings_rules};
 
-constexpr std::array<Row, 23> TimeIntegrationSettings_rows{{
+constexpr std::array<Row, 24> TimeIntegrationSettings_rows{{
     {.name = "absoluteTolerance", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, absoluteTolerance), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "adaptiveStep", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationSettings, adaptiveStep), .role = Role::parameter},
     {.name = "adaptiveStepDecrease", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, adaptiveStepDecrease), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -302,6 +303,7 @@ constexpr std::array<Row, 23> TimeIntegrationSettings_rows{{
     {.name = "simulateInRealtime", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationSettings, simulateInRealtime), .role = Role::parameter},
     {.name = "startTime", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, startTime), .role = Role::parameter, .check = Check::non_negative, .unit = "s"},
     {.name = "stepInformation", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, stepInformation), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "solverType", .storage = Storage::enumeration, .offset = offsetof(TimeIntegrationSettings, solverType), .role = Role::parameter, .enumeration = 4},
     {.name = "stepSizeMaxIncrease", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, stepSizeMaxIncrease), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "stepSizeSafety", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, stepSizeSafety), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "verboseMode", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, verboseMode), .role = Role::parameter, .check = Check::non_negative},

@@ -33,6 +33,12 @@ from dalembert._version import (
 )
 from dalembert import mainSystemExtensions as _extensions  # noqa: F401  importing it extends MainSystem
 from dalembert._solving.diagnosis import FinishedNotTrusted as FinishedNotTrusted, SolverError as SolverError
+from dalembert._geometry.rigid_transformation import HT as HT
+from dalembert._solving.item_computations import (
+    ComputeItemType as ComputeItemType,
+    InspectType as InspectType,
+    MarkerType as MarkerType,
+)
 from dalembert.solver import (
     ComputeLinearizedSystem as ComputeLinearizedSystem,
     ComputeODE2Eigenvalues as ComputeODE2Eigenvalues,
@@ -44,6 +50,17 @@ from dalembert.solver import (
 
 if TYPE_CHECKING:
     from dalembert._io.model_files import ModelFileError as ModelFileError
+    from dalembert._studies.design_parameters import DesignParameter as DesignParameter
+    from dalembert._studies.differentiable_model import DifferentiableModel as DifferentiableModel
+    from dalembert._studies.differentiable_outputs import (
+        At as At,
+        Eigenvalue as Eigenvalue,
+        Final as Final,
+        Function as Function,
+        Integral as Integral,
+        Reaction as Reaction,
+    )
+    from dalembert._studies.not_differentiable import NotDifferentiable as NotDifferentiable
 
 _completion.tell_ipython()
 
@@ -69,6 +86,7 @@ _submodules = frozenset(
         "lieGroupIntegration",
         "machines",
         "mainSystemExtensions",
+        "misc",
         "particles",
         "physics",
         "plot",
@@ -81,10 +99,24 @@ _submodules = frozenset(
         "signalProcessing",
         "solver",
         "treeDynamics",
+        "types",
         "utilities",
     )
 )
 _renamed = {"exudynCPP": _core}
+# Names of these modules, likewise.
+_classes = {
+    "ModelFileError": "_io.model_files",
+    "DesignParameter": "_studies.design_parameters",
+    "DifferentiableModel": "_studies.differentiable_model",
+    "At": "_studies.differentiable_outputs",
+    "Eigenvalue": "_studies.differentiable_outputs",
+    "Final": "_studies.differentiable_outputs",
+    "Function": "_studies.differentiable_outputs",
+    "Integral": "_studies.differentiable_outputs",
+    "Reaction": "_studies.differentiable_outputs",
+    "NotDifferentiable": "_studies.not_differentiable",
+}
 
 if TYPE_CHECKING:
     from dalembert import (
@@ -108,6 +140,7 @@ if TYPE_CHECKING:
         lieGroupIntegration as lieGroupIntegration,
         machines as machines,
         mainSystemExtensions as mainSystemExtensions,
+        misc as misc,
         particles as particles,
         physics as physics,
         plot as plot,
@@ -120,15 +153,19 @@ if TYPE_CHECKING:
         signalProcessing as signalProcessing,
         solver as solver,
         treeDynamics as treeDynamics,
+        types as types,
         utilities as utilities,
     )
 else:
     __all__ = [  # noqa: PLE0604
+        "ComputeItemType",
         "ComputeLinearizedSystem",
         "ComputeODE2Eigenvalues",
         "ComputeSystemDegreeOfFreedom",
         "FinishedNotTrusted",
-        "ModelFileError",
+        "HT",
+        "InspectType",
+        "MarkerType",
         "RequireVersion",
         "SolveDynamic",
         "SolveStatic",
@@ -138,6 +175,7 @@ else:
         "SolverSuccess",
         "__version__",
         "interface_version",
+        *_classes,
         *[name for name in vars(_core) if not name.startswith("_")],
     ]
 
@@ -149,15 +187,15 @@ else:
             from importlib import import_module
 
             return import_module(f"dalembert.{name}")
-        if name == "ModelFileError":
-            from dalembert._io.model_files import ModelFileError
+        if name in _classes:
+            from importlib import import_module
 
-            return ModelFileError
+            return getattr(import_module(f"dalembert.{_classes[name]}"), name)
         if text := _planned.module_text(name):
             raise AttributeError(text)
         raise _missing_names.missing_in(_sys.modules[__name__], name)
 
     def __dir__() -> list[str]:
-        return sorted({*globals(), *_submodules, "ModelFileError"})
+        return sorted({*globals(), *_submodules, *_classes})
 
     _missing_names.explain_module(_sys.modules[__name__])

@@ -17,6 +17,7 @@ from dalembert._core_settings import *
 from dalembert._core_system_data import SystemData
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.rigid_transformation import HT
 from dalembert._io import model_files as model_files
 from dalembert._pictures import draw as draw
 from dalembert._pictures import glb as glb
@@ -28,9 +29,11 @@ from dalembert._solving import buckling as buckling
 from dalembert._solving import consistent as consistent
 from dalembert._solving import energies as energies
 from dalembert._solving import inspection as inspection
+from dalembert._solving import item_computations as item_computations
 from dalembert._solving import linearized as linearized
 from dalembert._solving import report as report
 from dalembert._solving import vibrations as vibrations
+from dalembert._studies import exact_sensitivities as exact_sensitivities
 from dalembert._studies import variations as variations
 from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, robots, sensors, trees
 
@@ -243,6 +246,8 @@ class MainSystem(_Bound):
         show: bool = True,
         create2D: bool = False,
         returnDict: Literal[False] = False,
+        referenceHT: HT | ArrayLike | None = None,
+        initialHT: HT | ArrayLike | None = None,
     ) -> ObjectIndex: ...
     @overload
     def CreateRigidBody(
@@ -265,11 +270,14 @@ class MainSystem(_Bound):
         create2D: bool = False,
         *,
         returnDict: Literal[True],
+        referenceHT: HT | ArrayLike | None = None,
+        initialHT: HT | ArrayLike | None = None,
     ) -> dict[str, Any]: ...
     CreateFFRFReducedOrderObject = flexible.CreateFFRFReducedOrderObject
     CreateSpringDamper = connectors.CreateSpringDamper
     CreateCartesianSpringDamper = connectors.CreateCartesianSpringDamper
     CreateRigidBodySpringDamper = connectors.CreateRigidBodySpringDamper
+    CreateLinearSpringDamper = connectors.CreateLinearSpringDamper
     CreateTorsionalSpringDamper = connectors.CreateTorsionalSpringDamper
     CreateDistanceConstraint = connectors.CreateDistanceConstraint
     CreateCoordinateConstraint = connectors.CreateCoordinateConstraint
@@ -305,9 +313,12 @@ class MainSystem(_Bound):
     SolveDynamic = solver.SolveDynamic
     SolveStatic = solver.SolveStatic
     SolveVariations = variations.SolveVariations
+    ComputeSensitivities = exact_sensitivities.ComputeSensitivities
     ComputeBucklingLoads = buckling.ComputeBucklingLoads
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
     ComputeEnergies = energies.ComputeEnergies
     ComputeVibrationModes = vibrations.ComputeVibrationModes
+    ComputeItem = item_computations.ComputeItem
+    Inspect = item_computations.Inspect
     InspectSolution = inspection.InspectSolution
     Report = report.Report

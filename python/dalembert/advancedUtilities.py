@@ -1,6 +1,8 @@
-"""Type checks of arguments, sweeps and steps for excitation, sparse matrices and HDF5 storage of dictionaries."""
+"""Energies, type checks of arguments, sweeps and steps for excitation, sparse matrices and HDF5 storage."""
 
 from dalembert._io.hdf5 import ConvertDictToScipySparse, ConvertScipySparseToDict, LoadDictFromHDF5, SaveDictToHDF5
+from dalembert._solving.item_derivatives import ItemODE2Coordinates, NumericalJacobian
+from dalembert._solving.item_energies import CreateLoadEnergySensor, LoadPotentialEnergy, SystemEnergy
 from dalembert._tools.argument_types import (
     ExpectedType,
     IsEmptyList,
@@ -31,6 +33,7 @@ __all__ = [
     "ConvertDictToScipySparse",
     "ConvertFunctionToSymbolic",
     "ConvertScipySparseToDict",
+    "CreateLoadEnergySensor",
     "CreateSymbolicUserFunction",
     "ExpectedType",
     "FillInSubMatrix",
@@ -55,7 +58,10 @@ __all__ = [
     "IsValidRealInt",
     "IsValidURealInt",
     "IsVector",
+    "ItemODE2Coordinates",
     "LoadDictFromHDF5",
+    "LoadPotentialEnergy",
+    "NumericalJacobian",
     "PlotLineCode",
     "RaiseTypeError",
     "RoundMatrix",
@@ -64,4 +70,5 @@ __all__ = [
     "SmoothStepDerivative",
     "SweepCos",
     "SweepSin",
+    "SystemEnergy",
 ]

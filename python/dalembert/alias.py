@@ -11,7 +11,12 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 
 _PACKAGE = "dalembert"
-_RENAMED = {"exudynCPP": "_core"}
+_RENAMED = {
+    "exudynCPP": "_core",
+    "misc.GUI": "GUI",
+    "misc.mainSystemExtensions": "mainSystemExtensions",
+    "misc.resultsMonitor": "resultsMonitor",
+}
 
 
 class _AliasLoader(Loader):
@@ -59,12 +64,15 @@ def _finder(name: str) -> _AliasFinder | None:
     return next((f for f in sys.meta_path if isinstance(f, _AliasFinder) and f.name == name), None)
 
 
-def install(name: str = "exudyn") -> None:
+def install(name: str = "exudyn", interface: str | None = None) -> None:
     """Make `import name`, including submodules, import dalembert and its submodules; may be called again.
 
+    interface: release whose defaults models rely on, "1.11" or "1.13", see RequireVersion; None: no change.
     RuntimeError if another package of that name has been imported before: its objects and ours must not be mixed.
     """
     package = importlib.import_module(_PACKAGE)
+    if interface is not None:
+        importlib.import_module(f"{_PACKAGE}._version").use_interface(interface)
     present = sys.modules.get(name)
     if present is not None and present is not package:
         where = getattr(present, "__file__", None) or "unknown location"

@@ -96,7 +96,7 @@ class OpenAIGymInterfaceEnv(Env):  # type: ignore[misc,unused-ignore]  # gymnasi
         integration.generalizedAlpha.useIndex2Constraints = trapezoidal
         kind = kind_of("SetSolver", solverType)
         if kind == "explicit":
-            integration.explicitIntegration.dynamicSolverType = solverType
+            integration.solverType = integration.explicitIntegration.dynamicSolverType = solverType
         classes = {
             "implicit": exu.MainSolverImplicitSecondOrder,
             "diagonally implicit": exu.MainSolverDiagonallyImplicit,

@@ -12,14 +12,17 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import check_integer, shape_error
+from dalembert._io.output_paths import CreateDirectoryForFile, OutputFilePath
 
 __all__ = [
     "ClearWorkspace",
+    "CreateDirectoryForFile",
     "DiagonalMatrix",
     "GaussIntegrate",
     "LobattoIntegrate",
     "NormL2",
     "Normalize",
+    "OutputFilePath",
     "ScalarMult",
     "SmartRound2String",
     "Tilde2Vec",

@@ -11,6 +11,7 @@ from dalembert import _core
 from dalembert._calls import check_given
 from dalembert._checks import as_number, as_positive, check_integer, check_type, shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, Print
+from dalembert._io.output_paths import OutputFilePath
 from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution, check_solution_of
 from dalembert._tools import dialog_items
 
@@ -280,7 +281,7 @@ def solution_of_last_simulation(mbs: Any, caller: str) -> dict[str, Any]:
     name = settings.coordinatesSolutionFileName
     if "." not in name:
         name += ".sol" if settings.binarySolutionFile else ".txt"
-    return LoadSolutionFile(name)
+    return LoadSolutionFile(OutputFilePath(name))
 
 
 def SolutionViewer(

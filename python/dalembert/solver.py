@@ -12,7 +12,7 @@ from dalembert import _core
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings
 from dalembert._solving.diagnosis import CheckSolverInfoStatistics, FinishedNotTrusted, SolverError, SolverErrorMessage
 from dalembert._solving.half_turns import warn_of_half_turns
-from dalembert._solving.integrators import kind_of, trapezoidal_rule
+from dalembert._solving.integrators import chosen_method, kind_of, trapezoidal_rule
 from dalembert._solving.linearized import (
     ComputeLinearizedSystem,
     ComputeODE2Eigenvalues,
@@ -82,8 +82,10 @@ def _knows_settings(solve: Callable[..., Finished]) -> Callable[..., Finished]:
     @functools.wraps(solve)
     def call(*arguments: Any, **options: Any) -> Finished:
         if unknown := next((name for name in options if name not in names), None):
-            group = "staticSolver" if solve.__name__ == "SolveStatic" else "timeIntegration"
-            paths = sorted(paths_of_setting(unknown), key=lambda path: not path.startswith(group))
+            groups = ("staticSolver", "timeIntegration")
+            group, other = groups if solve.__name__ == "SolveStatic" else reversed(groups)
+            paths = [path for path in paths_of_setting(unknown) if not path.startswith(f"{other}.")]
+            paths.sort(key=lambda path: not path.startswith(group))
             hint = f"; it is a setting: simulationSettings.{paths[0]}" if paths else nearest(unknown, names)
             hint = hint or f"; known are: {', '.join(signature.parameters)}"
             raise TypeError(f"{solve.__name__}: unknown argument '{unknown}'{hint}")
@@ -104,8 +106,8 @@ def SolveStatic(
     """Find the static equilibrium by the settings in staticSolver; return True, or FinishedNotTrusted with doubts.
 
     storeSolver keeps the solver in mbs.sys['staticSolver']; updateInitialValues starts the next simulation from the
-    result. SolverError (a ValueError) carries the diagnosis if there is no solution, without items unless
-    showCausingItems; its advice is there whether or not showHints is set. False, with a warning, if
+    result. SolverError (a RuntimeError and a ValueError) carries the diagnosis if there is no solution, without items
+    unless showCausingItems; its advice is there whether or not showHints is set. False, with a warning, if
     exu.special.solver.timeout has ended it early: the system is in the state of the last load step, and initial
     values stay.
     """
@@ -129,7 +131,7 @@ def SolveStatic(
 def SolveDynamic(
     mbs: Any,
     simulationSettings: SimulationSettings | None = None,
-    solverType: DynamicSolverType = DynamicSolverType.GeneralizedAlpha,
+    solverType: DynamicSolverType | None = None,
     updateInitialValues: bool = False,
     storeSolver: bool = True,
     showHints: bool = False,
@@ -138,15 +140,19 @@ def SolveDynamic(
 ) -> Finished:
     """Integrate the equations of motion by the settings in timeIntegration; return True, or FinishedNotTrusted.
 
-    solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2, ESDIRK43) and explicit methods. storeSolver
-    keeps the solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result.
-    SolverError (a ValueError) carries the diagnosis if a step cannot be solved, without items unless showCausingItems;
-    its advice is there whether or not showHints is set. False, with a warning, if exu.special.solver.timeout has
-    ended it early: the system is in the state of the last completed step, and initial values stay. A simulation that is
-    ended by a user function (PreStep, PostStep), by mbs.SetRenderEngineStopFlag(True) or in the render window returns
-    True; mbs.sys['dynamicSolver'].output has the cause.
+    solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2, ESDIRK43) and explicit methods; None:
+    timeIntegration.solverType, whose default is GeneralizedAlpha. storeSolver keeps the solver in
+    mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result. SolverError (a
+    RuntimeError and a ValueError) carries the diagnosis if a step cannot be solved, without items unless
+    showCausingItems; its advice is there whether or not showHints is set. False, with a warning, if
+    exu.special.solver.timeout has ended it early: the system is in the state of the last completed step, and initial
+    values stay. A simulation that is ended by a user function (PreStep, PostStep), by
+    mbs.SetRenderEngineStopFlag(True) or in the render window returns True; mbs.sys['dynamicSolver'].output has the
+    cause.
     """
     settings = given_or_default("SolveDynamic", simulationSettings)
+    if solverType is None:
+        solverType = settings.timeIntegration.solverType
     kind = kind_of("SolveDynamic", solverType)
     assemble_if_needed("SolveDynamic", mbs, autoAssemble)
     slot = "dynamicSolver" if storeSolver else None
@@ -165,7 +171,8 @@ def SolveDynamic(
     else:
         settings.timeIntegration.explicitIntegration.dynamicSolverType = solverType
         solver = _core.MainSolverExplicit()
-        success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
+        with chosen_method(settings, solverType):
+            success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
         evaluations = solver.it.currentStepIndex * solver.GetNumberOfStages()
     CheckSolverInfoStatistics(solver.GetSolverName(), allocations, evaluations)
     if success and updateInitialValues:

@@ -19,7 +19,7 @@ exu.NodeType.RotationEulerParameter  # attr-defined
 exu.SimulationSettings().timeIntegration.numberOfStep = 1  # attr-defined
 exu.SimulationSettings().timeIntegration.verboseMode = "a lot"  # assignment
 mbs.AddNode(ObjectMassPoint())  # arg-type
-mbs.AddObject(ObjectMassPoint(mass=1))  # call-arg
+mbs.AddObject(ObjectMassPoint(weight=1))  # call-arg
 mbs.AddObject(ObjectMassPoint(nodeNumber=marker))  # arg-type
 mbs.AddObject(ObjectConnectorSpringDamper(springForceUserFunction=force))  # arg-type
 mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType="Position"))  # arg-type

@@ -91,6 +91,32 @@ def test_frequencies_of_a_free_square() -> None:
     assert found[6:11] == pytest.approx([13.468, 19.596, 24.270, 34.801, 34.801], rel=8e-3)
 
 
+def test_damping_is_proportional_to_stiffness() -> None:
+    """At rest, the tangent by velocities is that by positions, times the factors of membrane and of bending."""
+
+    def tangents(membrane: float, bending: float) -> tuple[np.ndarray, np.ndarray]:
+        plate = Plate(2, 1, 1.0, 0.6, 0.1, 1e3, 0.3, TURN)
+        for element in plate.elements:
+            plate.mbs.SetObjectParameter(element, "stiffnessProportionalDamping", membrane)
+            plate.mbs.SetObjectParameter(element, "bendingStiffnessProportionalDamping", bending)
+        plate.mbs.Assemble()
+        state = testing.State(plate.mbs)
+        by_position, by_velocity = (
+            testing.tangent(plate.mbs, state, cq=1 - which, cv=which, ca=0)[: len(state.q), : len(state.q)]
+            for which in (0, 1)
+        )
+        return by_position, by_velocity
+
+    stiffness, both = tangents(0.02, -1)
+    scale = np.abs(stiffness).max()
+    np.testing.assert_allclose(both, 0.02 * stiffness, rtol=0, atol=1e-14 * scale)
+    of_membrane, of_bending = tangents(0.02, 0)[1], tangents(0, 0.05)[1]
+    np.testing.assert_allclose(of_membrane + 0.4 * of_bending, both, rtol=0, atol=1e-14 * scale)
+    sizes = [np.linalg.matrix_rank(D, tol=1e-10 * np.abs(D).max()) for D in (of_membrane, of_bending)]
+    assert sum(sizes) >= np.linalg.matrix_rank(stiffness, tol=1e-10 * scale) and min(sizes) > 0
+    assert not tangents(0, -1)[1].any()
+
+
 def square(n: int, support: str, poisson: float = 0.3) -> Plate:
     """Side 1 m, thickness 1 cm; edges do not move, and do not turn if they are clamped."""
     plate = Plate(n, n, 1.0, 1.0, 0.01, 1e9, poisson)

@@ -57,4 +57,5 @@ def test_stub(item: Item) -> None:
     init = next(n for n in stubs()[item.name].body if isinstance(n, ast.FunctionDef) and n.name == "__init__")
     arguments = [a.arg for a in (*init.args.args, *init.args.kwonlyargs)][1:]
     rows = [row.name for row in item.parameters if not row.internal and row.name != "name"]
-    assert arguments == ["name", *rows, "visualization"]
+    others = [alias for row in item.parameters if not row.internal for alias in row.aliases]
+    assert arguments == ["name", *rows, "visualization", *others, *(each.name for each in item.transformations)]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from exemptions import GLOBAL_AXES, GLOBAL_FUNCTIONS, GLOBAL_MARKER, GLOBAL_WHEN_PARTIAL
 from motions import KINDS, Place, random_rotation
-from scenes import ITEMS, Scene, moves_as_point
+from scenes import ITEMS, Scene, moves_as_point, output_of
 from test_momentum import in_touch
 from variants import ALL_VARIANTS, Variant
 
@@ -132,8 +132,11 @@ def told(scene: Scene) -> dict[str, np.ndarray]:
             local = (np.array([0.3, -0.2, 0 if scene.planar else 0.1]) * (not point),) if body else ()
             get = scene.mbs.GetObjectOutputBody if body else scene.mbs.GetObjectOutput
             name = "RelativePosition" if (item.name, output.name) in RELATIVE else output.name
+            name = "PointTransformation" if point and output.name == "HomogeneousTransformation" else name
             name = "Director1" if (item.name, output.name) in IN_GLOBAL_AXES else name
-            outputs[f"{int(number)} {name} {output.name}"] = np.atleast_1d(get(number, variable, *local))
+            value = output_of(get, number, variable, *local)
+            if value is not None:
+                outputs[f"{int(number)} {name} {output.name}"] = np.atleast_1d(value)
     return outputs
 
 
@@ -157,6 +160,10 @@ def check_accelerations(variant: Variant) -> None:
             wanted = place.point(value)
         elif name == "RotationMatrix":
             wanted = (place.turn @ value.reshape(3, 3)).ravel()
+        elif name == "HomogeneousTransformation":
+            wanted = exu.HT(place.turn @ value[:3, :3], place.point(value[:3, 3])).HT44()
+        elif name == "PointTransformation":  # without orientation
+            wanted = exu.HT(value[:3, :3], place.point(value[:3, 3])).HT44()
         elif name in TURNING and len(value) == 3:
             wanted = place.turn @ value
         scale = max(1, np.abs(value).max())

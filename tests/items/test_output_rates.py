@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from exemptions import NO_FORCES, NOT_OF_RATES, NOT_OF_VALUES, RATE_OF_OUTPUTS
 from motions import KINDS
-from scenes import ITEMS, Scene, is_ground, moves_as_point, on_one_frame
+from scenes import ITEMS, Scene, is_ground, moves_as_point, on_one_frame, output_of
 from scipy.spatial.transform import Rotation
 from test_momentum import effect, in_touch
 from test_virtual_work import free_equations
@@ -47,10 +47,12 @@ def read_all(scene: Scene, kind: str, number: Any, item: Item, configuration: An
         point = moves_as_point(item)
         place = (np.array([0.3, -0.2, 0.0 if scene.planar else 0.1]) * (not point),)
     read = getattr(scene.mbs, f"Get{kind}Output" + ("Body" if place else ""))
-    return {
-        output.name: np.atleast_1d(read(number, getattr(exu.OutputVariableType, output.name), *place, configuration))
-        for output in item.outputs
-    }
+    found = {}
+    for output in item.outputs:
+        value = output_of(read, number, getattr(exu.OutputVariableType, output.name), *place, configuration)
+        if value is not None:
+            found[output.name] = np.atleast_1d(value)
+    return found
 
 
 def items_of(scene: Scene) -> list[tuple[str, int, Item]]:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from exemptions import WITHOUT_EFFECT
-from scenes import Scene, random_direction
+from scenes import Scene, output_of, random_direction
 from test_outputs import find, reader
 from test_refused_changes import ROWS, accessors
 from variants import Variant, variants_with
@@ -53,7 +53,9 @@ def effects(scene: Scene, item: Item) -> Iterator[Any]:
         with suppress(ValueError):  # it has others
             yield mbs.GetMarkerOutput(number, variable)
     for output in item.outputs:
-        yield reader(scene, item)(getattr(Variable, output.name), Configuration.Current)
+        value = output_of(reader(scene, item), getattr(Variable, output.name), Configuration.Current)
+        if value is not None:
+            yield value
 
 
 def others(row: Parameter, value: Any, rng: np.random.Generator) -> list[Any]:

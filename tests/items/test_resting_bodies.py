@@ -43,6 +43,7 @@ def test_outputs_are_those_of_a_body_at_rest(carrier: tuple[str, str]) -> None:
     reference = scene.mbs.GetNode(resting.nodes[0])["referenceCoordinates"]
     wanted = {output.name: np.zeros(output.size) for output in ITEMS[carrier[0]].outputs}
     wanted |= {"Position": reference + LOCAL, "RotationMatrix": np.eye(3).ravel()}
+    wanted["HomogeneousTransformation"] = exu.HT(translation=reference + LOCAL).HT44()
     for _ in range(2):
         for name, value in wanted.items():
             for configuration in CONFIGURATIONS:

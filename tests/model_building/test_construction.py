@@ -22,8 +22,15 @@ def each_row(*conditions: Any) -> Any:
 
 @each_item
 def test_signature_is_that_of_the_spec(item: Item) -> None:
-    names = list(inspect.signature(CLASSES[item.name]).parameters)
-    assert names == ["name", *(row.name for row in parameters(item)), "visualization"]
+    signature = inspect.signature(CLASSES[item.name]).parameters
+    named_only = [name for name, each in signature.items() if each.kind == each.KEYWORD_ONLY]
+    aliases = [alias for row in parameters(item) for alias in row.aliases]
+    assert named_only == [*aliases, *(each.name for each in item.transformations)]
+    assert [*signature][: -len(named_only) or None] == [
+        "name",
+        *(row.name for row in parameters(item)),
+        "visualization",
+    ]
 
 
 @each_item

@@ -31,6 +31,7 @@ from dalembert import (
     utilities,
 )
 from dalembert._core import _parameters_of
+from dalembert.advancedUtilities import CreateLoadEnergySensor, LoadPotentialEnergy
 from dalembert.create import _interface
 from dalembert.create._arguments import REFERENCES
 from dalembert.rigidBodyUtilities import HTtranslate, InertiaCuboid
@@ -361,6 +362,8 @@ CASES: dict[str, tuple[str, Callable[[Any, Any], Any]]] = {
         "Marker",
         lambda mbs, item: _interface.GetMarkersPosRot(mbs, "", [item, "base"], [0] * 3, [0] * 3, True, True),
     ),
+    "LoadPotentialEnergy.loadNumber": ("Load", LoadPotentialEnergy),
+    "CreateLoadEnergySensor.loadNumber": ("Load", CreateLoadEnergySensor),
     "AddSphereWithMarker.markerIndex": ("Marker", contact("AddSphereWithMarker", radius=1)),
     "AddTrianglesRigidBodyBased.rigidBodyMarkerIndex": (
         "Marker",

@@ -115,7 +115,7 @@ def test_files_of_examples_keep_to_the_schema(item: Item, tmp_path: Path) -> Non
     ("edit", "path", "words"),
     [
         ({"physicsMass": -3}, ["objects", 0, "physicsMass"], "less than the minimum"),
-        ({"mass": 3}, ["objects", 0], "'mass' was unexpected"),
+        ({"weight": 3}, ["objects", 0], "'weight' was unexpected"),
         ({"type": "ObjectMasPoint"}, ["objects", 0, "type"], "'ObjectMasPoint' is not one of"),
     ],
 )

@@ -71,12 +71,13 @@ def test_outputs_before_assembling_name_the_item(mbs: exu.MainSystem) -> None:
             mbs.GetObjectOutputBody(body, exu.OutputVariableType.Force, [0, 0, 0], exu.ConfigurationType.Reference)
 
 
-def test_unknown_keys_of_dictionaries_are_ignored_with_a_warning(mbs: exu.MainSystem) -> None:
+def test_unknown_keys_of_dictionaries_are_refused(mbs: exu.MainSystem) -> None:
     text = r"mbs\.AddNode\(\.\.\.\): NodePoint: there is no parameter 'initialVelocity'\. Did you mean 'initialVelocities'\?"
-    with pytest.warns(UserWarning, match=text + " The entry is ignored"):
-        number = mbs.AddNode({"nodeType": "Point", "referenceCoordinates": [1, 2, 3], "initialVelocity": [1, 0, 0]})
-    assert mbs.GetNode(number)["referenceCoordinates"].tolist() == [1, 2, 3]
-    assert mbs.GetNode(number)["initialVelocities"].tolist() == [0, 0, 0]
+    before = mbs.systemData.NumberOfNodes()
+    with pytest.raises(ValueError, match=text):
+        mbs.AddNode({"nodeType": "Point", "referenceCoordinates": [1, 2, 3], "initialVelocity": [1, 0, 0]})
+    assert mbs.systemData.NumberOfNodes() == before
+    number = mbs.AddNode({"nodeType": "Point", "referenceCoordinates": [1, 2, 3]})
     with pytest.raises(ValueError, match="there is no parameter 'initialVelocity'"):
         mbs.ModifyNode(number, {"initialVelocity": [1, 0, 0]})
 

@@ -97,7 +97,7 @@ def test_errors_of_models_keep_their_traceback(tmp_path):
 def test_info(capsys):
     assert cli.main(["info"]) == 0
     out = capsys.readouterr().out
-    assert "interface" in out and "1.11.0" in out and "node types" in out
+    assert "interface" in out and "1.13.6" in out and "node types" in out
 
 
 def test_all_items_are_listed(capsys):
@@ -111,7 +111,7 @@ def test_parameters_of_an_item(capsys):
     assert cli.main(["items", "MassPoint"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].startswith("ObjectMassPoint")
-    assert "    physicsMass: float = 0.0, >= 0, unit kg" in lines
+    assert "    physicsMass: float = 0.0, >= 0, unit kg; also named mass" in lines
     assert "    Position: 3 numbers, unit m" in lines
 
 

@@ -37,6 +37,7 @@ def test_flags() -> None:
     assert flags == {
         "AccessFunctionType",
         "LinearSolverType",
+        "MarkerType",
         "NodeGroup",
         "NodeType",
         "ObjectType",

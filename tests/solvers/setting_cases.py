@@ -123,6 +123,7 @@ GENERAL: dict[str, Case] = {
     "linearSolverSettings.showCausingItems": Case(
         False, named("twice"), models.redundant, {"redundantConstraints.treat": False}, solver="static"
     ),
+    "continuation.ifAvailable": Case(True, solved, given={"solutionSettings.restartFileName": "/dev/null"}),
     "continuation.restartFileName": Case("/dev/null", solved),
     "events.ofItems": Case(True, motion, models.stopping),
     "denseOutput.atRequestedTimes": Case(True, times, given={"solutionSettings.sensorsWritePeriod": 0.15}),
@@ -262,6 +263,7 @@ DYNAMIC: dict[str, Case] = {
     "relativeTolerance": Case(1e-2, steps, solver=CONTROLLED, given={"absoluteTolerance": 1e-12}),
     "reuseConstantMassMatrix": Case(False, says("massMatrix"), solver="RK44", given=MEASURED),
     "simulateInRealtime": Case(True, waits_longer_than(0.05), given=MEASURED),
+    "solverType": Case(exu.DynamicSolverType.ExplicitEuler, motion, solver="MainSolverExplicit"),
     "startTime": Case(0.5, times),
     "stepSizeMaxIncrease": Case(1.1, steps, solver=CONTROLLED, given={"initialStepSize": 1e-4}),
     "stepSizeSafety": Case(0.3, steps, solver=CONTROLLED),

@@ -74,7 +74,7 @@ class Finding(AssertionError):
 
 def is_own(error: BaseException) -> bool:
     text = str(error)
-    if isinstance(error, RuntimeError) and not isinstance(error, (NotImplementedError, RecursionError)):
+    if isinstance(error, RuntimeError) and not isinstance(error, (NotImplementedError, RecursionError, ValueError)):
         return text.startswith(NAMED) and not any(word in text for word in INTERNAL)
     return isinstance(error, (*REFUSALS, *FROM_FUNCTIONS)) and bool(text) and not any(w in text for w in INTERNAL)
 

@@ -90,8 +90,11 @@ const Row* find_row(const ItemType& type, std::string_view name) {
 
 std::string suggest_parameter(const ItemType& type, std::string_view name) {
   std::vector<std::string> names;
-  for (const Row& row : type.rows)
-    names.push_back((row.role == Role::visualization ? "V" : "") + std::string(row.name));
+  for (const Row& row : type.rows) {
+    const std::string prefix = row.role == Role::visualization ? "V" : "";
+    names.push_back(prefix + std::string(row.name));
+    for (const std::string_view alias : row.aliases) names.push_back(prefix + std::string(alias));
+  }
   return suggest_parameter(type, name, {names.begin(), names.end()});
 }
 
@@ -113,7 +116,7 @@ std::string_view variable_name(OutputVariableType variable) {
   for (const EnumTable& table : enum_tables())
     if (table.name == "OutputVariableType")
       for (const EnumEntry& entry : table.entries)
-        if (entry.value == static_cast<std::uint32_t>(variable)) return entry.name;
+        if (entry.value == static_cast<std::uint64_t>(variable)) return entry.name;
   return "_None";
 }
 

@@ -27,6 +27,20 @@ FileIdentity identity_of(const std::string& name) {
   return {status.st_dev, status.st_ino};
 }
 
+std::string& output_directory() {
+  static std::string directory;
+  return directory;
+}
+
+std::string output_path(const std::string& name) {
+  const std::string& directory = output_directory();
+  if (directory.empty() || name.empty()) return name;
+  if (std::filesystem::path(name).is_absolute())
+    refuse(ErrorKind::value, {.item = "exu.config", .parameter = "outputDirectory", .problem = "is '" + directory + "', but the name of a file is absolute",
+                              .received = name, .expected = "a relative name", .advice = "Set exu.config.outputDirectory = ''."});
+  return (std::filesystem::path(directory) / name).string();
+}
+
 void make_folder_of(const std::string& name) {
   const auto folder = std::filesystem::path(name).parent_path();
   std::error_code ignored;

@@ -33,8 +33,8 @@ void SensorRecorder::open(const SimulationSettings& settings, const std::vector<
     const SensorChannel& c = channels[i];
     if (c.write_to_file && !c.file_name.empty()) {
       const std::string purpose = "file of sensor " + std::to_string(i);
-      if (i < lengths.size()) files_[i].resume(c.file_name, lengths[i], purpose);
-      else files_[i].open(c.file_name, s.sensorsAppendToFile, purpose);
+      if (i < lengths.size()) files_[i].resume(output_path(c.file_name), lengths[i], purpose);
+      else files_[i].open(output_path(c.file_name), s.sensorsAppendToFile, purpose);
       targets_[i].file = &files_[i];
     }
     if (storage == nullptr || !c.store_internal) continue;

@@ -113,14 +113,14 @@ void SolutionFile::open(const SimulationSettings& settings) {
   binary_ = s.binarySolutionFile;
   single_precision_ = s.outputPrecision < 8;
   headed_ = !s.writeFileHeader;
-  file_.open(name(settings), s.appendToFile && !binary_, purpose);
+  file_.open(output_path(name(settings)), s.appendToFile && !binary_, purpose);
 }
 
 void SolutionFile::resume(const SimulationSettings& settings, double length) {
   binary_ = settings.solutionSettings.binarySolutionFile;
   single_precision_ = settings.solutionSettings.outputPrecision < 8;
   headed_ = true;
-  file_.resume(name(settings), length, purpose);
+  file_.resume(output_path(name(settings)), length, purpose);
 }
 
 void SolutionFile::write_header(const SimulationSettings& settings, const RunDescription& run, const Sizes& sizes) {

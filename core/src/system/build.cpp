@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "batch_table.hpp"
+#include "dalembert/batches/turned_marker.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/system/parts.hpp"
@@ -221,17 +222,21 @@ class Builder {
     const void* record = item.record.get();
     physics.check(record, p, parts_.ports, {model_, ItemKind::marker, number});
     marker_regions_.push_back(region_of(ItemKind::marker, number));
+    const Row* const turn = row_of_turn(*item.type, record);
+    const Mat3<double> rotation = turn == nullptr ? identity<double>() : *static_cast<const Mat3<double>*>(member(record, *turn));
     GrowingBatch<MarkerBatch>* growing = nullptr;
     if (physics.passes_frame(shape, local, record)) {
       record = &local;
-      growing = &frame_batch(number, place, shape, p);
+      growing = &frame_batch(number, place, shape, p, turn != nullptr);
     } else {
       const std::vector<int> chosen = physics.coordinates(record, p);
       select(p, chosen, number);
-      const auto make = [&] { return physics.make_batch(*p.owner_type, placing_.node_types(p.nodes)); };
-      growing = &batch_of(marker_batches_, item.type, *p.owner_type, make, ItemKind::marker, number);
+      const auto make = [&] { return turned(physics.make_batch(*p.owner_type, placing_.node_types(p.nodes)), turn != nullptr); };
+      const void* const variant = turn != nullptr ? static_cast<const void*>(turn) : item.type;
+      growing = &batch_of(marker_batches_, variant, *p.owner_type, make, ItemKind::marker, number);
     }
     MarkerBatch& batch = *growing->batch;
+    if (turn != nullptr) static_cast<TurnedMarkers&>(batch).next(rotation);
     const auto forces_before = static_cast<int>(parts_.ports.forces.size());
     parts_.ports.append(batch.value_count(record, p), batch.force_count(record, p), p.dofs, batch.translations());
     numbers_of(marker_regions_.back()).forces.add(forces_before, static_cast<int>(parts_.ports.forces.size()) - forces_before);
@@ -241,18 +246,27 @@ class Builder {
     parts_.markers.push_back(std::move(place));
   }
 
-  GrowingBatch<MarkerBatch>& frame_batch(int number, const MarkerPlace& place, FrameShape shape, const Placement& p) {
-    const auto make = [&]() -> std::unique_ptr<MarkerBatch> {
-      if (place.object >= 0) return physics(parts_.objects[place.object]).make_marker(shape, placing_.node_types(p.nodes));
-      return parts_.nodes[place.node].physics->make_marker(shape);
+  // The row of a marker's own rotation; nullptr if it does not turn its frame.
+  static const Row* row_of_turn(const ItemType& type, const void* record) {
+    const Row* row = find_row(type, "localRotation");
+    return row == nullptr || *static_cast<const Mat3<double>*>(member(record, *row)) == identity<double>() ? nullptr : row;
+  }
+  static std::unique_ptr<MarkerBatch> turned(std::unique_ptr<MarkerBatch> batch, bool turns) {
+    if (!turns || batch == nullptr) return batch;
+    return std::make_unique<TurnedMarkers>(std::move(batch));
+  }
+  GrowingBatch<MarkerBatch>& frame_batch(int number, const MarkerPlace& place, FrameShape shape, const Placement& p, bool turns) {
+    const auto make = [&] {
+      return turned(place.object >= 0 ? physics(parts_.objects[place.object]).make_marker(shape, placing_.node_types(p.nodes))
+                                      : parts_.nodes[place.node].physics->make_marker(shape), turns);
     };
-    return batch_of(marker_batches_, tag(shape), *p.owner_type, make, ItemKind::marker, number);
+    return batch_of(marker_batches_, tag(shape, turns), *p.owner_type, make, ItemKind::marker, number);
   }
 
   // Frame markers of one shape share batches for all types: the key contains the shape instead of the type.
-  static const void* tag(FrameShape shape) {
-    static constexpr char tags[3] = {};
-    return &tags[static_cast<int>(shape)];
+  static const void* tag(FrameShape shape, bool turns) {
+    static constexpr char tags[6] = {};
+    return &tags[static_cast<int>(shape) + (turns ? 3 : 0)];
   }
 
   // Restricts the coordinates under a marker to the selected ones.

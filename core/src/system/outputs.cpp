@@ -17,6 +17,15 @@ using Variable = OutputVariableType;
 using Values = std::vector<double>;
 
 void assign(const Vec3<double>& v, Values& values) { values.assign(v.x.begin(), v.x.end()); }
+// A 4 x 4 matrix, row by row.
+void assign_transformation(const Mat3<double>& rotation, const Vec3<double>& position, Values& values) {
+  values.assign(16, 0.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::copy_n(rotation.x.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, values.begin() + static_cast<std::ptrdiff_t>(4 * i));
+    values[4 * i + 3] = position[static_cast<int>(i)];
+  }
+  values[15] = 1;
+}
 Values slice(const std::vector<double>& from, int first, int count) {
   return first < 0 ? Values{} : Values(from.begin() + first, from.begin() + first + count);
 }
@@ -24,6 +33,11 @@ Values slice(const std::vector<double>& from, int first, int count) {
 [[noreturn]] void no_output(const std::string& item, Variable variable, std::span<const Variable> available) {
   refuse(ErrorKind::value, {item, "", "has no output variable " + std::string(variable_name(variable)), "",
                             available.empty() ? "" : "one of " + variable_names(available), ""});
+}
+
+[[noreturn]] void unknown_energy(const std::string& item, Variable variable) {
+  refuse(ErrorKind::value, {item, "", std::string(variable_name(variable)) + " is not available, because a user function defines its forces or masses", "", "",
+                            "Use dalembert.physics.ComputeEnergies(mbs), which integrates the forces along a path"});
 }
 
 // Outputs of a motion; `reference()` returns the motion of the same point in the reference configuration.
@@ -48,6 +62,7 @@ bool frame_output(Variable variable, const Motion<double>& m, Reference&& refere
     case Variable::AngularVelocityLocal: return local(m.angular_velocity);
     case Variable::AngularAcceleration: return global(m.angular_acceleration);
     case Variable::AngularAccelerationLocal: return local(m.angular_acceleration);
+    case Variable::HomogeneousTransformation: assign_transformation(m.rotation, m.position, values); return true;
     default: return false;
   }
 }
@@ -116,6 +131,12 @@ class PortsFor {
   SystemParts& parts_;
   AlignedVector<double> kept_;
 };
+
+// Rotation from the joint frame at marker 0 or 1 to the frame of the marker.
+Mat3<double> rotation_at_marker(const ItemType& type, const void* record, std::size_t which) {
+  const Row* row = find_row(type, which == 0 ? "rotationMarker0" : "rotationMarker1");
+  return row == nullptr ? identity<double>() : *static_cast<const Mat3<double>*>(member(record, *row));
+}
 
 // The force on the markers of an object, as its own variables of output; -1: another variable.
 int marker_of(Variable variable) {
@@ -263,9 +284,7 @@ void System::wrench_output(int object, Variable variable, ConfigurationType conf
     refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "", "has no output variable " + std::string(variable_name(variable)) +
                               ", because " + parts.describe(ItemKind::marker, marker) + " has no axes", "", "",
                               which == 0 ? "Use WrenchOnMarker0, whose components are in global axes" : "Use WrenchOnMarker1, whose components are in global axes"});
-  Mat3<double> axes = motion.rotation;
-  if (const Row* row = find_row(*place.type, which == 0 ? "rotationMarker0" : "rotationMarker1"))
-    axes = axes * *static_cast<const Mat3<double>*>(member(place.record.get(), *row));
+  const Mat3<double> axes = motion.rotation * rotation_at_marker(*place.type, place.record.get(), which);
   for (std::size_t i = 0; i < 6; i += 3) {
     const Vec3<double> components = transposed_times(axes, Vec3<double>{values[i], values[i + 1], values[i + 2]});
     std::ranges::copy(components.x, values.begin() + static_cast<std::ptrdiff_t>(i));
@@ -289,7 +308,27 @@ void System::body_output(int object, Variable variable, std::array<double, 3> lo
   if (place.markers.count > 0) ports.emplace(parts, configuration);
   const Evaluation e = parts.output_evaluation(state, dofs);
   ports_hold(parts.evaluating ? evaluated_ : nullptr);
+  if (variable == Variable::KineticEnergy || (variable == Variable::PotentialEnergy && place.markers.count == 0)) {
+    if (std::ranges::find(place.type->outputs, variable) == place.type->outputs.end()) no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
+    values.assign(1, 0.0);
+    if (!batch->energy(entry, variable == Variable::KineticEnergy ? Energy::kinetic : Energy::potential, e, values[0])) unknown_energy(parts.describe(ItemKind::object, object), variable);
+    return;
+  }
   if (batch->output(entry, variable, at, e, parts.ports, values)) return;
+  if (variable == Variable::PotentialEnergy && std::ranges::find(place.type->outputs, variable) != place.type->outputs.end())
+    unknown_energy(parts.describe(ItemKind::object, object), variable);
+  if ((variable == Variable::HomogeneousTransformation || variable == Variable::HomogeneousTransformationLocal) && place.markers.count >= 2 &&
+      std::ranges::find(place.type->outputs, variable) != place.type->outputs.end()) {
+    std::array<Motion<double>, 2> joint;
+    const Evaluation whole = parts.output_evaluation(state);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const MarkerPlace& marker = parts.markers[static_cast<std::size_t>(place.markers.of(parts.references)[i])];
+      if (!marker.member.batch->motion(marker.member.entry, whole, joint[i])) no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
+      joint[i].rotation = joint[i].rotation * rotation_at_marker(*place.type, place.record.get(), i);
+    }
+    if (variable == Variable::HomogeneousTransformation) return assign_transformation(joint[0].rotation, joint[0].position, values);
+    return assign_transformation(transpose(joint[0].rotation) * joint[1].rotation, transposed_times(joint[0].rotation, joint[1].position - joint[0].position), values);
+  }
   const State& rest = parts.state(ConfigurationType::Reference);
   if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), &state == &rest, rest, values)) return;
   Motion<double> m;

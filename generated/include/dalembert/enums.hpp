@@ -164,7 +164,7 @@ enum class ObjectType : std::uint32_t {
 };
 
 // quantities that items offer to outputs and sensors; the page of an item lists those that it has, with size and frame
-enum class OutputVariableType : std::uint32_t {
+enum class OutputVariableType : std::uint64_t {
   _None = 0,
   Distance = 1,
   Position = 2,
@@ -201,11 +201,15 @@ enum class OutputVariableType : std::uint32_t {
   StressLocal = 536870912,
   CurvatureLocal = 1073741824,
   ConstraintEquation = 2147483648,
+  KineticEnergy = 4294967296,
+  PotentialEnergy = 8589934592,
+  HomogeneousTransformation = 17179869184,
+  HomogeneousTransformationLocal = 34359738368,
 };
 
 struct EnumEntry {
   std::string_view name;
-  std::uint32_t value;
+  std::uint64_t value;
 };
 
 struct EnumTable {

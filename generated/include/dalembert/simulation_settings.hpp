@@ -48,6 +48,7 @@ struct DiscontinuousSettings {
 
 // going on with a solution that was stopped
 struct ContinuationSettings {
+  bool ifAvailable = false;
   std::string restartFileName = "";
 };
 
@@ -217,6 +218,7 @@ struct TimeIntegrationSettings {
   bool simulateInRealtime = false;
   double startTime = 0.0;
   int stepInformation = 67;
+  DynamicSolverType solverType = DynamicSolverType::GeneralizedAlpha;
   double stepSizeMaxIncrease = 2.0;
   double stepSizeSafety = 0.9;
   int verboseMode = 0;

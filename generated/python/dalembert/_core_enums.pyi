@@ -340,3 +340,11 @@ class OutputVariableType(IntEnum):
     """curvature and twist in the local frame"""
     ConstraintEquation = 2147483648
     """residual of the constraint equations of a constraint or joint"""
+    KineticEnergy = 4294967296
+    """kinetic energy of a body, of all of its points"""
+    PotentialEnergy = 8589934592
+    """energy that a body or connector stores: strain energy, and the potential of forces among its own parameters, such as the gravity of a kinematic tree; loads are not included"""
+    HomogeneousTransformation = 17179869184
+    """position and rotation as a 4 x 4 matrix: from the body frame to the global frame; of joints, frame J0. Output functions return ``exu.HT``, sensors have the 16 entries, row by row"""
+    HomogeneousTransformationLocal = 34359738368
+    """relative position and rotation of joint frame J1 in joint frame J0 as a 4 x 4 matrix"""

@@ -25,6 +25,7 @@ from dalembert._core import (
 )
 from dalembert._core_enums import ConfigurationType, JointType, OutputVariableType
 from dalembert._core_types import Array, MatrixLike
+from dalembert._geometry.rigid_transformation import HT
 
 class _Item(Item):
     """Items convert to dictionaries, and to equal items when pickled or copied."""
@@ -953,6 +954,8 @@ class ObjectGround(_Object):
         """rotation matrix from the ground frame to the global frame [3 x 3; 1]"""
     @referenceRotation.setter
     def referenceRotation(self, value: ArrayLike) -> None: ...
+    referenceHT: HT | ArrayLike
+    """``referencePosition`` and ``referenceRotation`` as ``exu.HT``, or as 4 x 4 matrix"""
     @property
     def visualization(self) -> VObjectGround:
         """how the item is drawn"""
@@ -964,6 +967,8 @@ class ObjectGround(_Object):
         referencePosition: ArrayLike = [0.0, 0.0, 0.0],
         referenceRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         visualization: VObjectGround | dict[str, Any] = ...,
+        *,
+        referenceHT: HT | ArrayLike | None = None,
     ) -> None: ...
 
 class VObjectMass1D(_Visualization):
@@ -988,6 +993,8 @@ class ObjectMass1D(_Object):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
+    """mass; zero is allowed if something else makes the equation of the node regular [kg]"""
+    mass: float
     """mass; zero is allowed if something else makes the equation of the node regular [kg]"""
     @property
     def nodeNumber(self) -> NodeIndex:
@@ -1017,6 +1024,8 @@ class ObjectMass1D(_Object):
         referencePosition: ArrayLike = [0.0, 0.0, 0.0],
         referenceRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         visualization: VObjectMass1D | dict[str, Any] = ...,
+        *,
+        mass: float = ...,
     ) -> None: ...
 
 Mass1D = ObjectMass1D
@@ -1045,6 +1054,8 @@ class ObjectMassPoint(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
     """mass; zero is allowed if something else makes the equations of the node regular [kg]"""
+    mass: float
+    """mass; zero is allowed if something else makes the equations of the node regular [kg]"""
     @property
     def nodeNumber(self) -> NodeIndex:
         """node with a position in space and three displacement coordinates"""
@@ -1061,6 +1072,8 @@ class ObjectMassPoint(_Object):
         physicsMass: float = 0.0,
         nodeNumber: NodeIndex | int | str = -1,
         visualization: VObjectMassPoint | dict[str, Any] = ...,
+        *,
+        mass: float = ...,
     ) -> None: ...
 
 MassPoint = ObjectMassPoint
@@ -1089,6 +1102,8 @@ class ObjectMassPoint2D(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
     """mass; zero is allowed if something else makes the equations of the node regular [kg]"""
+    mass: float
+    """mass; zero is allowed if something else makes the equations of the node regular [kg]"""
     @property
     def nodeNumber(self) -> NodeIndex:
         """node with a position in the plane and two displacement coordinates"""
@@ -1105,6 +1120,8 @@ class ObjectMassPoint2D(_Object):
         physicsMass: float = 0.0,
         nodeNumber: NodeIndex | int | str = -1,
         visualization: VObjectMassPoint2D | dict[str, Any] = ...,
+        *,
+        mass: float = ...,
     ) -> None: ...
 
 MassPoint2D = ObjectMassPoint2D
@@ -1136,16 +1153,28 @@ class ObjectRigidBody(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
     """mass [kg]"""
+    mass: float
+    """mass [kg]"""
     @property
     def physicsInertia(self) -> Array:
         """components :math:`[J_{xx}, J_{yy}, J_{zz}, J_{yz}, J_{xz}, J_{xy}]` of the inertia tensor in the body frame about the reference point, which is the node, and not about the center of mass; off-diagonal components are those of the tensor, :math:`J_{xy} = -\\int x y \\,\\mathrm{d}m` [6; kg m^2]"""
     @physicsInertia.setter
     def physicsInertia(self, value: ArrayLike) -> None: ...
     @property
+    def inertia(self) -> Array:
+        """components :math:`[J_{xx}, J_{yy}, J_{zz}, J_{yz}, J_{xz}, J_{xy}]` of the inertia tensor in the body frame about the reference point, which is the node, and not about the center of mass; off-diagonal components are those of the tensor, :math:`J_{xy} = -\\int x y \\,\\mathrm{d}m` [6; kg m^2]"""
+    @inertia.setter
+    def inertia(self, value: ArrayLike) -> None: ...
+    @property
     def physicsCenterOfMass(self) -> Array:
         """position of the center of mass in the body frame, counted from the node [3; m]"""
     @physicsCenterOfMass.setter
     def physicsCenterOfMass(self, value: ArrayLike) -> None: ...
+    @property
+    def centerOfMass(self) -> Array:
+        """position of the center of mass in the body frame, counted from the node [3; m]"""
+    @centerOfMass.setter
+    def centerOfMass(self, value: ArrayLike) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """node of a rigid body in space"""
@@ -1164,6 +1193,10 @@ class ObjectRigidBody(_Object):
         physicsCenterOfMass: ArrayLike = [0.0, 0.0, 0.0],
         nodeNumber: NodeIndex | int | str = -1,
         visualization: VObjectRigidBody | dict[str, Any] = ...,
+        *,
+        mass: float = ...,
+        inertia: ArrayLike = ...,
+        centerOfMass: ArrayLike = ...,
     ) -> None: ...
 
 RigidBody = ObjectRigidBody
@@ -1195,13 +1228,22 @@ class ObjectRigidBody2D(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
     """mass [kg]"""
+    mass: float
+    """mass [kg]"""
     physicsInertia: float
+    """moment of inertia about the z-axis through the reference point, which is the node, and not through the center of mass [kg m^2]"""
+    inertia: float
     """moment of inertia about the z-axis through the reference point, which is the node, and not through the center of mass [kg m^2]"""
     @property
     def physicsCenterOfMass(self) -> Array:
         """x and y position of the center of mass in the body frame, counted from the node [2; m]"""
     @physicsCenterOfMass.setter
     def physicsCenterOfMass(self, value: ArrayLike) -> None: ...
+    @property
+    def centerOfMass(self) -> Array:
+        """x and y position of the center of mass in the body frame, counted from the node [2; m]"""
+    @centerOfMass.setter
+    def centerOfMass(self, value: ArrayLike) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """node of a rigid body in the plane"""
@@ -1220,6 +1262,10 @@ class ObjectRigidBody2D(_Object):
         physicsCenterOfMass: ArrayLike = [0.0, 0.0],
         nodeNumber: NodeIndex | int | str = -1,
         visualization: VObjectRigidBody2D | dict[str, Any] = ...,
+        *,
+        mass: float = ...,
+        inertia: float = ...,
+        centerOfMass: ArrayLike = ...,
     ) -> None: ...
 
 RigidBody2D = ObjectRigidBody2D
@@ -1247,6 +1293,8 @@ class ObjectRotationalMass1D(_Object):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsInertia: float
+    """moment of inertia about the axis of rotation [kg m^2]"""
+    inertia: float
     """moment of inertia about the axis of rotation [kg m^2]"""
     @property
     def nodeNumber(self) -> NodeIndex:
@@ -1276,6 +1324,8 @@ class ObjectRotationalMass1D(_Object):
         referencePosition: ArrayLike = [0.0, 0.0, 0.0],
         referenceRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         visualization: VObjectRotationalMass1D | dict[str, Any] = ...,
+        *,
+        inertia: float = ...,
     ) -> None: ...
 
 Rotor1D = ObjectRotationalMass1D
@@ -1474,16 +1524,28 @@ class ObjectFFRFreducedOrder(_Object):
     """leave it at False; ``Assemble()`` sets it, when it has found the parameters that follow from others"""
     physicsMass: float
     """total mass [kg]"""
+    mass: float
+    """total mass [kg]"""
     @property
     def physicsInertia(self) -> Array:
         """inertia tensor of the undeformed body about the origin of the body frame [3 x 3; kg m^2]"""
     @physicsInertia.setter
     def physicsInertia(self, value: ArrayLike) -> None: ...
     @property
+    def inertia(self) -> Array:
+        """inertia tensor of the undeformed body about the origin of the body frame [3 x 3; kg m^2]"""
+    @inertia.setter
+    def inertia(self, value: ArrayLike) -> None: ...
+    @property
     def physicsCenterOfMass(self) -> Array:
         """center of mass of the undeformed body in the body frame [3; m]"""
     @physicsCenterOfMass.setter
     def physicsCenterOfMass(self, value: ArrayLike) -> None: ...
+    @property
+    def centerOfMass(self) -> Array:
+        """center of mass of the undeformed body in the body frame [3; m]"""
+    @centerOfMass.setter
+    def centerOfMass(self, value: ArrayLike) -> None: ...
     @property
     def mPsiTildePsi(self) -> Array:
         """coupling of rotations and modes that changes with deformation: block :math:`i, j` is :math:`-\\int \\boldsymbol{\\psi}_i \\times \\boldsymbol{\\psi}_j\\, \\mathrm{d}m`; empty: ``Assemble()`` finds it from ``mPsiTildePsiTilde`` [n x m; various]"""
@@ -1520,6 +1582,11 @@ class ObjectFFRFreducedOrder(_Object):
     @physicsCenterOfMassTilde.setter
     def physicsCenterOfMassTilde(self, value: ArrayLike) -> None: ...
     @property
+    def centerOfMassTilde(self) -> Array:
+        """skew symmetric matrix of the center of mass, found by ``Assemble()`` [3 x 3; m]"""
+    @centerOfMassTilde.setter
+    def centerOfMassTilde(self, value: ArrayLike) -> None: ...
+    @property
     def tempUserFunctionForce(self) -> Array:
         """user forces, a work space of the object [n; various]; computed"""
     @property
@@ -1553,6 +1620,11 @@ class ObjectFFRFreducedOrder(_Object):
         mXRefTildePsiTilde: ArrayLike = [],
         physicsCenterOfMassTilde: ArrayLike = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]],
         visualization: VObjectFFRFreducedOrder | dict[str, Any] = ...,
+        *,
+        mass: float = ...,
+        inertia: ArrayLike = ...,
+        centerOfMass: ArrayLike = ...,
+        centerOfMassTilde: ArrayLike = ...,
     ) -> None: ...
 
 CMSobject = ObjectFFRFreducedOrder
@@ -1783,6 +1855,8 @@ class ObjectKinematicTree(_Object):
         """a name, which may stand for the number of the joint and for that of the link which it carries, or an empty string; empty for no names [n]"""
     @jointNames.setter
     def jointNames(self, value: Sequence[str]) -> None: ...
+    jointHTs: Sequence[HT]
+    """``jointOffsets`` and ``jointTransformations`` as ``exu.HT``, or as 4 x 4 matrix"""
     @property
     def visualization(self) -> VObjectKinematicTree:
         """how the item is drawn"""
@@ -1812,6 +1886,8 @@ class ObjectKinematicTree(_Object):
         linkNames: Sequence[str] = [],
         jointNames: Sequence[str] = [],
         visualization: VObjectKinematicTree | dict[str, Any] = ...,
+        *,
+        jointHTs: Sequence[HT] | None = None,
     ) -> None: ...
 
 KinematicTree = ObjectKinematicTree
@@ -1843,25 +1919,47 @@ class ObjectALEANCFCable2D(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
+    length: float
+    """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
+    """total mass per undeformed length, of the resting and the moving part [kg/m]"""
+    massPerLength: float
     """total mass per undeformed length, of the resting and the moving part [kg/m]"""
     physicsMovingMassFactor: float
     """share of the mass per length that moves along the axis: 1: axially moving beam, 0: no motion; a pipe with fluid lies between [1]"""
+    movingMassFactor: float
+    """share of the mass per length that moves along the axis: 1: axially moving beam, 0: no motion; a pipe with fluid lies between [1]"""
     physicsBendingStiffness: float
+    """bending stiffness: bending moment per curvature [N m^2]"""
+    bendingStiffness: float
     """bending stiffness: bending moment per curvature [N m^2]"""
     physicsAxialStiffness: float
     """axial stiffness: axial force per axial strain [N]"""
+    axialStiffness: float
+    """axial stiffness: axial force per axial strain [N]"""
     physicsBendingDamping: float
+    """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
+    bendingDamping: float
     """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
     physicsAxialDamping: float
     """viscous damping of stretching: axial force per rate of axial strain [N s]"""
+    axialDamping: float
+    """viscous damping of stretching: axial force per rate of axial strain [N s]"""
     physicsReferenceAxialStrain: float
+    """axial strain at which the axial force is zero [1]"""
+    referenceAxialStrain: float
     """axial strain at which the axial force is zero [1]"""
     physicsReferenceCurvature: float
     """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
+    referenceCurvature: float
+    """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
     physicsUseCouplingTerms: bool
     """true: all inertia terms of the axial motion act; false: accelerations of cable and axial coordinate are not coupled, and the latter has a constant mass"""
+    useCouplingTerms: bool
+    """true: all inertia terms of the axial motion act; false: accelerations of cable and axial coordinate are not coupled, and the latter has a constant mass"""
     physicsAddALEvariation: bool
+    """true: the axial coordinate feels the change of strain and curvature energy that its motion brings about; false: this term is left out"""
+    addALEvariation: bool
     """true: the axial coordinate feels the change of strain and curvature energy that its motion brings about; false: this term is left out"""
     @property
     def nodeNumbers(self) -> list[NodeIndex]:
@@ -1895,6 +1993,18 @@ class ObjectALEANCFCable2D(_Object):
         useReducedOrderIntegration: int = 0,
         strainIsRelativeToReference: float = 0.0,
         visualization: VObjectALEANCFCable2D | dict[str, Any] = ...,
+        *,
+        length: float = ...,
+        massPerLength: float = ...,
+        movingMassFactor: float = ...,
+        bendingStiffness: float = ...,
+        axialStiffness: float = ...,
+        bendingDamping: float = ...,
+        axialDamping: float = ...,
+        referenceAxialStrain: float = ...,
+        referenceCurvature: float = ...,
+        useCouplingTerms: bool = ...,
+        addALEvariation: bool = ...,
     ) -> None: ...
 
 ALECable2D = ObjectALEANCFCable2D
@@ -1931,6 +2041,8 @@ class ObjectANCFBeam(_Object):
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
+    length: float
+    """length of the element in its undeformed state; must be positive [m]"""
     sectionData: BeamSection
     """cross section with inertia, stiffness and damping matrices, as a ``BeamSection``"""
     @property
@@ -1957,6 +2069,8 @@ class ObjectANCFBeam(_Object):
         crossSectionPenaltyFactor: ArrayLike = [1.0, 1.0, 1.0],
         crossSectionDamping: ArrayLike = [0.0, 0.0, 0.0],
         visualization: VObjectANCFBeam | dict[str, Any] = ...,
+        *,
+        length: float = ...,
     ) -> None: ...
 
 ANCFBeam = ObjectANCFBeam
@@ -1988,17 +2102,31 @@ class ObjectANCFCable(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
+    length: float
+    """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
+    """mass per undeformed length [kg/m]"""
+    massPerLength: float
     """mass per undeformed length [kg/m]"""
     physicsBendingStiffness: float
     """bending stiffness: bending moment per curvature [N m^2]"""
+    bendingStiffness: float
+    """bending stiffness: bending moment per curvature [N m^2]"""
     physicsAxialStiffness: float
+    """axial stiffness: axial force per axial strain [N]"""
+    axialStiffness: float
     """axial stiffness: axial force per axial strain [N]"""
     physicsBendingDamping: float
     """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
+    bendingDamping: float
+    """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
     physicsAxialDamping: float
     """viscous damping of stretching: axial force per rate of axial strain [N s]"""
+    axialDamping: float
+    """viscous damping of stretching: axial force per rate of axial strain [N s]"""
     physicsReferenceAxialStrain: float
+    """axial strain at which the axial force is zero [1]"""
+    referenceAxialStrain: float
     """axial strain at which the axial force is zero [1]"""
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
@@ -2028,6 +2156,14 @@ class ObjectANCFCable(_Object):
         nodeNumbers: Sequence[NodeIndex | int | str] = [-1, -1],
         useReducedOrderIntegration: int = 0,
         visualization: VObjectANCFCable | dict[str, Any] = ...,
+        *,
+        length: float = ...,
+        massPerLength: float = ...,
+        bendingStiffness: float = ...,
+        axialStiffness: float = ...,
+        bendingDamping: float = ...,
+        axialDamping: float = ...,
+        referenceAxialStrain: float = ...,
     ) -> None: ...
 
 Cable = ObjectANCFCable
@@ -2059,19 +2195,35 @@ class ObjectANCFCable2D(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
+    length: float
+    """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
+    """mass per undeformed length [kg/m]"""
+    massPerLength: float
     """mass per undeformed length [kg/m]"""
     physicsBendingStiffness: float
     """bending stiffness: bending moment per curvature [N m^2]"""
+    bendingStiffness: float
+    """bending stiffness: bending moment per curvature [N m^2]"""
     physicsAxialStiffness: float
+    """axial stiffness: axial force per axial strain [N]"""
+    axialStiffness: float
     """axial stiffness: axial force per axial strain [N]"""
     physicsBendingDamping: float
     """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
+    bendingDamping: float
+    """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
     physicsAxialDamping: float
+    """viscous damping of stretching: axial force per rate of axial strain [N s]"""
+    axialDamping: float
     """viscous damping of stretching: axial force per rate of axial strain [N s]"""
     physicsReferenceAxialStrain: float
     """axial strain at which the axial force is zero [1]"""
+    referenceAxialStrain: float
+    """axial strain at which the axial force is zero [1]"""
     physicsReferenceCurvature: float
+    """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
+    referenceCurvature: float
     """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
@@ -2108,6 +2260,15 @@ class ObjectANCFCable2D(_Object):
         axialForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0] = 0,
         bendingMomentUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0] = 0,
         visualization: VObjectANCFCable2D | dict[str, Any] = ...,
+        *,
+        length: float = ...,
+        massPerLength: float = ...,
+        bendingStiffness: float = ...,
+        axialStiffness: float = ...,
+        bendingDamping: float = ...,
+        axialDamping: float = ...,
+        referenceAxialStrain: float = ...,
+        referenceCurvature: float = ...,
     ) -> None: ...
 
 Cable2D = ObjectANCFCable2D
@@ -2139,9 +2300,18 @@ class ObjectANCFThinPlate(_Object):
         """thickness of the plate: a value, or interpolated values of the nodes [n; m]"""
     @physicsThickness.setter
     def physicsThickness(self, value: ArrayLike) -> None: ...
+    @property
+    def thickness(self) -> Array:
+        """thickness of the plate: a value, or interpolated values of the nodes [n; m]"""
+    @thickness.setter
+    def thickness(self, value: ArrayLike) -> None: ...
     physicsDensity: float
     """mass per volume [kg/m^3]"""
+    density: float
+    """mass per volume [kg/m^3]"""
     physicsMassProportionalDamping: float
+    """damping forces are this factor times mass matrix times velocity [1/s]"""
+    massProportionalDamping: float
     """damping forces are this factor times mass matrix times velocity [1/s]"""
     @property
     def physicsStrainCoefficients(self) -> Matrix3DList:
@@ -2149,10 +2319,20 @@ class ObjectANCFThinPlate(_Object):
     @physicsStrainCoefficients.setter
     def physicsStrainCoefficients(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     @property
+    def strainCoefficients(self) -> Matrix3DList:
+        """stiffness against the strains in the plane, integrated over the thickness; a matrix, or one per node [n x 3 x 3; N/m]"""
+    @strainCoefficients.setter
+    def strainCoefficients(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
+    @property
     def physicsCurvatureCoefficients(self) -> Matrix3DList:
         """stiffness against curvatures and twist, integrated over the thickness; a matrix, or one per node [n x 3 x 3; Nm]"""
     @physicsCurvatureCoefficients.setter
     def physicsCurvatureCoefficients(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
+    @property
+    def curvatureCoefficients(self) -> Matrix3DList:
+        """stiffness against curvatures and twist, integrated over the thickness; a matrix, or one per node [n x 3 x 3; Nm]"""
+    @curvatureCoefficients.setter
+    def curvatureCoefficients(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for a plate that is flat without stress, 1 for a reference configuration without stress [1]"""
     @property
@@ -2172,6 +2352,10 @@ class ObjectANCFThinPlate(_Object):
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
     """integration of the elastic forces: 0: 4 by 4 Gauss points, 1: 3 by 3"""
+    stiffnessProportionalDamping: float
+    """membrane forces of damping are this factor times membrane stiffness times strain rates [s]"""
+    bendingStiffnessProportionalDamping: float
+    """the same for bending stiffness and rates of curvature; negative: ``stiffnessProportionalDamping`` [s]"""
     @property
     def visualization(self) -> VObjectANCFThinPlate:
         """how the item is drawn"""
@@ -2190,7 +2374,15 @@ class ObjectANCFThinPlate(_Object):
         slopesScalingY: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
         nodeNumbers: Sequence[NodeIndex | int | str] = [-1, -1, -1, -1],
         useReducedOrderIntegration: int = 0,
+        stiffnessProportionalDamping: float = 0.0,
+        bendingStiffnessProportionalDamping: float = -1.0,
         visualization: VObjectANCFThinPlate | dict[str, Any] = ...,
+        *,
+        thickness: ArrayLike = ...,
+        density: float = ...,
+        massProportionalDamping: float = ...,
+        strainCoefficients: Sequence[ArrayLike] | Matrix3DList = ...,
+        curvatureCoefficients: Sequence[ArrayLike] | Matrix3DList = ...,
     ) -> None: ...
 
 class VObjectBeamGeometricallyExact(_Visualization):
@@ -2224,6 +2416,8 @@ class ObjectBeamGeometricallyExact(_Object):
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
+    length: float
+    """length of the element in its undeformed state; must be positive [m]"""
     sectionData: BeamSection
     """cross section with inertia, stiffness and damping matrices, as a ``BeamSection``"""
     @property
@@ -2238,6 +2432,8 @@ class ObjectBeamGeometricallyExact(_Object):
         physicsLength: float = 0.0,
         sectionData: BeamSection = ...,
         visualization: VObjectBeamGeometricallyExact | dict[str, Any] = ...,
+        *,
+        length: float = ...,
     ) -> None: ...
 
 Beam3D = ObjectBeamGeometricallyExact
@@ -2274,23 +2470,43 @@ class ObjectBeamGeometricallyExact2D(_Object):
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
+    length: float
+    """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
+    """mass per undeformed length [kg/m]"""
+    massPerLength: float
     """mass per undeformed length [kg/m]"""
     physicsCrossSectionInertia: float
     """mass moment of inertia of the cross section per length, against its rotation [kg m]"""
+    crossSectionInertia: float
+    """mass moment of inertia of the cross section per length, against its rotation [kg m]"""
     physicsBendingStiffness: float
+    """bending stiffness: bending moment per curvature [N m^2]"""
+    bendingStiffness: float
     """bending stiffness: bending moment per curvature [N m^2]"""
     physicsAxialStiffness: float
     """axial stiffness: axial force per axial strain [N]"""
+    axialStiffness: float
+    """axial stiffness: axial force per axial strain [N]"""
     physicsShearStiffness: float
+    """shear stiffness, including the shear correction factor [N]"""
+    shearStiffness: float
     """shear stiffness, including the shear correction factor [N]"""
     physicsBendingDamping: float
     """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
+    bendingDamping: float
+    """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
     physicsAxialDamping: float
+    """viscous damping of stretching: axial force per rate of axial strain [N s]"""
+    axialDamping: float
     """viscous damping of stretching: axial force per rate of axial strain [N s]"""
     physicsShearDamping: float
     """viscous damping of shear: shear force per rate of shear strain [N s]"""
+    shearDamping: float
+    """viscous damping of shear: shear force per rate of shear strain [N s]"""
     physicsReferenceCurvature: float
+    """curvature at which the bending moment is zero [1/m]"""
+    referenceCurvature: float
     """curvature at which the bending moment is zero [1/m]"""
     includeReferenceRotations: bool
     """true: the reference angles of the nodes are the angles of the cross sections; false: only rotations relative to the reference configuration count, and the cross sections are normal to the reference axis"""
@@ -2315,6 +2531,17 @@ class ObjectBeamGeometricallyExact2D(_Object):
         physicsReferenceCurvature: float = 0.0,
         includeReferenceRotations: bool = False,
         visualization: VObjectBeamGeometricallyExact2D | dict[str, Any] = ...,
+        *,
+        length: float = ...,
+        massPerLength: float = ...,
+        crossSectionInertia: float = ...,
+        bendingStiffness: float = ...,
+        axialStiffness: float = ...,
+        shearStiffness: float = ...,
+        bendingDamping: float = ...,
+        axialDamping: float = ...,
+        shearDamping: float = ...,
+        referenceCurvature: float = ...,
     ) -> None: ...
 
 Beam2D = ObjectBeamGeometricallyExact2D
@@ -2495,7 +2722,11 @@ class ObjectConnectorCoordinateSpringDamperExt(_Object):
     """factor of the coordinate of marker m1 [1]"""
     fDynamicFriction: float
     """friction force in sliding, N for lengths: friction coefficient times a constant normal force [various]"""
+    dynamicFrictionForce: float
+    """friction force in sliding, N for lengths: friction coefficient times a constant normal force [various]"""
     fStaticFrictionOffset: float
+    """difference of the largest static and the dynamic friction force, N for lengths; sticking ends at the sum of both [various]"""
+    staticFrictionOffsetForce: float
     """difference of the largest static and the dynamic friction force, N for lengths; sticking ends at the sum of both [various]"""
     stickingStiffness: float
     """stiffness of the bristles in sticking, N/m for lengths; must be positive for friction with ``frictionProportionalZone`` = 0 [various]"""
@@ -2504,6 +2735,8 @@ class ObjectConnectorCoordinateSpringDamperExt(_Object):
     exponentialDecayStatic: float
     """speed by which the static offset falls to 1/e = 36.8 % of its value, m/s for lengths [various]"""
     fViscousFriction: float
+    """growth of the friction force with the speed of sliding, Ns/m for lengths; may be negative [various]"""
+    viscousFrictionFactor: float
     """growth of the friction force with the speed of sliding, Ns/m for lengths; may be negative [various]"""
     frictionProportionalZone: float
     """speed up to which friction is proportional to velocity, m/s for lengths; 0: bristle model with stick and slip, which needs the data node [various]"""
@@ -2552,6 +2785,10 @@ class ObjectConnectorCoordinateSpringDamperExt(_Object):
         activeConnector: bool = True,
         springForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float, float, float], float] | Literal[0] = 0,
         visualization: VObjectConnectorCoordinateSpringDamperExt | dict[str, Any] = ...,
+        *,
+        dynamicFrictionForce: float = ...,
+        staticFrictionOffsetForce: float = ...,
+        viscousFrictionFactor: float = ...,
     ) -> None: ...
 
 CoordinateSpringDamperExt = ObjectConnectorCoordinateSpringDamperExt
@@ -2962,6 +3199,8 @@ class ObjectConnectorRigidBodySpringDamper(_Object):
     def offset(self, value: ArrayLike) -> None: ...
     intrinsicFormulation: bool
     """True: relative motion is measured by the logarithm on SE(3), and forces act in the frame half-way between the markers, such that exchanging the markers changes nothing; False: all is measured in frame J0"""
+    useIntrinsicFormulation: bool
+    """True: relative motion is measured by the logarithm on SE(3), and forces act in the frame half-way between the markers, such that exchanging the markers changes nothing; False: all is measured in frame J0"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     springForceTorqueUserFunction: Callable[[MainSystem, float, int, Array, Array, Array, Array, Array, Array, Array, Array, Array], ArrayLike] | Literal[0]
@@ -2988,6 +3227,8 @@ class ObjectConnectorRigidBodySpringDamper(_Object):
         springForceTorqueUserFunction: Callable[[MainSystem, float, int, Array, Array, Array, Array, Array, Array, Array, Array, Array], ArrayLike] | Literal[0] = 0,
         postNewtonStepUserFunction: Callable[[MainSystem, float, int, Array, Array, Array, Array, Array, Array, Array, Array, Array, Array], ArrayLike] | Literal[0] = 0,
         visualization: VObjectConnectorRigidBodySpringDamper | dict[str, Any] = ...,
+        *,
+        useIntrinsicFormulation: bool = ...,
     ) -> None: ...
 
 RigidBodySpringDamper = ObjectConnectorRigidBodySpringDamper
@@ -3059,6 +3300,8 @@ class ObjectConnectorRollingDiscPenalty(_Object):
     def viscousFriction(self, value: ArrayLike) -> None: ...
     rollingFrictionViscous: float
     """rolling resistance per normal force and per speed of the disc center along the plane; only for a disc with its axis parallel to the plane [s/m]"""
+    rollingViscousFriction: float
+    """rolling resistance per normal force and per speed of the disc center along the plane; only for a disc with its axis parallel to the plane [s/m]"""
     useLinearProportionalZone: bool
     """True: friction grows linearly in the proportional zone, with a constant tangent in sticking; False: quadratically, with a smooth end of the zone"""
     activeConnector: bool
@@ -3086,6 +3329,8 @@ class ObjectConnectorRollingDiscPenalty(_Object):
         useLinearProportionalZone: bool = False,
         activeConnector: bool = True,
         visualization: VObjectConnectorRollingDiscPenalty | dict[str, Any] = ...,
+        *,
+        rollingViscousFriction: float = ...,
     ) -> None: ...
 
 RollingDiscPenalty = ObjectConnectorRollingDiscPenalty
@@ -3272,6 +3517,8 @@ class ObjectConnectorCoordinate(_Object):
     """prescribed value of ``factorValue1`` times the second coordinate minus the first one; with ``velocityLevel`` the same for the velocity coordinates [various]"""
     factorValue1: float
     """factor of the coordinate of marker m1, such as a gear ratio [1]"""
+    factor1: float
+    """factor of the coordinate of marker m1, such as a gear ratio [1]"""
     velocityLevel: bool
     """True: the constraint is set for the velocity coordinates, and ``offset`` is a velocity; ``offsetUserFunction`` is then ignored; only for coordinates of second order equations"""
     offsetUserFunction: Callable[[MainSystem, float, int, float], float] | Literal[0]
@@ -3296,6 +3543,8 @@ class ObjectConnectorCoordinate(_Object):
         offsetUserFunction_t: Callable[[MainSystem, float, int, float], float] | Literal[0] = 0,
         activeConnector: bool = True,
         visualization: VObjectConnectorCoordinate | dict[str, Any] = ...,
+        *,
+        factor1: float = ...,
     ) -> None: ...
 
 CoordinateConstraint = ObjectConnectorCoordinate
@@ -3625,7 +3874,7 @@ class ObjectContactCoordinate(_Object):
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
-        """NodeGenericData with one data coordinate, the gap of the last update; must not be positive if the simulation begins in contact"""
+        """NodeGenericData with one data coordinate, the gap of the last update, which must not be positive if the simulation begins in contact; with an ``impactModel`` other than 0 a second one, the impact velocity"""
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     contactStiffness: float
@@ -3636,6 +3885,14 @@ class ObjectContactCoordinate(_Object):
     """difference of the coordinates at which contact begins; m for lengths [various]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
+    contactStiffnessExponent: float
+    """exponent n of the penetration in the normal force; 1.5 for Hertzian contact [1]"""
+    restitutionCoefficient: float
+    """ratio of normal speeds after and before an impact, for ``impactModel`` 1 and 2; positive, 1: elastic [1]"""
+    minimumImpactVelocity: float
+    """lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more [various]"""
+    impactModel: int
+    """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     @property
     def visualization(self) -> VObjectContactCoordinate:
         """how the item is drawn"""
@@ -3650,6 +3907,10 @@ class ObjectContactCoordinate(_Object):
         contactDamping: float = 0.0,
         offset: float = 0.0,
         activeConnector: bool = True,
+        contactStiffnessExponent: float = 1.0,
+        restitutionCoefficient: float = 1.0,
+        minimumImpactVelocity: float = 0.0,
+        impactModel: int = 0,
         visualization: VObjectContactCoordinate | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -3962,6 +4223,8 @@ class ObjectContactSphereTorus(_Object):
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     radiusSphere: float
     """radius of the sphere at marker m0 [m]"""
+    sphereRadius: float
+    """radius of the sphere at marker m0 [m]"""
     torusMajorRadius: float
     """radius of the center line of the torus [m]"""
     torusMinorRadius: float
@@ -4016,6 +4279,8 @@ class ObjectContactSphereTorus(_Object):
         activeConnector: bool = True,
         limitDamping: bool = False,
         visualization: VObjectContactSphereTorus | dict[str, Any] = ...,
+        *,
+        sphereRadius: float = ...,
     ) -> None: ...
 
 class VObjectContactSphereTriangle(_Visualization):
@@ -4050,6 +4315,8 @@ class ObjectContactSphereTriangle(_Object):
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     radiusSphere: float
+    """radius of the sphere at marker m0 [m]"""
+    sphereRadius: float
     """radius of the sphere at marker m0 [m]"""
     @property
     def trianglePoints(self) -> Vector3DList:
@@ -4102,6 +4369,8 @@ class ObjectContactSphereTriangle(_Object):
         activeConnector: bool = True,
         limitDamping: bool = False,
         visualization: VObjectContactSphereTriangle | dict[str, Any] = ...,
+        *,
+        sphereRadius: float = ...,
     ) -> None: ...
 
 class VObjectJointALEMoving2D(_Visualization):
@@ -4688,6 +4957,8 @@ class ObjectJointSliding2D(_Object):
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     classicalFormulation: bool
     """True: the force along the cable is prescribed, and both components of position are constrained; False: only the normal direction is constrained, by one multiplier"""
+    useClassicalFormulation: bool
+    """True: the force along the cable is prescribed, and both components of position are constrained; False: only the normal direction is constrained, by one multiplier"""
     constrainRotation: bool
     """True: marker m0, then a rigid body marker, keeps its orientation relative to the slope of the cable; False: it rotates freely"""
     axialForce: float
@@ -4711,6 +4982,8 @@ class ObjectJointSliding2D(_Object):
         axialForce: float = 0.0,
         activeConnector: bool = True,
         visualization: VObjectJointSliding2D | dict[str, Any] = ...,
+        *,
+        useClassicalFormulation: bool = ...,
     ) -> None: ...
 
 SlidingJoint2D = ObjectJointSliding2D
@@ -5079,6 +5352,13 @@ class MarkerBodyRigid(_Marker):
     @localPosition.setter
     def localPosition(self, value: ArrayLike) -> None: ...
     @property
+    def localRotation(self) -> Array:
+        """rotation of the marker in the frame that it would have without: joints and body-fixed loads use the turned axes. ``localHT`` sets position and rotation [3 x 3; 1]"""
+    @localRotation.setter
+    def localRotation(self, value: ArrayLike) -> None: ...
+    localHT: HT | ArrayLike
+    """``localPosition`` and ``localRotation`` as ``exu.HT``, or as 4 x 4 matrix"""
+    @property
     def visualization(self) -> VMarkerBodyRigid:
         """how the item is drawn"""
     @visualization.setter
@@ -5088,7 +5368,10 @@ class MarkerBodyRigid(_Marker):
         name: str = '',
         bodyNumber: ObjectIndex | int | str = -1,
         localPosition: ArrayLike = [0.0, 0.0, 0.0],
+        localRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         visualization: VMarkerBodyRigid | dict[str, Any] = ...,
+        *,
+        localHT: HT | ArrayLike | None = None,
     ) -> None: ...
 
 class VMarkerKinematicTreeRigid(_Visualization):
@@ -5119,6 +5402,13 @@ class MarkerKinematicTreeRigid(_Marker):
     @localPosition.setter
     def localPosition(self, value: ArrayLike) -> None: ...
     @property
+    def localRotation(self) -> Array:
+        """rotation of the marker in the frame that it would have without: joints and body-fixed loads use the turned axes. ``localHT`` sets position and rotation [3 x 3; 1]"""
+    @localRotation.setter
+    def localRotation(self, value: ArrayLike) -> None: ...
+    localHT: HT | ArrayLike
+    """``localPosition`` and ``localRotation`` as ``exu.HT``, or as 4 x 4 matrix"""
+    @property
     def visualization(self) -> VMarkerKinematicTreeRigid:
         """how the item is drawn"""
     @visualization.setter
@@ -5129,7 +5419,10 @@ class MarkerKinematicTreeRigid(_Marker):
         objectNumber: ObjectIndex | int | str = -1,
         linkNumber: int | str = -1,
         localPosition: ArrayLike = [0.0, 0.0, 0.0],
+        localRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         visualization: VMarkerKinematicTreeRigid | dict[str, Any] = ...,
+        *,
+        localHT: HT | ArrayLike | None = None,
     ) -> None: ...
 
 class VMarkerNodeCoordinate(_Visualization):
@@ -5287,6 +5580,13 @@ class MarkerNodeRigid(_Marker):
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
+    def localRotation(self) -> Array:
+        """rotation of the marker in the frame that it would have without: joints and body-fixed loads use the turned axes. ``localHT`` sets position and rotation [3 x 3; 1]"""
+    @localRotation.setter
+    def localRotation(self, value: ArrayLike) -> None: ...
+    localHT: HT | ArrayLike
+    """``localRotation`` as ``exu.HT``, or as 4 x 4 matrix"""
+    @property
     def visualization(self) -> VMarkerNodeRigid:
         """how the item is drawn"""
     @visualization.setter
@@ -5295,7 +5595,10 @@ class MarkerNodeRigid(_Marker):
         self,
         name: str = '',
         nodeNumber: NodeIndex | int | str = -1,
+        localRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         visualization: VMarkerNodeRigid | dict[str, Any] = ...,
+        *,
+        localHT: HT | ArrayLike | None = None,
     ) -> None: ...
 
 class VMarkerNodeRotationCoordinate(_Visualization):
@@ -5455,6 +5758,13 @@ class MarkerSuperElementRigid(_Marker):
     rotationsExponentialMap: int
     """0: rotation and angular velocity are linearized; 1: rotation by the exponential map; 2: rotation by the exponential map and angular velocity by its tangent map, the consistent choice"""
     @property
+    def localRotation(self) -> Array:
+        """rotation of the marker in the frame that it would have without: joints and body-fixed loads use the turned axes. ``localHT`` sets position and rotation [3 x 3; 1]"""
+    @localRotation.setter
+    def localRotation(self, value: ArrayLike) -> None: ...
+    localHT: HT | ArrayLike
+    """``offset`` and ``localRotation`` as ``exu.HT``, or as 4 x 4 matrix"""
+    @property
     def visualization(self) -> VMarkerSuperElementRigid:
         """how the item is drawn"""
     @visualization.setter
@@ -5468,7 +5778,10 @@ class MarkerSuperElementRigid(_Marker):
         weightingFactors: ArrayLike = [],
         useAlternativeApproach: bool = True,
         rotationsExponentialMap: int = 2,
+        localRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         visualization: VMarkerSuperElementRigid | dict[str, Any] = ...,
+        *,
+        localHT: HT | ArrayLike | None = None,
     ) -> None: ...
 
 class VLoadCoordinate(_Visualization):

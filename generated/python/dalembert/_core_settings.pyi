@@ -95,6 +95,8 @@ class DiscontinuousSettings(_Settings):
 class ContinuationSettings(_Settings):
     """going on with a solution that was stopped"""
 
+    ifAvailable: bool
+    """true: ``SolveDynamic`` and ``SolveStatic`` go on from the file ``solutionSettings.restartFileName`` if it exists, else they start from the initial values; a ``restartFileName`` given here is used in any case; default: False"""
     restartFileName: str
     """restart file of a solution with the same model, solver and settings; its start time, end time and number of steps are those of the whole solution. Solution and sensor files continue at their position in the restart file; later rows are overwritten. Empty: start from the initial values; default: ''"""
     def __init__(self) -> None: ...
@@ -411,6 +413,8 @@ class TimeIntegrationSettings(_Settings):
     """time at which the integration starts [s]; default: 0.0"""
     stepInformation: int
     """sum of numbers that select the contents of a line about a step: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only; default: 67"""
+    solverType: DynamicSolverType
+    """method of ``SolveDynamic`` when it is called without ``solverType``; ``MainSolverExplicit`` uses it if it is an explicit one, else ``explicitIntegration.dynamicSolverType``; default: DynamicSolverType.GeneralizedAlpha"""
     stepSizeMaxIncrease: float
     """largest factor by which the automatic step size grows from one step to the next [1; at least 1]; default: 2.0"""
     stepSizeSafety: float

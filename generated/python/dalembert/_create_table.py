@@ -12,6 +12,7 @@ MIRRORS: dict[str, tuple[str, ...]] = {
     "CreateGenericJoint": ("ObjectJointGeneric",),
     "CreateGround": ("ObjectGround",),
     "CreateKinematicTree": ("ObjectKinematicTree", "NodeGenericODE2",),
+    "CreateLinearSpringDamper": ("ObjectConnectorLinearSpringDamper",),
     "CreateMassPoint": ("ObjectMassPoint", "ObjectMassPoint2D", "NodePoint", "NodePoint2D",),
     "CreatePrismaticJoint": ("ObjectJointPrismaticX",),
     "CreateRevoluteJoint": ("ObjectJointRevoluteZ",),

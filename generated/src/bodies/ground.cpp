@@ -27,12 +27,13 @@ constexpr std::array<Row, 6> rows{{
 
 constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 2> provides{"Ground", "Body"};
-constexpr std::array<OutputVariableType, 5> outputs{
+constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
     OutputVariableType::AngularVelocity,
     OutputVariableType::RotationMatrix,
+    OutputVariableType::HomogeneousTransformation,
 };
 
 const auto& physics = BodyPhysics<ObjectGround, ObjectGroundRecord>{};

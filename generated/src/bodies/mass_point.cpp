@@ -21,9 +21,11 @@ namespace object_mass_point {
 
 using Record = ObjectMassPointRecord;
 
+constexpr std::array<std::string_view, 1> physicsMass_aliases{"mass"};
+
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg"},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg", .aliases = physicsMass_aliases},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "graphicsData", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsData), .role = Role::visualization},
@@ -31,7 +33,7 @@ constexpr std::array<Row, 5> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"MassPoint"};
 constexpr std::array<std::string_view, 2> provides{"Body", "SingleNoded"};
-constexpr std::array<OutputVariableType, 8> outputs{
+constexpr std::array<OutputVariableType, 11> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -40,6 +42,9 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::Rotation,
     OutputVariableType::AngularVelocity,
     OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::HomogeneousTransformation,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = BodyPhysics<ObjectMassPoint, ObjectMassPointRecord, NodePoint, NodePointGround, NodePointSlope1, NodePointSlope12, NodePointSlope23>{};

@@ -18,9 +18,11 @@ namespace object_mass_point_2d {
 
 using Record = ObjectMassPoint2DRecord;
 
+constexpr std::array<std::string_view, 1> physicsMass_aliases{"mass"};
+
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg"},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg", .aliases = physicsMass_aliases},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "graphicsData", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsData), .role = Role::visualization},
@@ -28,7 +30,7 @@ constexpr std::array<Row, 5> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"MassPoint2D"};
 constexpr std::array<std::string_view, 2> provides{"Body", "SingleNoded"};
-constexpr std::array<OutputVariableType, 8> outputs{
+constexpr std::array<OutputVariableType, 11> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -37,6 +39,9 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::Rotation,
     OutputVariableType::AngularVelocity,
     OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::HomogeneousTransformation,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = BodyPhysics<ObjectMassPoint2D, ObjectMassPoint2DRecord, NodePoint2D, NodePoint2DSlope1>{};

@@ -17,11 +17,17 @@ namespace object_rigid_body_2d {
 
 using Record = ObjectRigidBody2DRecord;
 
+constexpr std::array<std::string_view, 1> physicsMass_aliases{"mass"};
+
+constexpr std::array<std::string_view, 1> physicsInertia_aliases{"inertia"};
+
+constexpr std::array<std::string_view, 1> physicsCenterOfMass_aliases{"centerOfMass"};
+
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg"},
-    {.name = "physicsInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .check = Check::non_negative, .unit = "kg m^2"},
-    {.name = "physicsCenterOfMass", .storage = Storage::vector2, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter, .unit = "m"},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg", .aliases = physicsMass_aliases},
+    {.name = "physicsInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .check = Check::non_negative, .unit = "kg m^2", .aliases = physicsInertia_aliases},
+    {.name = "physicsCenterOfMass", .storage = Storage::vector2, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter, .unit = "m", .aliases = physicsCenterOfMass_aliases},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "graphicsDataUserFunction", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsDataUserFunction), .role = Role::visualization},
@@ -30,7 +36,7 @@ constexpr std::array<Row, 8> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"RigidBody2D"};
 constexpr std::array<std::string_view, 2> provides{"Body", "SingleNoded"};
-constexpr std::array<OutputVariableType, 12> outputs{
+constexpr std::array<OutputVariableType, 15> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -43,6 +49,9 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AccelerationLocal,
     OutputVariableType::AngularAcceleration,
     OutputVariableType::AngularAccelerationLocal,
+    OutputVariableType::HomogeneousTransformation,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = BodyPhysics<ObjectRigidBody2D, ObjectRigidBody2DRecord, NodeRigidBody2D>{};

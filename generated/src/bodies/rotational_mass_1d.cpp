@@ -18,9 +18,11 @@ namespace object_rotational_mass_1d {
 
 using Record = ObjectRotationalMass1DRecord;
 
+constexpr std::array<std::string_view, 1> physicsInertia_aliases{"inertia"};
+
 constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .check = Check::non_negative, .unit = "kg m^2"},
+    {.name = "physicsInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .check = Check::non_negative, .unit = "kg m^2", .aliases = physicsInertia_aliases},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "referencePosition", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referencePosition), .role = Role::parameter, .unit = "m"},
     {.name = "referenceRotation", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.referenceRotation), .role = Role::parameter, .check = Check::rotation, .unit = "1"},
@@ -30,7 +32,7 @@ constexpr std::array<Row, 7> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"Rotor1D"};
 constexpr std::array<std::string_view, 2> provides{"Body", "SingleNoded"};
-constexpr std::array<OutputVariableType, 7> outputs{
+constexpr std::array<OutputVariableType, 10> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -38,6 +40,9 @@ constexpr std::array<OutputVariableType, 7> outputs{
     OutputVariableType::Rotation,
     OutputVariableType::AngularVelocity,
     OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::HomogeneousTransformation,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = BodyPhysics<ObjectRotationalMass1D, ObjectRotationalMass1DRecord, Node1D, NodeGenericODE2>{};

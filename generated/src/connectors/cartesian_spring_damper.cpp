@@ -41,11 +41,12 @@ constexpr std::array<Row, 10> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"CartesianSpringDamper"};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 4> outputs{
+constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::Displacement,
     OutputVariableType::Distance,
     OutputVariableType::Velocity,
     OutputVariableType::Force,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = ConnectorPhysics<ObjectConnectorCartesianSpringDamper, ObjectConnectorCartesianSpringDamperRecord>{};

@@ -32,6 +32,12 @@ constexpr std::array<Signature::Kind, 11> springForceUserFunction_arguments{
 };
 constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::scalar, .compiled = &compiled_call<springForceUserFunction_arguments, true, true, Signature::Kind::scalar>};
 
+constexpr std::array<std::string_view, 1> fDynamicFriction_aliases{"dynamicFrictionForce"};
+
+constexpr std::array<std::string_view, 1> fStaticFrictionOffset_aliases{"staticFrictionOffsetForce"};
+
+constexpr std::array<std::string_view, 1> fViscousFriction_aliases{"viscousFrictionFactor"};
+
 constexpr std::array<Row, 26> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
@@ -42,12 +48,12 @@ constexpr std::array<Row, 26> rows{{
     {.name = "velocityOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.velocityOffset), .role = Role::parameter, .unit = "various"},
     {.name = "factor0", .storage = Storage::real, .offset = offsetof(Record, parameters.factor0), .role = Role::parameter, .unit = "1"},
     {.name = "factor1", .storage = Storage::real, .offset = offsetof(Record, parameters.factor1), .role = Role::parameter, .unit = "1"},
-    {.name = "fDynamicFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.fDynamicFriction), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
-    {.name = "fStaticFrictionOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.fStaticFrictionOffset), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
+    {.name = "fDynamicFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.fDynamicFriction), .role = Role::parameter, .check = Check::non_negative, .unit = "various", .aliases = fDynamicFriction_aliases},
+    {.name = "fStaticFrictionOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.fStaticFrictionOffset), .role = Role::parameter, .check = Check::non_negative, .unit = "various", .aliases = fStaticFrictionOffset_aliases},
     {.name = "stickingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.stickingStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "stickingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.stickingDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "exponentialDecayStatic", .storage = Storage::real, .offset = offsetof(Record, parameters.exponentialDecayStatic), .role = Role::parameter, .check = Check::positive, .unit = "various"},
-    {.name = "fViscousFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.fViscousFriction), .role = Role::parameter, .unit = "various"},
+    {.name = "fViscousFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.fViscousFriction), .role = Role::parameter, .unit = "various", .aliases = fViscousFriction_aliases},
     {.name = "frictionProportionalZone", .storage = Storage::real, .offset = offsetof(Record, parameters.frictionProportionalZone), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "limitStopsUpper", .storage = Storage::real, .offset = offsetof(Record, parameters.limitStopsUpper), .role = Role::parameter, .unit = "various"},
     {.name = "limitStopsLower", .storage = Storage::real, .offset = offsetof(Record, parameters.limitStopsLower), .role = Role::parameter, .unit = "various"},

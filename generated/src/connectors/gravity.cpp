@@ -31,10 +31,11 @@ constexpr std::array<Row, 10> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"ConnectorGravity"};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 3> outputs{
+constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Distance,
     OutputVariableType::Displacement,
     OutputVariableType::Force,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = ConnectorPhysics<ObjectConnectorGravity, ObjectConnectorGravityRecord>{};

@@ -45,10 +45,13 @@ constexpr std::array<Row, 14> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"LinearSpringDamper"};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 3> outputs{
+constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::DisplacementLocal,
     OutputVariableType::VelocityLocal,
     OutputVariableType::ForceLocal,
+    OutputVariableType::PotentialEnergy,
+    OutputVariableType::HomogeneousTransformationLocal,
+    OutputVariableType::Displacement,
 };
 
 const auto& physics = ConnectorPhysics<ObjectConnectorLinearSpringDamper, ObjectConnectorLinearSpringDamperRecord>{};

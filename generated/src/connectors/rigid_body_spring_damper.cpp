@@ -44,6 +44,8 @@ constexpr std::array<Signature::Kind, 10> postNewtonStepUserFunction_arguments{
 };
 constexpr Signature postNewtonStepUserFunction_signature{.arguments = postNewtonStepUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_vector, .compiled = &compiled_call<postNewtonStepUserFunction_arguments, true, true, Signature::Kind::open_vector>};
 
+constexpr std::array<std::string_view, 1> intrinsicFormulation_aliases{"useIntrinsicFormulation"};
+
 constexpr std::array<Row, 15> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
@@ -53,7 +55,7 @@ constexpr std::array<Row, 15> rows{{
     {.name = "rotationMarker0", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker0), .role = Role::parameter, .check = Check::rotation, .unit = "1"},
     {.name = "rotationMarker1", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker1), .role = Role::parameter, .check = Check::rotation, .unit = "1"},
     {.name = "offset", .storage = Storage::vector6, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "various"},
-    {.name = "intrinsicFormulation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.intrinsicFormulation), .role = Role::parameter},
+    {.name = "intrinsicFormulation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.intrinsicFormulation), .role = Role::parameter, .aliases = intrinsicFormulation_aliases},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "springForceTorqueUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.springForceTorqueUserFunction), .role = Role::parameter, .signature = &springForceTorqueUserFunction_signature},
     {.name = "postNewtonStepUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.postNewtonStepUserFunction), .role = Role::parameter, .signature = &postNewtonStepUserFunction_signature},
@@ -64,13 +66,16 @@ constexpr std::array<Row, 15> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"RigidBodySpringDamper"};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 6> outputs{
+constexpr std::array<OutputVariableType, 9> outputs{
     OutputVariableType::DisplacementLocal,
     OutputVariableType::VelocityLocal,
     OutputVariableType::Rotation,
     OutputVariableType::AngularVelocityLocal,
     OutputVariableType::ForceLocal,
     OutputVariableType::TorqueLocal,
+    OutputVariableType::PotentialEnergy,
+    OutputVariableType::HomogeneousTransformationLocal,
+    OutputVariableType::Displacement,
 };
 
 const auto& physics = ConnectorPhysics<ObjectConnectorRigidBodySpringDamper, ObjectConnectorRigidBodySpringDamperRecord>{};

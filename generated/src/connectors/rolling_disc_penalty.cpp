@@ -16,6 +16,8 @@ namespace object_connector_rolling_disc_penalty {
 
 using Record = ObjectConnectorRollingDiscPenaltyRecord;
 
+constexpr std::array<std::string_view, 1> rollingFrictionViscous_aliases{"rollingViscousFriction"};
+
 constexpr std::array<Row, 18> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
@@ -29,7 +31,7 @@ constexpr std::array<Row, 18> rows{{
     {.name = "dryFriction", .storage = Storage::vector2, .offset = offsetof(Record, parameters.dryFriction), .role = Role::parameter, .unit = "1"},
     {.name = "dryFrictionProportionalZone", .storage = Storage::real, .offset = offsetof(Record, parameters.dryFrictionProportionalZone), .role = Role::parameter, .unit = "m/s"},
     {.name = "viscousFriction", .storage = Storage::vector2, .offset = offsetof(Record, parameters.viscousFriction), .role = Role::parameter, .unit = "s/m"},
-    {.name = "rollingFrictionViscous", .storage = Storage::real, .offset = offsetof(Record, parameters.rollingFrictionViscous), .role = Role::parameter, .unit = "s/m"},
+    {.name = "rollingFrictionViscous", .storage = Storage::real, .offset = offsetof(Record, parameters.rollingFrictionViscous), .role = Role::parameter, .unit = "s/m", .aliases = rollingFrictionViscous_aliases},
     {.name = "useLinearProportionalZone", .storage = Storage::boolean, .offset = offsetof(Record, parameters.useLinearProportionalZone), .role = Role::parameter},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},

@@ -43,12 +43,13 @@ constexpr std::array<Row, 12> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"SpringDamper"};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 5> outputs{
+constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::Distance,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
     OutputVariableType::Force,
     OutputVariableType::ForceLocal,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = ConnectorPhysics<ObjectConnectorSpringDamper, ObjectConnectorSpringDamperRecord>{};

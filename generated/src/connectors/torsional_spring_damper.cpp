@@ -46,10 +46,11 @@ constexpr std::array<Row, 15> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"TorsionalSpringDamper"};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 3> outputs{
+constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Rotation,
     OutputVariableType::AngularVelocityLocal,
     OutputVariableType::TorqueLocal,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = ConnectorPhysics<ObjectConnectorTorsionalSpringDamper, ObjectConnectorTorsionalSpringDamperRecord>{};

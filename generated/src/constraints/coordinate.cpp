@@ -27,11 +27,13 @@ constexpr std::array<Signature::Kind, 1> offsetUserFunction_t_arguments{
 };
 constexpr Signature offsetUserFunction_t_signature{.arguments = offsetUserFunction_t_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::scalar, .compiled = &compiled_call<offsetUserFunction_t_arguments, true, true, Signature::Kind::scalar>};
 
+constexpr std::array<std::string_view, 1> factorValue1_aliases{"factor1"};
+
 constexpr std::array<Row, 11> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "various"},
-    {.name = "factorValue1", .storage = Storage::real, .offset = offsetof(Record, parameters.factorValue1), .role = Role::parameter, .unit = "1"},
+    {.name = "factorValue1", .storage = Storage::real, .offset = offsetof(Record, parameters.factorValue1), .role = Role::parameter, .unit = "1", .aliases = factorValue1_aliases},
     {.name = "velocityLevel", .storage = Storage::boolean, .offset = offsetof(Record, parameters.velocityLevel), .role = Role::parameter},
     {.name = "offsetUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.offsetUserFunction), .role = Role::parameter, .signature = &offsetUserFunction_signature},
     {.name = "offsetUserFunction_t", .storage = Storage::user_function, .offset = offsetof(Record, parameters.offsetUserFunction_t), .role = Role::parameter, .signature = &offsetUserFunction_t_signature},

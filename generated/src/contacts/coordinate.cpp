@@ -16,7 +16,7 @@ namespace object_contact_coordinate {
 
 using Record = ObjectContactCoordinateRecord;
 
-constexpr std::array<Row, 10> rows{{
+constexpr std::array<Row, 14> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
@@ -24,6 +24,10 @@ constexpr std::array<Row, 10> rows{{
     {.name = "contactDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.contactDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "various"},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "contactStiffnessExponent", .storage = Storage::real, .offset = offsetof(Record, parameters.contactStiffnessExponent), .role = Role::parameter, .check = Check::positive, .unit = "1"},
+    {.name = "restitutionCoefficient", .storage = Storage::real, .offset = offsetof(Record, parameters.restitutionCoefficient), .role = Role::parameter, .check = Check::positive, .unit = "1"},
+    {.name = "minimumImpactVelocity", .storage = Storage::real, .offset = offsetof(Record, parameters.minimumImpactVelocity), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
+    {.name = "impactModel", .storage = Storage::integer, .offset = offsetof(Record, parameters.impactModel), .role = Role::parameter, .check = Check::non_negative},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
@@ -31,7 +35,8 @@ constexpr std::array<Row, 10> rows{{
 
 constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 0> outputs{
+constexpr std::array<OutputVariableType, 1> outputs{
+    OutputVariableType::Distance,
 };
 
 const auto& physics = ConnectorPhysics<ObjectContactCoordinate, ObjectContactCoordinateRecord>{};

@@ -16,11 +16,13 @@ namespace object_contact_sphere_torus {
 
 using Record = ObjectContactSphereTorusRecord;
 
+constexpr std::array<std::string_view, 1> radiusSphere_aliases{"sphereRadius"};
+
 constexpr std::array<Row, 19> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "radiusSphere", .storage = Storage::real, .offset = offsetof(Record, parameters.radiusSphere), .role = Role::parameter, .check = Check::positive, .unit = "m"},
+    {.name = "radiusSphere", .storage = Storage::real, .offset = offsetof(Record, parameters.radiusSphere), .role = Role::parameter, .check = Check::positive, .unit = "m", .aliases = radiusSphere_aliases},
     {.name = "torusMajorRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.torusMajorRadius), .role = Role::parameter, .check = Check::positive, .unit = "m"},
     {.name = "torusMinorRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.torusMinorRadius), .role = Role::parameter, .check = Check::positive, .unit = "m"},
     {.name = "torusAxis", .storage = Storage::vector3, .offset = offsetof(Record, parameters.torusAxis), .role = Role::parameter, .check = Check::unit_vector, .unit = "1"},
@@ -40,7 +42,7 @@ constexpr std::array<Row, 19> rows{{
 
 constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 8> outputs{
+constexpr std::array<OutputVariableType, 9> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::DisplacementLocal,
@@ -49,6 +51,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::Director3,
     OutputVariableType::Force,
     OutputVariableType::Torque,
+    OutputVariableType::Velocity,
 };
 
 const auto& physics = ConnectorPhysics<ObjectContactSphereTorus, ObjectContactSphereTorusRecord>{};

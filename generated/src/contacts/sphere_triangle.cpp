@@ -16,11 +16,13 @@ namespace object_contact_sphere_triangle {
 
 using Record = ObjectContactSphereTriangleRecord;
 
+constexpr std::array<std::string_view, 1> radiusSphere_aliases{"sphereRadius"};
+
 constexpr std::array<Row, 18> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "radiusSphere", .storage = Storage::real, .offset = offsetof(Record, parameters.radiusSphere), .role = Role::parameter, .check = Check::positive, .unit = "m"},
+    {.name = "radiusSphere", .storage = Storage::real, .offset = offsetof(Record, parameters.radiusSphere), .role = Role::parameter, .check = Check::positive, .unit = "m", .aliases = radiusSphere_aliases},
     {.name = "trianglePoints", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.trianglePoints), .role = Role::parameter, .unit = "m"},
     {.name = "includeEdges", .storage = Storage::integer, .offset = offsetof(Record, parameters.includeEdges), .role = Role::parameter, .check = Check::non_negative},
     {.name = "dynamicFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.dynamicFriction), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -39,13 +41,14 @@ constexpr std::array<Row, 18> rows{{
 
 constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 6> outputs{
+constexpr std::array<OutputVariableType, 7> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::DisplacementLocal,
     OutputVariableType::Director1,
     OutputVariableType::Force,
     OutputVariableType::Torque,
+    OutputVariableType::Velocity,
 };
 
 const auto& physics = ConnectorPhysics<ObjectContactSphereTriangle, ObjectContactSphereTriangleRecord>{};

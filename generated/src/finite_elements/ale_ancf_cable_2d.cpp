@@ -17,19 +17,41 @@ namespace object_ale_ancf_cable_2d {
 
 using Record = ObjectALEANCFCable2DRecord;
 
+constexpr std::array<std::string_view, 1> physicsLength_aliases{"length"};
+
+constexpr std::array<std::string_view, 1> physicsMassPerLength_aliases{"massPerLength"};
+
+constexpr std::array<std::string_view, 1> physicsMovingMassFactor_aliases{"movingMassFactor"};
+
+constexpr std::array<std::string_view, 1> physicsBendingStiffness_aliases{"bendingStiffness"};
+
+constexpr std::array<std::string_view, 1> physicsAxialStiffness_aliases{"axialStiffness"};
+
+constexpr std::array<std::string_view, 1> physicsBendingDamping_aliases{"bendingDamping"};
+
+constexpr std::array<std::string_view, 1> physicsAxialDamping_aliases{"axialDamping"};
+
+constexpr std::array<std::string_view, 1> physicsReferenceAxialStrain_aliases{"referenceAxialStrain"};
+
+constexpr std::array<std::string_view, 1> physicsReferenceCurvature_aliases{"referenceCurvature"};
+
+constexpr std::array<std::string_view, 1> physicsUseCouplingTerms_aliases{"useCouplingTerms"};
+
+constexpr std::array<std::string_view, 1> physicsAddALEvariation_aliases{"addALEvariation"};
+
 constexpr std::array<Row, 18> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::non_negative, .unit = "m"},
-    {.name = "physicsMassPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassPerLength), .role = Role::parameter, .check = Check::non_negative, .unit = "kg/m"},
-    {.name = "physicsMovingMassFactor", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMovingMassFactor), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
-    {.name = "physicsBendingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2"},
-    {.name = "physicsAxialStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N"},
-    {.name = "physicsBendingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2 s"},
-    {.name = "physicsAxialDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N s"},
-    {.name = "physicsReferenceAxialStrain", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceAxialStrain), .role = Role::parameter, .unit = "1"},
-    {.name = "physicsReferenceCurvature", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceCurvature), .role = Role::parameter, .unit = "1/m"},
-    {.name = "physicsUseCouplingTerms", .storage = Storage::boolean, .offset = offsetof(Record, parameters.physicsUseCouplingTerms), .role = Role::parameter},
-    {.name = "physicsAddALEvariation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.physicsAddALEvariation), .role = Role::parameter},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::non_negative, .unit = "m", .aliases = physicsLength_aliases},
+    {.name = "physicsMassPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassPerLength), .role = Role::parameter, .check = Check::non_negative, .unit = "kg/m", .aliases = physicsMassPerLength_aliases},
+    {.name = "physicsMovingMassFactor", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMovingMassFactor), .role = Role::parameter, .check = Check::non_negative, .unit = "1", .aliases = physicsMovingMassFactor_aliases},
+    {.name = "physicsBendingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2", .aliases = physicsBendingStiffness_aliases},
+    {.name = "physicsAxialStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N", .aliases = physicsAxialStiffness_aliases},
+    {.name = "physicsBendingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2 s", .aliases = physicsBendingDamping_aliases},
+    {.name = "physicsAxialDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N s", .aliases = physicsAxialDamping_aliases},
+    {.name = "physicsReferenceAxialStrain", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceAxialStrain), .role = Role::parameter, .unit = "1", .aliases = physicsReferenceAxialStrain_aliases},
+    {.name = "physicsReferenceCurvature", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceCurvature), .role = Role::parameter, .unit = "1/m", .aliases = physicsReferenceCurvature_aliases},
+    {.name = "physicsUseCouplingTerms", .storage = Storage::boolean, .offset = offsetof(Record, parameters.physicsUseCouplingTerms), .role = Role::parameter, .aliases = physicsUseCouplingTerms_aliases},
+    {.name = "physicsAddALEvariation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.physicsAddALEvariation), .role = Role::parameter, .aliases = physicsAddALEvariation_aliases},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 3, .needs_assemble = true},
     {.name = "useReducedOrderIntegration", .storage = Storage::integer, .offset = offsetof(Record, parameters.useReducedOrderIntegration), .role = Role::parameter, .check = Check::non_negative},
     {.name = "strainIsRelativeToReference", .storage = Storage::real, .offset = offsetof(Record, parameters.strainIsRelativeToReference), .role = Role::parameter, .unit = "1"},
@@ -40,7 +62,7 @@ constexpr std::array<Row, 18> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"ALECable2D"};
 constexpr std::array<std::string_view, 0> provides{};
-constexpr std::array<OutputVariableType, 10> outputs{
+constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -51,6 +73,8 @@ constexpr std::array<OutputVariableType, 10> outputs{
     OutputVariableType::CurvatureLocal,
     OutputVariableType::ForceLocal,
     OutputVariableType::TorqueLocal,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = BodyPhysics<ObjectALEANCFCable2D, ObjectALEANCFCable2DRecord, NodePoint2DSlope1>{};

@@ -17,10 +17,12 @@ namespace object_ancf_beam {
 
 using Record = ObjectANCFBeamRecord;
 
+constexpr std::array<std::string_view, 1> physicsLength_aliases{"length"};
+
 constexpr std::array<Row, 9> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive, .unit = "m"},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive, .unit = "m", .aliases = physicsLength_aliases},
     {.name = "sectionData", .storage = Storage::beam_section, .offset = offsetof(Record, parameters.sectionData), .role = Role::parameter},
     {.name = "crossSectionPenaltyFactor", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionPenaltyFactor), .role = Role::parameter, .unit = "1"},
     {.name = "crossSectionDamping", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionDamping), .role = Role::parameter, .unit = "s"},
@@ -31,7 +33,7 @@ constexpr std::array<Row, 9> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"ANCFBeam"};
 constexpr std::array<std::string_view, 2> provides{"Body", "MultiNoded"};
-constexpr std::array<OutputVariableType, 9> outputs{
+constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -41,6 +43,9 @@ constexpr std::array<OutputVariableType, 9> outputs{
     OutputVariableType::Acceleration,
     OutputVariableType::Rotation,
     OutputVariableType::RotationMatrix,
+    OutputVariableType::HomogeneousTransformation,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = BodyPhysics<ObjectANCFBeam, ObjectANCFBeamRecord, NodePointSlope23>{};

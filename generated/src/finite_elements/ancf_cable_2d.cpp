@@ -44,16 +44,32 @@ constexpr std::array<Signature::Kind, 9> bendingMomentUserFunction_arguments{
 };
 constexpr Signature bendingMomentUserFunction_signature{.arguments = bendingMomentUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::scalar, .compiled = &compiled_call<bendingMomentUserFunction_arguments, true, true, Signature::Kind::scalar>};
 
+constexpr std::array<std::string_view, 1> physicsLength_aliases{"length"};
+
+constexpr std::array<std::string_view, 1> physicsMassPerLength_aliases{"massPerLength"};
+
+constexpr std::array<std::string_view, 1> physicsBendingStiffness_aliases{"bendingStiffness"};
+
+constexpr std::array<std::string_view, 1> physicsAxialStiffness_aliases{"axialStiffness"};
+
+constexpr std::array<std::string_view, 1> physicsBendingDamping_aliases{"bendingDamping"};
+
+constexpr std::array<std::string_view, 1> physicsAxialDamping_aliases{"axialDamping"};
+
+constexpr std::array<std::string_view, 1> physicsReferenceAxialStrain_aliases{"referenceAxialStrain"};
+
+constexpr std::array<std::string_view, 1> physicsReferenceCurvature_aliases{"referenceCurvature"};
+
 constexpr std::array<Row, 17> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::non_negative, .unit = "m"},
-    {.name = "physicsMassPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassPerLength), .role = Role::parameter, .check = Check::non_negative, .unit = "kg/m"},
-    {.name = "physicsBendingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2"},
-    {.name = "physicsAxialStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N"},
-    {.name = "physicsBendingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2 s"},
-    {.name = "physicsAxialDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N s"},
-    {.name = "physicsReferenceAxialStrain", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceAxialStrain), .role = Role::parameter, .unit = "1"},
-    {.name = "physicsReferenceCurvature", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceCurvature), .role = Role::parameter, .unit = "1/m"},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::non_negative, .unit = "m", .aliases = physicsLength_aliases},
+    {.name = "physicsMassPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassPerLength), .role = Role::parameter, .check = Check::non_negative, .unit = "kg/m", .aliases = physicsMassPerLength_aliases},
+    {.name = "physicsBendingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2", .aliases = physicsBendingStiffness_aliases},
+    {.name = "physicsAxialStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N", .aliases = physicsAxialStiffness_aliases},
+    {.name = "physicsBendingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2 s", .aliases = physicsBendingDamping_aliases},
+    {.name = "physicsAxialDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N s", .aliases = physicsAxialDamping_aliases},
+    {.name = "physicsReferenceAxialStrain", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceAxialStrain), .role = Role::parameter, .unit = "1", .aliases = physicsReferenceAxialStrain_aliases},
+    {.name = "physicsReferenceCurvature", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceCurvature), .role = Role::parameter, .unit = "1/m", .aliases = physicsReferenceCurvature_aliases},
     {.name = "strainIsRelativeToReference", .storage = Storage::real, .offset = offsetof(Record, parameters.strainIsRelativeToReference), .role = Role::parameter, .unit = "1"},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "useReducedOrderIntegration", .storage = Storage::integer, .offset = offsetof(Record, parameters.useReducedOrderIntegration), .role = Role::parameter, .check = Check::non_negative},
@@ -66,7 +82,7 @@ constexpr std::array<Row, 17> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"Cable2D"};
 constexpr std::array<std::string_view, 0> provides{};
-constexpr std::array<OutputVariableType, 13> outputs{
+constexpr std::array<OutputVariableType, 16> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -78,8 +94,11 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::ForceLocal,
     OutputVariableType::TorqueLocal,
     OutputVariableType::AngularVelocity,
+    OutputVariableType::AngularVelocityLocal,
     OutputVariableType::Acceleration,
     OutputVariableType::AngularAcceleration,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = BodyPhysics<ObjectANCFCable2D, ObjectANCFCable2DRecord, NodePoint2DSlope1>{};

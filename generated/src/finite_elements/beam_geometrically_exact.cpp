@@ -19,10 +19,12 @@ namespace object_beam_geometrically_exact {
 
 using Record = ObjectBeamGeometricallyExactRecord;
 
+constexpr std::array<std::string_view, 1> physicsLength_aliases{"length"};
+
 constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive, .unit = "m"},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive, .unit = "m", .aliases = physicsLength_aliases},
     {.name = "sectionData", .storage = Storage::beam_section, .offset = offsetof(Record, parameters.sectionData), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "sectionGeometry", .storage = Storage::opaque, .offset = offsetof(Record, visualization.sectionGeometry), .role = Role::visualization},
@@ -31,13 +33,21 @@ constexpr std::array<Row, 7> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"Beam3D"};
 constexpr std::array<std::string_view, 2> provides{"Body", "MultiNoded"};
-constexpr std::array<OutputVariableType, 6> outputs{
+constexpr std::array<OutputVariableType, 14> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
     OutputVariableType::Rotation,
     OutputVariableType::StrainLocal,
     OutputVariableType::CurvatureLocal,
+    OutputVariableType::RotationMatrix,
+    OutputVariableType::AngularVelocity,
+    OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::ForceLocal,
+    OutputVariableType::TorqueLocal,
+    OutputVariableType::HomogeneousTransformation,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = BodyPhysics<ObjectBeamGeometricallyExact, ObjectBeamGeometricallyExactRecord, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>{};

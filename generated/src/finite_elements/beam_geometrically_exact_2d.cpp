@@ -17,19 +17,39 @@ namespace object_beam_geometrically_exact_2d {
 
 using Record = ObjectBeamGeometricallyExact2DRecord;
 
+constexpr std::array<std::string_view, 1> physicsLength_aliases{"length"};
+
+constexpr std::array<std::string_view, 1> physicsMassPerLength_aliases{"massPerLength"};
+
+constexpr std::array<std::string_view, 1> physicsCrossSectionInertia_aliases{"crossSectionInertia"};
+
+constexpr std::array<std::string_view, 1> physicsBendingStiffness_aliases{"bendingStiffness"};
+
+constexpr std::array<std::string_view, 1> physicsAxialStiffness_aliases{"axialStiffness"};
+
+constexpr std::array<std::string_view, 1> physicsShearStiffness_aliases{"shearStiffness"};
+
+constexpr std::array<std::string_view, 1> physicsBendingDamping_aliases{"bendingDamping"};
+
+constexpr std::array<std::string_view, 1> physicsAxialDamping_aliases{"axialDamping"};
+
+constexpr std::array<std::string_view, 1> physicsShearDamping_aliases{"shearDamping"};
+
+constexpr std::array<std::string_view, 1> physicsReferenceCurvature_aliases{"referenceCurvature"};
+
 constexpr std::array<Row, 16> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .needs_assemble = true},
-    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::non_negative, .unit = "m"},
-    {.name = "physicsMassPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassPerLength), .role = Role::parameter, .check = Check::non_negative, .unit = "kg/m"},
-    {.name = "physicsCrossSectionInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsCrossSectionInertia), .role = Role::parameter, .check = Check::non_negative, .unit = "kg m"},
-    {.name = "physicsBendingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2"},
-    {.name = "physicsAxialStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N"},
-    {.name = "physicsShearStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsShearStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N"},
-    {.name = "physicsBendingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2 s"},
-    {.name = "physicsAxialDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N s"},
-    {.name = "physicsShearDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsShearDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N s"},
-    {.name = "physicsReferenceCurvature", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceCurvature), .role = Role::parameter, .unit = "1/m"},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::non_negative, .unit = "m", .aliases = physicsLength_aliases},
+    {.name = "physicsMassPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassPerLength), .role = Role::parameter, .check = Check::non_negative, .unit = "kg/m", .aliases = physicsMassPerLength_aliases},
+    {.name = "physicsCrossSectionInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsCrossSectionInertia), .role = Role::parameter, .check = Check::non_negative, .unit = "kg m", .aliases = physicsCrossSectionInertia_aliases},
+    {.name = "physicsBendingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2", .aliases = physicsBendingStiffness_aliases},
+    {.name = "physicsAxialStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N", .aliases = physicsAxialStiffness_aliases},
+    {.name = "physicsShearStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsShearStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N", .aliases = physicsShearStiffness_aliases},
+    {.name = "physicsBendingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N m^2 s", .aliases = physicsBendingDamping_aliases},
+    {.name = "physicsAxialDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N s", .aliases = physicsAxialDamping_aliases},
+    {.name = "physicsShearDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsShearDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "N s", .aliases = physicsShearDamping_aliases},
+    {.name = "physicsReferenceCurvature", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceCurvature), .role = Role::parameter, .unit = "1/m", .aliases = physicsReferenceCurvature_aliases},
     {.name = "includeReferenceRotations", .storage = Storage::boolean, .offset = offsetof(Record, parameters.includeReferenceRotations), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawHeight", .storage = Storage::real, .offset = offsetof(Record, visualization.drawHeight), .role = Role::visualization, .unit = "m"},
@@ -38,7 +58,7 @@ constexpr std::array<Row, 16> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"Beam2D"};
 constexpr std::array<std::string_view, 2> provides{"Body", "MultiNoded"};
-constexpr std::array<OutputVariableType, 8> outputs{
+constexpr std::array<OutputVariableType, 10> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -47,6 +67,8 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::CurvatureLocal,
     OutputVariableType::ForceLocal,
     OutputVariableType::TorqueLocal,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = BodyPhysics<ObjectBeamGeometricallyExact2D, ObjectBeamGeometricallyExact2DRecord, NodeRigidBody2D>{};

@@ -30,7 +30,15 @@ constexpr std::array<Row, 9> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"PrismaticJoint2D"};
 constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
-constexpr std::array<OutputVariableType, 0> outputs{
+constexpr std::array<OutputVariableType, 8> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Velocity,
+    OutputVariableType::DisplacementLocal,
+    OutputVariableType::Distance,
+    OutputVariableType::Rotation,
+    OutputVariableType::ForceLocal,
+    OutputVariableType::HomogeneousTransformation,
+    OutputVariableType::HomogeneousTransformationLocal,
 };
 
 const auto& physics = ConstraintPhysics<ObjectJointPrismatic2D, ObjectJointPrismatic2DRecord>{};

@@ -27,7 +27,11 @@ constexpr std::array<Row, 6> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"RevoluteJoint2D"};
 constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
-constexpr std::array<OutputVariableType, 0> outputs{
+constexpr std::array<OutputVariableType, 4> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Velocity,
+    OutputVariableType::Displacement,
+    OutputVariableType::Force,
 };
 
 const auto& physics = ConstraintPhysics<ObjectJointRevolute2D, ObjectJointRevolute2DRecord>{};

@@ -30,7 +30,7 @@ constexpr std::array<Row, 9> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"RevoluteJointZ"};
 constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
-constexpr std::array<OutputVariableType, 8> outputs{
+constexpr std::array<OutputVariableType, 10> outputs{
     OutputVariableType::Position,
     OutputVariableType::Velocity,
     OutputVariableType::DisplacementLocal,
@@ -39,6 +39,8 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::AngularVelocityLocal,
     OutputVariableType::ForceLocal,
     OutputVariableType::TorqueLocal,
+    OutputVariableType::HomogeneousTransformation,
+    OutputVariableType::HomogeneousTransformationLocal,
 };
 
 const auto& physics = ConstraintPhysics<ObjectJointRevoluteZ, ObjectJointRevoluteZRecord>{};

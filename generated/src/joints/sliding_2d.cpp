@@ -16,13 +16,15 @@ namespace object_joint_sliding_2d {
 
 using Record = ObjectJointSliding2DRecord;
 
+constexpr std::array<std::string_view, 1> classicalFormulation_aliases{"useClassicalFormulation"};
+
 constexpr std::array<Row, 12> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "slidingMarkerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.slidingMarkerNumbers), .role = Role::parameter, .needs_assemble = true},
     {.name = "slidingMarkerOffsets", .storage = Storage::vector, .offset = offsetof(Record, parameters.slidingMarkerOffsets), .role = Role::parameter, .unit = "m"},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "classicalFormulation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.classicalFormulation), .role = Role::parameter},
+    {.name = "classicalFormulation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.classicalFormulation), .role = Role::parameter, .aliases = classicalFormulation_aliases},
     {.name = "constrainRotation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.constrainRotation), .role = Role::parameter, .needs_assemble = true},
     {.name = "axialForce", .storage = Storage::real, .offset = offsetof(Record, parameters.axialForce), .role = Role::parameter, .unit = "N"},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
@@ -33,11 +35,12 @@ constexpr std::array<Row, 12> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"SlidingJoint2D"};
 constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
-constexpr std::array<OutputVariableType, 4> outputs{
+constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::Position,
     OutputVariableType::Velocity,
     OutputVariableType::SlidingCoordinate,
     OutputVariableType::Force,
+    OutputVariableType::DisplacementLocal,
 };
 
 const auto& physics = ConstraintPhysics<ObjectJointSliding2D, ObjectJointSliding2DRecord>{};

@@ -16,10 +16,11 @@ namespace marker_body_rigid {
 
 using Record = MarkerBodyRigidRecord;
 
-constexpr std::array<Row, 4> rows{{
+constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.bodyNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "localPosition", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition), .role = Role::parameter, .unit = "m"},
+    {.name = "localRotation", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.localRotation), .role = Role::parameter, .check = Check::rotation, .needs_assemble = true, .unit = "1"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
 

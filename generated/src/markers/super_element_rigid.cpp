@@ -17,7 +17,7 @@ namespace marker_super_element_rigid {
 
 using Record = MarkerSuperElementRigidRecord;
 
-constexpr std::array<Row, 9> rows{{
+constexpr std::array<Row, 10> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.bodyNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "offset", .storage = Storage::vector3, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "m"},
@@ -25,6 +25,7 @@ constexpr std::array<Row, 9> rows{{
     {.name = "weightingFactors", .storage = Storage::vector, .offset = offsetof(Record, parameters.weightingFactors), .role = Role::parameter, .unit = "1"},
     {.name = "useAlternativeApproach", .storage = Storage::boolean, .offset = offsetof(Record, parameters.useAlternativeApproach), .role = Role::parameter},
     {.name = "rotationsExponentialMap", .storage = Storage::integer, .offset = offsetof(Record, parameters.rotationsExponentialMap), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "localRotation", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.localRotation), .role = Role::parameter, .check = Check::rotation, .needs_assemble = true, .unit = "1"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "showMarkerNodes", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showMarkerNodes), .role = Role::visualization},
 }};

@@ -28,7 +28,7 @@ constexpr std::array<Row, 7> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"Point2D"};
 constexpr std::array<std::string_view, 2> provides{"Position2D", "Position"};
-constexpr std::array<OutputVariableType, 12> outputs{
+constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -41,6 +41,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::Rotation,
     OutputVariableType::AngularVelocity,
     OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::HomogeneousTransformation,
 };
 
 const auto& physics = NodePhysicsOf<NodePoint2D, NodePoint2DRecord>{};

@@ -26,7 +26,7 @@ constexpr std::array<Row, 5> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"PointGround"};
 constexpr std::array<std::string_view, 5> provides{"Ground", "Position2D", "Position", "Orientation", "GenericODE2"};
-constexpr std::array<OutputVariableType, 10> outputs{
+constexpr std::array<OutputVariableType, 11> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -37,6 +37,7 @@ constexpr std::array<OutputVariableType, 10> outputs{
     OutputVariableType::Rotation,
     OutputVariableType::AngularVelocity,
     OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::HomogeneousTransformation,
 };
 
 const auto& physics = NodePhysicsOf<NodePointGround, NodePointGroundRecord>{};

@@ -28,7 +28,7 @@ constexpr std::array<Row, 7> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"Rigid2D"};
 constexpr std::array<std::string_view, 5> provides{"Position2D", "Orientation2D", "Position", "Orientation", "RigidBody"};
-constexpr std::array<OutputVariableType, 13> outputs{
+constexpr std::array<OutputVariableType, 14> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -42,6 +42,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::Rotation,
     OutputVariableType::AngularVelocityLocal,
     OutputVariableType::AngularAcceleration,
+    OutputVariableType::HomogeneousTransformation,
 };
 
 const auto& physics = NodePhysicsOf<NodeRigidBody2D, NodeRigidBody2DRecord>{};

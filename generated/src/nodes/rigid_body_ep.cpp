@@ -29,7 +29,7 @@ constexpr std::array<Row, 8> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"RigidEP"};
 constexpr std::array<std::string_view, 4> provides{"Position", "Orientation", "RigidBody", "RotationEulerParameters"};
-constexpr std::array<OutputVariableType, 13> outputs{
+constexpr std::array<OutputVariableType, 14> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -43,6 +43,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::AngularVelocity,
     OutputVariableType::AngularVelocityLocal,
     OutputVariableType::AngularAcceleration,
+    OutputVariableType::HomogeneousTransformation,
 };
 
 const auto& physics = NodePhysicsOf<NodeRigidBodyEP, NodeRigidBodyEPRecord>{};

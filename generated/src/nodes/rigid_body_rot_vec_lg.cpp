@@ -28,7 +28,7 @@ constexpr std::array<Row, 7> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"RigidRotVecLG"};
 constexpr std::array<std::string_view, 4> provides{"Position", "Orientation", "RigidBody", "RotationRotationVector"};
-constexpr std::array<OutputVariableType, 11> outputs{
+constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -40,6 +40,7 @@ constexpr std::array<OutputVariableType, 11> outputs{
     OutputVariableType::Rotation,
     OutputVariableType::AngularVelocity,
     OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::HomogeneousTransformation,
 };
 
 const auto& physics = NodePhysicsOf<NodeRigidBodyRotVecLG, NodeRigidBodyRotVecLGRecord>{};

@@ -28,7 +28,7 @@ constexpr std::array<Row, 7> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"RigidRxyz"};
 constexpr std::array<std::string_view, 4> provides{"Position", "Orientation", "RigidBody", "RotationRxyz"};
-constexpr std::array<OutputVariableType, 13> outputs{
+constexpr std::array<OutputVariableType, 14> outputs{
     OutputVariableType::Position,
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
@@ -42,6 +42,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::AngularVelocity,
     OutputVariableType::AngularVelocityLocal,
     OutputVariableType::AngularAcceleration,
+    OutputVariableType::HomogeneousTransformation,
 };
 
 const auto& physics = NodePhysicsOf<NodeRigidBodyRxyz, NodeRigidBodyRxyzRecord>{};

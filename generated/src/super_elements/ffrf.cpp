@@ -62,11 +62,13 @@ constexpr std::array<Row, 25> rows{{
 
 constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 3> provides{"Body", "MultiNoded", "SuperElement"};
-constexpr std::array<OutputVariableType, 4> outputs{
+constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::Coordinates,
     OutputVariableType::Coordinates_t,
     OutputVariableType::Coordinates_tt,
     OutputVariableType::Force,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = SizedBodyPhysics<ObjectFFRF, ObjectFFRFRecord, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>{};

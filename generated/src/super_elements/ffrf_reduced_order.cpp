@@ -32,6 +32,14 @@ constexpr std::array<Signature::Kind, 2> massMatrixUserFunction_arguments{
 };
 constexpr Signature massMatrixUserFunction_signature{.arguments = massMatrixUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_matrix, .compiled = &compiled_call<massMatrixUserFunction_arguments, true, true, Signature::Kind::open_matrix>};
 
+constexpr std::array<std::string_view, 1> physicsMass_aliases{"mass"};
+
+constexpr std::array<std::string_view, 1> physicsInertia_aliases{"inertia"};
+
+constexpr std::array<std::string_view, 1> physicsCenterOfMass_aliases{"centerOfMass"};
+
+constexpr std::array<std::string_view, 1> physicsCenterOfMassTilde_aliases{"centerOfMassTilde"};
+
 constexpr std::array<Row, 28> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .needs_assemble = true},
@@ -46,16 +54,16 @@ constexpr std::array<Row, 28> rows{{
     {.name = "outputVariableTypeModeBasis", .storage = Storage::output_variable, .offset = offsetof(Record, parameters.outputVariableTypeModeBasis), .role = Role::parameter},
     {.name = "referencePositions", .storage = Storage::vector, .offset = offsetof(Record, parameters.referencePositions), .role = Role::parameter, .takes_number = true, .needs_assemble = true, .unit = "m"},
     {.name = "objectIsInitialized", .storage = Storage::boolean, .offset = offsetof(Record, parameters.objectIsInitialized), .role = Role::parameter},
-    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg"},
-    {.name = "physicsInertia", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .unit = "kg m^2"},
-    {.name = "physicsCenterOfMass", .storage = Storage::vector3, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter, .unit = "m"},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg", .aliases = physicsMass_aliases},
+    {.name = "physicsInertia", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .unit = "kg m^2", .aliases = physicsInertia_aliases},
+    {.name = "physicsCenterOfMass", .storage = Storage::vector3, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter, .unit = "m", .aliases = physicsCenterOfMass_aliases},
     {.name = "mPsiTildePsi", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mPsiTildePsi), .role = Role::parameter, .takes_number = true, .unit = "various"},
     {.name = "mPsiTildePsiTilde", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mPsiTildePsiTilde), .role = Role::parameter, .takes_number = true, .unit = "various"},
     {.name = "mPhitTPsi", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mPhitTPsi), .role = Role::parameter, .takes_number = true, .unit = "various"},
     {.name = "mPhitTPsiTilde", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mPhitTPsiTilde), .role = Role::parameter, .takes_number = true, .unit = "various"},
     {.name = "mXRefTildePsi", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mXRefTildePsi), .role = Role::parameter, .takes_number = true, .unit = "various"},
     {.name = "mXRefTildePsiTilde", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mXRefTildePsiTilde), .role = Role::parameter, .takes_number = true, .unit = "various"},
-    {.name = "physicsCenterOfMassTilde", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.physicsCenterOfMassTilde), .role = Role::parameter, .unit = "m"},
+    {.name = "physicsCenterOfMassTilde", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.physicsCenterOfMassTilde), .role = Role::parameter, .unit = "m", .aliases = physicsCenterOfMassTilde_aliases},
     {.name = "tempUserFunctionForce", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempUserFunctionForce), .role = Role::parameter, .takes_number = true, .internal = true, .unit = "various"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
@@ -65,10 +73,12 @@ constexpr std::array<Row, 28> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"CMSobject"};
 constexpr std::array<std::string_view, 3> provides{"Body", "MultiNoded", "SuperElement"};
-constexpr std::array<OutputVariableType, 3> outputs{
+constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::Coordinates,
     OutputVariableType::Coordinates_t,
     OutputVariableType::Force,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = SizedBodyPhysics<ObjectFFRFreducedOrder, ObjectFFRFreducedOrderRecord, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>{};

@@ -60,12 +60,14 @@ constexpr std::array<Row, 18> rows{{
 
 constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 3> provides{"Body", "MultiNoded", "SuperElement"};
-constexpr std::array<OutputVariableType, 5> outputs{
+constexpr std::array<OutputVariableType, 7> outputs{
     OutputVariableType::CoordinatesTotal,
     OutputVariableType::Coordinates,
     OutputVariableType::Coordinates_t,
     OutputVariableType::Coordinates_tt,
     OutputVariableType::Force,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = SizedBodyPhysics<ObjectGenericODE2, ObjectGenericODE2Record>{};

@@ -55,11 +55,13 @@ constexpr std::array<Row, 26> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"KinematicTree"};
 constexpr std::array<std::string_view, 3> provides{"Body", "MultiNoded", "SuperElement"};
-constexpr std::array<OutputVariableType, 4> outputs{
+constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::Coordinates,
     OutputVariableType::Coordinates_t,
     OutputVariableType::Coordinates_tt,
     OutputVariableType::Force,
+    OutputVariableType::KineticEnergy,
+    OutputVariableType::PotentialEnergy,
 };
 
 const auto& physics = object_kinematic_tree_physics();

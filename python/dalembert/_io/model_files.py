@@ -65,6 +65,12 @@ def _types(name: str) -> tuple[dict[str, str], dict[str, str]]:
     )
 
 
+@cache
+def _further_names(cls: type) -> dict[str, str]:
+    """Return the further names of parameters of an item class or visualization class."""
+    return {alias: row[0] for row in _parameters_of(cls) for alias in row[5]}
+
+
 def _classes(kind: str) -> dict[str, Any]:
     """Return the item classes of a kind by their full names."""
     base = _core.Item
@@ -340,9 +346,12 @@ def _made(
     decoder: Decoder, place: _Place, cls: Any, types: Mapping[str, str], names: Any, rows: Mapping[str, Any], path: str
 ) -> dict[str, Any]:
     """Return values of parameters, each of which the class accepts."""
-    made = {}
-    for row, value in rows.items():
-        with place.at(f"{path}.{row}"):
+    made: dict[str, Any] = {}
+    for name, value in rows.items():
+        with place.at(f"{path}.{name}"):
+            row = _further_names(cls).get(name, name)
+            if row in made:
+                raise ValueError(f"the parameter {row} is given twice, by two of its names")
             words = types.get(row, "object")
             value = _with_numbers(names, words, value) if words.endswith("Index") else decoder.value(value, words)
             cls(**{row: value})

@@ -14,6 +14,7 @@ import numpy as np
 from dalembert._checks import FloatArray, check_system, shape_error
 from dalembert._core import MainSystem
 from dalembert._io.files import file_to_read, read_table, require_last_line
+from dalembert._io.output_paths import OutputFilePath
 from dalembert._io.result_files import ParseOutputFileHeader
 from dalembert._tools.found_items import names_of
 from dalembert._tools.missing_names import nearest
@@ -161,7 +162,7 @@ def _sensor_information(
     if information["storeInternal"]:
         data = np.atleast_2d(mbs.GetSensorStoredData(number))
     elif information["writeToFile"] and information["fileName"]:
-        data = _file_information(where, information["fileName"], comments, delimiter)[2]
+        data = _file_information(where, OutputFilePath(information["fileName"]), comments, delimiter)[2]
     else:
         raise ValueError(
             f"{where}: sensor {number} {information['name']!r} keeps no data: "

@@ -25,8 +25,10 @@ _ADVICE = "  what to try:"
 _ITEMS = re.compile(r"^(\s*(?:singular at unknown \d+|rows [\d, ]+|equation \d+: \S+|\w+\[\d+\]: \S+))(?:: |  \().*$")
 
 
-class SolverError(ValueError):
-    """Error of a solver. Its text is the whole diagnosis with advice; its parts are attributes.
+class SolverError(_core.ExudynError, RuntimeError, ValueError):
+    """Error of a solver, also a RuntimeError and a ValueError.
+
+    Its text is the whole diagnosis with advice; its parts are attributes.
 
     reason: 'newton', 'openConstraints', 'singularMatrix', 'freeDirection', 'contradictoryConstraints', 'massMatrix',
         'discontinuousIteration', 'eventChatter', 'errorControl', 'stiffForMethod', 'singularPosition',

@@ -40,6 +40,17 @@ def kind_of(function: str, solverType: Any) -> Kind:
 
 
 @contextmanager
+def chosen_method(settings: Any, solverType: DynamicSolverType) -> Iterator[None]:
+    """Set timeIntegration.solverType while a solver runs."""
+    before = settings.timeIntegration.solverType
+    settings.timeIntegration.solverType = solverType
+    try:
+        yield
+    finally:
+        settings.timeIntegration.solverType = before
+
+
+@contextmanager
 def trapezoidal_rule(settings: Any, active: bool) -> Iterator[None]:
     """Switch the implicit integrator to the trapezoidal rule with index 2 constraints while a solver runs."""
     integrator = settings.timeIntegration.generalizedAlpha

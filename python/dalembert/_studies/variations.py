@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from dalembert import _core
 from dalembert._core import DynamicSolverType, SimulationSettings
-from dalembert._solving.integrators import Kind, kind_of, trapezoidal_rule
+from dalembert._solving.integrators import Kind, chosen_method, kind_of, trapezoidal_rule
 from dalembert._solving.quiet import assemble_if_needed, given_or_default
 from dalembert._studies.execution import number_of_threads
 from dalembert._tools.found_items import find_item
@@ -144,7 +144,7 @@ def SolveVariations(
     mbs: Any,
     parameters: _Parameters = {},
     simulationSettings: SimulationSettings | None = None,
-    solverType: DynamicSolverType | Literal["static"] = DynamicSolverType.GeneralizedAlpha,
+    solverType: DynamicSolverType | Literal["static"] | None = None,
     sensors: Sequence[Any] | None = None,
     initialCoordinates: Mapping[str, ArrayLike] = {},
     settings: Mapping[str, ArrayLike] = {},
@@ -180,7 +180,8 @@ def SolveVariations(
             "vary, such as {'timeIntegration.endTime': [1, 2]}; common values are in simulationSettings"
         )
     varied = [(path, np.asarray(values)) for path, values in settings.items()]
-    kind = _kind(solverType)
+    method = base.timeIntegration.solverType if solverType is None else solverType
+    kind = _kind(method)
     variations = _number_of_variations(
         {f"parameters[{index!r}, {name!r}]": values for index, name, values in given}
         | {f"initialCoordinates[{name!r}]": values for name, values in coordinates}
@@ -189,9 +190,10 @@ def SolveVariations(
     assemble_if_needed("SolveVariations", mbs, autoAssemble)
     wanted = list(range(mbs.systemData.NumberOfSensors())) if sensors is None else [_sensor(mbs, s) for s in sensors]
     ends = np.cumsum([0, *(np.size(mbs.GetSensorValues(sensor)) for sensor in wanted)]).tolist()
-    if kind == "explicit" and not isinstance(solverType, str):
-        base.timeIntegration.explicitIntegration.dynamicSolverType = solverType
-    with trapezoidal_rule(base, solverType == DynamicSolverType.TrapezoidalIndex2):
+    if kind == "explicit" and not isinstance(method, str):
+        base.timeIntegration.explicitIntegration.dynamicSolverType = method
+    own = base.timeIntegration.solverType if isinstance(method, str) else method
+    with chosen_method(base, own), trapezoidal_rule(base, method == DynamicSolverType.TrapezoidalIndex2):
         found = _core._SolveVariations(
             mbs, base, kind, variations, given, varied, coordinates, wanted, storeHistories, storeCoordinates,
             number_of_threads(numberOfThreads),

@@ -22,6 +22,7 @@ MODULES = {
         "CreateCartesianSpringDamper",
         "CreateRigidBodySpringDamper",
         "CreateTorsionalSpringDamper",
+        "CreateLinearSpringDamper",
         "CreateDistanceConstraint",
         "CreateCoordinateConstraint",
     ),
@@ -55,11 +56,11 @@ def checks(function: Callable[..., Any]) -> dict[str, Check]:
 def method(name: str) -> Callable[..., Any]:
     """Return a Create function with checks and documentation of its arguments."""
     from dalembert.create._arguments import checked
-    from dalembert.create._mirrors import documentation
+    from dalembert.create._mirrors import documentation, other_names
 
     function = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
     tests = checks(function)
-    made = checked(function, tests)
+    made = checked(function, tests, other_names(function))
     made.__doc__ = documentation(function, tests)
     return made
 

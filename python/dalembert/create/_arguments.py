@@ -186,8 +186,10 @@ def argument_error(function: str, argument: str, expected: str, received: Any) -
     return shape_error(f"MainSystem.{function}(...): argument '{argument}'", expected, received)
 
 
-def checked(function: FunctionType, checks: dict[str, Check]) -> Callable[..., Any]:
+def checked(function: FunctionType, checks: dict[str, Check], renamed: dict[str, str]) -> Callable[..., Any]:
     """Return the function with a check of the arguments that a caller gives, by `checks`.
+
+    `renamed`: further names of arguments, with the names that `function` has.
 
     Raises ValueError for a wrong value and TypeError for an unknown argument, with the nearest known one, before any
     item has been added. If items refuse each other later, those that have been added are taken back.
@@ -197,6 +199,7 @@ def checked(function: FunctionType, checks: dict[str, Check]) -> Callable[..., A
     table = {name: checks.get(name, ANYTHING) for name in names}
     tests = {name: check.quick or check.test for name, check in table.items()}
     anything = ANYTHING.test
+    other_names = frozenset(renamed)
 
     def accepts(name: str, value: Any) -> bool:
         return name in table and table[name].quick is not None and table[name].test(value)
@@ -207,7 +210,7 @@ def checked(function: FunctionType, checks: dict[str, Check]) -> Callable[..., A
             problem = check.problem(value) if check.problem is not None else ""
             error = argument_error(function.__name__, name, check.expected, value)
             raise ValueError(f"{error}. {problem}") if problem else error
-        hint = nearest(name, names[1:]) or f"; known are: {', '.join(names[1:])}"
+        hint = nearest(name, [*names[1:], *renamed]) or f"; known are: {', '.join(names[1:])}"
         if "inertia" in names and name.lower().endswith("mass"):  # name of the parameter in items
             hint = ". Pass mass and inertia as inertia=InertiaCuboid(...) or another of the Inertia... functions"
         if name.startswith("markerNumber"):  # name of the parameter in items
@@ -217,8 +220,21 @@ def checked(function: FunctionType, checks: dict[str, Check]) -> Callable[..., A
             )
         raise TypeError(f"MainSystem.{function.__name__}(...): unknown argument '{name}'{hint}")
 
+    def with_own_names(args: tuple[Any, ...], kwargs: dict[str, Any]) -> dict[str, Any]:
+        result = {name: value for name, value in kwargs.items() if name not in renamed}
+        for name, value in kwargs.items():
+            if name in renamed:
+                own = renamed[name]
+                if own in result or own in names[: len(args)]:
+                    where = f"MainSystem.{function.__name__}(...)"
+                    raise TypeError(f"{where}: argument '{own}' is given twice, also by its name '{name}'")
+                result[own] = value
+        return result
+
     @functools.wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
+        if not other_names.isdisjoint(kwargs):
+            kwargs = with_own_names(args, kwargs)
         given = kwargs if len(args) < 2 else dict(zip(names, args, strict=False)) | kwargs
         for name, value in given.items():
             test = tests.get(name)

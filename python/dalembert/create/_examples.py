@@ -53,6 +53,16 @@ flywheel = mbs.CreateRigidBody(initialAngularVelocity=[0, 0, 2], inertia=disc)
 mbs.CreateRevoluteJoint(bodyNumbers=[ground, flywheel], position=[0, 0, 0], axis=[0, 0, 1])
 mbs.CreateTorsionalSpringDamper(bodyNumbers=[ground, flywheel], axis=[0, 0, 1], stiffness=30, damping=0.1)
 """,
+    "CreateLinearSpringDamper": """
+ground = mbs.CreateGround()
+slider = mbs.CreateRigidBody(
+    inertia=InertiaCuboid(density=1000, sideLengths=[0.2, 0.1, 0.1]), referencePosition=[1, 0, 0]
+)
+mbs.CreatePrismaticJoint(bodyNumbers=[ground, slider], position=[1, 0, 0], axis=[1, 0, 0])
+spring = mbs.CreateLinearSpringDamper(
+    bodyNumbers=[ground, slider], position=[1, 0, 0], axis=[1, 0, 0], stiffness=1000, damping=10, offset=0.1
+)
+""",
     "CreateDistanceConstraint": """
 ground = mbs.CreateGround()
 mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=2, gravity=[0, -9.81, 0])

@@ -40,17 +40,20 @@ from dalembert.create._examples import EXAMPLES
 
 
 class Row(NamedTuple):
-    """A parameter of an item: `facts` are check and unit in words."""
+    """A parameter of an item: `facts` are check and unit in words, `aliases` its further names."""
 
     name: str
     type: str
     check: str
     facts: str
     text: str
+    aliases: tuple[str, ...] = ()
 
 
 # Arguments that have another name than the parameter.
 RENAMED = {"axisVector": "discAxis", "graphicsDataList": "graphicsData"}
+# Further names of arguments that are not parameters of an item, and of parameters in Create functions only.
+OTHER_NAMES = {"bodyNumbers": "itemNumbers", "bodyNumber": "itemNumber", "radiusSphere": "sphereRadius"}
 # Arguments that are not parameters of an item.
 TEXTS = {
     "referencePosition": "position in the reference configuration, in the global frame (m)",
@@ -60,6 +63,8 @@ TEXTS = {
     "initialAngularVelocity": "angular velocity at the start, in the global frame (rad/s)",
     "initialRotationMatrix": "rotation at the start, from the right of the reference rotation; in 2D the total one",
     "inertia": "mass, centre of mass and inertia, such as InertiaCuboid(...)",
+    "referenceHT": "reference position and rotation as exu.HT or 4 x 4 matrix, in place of the two arguments",
+    "initialHT": "initial displacement and rotation, from the reference, as exu.HT or 4 x 4 matrix",
     "gravity": "acceleration of gravity (m/s^2); bodies on nodes get a load with their weight",
     "nodeType": "how rotations are described by coordinates",
     "create2D": "True: a body in the xy plane",
@@ -100,6 +105,8 @@ TEXTS = {
 TYPES = {
     "bodyNumber": "ObjectIndex, MarkerIndex or name",
     "position": "3 numbers",
+    "referenceHT": "HT or 4 x 4 matrix",
+    "initialHT": "HT or 4 x 4 matrix",
     "quadPoints": "4 points of 3 numbers",
     "superElementRigidMarkersOffsets": "list of 3 numbers each",
     "colors": "4 numbers, or a list of them",
@@ -149,6 +156,12 @@ def mirrored(function: Callable[..., Any]) -> dict[str, Row]:
     names = {name: RENAMED.get(name, name) for name in parameters(function)}
     described = texts(function)
     return {name: rows[row] for name, row in names.items() if row in rows and name not in described}
+
+
+def other_names(function: Callable[..., Any]) -> dict[str, str]:
+    """Return the further names of arguments: those of Create functions, and those of the parameters of items."""
+    own = {OTHER_NAMES[name]: name for name in parameters(function) if name in OTHER_NAMES}
+    return own | {alias: name for name, row in mirrored(function).items() for alias in row.aliases}
 
 
 def check_of(row: Row) -> Check:
@@ -221,6 +234,10 @@ def documentation(function: Callable[..., Any], checks: dict[str, Check]) -> str
     """Return the docstring of a Create function with a list of its arguments and an example."""
     told = arguments(function, checks)
     values = [f" = {a.default}" if a.default else ", required" for a in told]
-    lines = [f"    {a.name}: {a.type}{v}{a.facts}\n        {a.text}" for a, v in zip(told, values, strict=True)]
+    own = {name: f"; also named {OTHER_NAMES[name]}" for name in parameters(function) if name in OTHER_NAMES}
+    lines = [
+        f"    {a.name}: {a.type}{v}{a.facts}{own.get(a.name, '')}\n        {a.text}"
+        for a, v in zip(told, values, strict=True)
+    ]
     example = indent(EXAMPLES[function.__name__].strip(), "    ")
     return "\n".join((f"{inspect.getdoc(function)}\n\nArguments:", *lines, f"\nExample:\n{example}\n"))

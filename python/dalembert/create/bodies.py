@@ -11,6 +11,7 @@ import numpy as np
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import MainSystem, NodeType, ObjectIndex
+from dalembert._geometry.rigid_transformation import parts
 from dalembert.create._arguments import (
     DEFAULT_COLOR,
     FLAG,
@@ -33,6 +34,15 @@ from dalembert.rigidBodyUtilities import (
 )
 
 
+def _parts(function: str, name: str, value: Any, given: dict[str, Any]) -> tuple[FloatArray, FloatArray]:
+    """Return translation and rotation of an HT, a 4 x 4 matrix or its 16 values, with which no part may be given."""
+    for part, other in given.items():
+        if other is not None and not np.array_equal(other, np.eye(3) if np.ndim(other) == 2 else ZERO3):
+            raise argument_error(function, part, f"nothing, as {name} is given", other)
+    position, rotation = parts(f"MainSystem.{function}(...): {name}", value, False, True)
+    return position, rotation
+
+
 def CreateGround(
     mbs: MainSystem,
     name: str = "",
@@ -41,11 +51,16 @@ def CreateGround(
     graphicsDataList: list[dict[str, Any]] = [],
     graphicsDataUserFunction: UserFunction = 0,
     show: bool = True,
+    referenceHT: Any = None,
 ) -> ObjectIndex:
     """Add a ground object and return its ObjectIndex.
 
-    Position (m) and rotation (local to global) are those of the ground's frame, in the global frame.
+    Position (m) and rotation (local to global) are those of the ground's frame, in the global frame; referenceHT gives
+    both.
     """
+    if referenceHT is not None:
+        given = {"referencePosition": referencePosition, "referenceRotationMatrix": referenceRotationMatrix}
+        referencePosition, referenceRotationMatrix = _parts("CreateGround", "referenceHT", referenceHT, given)
     visualization = items.VObjectGround(
         show=show, graphicsDataUserFunction=graphicsDataUserFunction, graphicsData=graphicsDataList
     )
@@ -257,12 +272,20 @@ def CreateRigidBody(
     show: bool = True,
     create2D: bool = False,
     returnDict: bool = False,
+    referenceHT: Any = None,
+    initialHT: Any = None,
 ) -> Any:
     """Add a rigid body with its node, and its weight if there is gravity; return the body's ObjectIndex.
 
     If graphicsDataList is not given, the body is drawn in the shape of its inertia, and its node if drawSize is given.
     returnDict=True returns a dict with nodeNumber, bodyNumber and, if there is gravity, markerBodyMass and loadNumber.
     """
+    if referenceHT is not None:
+        given = {"referencePosition": referencePosition, "referenceRotationMatrix": referenceRotationMatrix}
+        referencePosition, referenceRotationMatrix = _parts("CreateRigidBody", "referenceHT", referenceHT, given)
+    if initialHT is not None:
+        start = {"initialDisplacement": initialDisplacement, "initialRotationMatrix": initialRotationMatrix}
+        initialDisplacement, initialRotationMatrix = _parts("CreateRigidBody", "initialHT", initialHT, start)
     if not isinstance(inertia, RigidBodyInertia):
         raise argument_error("CreateRigidBody", "inertia", "a RigidBodyInertia, e.g. InertiaCuboid(...)", inertia)
     if create2D and np.linalg.norm(inertia.com) > 1e-14:

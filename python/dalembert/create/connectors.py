@@ -219,6 +219,46 @@ def CreateTorsionalSpringDamper(
     )
 
 
+def CreateLinearSpringDamper(
+    mbs: MainSystem,
+    name: str = "",
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
+    position: Vector = ZERO3,
+    axis: Vector = (1.0, 0.0, 0.0),
+    stiffness: float = 0.0,
+    damping: float = 0.0,
+    offset: float = 0.0,
+    velocityOffset: float = 0.0,
+    force: float = 0.0,
+    useGlobalFrame: bool = True,
+    springForceUserFunction: UserFunction = 0,
+    show: bool = True,
+    drawSize: float = -1,
+    color: Vector = DEFAULT_COLOR,
+) -> ObjectIndex:
+    """Add a spring-damper along an axis that is fixed to the first of two bodies or markers; return its ObjectIndex.
+
+    Displacements count along the axis, from the position. A prismatic joint may guide the bodies along it.
+    """
+    require_axis("CreateLinearSpringDamper", axis)
+    place = joint_place(mbs, "CreateLinearSpringDamper", bodyNumbers, position, useGlobalFrame)
+    direction = place.to_global(axis, useGlobalFrame)
+    return mbs.AddObject(
+        items.ObjectConnectorLinearSpringDamper(
+            name=name,
+            markerNumbers=add_joint_markers(mbs, place, name),
+            stiffness=stiffness,
+            damping=damping,
+            axisMarker0=place.rotations[0].T @ direction / np.linalg.norm(direction),
+            offset=offset,
+            velocityOffset=velocityOffset,
+            force=force,
+            springForceUserFunction=springForceUserFunction,
+            visualization=items.VObjectConnectorLinearSpringDamper(show=show, drawSize=drawSize, color=color),
+        )
+    )
+
+
 def CreateDistanceConstraint(
     mbs: MainSystem,
     name: str = "",
@@ -343,6 +383,7 @@ def CreateCoordinateConstraint(
 CHECKS: dict[str, dict[str, Check]] = {
     "CreateRigidBodySpringDamper": {"rotationMatrixJoint": rotation_matrix()},
     "CreateTorsionalSpringDamper": {"axis": vector(3), "unlimitedRotations": FLAG},
+    "CreateLinearSpringDamper": {"axis": vector(3)},
     "CreateDistanceConstraint": {"distance": NOT_NEGATIVE.optional()},
     "CreateCoordinateConstraint": {
         "bodyNumbers": list_of(2, "body numbers"),

@@ -256,12 +256,15 @@ struct PairPhysics final : ObjectPhysics {
   bool works_without_data(const void* record) const override {
     return !K::needs_data(static_cast<const Record*>(record)->parameters);
   }
-  void check(const void*, const Placement& placement, const Ports& ports, const ItemLabel& item) const override {
+  void check(const void* record, const Placement& placement, const Ports& ports, const ItemLabel& item) const override {
     check_markers<typename K::Port>(placement, ports, item);
-    if constexpr (K::data_coordinates > 0)
-      if (!placement.nodes.empty() && placement.data_count != K::data_coordinates)
-        refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(placement.data_count) + " data coordinates",
-                                  data_node_of(K::data_coordinates), ""});
+    int expected = K::data_coordinates;
+    if constexpr (requires { K::check(static_cast<const Record*>(record)->parameters, item); }) {
+      K::check(static_cast<const Record*>(record)->parameters, item);
+      expected = K::data_of(static_cast<const Record*>(record)->parameters);
+    }
+    if (expected > 0 && !placement.nodes.empty() && placement.data_count != expected)
+      refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(placement.data_count) + " data coordinates", data_node_of(expected), ""});
   }
 };
 

@@ -120,6 +120,25 @@ class ElementBatch : public Term {
     const OutputRequest request{variable, local, e.reference.x, evaluation.of_reference};
     return E::output(e.parameters, context(evaluation, e), x, request, values);
   }
+  // The kinetic energy is v' M v / 2, where M v are the forces of accelerations v minus those of none.
+  bool energy(int entry, Energy kind, const Evaluation& evaluation, double& value) const override {
+    value = 0;
+    if constexpr (n > 0) {
+      const Entry& e = entries_[entry];
+      const auto x = gather<n>(evaluation, e.dofs.data());
+      if (kind == Energy::potential) {
+        if constexpr (requires { E::strain_energy(e.parameters, e.constants, x.q, value); })
+          return E::strain_energy(e.parameters, e.constants, x.q, value);
+        return true;
+      }
+      const auto forces = [&](const Vec<double, n>& a) {
+        return element_residual<E, double>(e.parameters, e.constants, context(evaluation, e), Coordinates<double, n>{.q = x.q, .v = {}, .a = a});
+      };
+      const auto moving = forces(x.v), resting = forces({});
+      for (int i = 0; i < n; ++i) value += 0.5 * x.v[i] * (moving[i] - resting[i]);
+    }
+    return true;
+  }
 
  protected:
   struct Entry {

@@ -95,6 +95,36 @@ class SizedBodyBatch final : public Term {
     for (const int i : dofs) values.push_back(r[i]);
     return true;
   }
+  // v' M v / 2, and the work of the linear forces between the reference configuration and u, half of u (F(u) + F(0)).
+  bool energy(int entry, Energy kind, const Evaluation& evaluation, double& value) const override {
+    const Entry& e = entries_[entry];
+    const std::vector<int>& dofs = e.law.dofs();
+    if (B::order != 2 || e.law.has_mass_function() || (kind == Energy::potential && e.law.calls_forces())) return false;
+    const std::size_t size = dofs.empty() ? 0 : static_cast<std::size_t>(*std::ranges::max_element(dofs)) + 1;
+    const std::vector<double> none(size, 0.0);
+    std::vector<double> first(size, 0.0), second(size, 0.0);
+    Evaluation at = evaluation;
+    at.v = at.a = none.data();
+    const auto add_all = [&](const double* a, std::vector<double>& r) {
+      at.a = a;
+      Work work = own_work(e, at);
+      e.law.add_inertia(at, work.law, r.data());
+      if constexpr (has_residual<B>) add_residual(e, work, r.data());
+    };
+    value = 0;
+    if (kind == Energy::kinetic) {
+      add_all(evaluation.v, first);
+      add_all(none.data(), second);
+      for (const int i : dofs) value += 0.5 * evaluation.v[i] * (first[static_cast<std::size_t>(i)] - second[static_cast<std::size_t>(i)]);
+      return true;
+    }
+    Work work = own_work(e, at);
+    e.law.add_forces(at, work.law, first.data());
+    at.u = none.data();
+    e.law.add_forces(at, work.law, second.data());
+    for (const int i : dofs) value += 0.5 * evaluation.u[i] * (first[static_cast<std::size_t>(i)] + second[static_cast<std::size_t>(i)]);
+    return true;
+  }
   int mesh_nodes(int entry) const override {
     if constexpr (places_mesh<B>) {
       const int count = B::mesh_nodes(*entries_[entry].parameters);

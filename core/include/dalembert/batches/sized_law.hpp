@@ -24,6 +24,7 @@ class LawOfBody {
   bool full() const { return full_; }  // all n x n places of the tangent are written
   bool same_places(const LawOfBody& other) const;
   bool has_mass_function() const { return static_cast<bool>(mass_); }
+  bool calls_forces() const { return static_cast<bool>(force_); }
 
   // Room for the arguments and results of user functions.
   struct Work {

@@ -128,6 +128,21 @@ struct StrainElement {
     return r;
   }
 
+  // Energy of the strains, sum of w strain' C strain / 2; false: user functions state no energy.
+  static bool strain_energy(const Parameters& p, const Prepared& k, const Vec<double, size>& q, double& energy) {
+    if (E::calls(p)) return false;
+    const Local<double> y = Map::local(k.constants, Coordinates<double, size>{.q = q, .v = {}, .a = {}});
+    energy = 0;
+    each_of<typename E::Families>(k.free, [&]<class F>(const auto& free) {
+      for (int i = 0; i < F::points(k.constants).count; ++i) {
+        const auto& point = F::points(k.constants).at[i];
+        const Vec<double, F::strains> strain = F::strain(k.constants, interpolated<F>(point.shape, y)) - free[i];
+        energy += 0.5 * point.weight * k.constants.length * dot(strain, stiffness_at<F>(k.constants, point.position) * strain);
+      }
+    });
+    return true;
+  }
+
   template <class S>
   static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
     return E::motion(p, x, local);
@@ -253,7 +268,7 @@ struct StrainElement {
       return F::stress(p, k, c, place, strain, strain_rate<F>(k, at, rates), free);
     } else {
       auto stress = stiffness_at<F>(k, place) * (strain - free);
-      if constexpr (damped) stress += F::damping(k) * strain_rate<F>(k, at, rates);
+      if constexpr (damped) stress += damping_at<F>(k, place) * strain_rate<F>(k, at, rates);
       return stress;
     }
   }

@@ -29,6 +29,19 @@ void add_moment_of_product(const Vec3<S>& a, const Vec3<S>& b, double lambda, st
   forces[1].moment -= moment;
 }
 
+// Outputs of joints of two points, with the force on the first one.
+inline bool point_joint_output(const PointFrame<double>& m0, const PointFrame<double>& m1, const Vec3<double>& force,
+                               OutputVariableType variable, std::vector<double>& values) {
+  const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
+  switch (variable) {
+    case OutputVariableType::Position: vector(m0.position); return true;
+    case OutputVariableType::Velocity: vector(m0.velocity); return true;
+    case OutputVariableType::Displacement: vector(m1.position - m0.position); return true;
+    case OutputVariableType::Force: vector(force); return true;
+    default: return false;
+  }
+}
+
 // Outputs that all joints with two rigid frames share.
 template <class Parameters>
 bool joint_motion_output(const Parameters& p, const RigidFrame<double>& m0, const RigidFrame<double>& m1,

@@ -73,6 +73,16 @@ template <class F, class K>
 auto stiffness_at(const K& k, const PlaceOf<F, K>& place) {
   return F::stiffness(k, place);
 }
+template <class F, class K>
+  requires requires(const K& k) { F::damping(k); }
+decltype(auto) damping_at(const K& k, const PlaceOf<F, K>&) {
+  return F::damping(k);
+}
+template <class F, class K>
+  requires requires(const K& k, const PlaceOf<F, K>& place) { F::damping(k, place); }
+auto damping_at(const K& k, const PlaceOf<F, K>& place) {
+  return F::damping(k, place);
+}
 
 // Definition of a point with a linear law; S is a number, dual numbers, or lane-parallel numbers.
 template <class F, class E>
@@ -80,7 +90,7 @@ concept LinearFamily = requires(const typename E::Constants& k, const PlaceOf<F,
   k.length* Vec<double, F::strains>{};
   { stiffness_at<F>(k, place) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;  // stress by strain
   // derivative with respect to the rate of strain
-  { F::damping(k) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;
+  { damping_at<F>(k, place) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;
 };
 // A law of its own, such as a function of the user; `free` are the strains without stress.
 template <class F, class E>

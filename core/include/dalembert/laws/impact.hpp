@@ -45,7 +45,8 @@ struct ImpactLaw {
   // `impact_velocity`: rate of penetration at the begin of the contact.
   template <class Parameters>
   ImpactLaw(const Parameters& p, double impact_velocity)
-      : stiffness(p.contactStiffness), exponent(p.contactStiffnessExponent), damping(p.contactDamping), limited(p.limitDamping) {
+      : stiffness(p.contactStiffness), exponent(p.contactStiffnessExponent), damping(p.contactDamping) {
+    if constexpr (requires { p.limitDamping; }) limited = p.limitDamping;
     const double velocity = std::max(p.minimumImpactVelocity, impact_velocity), e = p.restitutionCoefficient;
     if (p.impactModel == 0 || !(velocity > 0)) return;
     double loss = 1.5 * (1 - e);

@@ -54,6 +54,10 @@ class OutputFile {
 // All are closed, then the first error is thrown.
 void close_all(std::span<OutputFile> files);
 
+// The folder of files of solvers, sensors and exu.SetWriteToFile; empty: the names are used as they are.
+std::string& output_directory();
+// The name of such a file in that folder; an absolute name is refused if there is one.
+std::string output_path(const std::string& name);
 // Makes the folder of a file; errors appear when the file is opened.
 void make_folder_of(const std::string& name);
 

@@ -126,6 +126,9 @@ struct Placement {
   }
 };
 
+// Energy of one item: of its velocities, or stored by its strains and its own weight.
+enum class Energy { kinetic, potential };
+
 class Batch {
  public:
   virtual ~Batch() = default;
@@ -188,6 +191,8 @@ class Term : public Batch {
                       std::vector<double>&) const {
     return false;
   }
+  // Energy of an entry in J; false: it is not known, e.g. with a user function.
+  virtual bool energy(int /*entry*/, Energy, const Evaluation&, double& /*value*/) const { return false; }
   // Mesh nodes that are not at the positions of system nodes: their number, and outputs of a range of them, row by
   // row.
   virtual int mesh_nodes(int /*entry*/) const { return 0; }

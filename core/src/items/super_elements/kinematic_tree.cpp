@@ -205,6 +205,41 @@ class TreeBody {
     add_residual(e, room, r.data());
     values.assign(r.begin() + first_, r.end());
   }
+  // v' M v / 2, or the work against weight, forces on links and joint forces since the reference configuration, and the
+  // springs of the joint controllers.
+  bool energy(Energy kind, Evaluation e, double& value) const {
+    if (kind == Energy::potential && law_.calls_forces()) return false;
+    Room room;
+    make(room);
+    value = 0;
+    Links<double>& links = room.single;
+    links.place(tree_, q(e));
+    if (kind == Energy::kinetic) {
+      const std::vector<double> rest(tree_.links.size(), 0.0);
+      links.find_inertia_forces(tree_, q(e), rest.data(), v(e), {});
+      trees::sum_to_base<double>(tree_, links.places, links.wrenches, [&](std::size_t i, double force) { value += 0.5 * v(e)[i] * force; });
+      return true;
+    }
+    const double* const u = e.u + first_;
+    std::vector<double> reference(q(e), q(e) + count()), forces(static_cast<std::size_t>(first_ + count()), 0.0);
+    for (std::size_t i = 0; i < reference.size(); ++i) reference[i] -= u[i];
+    const auto work_of_places = [&](double sign) {
+      trees::find_origins<double>(tree_, links.places, room.origins);
+      for (std::size_t i = 0; i < tree_.links.size(); ++i) {
+        const Vec3<double> force = tree_.links[i].mass * gravity_ + (loads_.empty() ? Vec3<double>{} : loads_[i].force);
+        value -= sign * (dot(force, room.origins[i]) + dot(gravity_, links.masses[i].moment));
+      }
+    };
+    work_of_places(1);
+    links.place(tree_, reference.data());
+    work_of_places(-1);
+    law_.add_forces(e, room.law, forces.data());
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+      const double turn = q(e)[i] - desired_[i];
+      value += 0.5 * stiffness_[i] * turn * turn + u[i] * forces[static_cast<std::size_t>(first_) + i];
+    }
+    return true;
+  }
   void coordinates(const Evaluation& e, std::vector<double>& values) const { values.assign(q(e), q(e) + count()); }
 
  private:
@@ -293,6 +328,9 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
     else if (variable == OutputVariableType::Force) body.forces(evaluation, values);
     else return false;
     return true;
+  }
+  bool energy(int entry, Energy kind, const Evaluation& evaluation, double& value) const override {
+    return entries_[entry].body.energy(kind, evaluation, value);
   }
   int links(int entry) const override { return entries_[entry].body.count(); }
   double reach(int entry) const override { return entries_[entry].body.reach(); }

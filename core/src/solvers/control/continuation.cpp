@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
+#include "dalembert/output/output_file.hpp"
 #include "dalembert/output/restart_file.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "observers/dense_output.hpp"
@@ -26,6 +28,13 @@ constexpr std::size_t numbers_per_lock = 4;
 
 double as_number(StepCount n) { return static_cast<double>(n); }
 
+// The file to go on from; empty: the initial values.
+std::string file_of(const SimulationSettings& settings) {
+  const std::string& asked = settings.continuation.restartFileName;
+  const std::string own = output_path(settings.solutionSettings.restartFileName);
+  return asked.empty() && settings.continuation.ifAvailable && std::filesystem::exists(own) ? own : asked;
+}
+
 }  // namespace
 
 Solver::Solver() = default;
@@ -33,7 +42,7 @@ Solver::~Solver() = default;
 
 void Solver::read_continuation() {
   continuation_.reset();
-  const std::string& name = settings_->continuation.restartFileName;
+  const std::string name = file_of(*settings_);
   if (name.empty()) return;
   auto data = std::make_unique<RestartData>(read_restart_file(name));
   if (data->solver != this->name()) {
@@ -45,7 +54,7 @@ void Solver::read_continuation() {
 
 // Copies the restart data into the current state; output files are open.
 void Solver::take_continuation() {
-  const std::string& name = settings_->continuation.restartFileName;
+  const std::string name = file_of(*settings_);
   const RestartData& data = *continuation_;
   require_fitting(data, current(), name);
   const std::size_t without_locks = RunNumber::count + restart_numbers().size() + SolverIterationData::counts.size();
@@ -86,10 +95,10 @@ void Solver::continue_steps() {
   if (watch_) {
     const std::span<const double> numbers(continuation_->events);
     const std::size_t all = numbers.size(), of_events = hooks().schedule ? std::min(all, EventWatch::numbers_per_function * watch_->count()) : all;
-    watch_->take_numbers(numbers.first(of_events), settings_->continuation.restartFileName);
+    watch_->take_numbers(numbers.first(of_events), file_of(*settings_));
     if (hooks().schedule) hooks().schedule->take_numbers(numbers.subspan(of_events));
   }
-  if (verbose(1)) say(1, "  going on from '" + settings_->continuation.restartFileName + "' at time " + number(it.currentTime) + "\n");
+  if (verbose(1)) say(1, "  going on from '" + file_of(*settings_) + "' at time " + number(it.currentTime) + "\n");
   ++it.currentStepIndex;
   end_reached_ = ends_here();
 }

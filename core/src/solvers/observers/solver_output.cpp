@@ -58,9 +58,9 @@ void Solver::initialize_output() {
   if (output.writeToSolutionFile) lengths.empty() ? solution_file_.open(*settings_) : solution_file_.resume(*settings_, lengths.front());
   output.writeToSolverFile = output.verboseModeFile > 0 && !s.solverInformationFileName.empty();
   if (output.writeToSolverFile) {
-    information_file_.open(s.solverInformationFileName, s.appendToFile, "solver information file");
+    information_file_.open(output_path(s.solverInformationFileName), s.appendToFile, "solver information file");
   }
-  if (s.writeRestartFile) check_restart_file(s.restartFileName);
+  if (s.writeRestartFile) check_restart_file(output_path(s.restartFileName));
   sensors_.open(*settings_, environment_->sensors, environment_->sensor_storage, expected_sensor_rows(*settings_, is_static()),
                 lengths.subspan(lengths.empty() ? 0 : 1));
   warn_of_files_written_twice();
@@ -80,7 +80,7 @@ void Solver::warn_of_files_written_twice() {
            "file and every sensor a name of its own");
   };
   for (const OutputFile* file : files) check(file->name());
-  if (!files.empty() && settings_->solutionSettings.writeRestartFile) check(settings_->solutionSettings.restartFileName);
+  if (!files.empty() && settings_->solutionSettings.writeRestartFile) check(output_path(settings_->solutionSettings.restartFileName));
 }
 
 void Solver::say(int level, std::string_view text) {
@@ -278,7 +278,7 @@ void Solver::write_restart() {
   const TimedPart time(timer, timer.writeSolution);
   last_restart_ = t;
   if (multipliers_may_wait_) told_multipliers();  // the solver continues with the multipliers of the restart file
-  write_restart_file(settings_->solutionSettings.restartFileName, restart_data());
+  write_restart_file(output_path(settings_->solutionSettings.restartFileName), restart_data());
   if (last) return;
   forget();
   compare_constraints_with(current());

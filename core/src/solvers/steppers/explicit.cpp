@@ -54,7 +54,9 @@ void kick_and_drift_from(const System& system, State& start, State& state, doubl
 std::string ExplicitSolver::name() const { return std::string("explicit time integration (") + type_name(type_) + ")"; }
 
 void ExplicitSolver::pre_initialize() {
-  type_ = settings().timeIntegration.explicitIntegration.dynamicSolverType;
+  const auto is_explicit = [](DynamicSolverType type) { return type == DynamicSolverType::VelocityVerlet || runge_kutta_method(type).stages > 0; };
+  const auto& integration = settings().timeIntegration;
+  type_ = is_explicit(integration.solverType) ? integration.solverType : integration.explicitIntegration.dynamicSolverType;
   verlet_ = type_ == DynamicSolverType::VelocityVerlet;
   method_ = runge_kutta_method(type_);
   if (!verlet_ && method_.stages == 0) {

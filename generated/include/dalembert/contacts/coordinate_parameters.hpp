@@ -14,6 +14,10 @@ struct ObjectContactCoordinateParameters {
   double contactDamping = 0.0;
   double offset = 0.0;
   bool activeConnector = true;
+  double contactStiffnessExponent = 1.0;
+  double restitutionCoefficient = 1.0;
+  double minimumImpactVelocity = 0.0;
+  int impactModel = 0;
 };
 
 struct ObjectContactCoordinateVisualization {

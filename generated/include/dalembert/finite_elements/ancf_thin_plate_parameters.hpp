@@ -18,6 +18,8 @@ struct ObjectANCFThinPlateParameters {
   Vec<double, 4> slopesScalingY = {-1.0, -1.0, -1.0, -1.0};
   std::vector<NodeIndex> nodeNumbers = std::vector<NodeIndex>(4);
   int useReducedOrderIntegration = 0;
+  double stiffnessProportionalDamping = 0.0;
+  double bendingStiffnessProportionalDamping = -1.0;
 };
 
 struct ObjectANCFThinPlateVisualization {

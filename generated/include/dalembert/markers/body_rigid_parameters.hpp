@@ -10,6 +10,7 @@ namespace dalembert {
 struct MarkerBodyRigidParameters {
   ObjectIndex bodyNumber;
   Vec<double, 3> localPosition = {};
+  Mat<double, 3, 3> localRotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 };
 
 struct MarkerBodyRigidVisualization {

@@ -11,6 +11,7 @@ struct MarkerKinematicTreeRigidParameters {
   ObjectIndex objectNumber;
   int linkNumber = -1;
   Vec<double, 3> localPosition = {};
+  Mat<double, 3, 3> localRotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 };
 
 struct MarkerKinematicTreeRigidVisualization {

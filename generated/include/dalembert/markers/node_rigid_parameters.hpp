@@ -9,6 +9,7 @@ namespace dalembert {
 // A marker at a node with position and orientation
 struct MarkerNodeRigidParameters {
   NodeIndex nodeNumber;
+  Mat<double, 3, 3> localRotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 };
 
 struct MarkerNodeRigidVisualization {

@@ -14,6 +14,7 @@ struct MarkerSuperElementRigidParameters {
   std::vector<double> weightingFactors;
   bool useAlternativeApproach = true;
   int rotationsExponentialMap = 2;
+  Mat<double, 3, 3> localRotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 };
 
 struct MarkerSuperElementRigidVisualization {

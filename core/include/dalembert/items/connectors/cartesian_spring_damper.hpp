@@ -38,6 +38,12 @@ struct ObjectConnectorCartesianSpringDamper : NoPairHistory {
       case OutputVariableType::Distance: values = {norm(span)}; return true;
       case OutputVariableType::Velocity: vector(rate); return true;
       case OutputVariableType::Force: vector(p.activeConnector ? tension<double>(p, c, span, rate) : Vec3<double>{}); return true;
+      case OutputVariableType::PotentialEnergy: {
+        double energy = 0;
+        for (int i = 0; i < 3; ++i) energy += 0.5 * p.stiffness[i] * span[i] * span[i];
+        values = {p.activeConnector ? energy : 0.0};
+        return !p.springForceUserFunction;
+      }
       default: return false;
     }
   }

@@ -34,6 +34,9 @@ struct ObjectConnectorCoordinateSpringDamper : NoPairHistory {
       case OutputVariableType::Displacement: values = {span}; return true;
       case OutputVariableType::Velocity: values = {rate}; return true;
       case OutputVariableType::Force: values = {p.activeConnector ? tension(p, c, span, rate) : 0.0}; return true;
+      case OutputVariableType::PotentialEnergy:
+        values = {p.activeConnector ? 0.5 * p.stiffness * (span - p.offset) * (span - p.offset) : 0.0};
+        return !p.springForceUserFunction;
       default: return false;
     }
   }

@@ -1,6 +1,8 @@
 // ObjectConnectorGravity, specs/connectors/gravity.toml
 #pragma once
 
+#include <cmath>
+
 #include "dalembert/connectors/gravity_parameters.hpp"
 #include "dalembert/contracts/line_of_action.hpp"
 #include "dalembert/contracts/pair.hpp"
@@ -26,12 +28,20 @@ struct ObjectConnectorGravity : NoPairHistory, NoConnectorForms {
     switch (variable) {
       case OutputVariableType::Distance: values = {norm(span)}; return true;
       case OutputVariableType::Displacement: vector(span); return true;
+      case OutputVariableType::PotentialEnergy: values = {p.activeConnector ? potential(p, norm(span)) : 0.0}; return true;
       case OutputVariableType::Force: vector(p.activeConnector ? attraction(p, c, m0, m1) : Vec3<double>{}); return true;
       default: return false;
     }
   }
 
  private:
+  // Integral of the force from infinity; closer than r, it is c/(d^2 + (r - d)^2).
+  static double potential(const Parameters& p, double distance) {
+    const double near = p.minDistanceRegularization, c = p.gravitationalConstant * p.mass0 * p.mass1;
+    if (distance >= near) return -c / distance;
+    return -c / near * (1 + std::atan(1.0) - std::atan(2 * distance / near - 1));
+  }
+
   // Points that coincide do not attract each other if the force is regularized.
   template <class S>
   static Vec3<S> attraction(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {

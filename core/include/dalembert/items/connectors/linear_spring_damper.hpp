@@ -25,9 +25,19 @@ struct ObjectConnectorLinearSpringDamper : NoPairHistory, NoConnectorForms {
                      OutputVariableType variable, std::vector<double>& values) {
     const Slide<double> slide(p, m0, m1);
     switch (variable) {
+      case OutputVariableType::Displacement: {
+        const Vec3<double> span = m1.position - m0.position;
+        values.assign(span.x.begin(), span.x.end());
+        return true;
+      }
       case OutputVariableType::DisplacementLocal: values = {slide.displacement}; return true;
       case OutputVariableType::VelocityLocal: values = {slide.velocity}; return true;
       case OutputVariableType::ForceLocal: values = {p.activeConnector ? tension(p, c, slide) : 0.0}; return true;
+      case OutputVariableType::PotentialEnergy: {
+        const double stretch = slide.displacement - p.offset;
+        values = {p.activeConnector ? 0.5 * p.stiffness * stretch * stretch + p.force * stretch : 0.0};
+        return !p.springForceUserFunction;
+      }
       default: return false;
     }
   }

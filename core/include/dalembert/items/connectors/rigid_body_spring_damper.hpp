@@ -46,12 +46,18 @@ struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, NoSwitches, Always
     const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
     const auto local = [&] { return p.activeConnector ? tension(p, c, r) : Vec<double, 6>{}; };
     switch (variable) {
+      case OutputVariableType::Displacement: vector(m1.position - m0.position); return true;
       case OutputVariableType::DisplacementLocal: vector(r.displacement); return true;
       case OutputVariableType::VelocityLocal: vector(r.velocity); return true;
       case OutputVariableType::Rotation: vector(r.rotation); return true;
       case OutputVariableType::AngularVelocityLocal: vector(r.angular_velocity); return true;
       case OutputVariableType::ForceLocal: vector(segment<3>(local(), 0)); return true;
       case OutputVariableType::TorqueLocal: vector(segment<3>(local(), 3)); return true;
+      case OutputVariableType::PotentialEnergy: {
+        const Vec<double, 6> stretch = joined(r.displacement, r.rotation) - p.offset;
+        values = {p.activeConnector ? 0.5 * dot(stretch, p.stiffness * stretch) : 0.0};
+        return !p.springForceTorqueUserFunction;
+      }
       default: return false;
     }
   }

@@ -79,6 +79,11 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
       case OutputVariableType::Velocity: vector(m1.velocity - m0.velocity); return true;
       case OutputVariableType::Force: vector((p.activeConnector ? tension(p, c, line) : 0.0) * line.axis); return true;
       case OutputVariableType::ForceLocal: values = {p.activeConnector ? tension(p, c, line) : 0.0}; return true;
+      case OutputVariableType::PotentialEnergy: {
+        const double stretch = line.length - p.referenceLength;
+        values = {p.activeConnector ? 0.5 * p.stiffness * stretch * stretch + p.force * stretch : 0.0};
+        return !p.springForceUserFunction;
+      }
       default: return false;
     }
   }

@@ -37,6 +37,11 @@ struct ObjectConnectorTorsionalSpringDamper : HasPairHistory, NoSwitches, Always
       case OutputVariableType::Rotation: values = {r.angle}; return true;
       case OutputVariableType::AngularVelocityLocal: values = {r.rate}; return true;
       case OutputVariableType::TorqueLocal: values = {p.activeConnector ? torque(p, c, r) : 0.0}; return true;
+      case OutputVariableType::PotentialEnergy: {
+        const double turn = r.angle - p.offset;
+        values = {p.activeConnector ? 0.5 * p.stiffness * turn * turn + p.torque * turn : 0.0};
+        return !p.springTorqueUserFunction;
+      }
       default: return false;
     }
   }

@@ -2,35 +2,45 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include "dalembert/contacts/coordinate_parameters.hpp"
 #include "dalembert/contracts/pair.hpp"
 #include "dalembert/frames.hpp"
+#include "dalembert/laws/impact.hpp"
 
 namespace dalembert {
 
-struct ObjectContactCoordinate : HasPairHistory, SwitchesByUpdate, AlwaysNeedsData, NoPairOutputs, NoConnectorForms {
+struct ObjectContactCoordinate : HasPairHistory, SwitchesByUpdate, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectContactCoordinateParameters;
   using Port = ScalarPort;
-  static constexpr int data_coordinates = 1;
+  // The gap of the last update; with an impact model also the speed at which contact began.
+  static constexpr int data_coordinates = any_data_coordinates;
+  static int data_of(const Parameters& p) { return p.impactModel == 0 ? 1 : 2; }
 
-  // A spring and damper that acts while the gap of the last update is not positive.
+  static void check(const Parameters& p, const ItemLabel& item) {
+    if (p.impactModel > 2) refuse(ErrorKind::value, {item, "impactModel", "", std::to_string(p.impactModel), "0, 1 or 2", ""});
+  }
+
+  // The normal force of an impact law that acts while the gap of the last update is not positive.
   template <class S>
   static std::array<ScalarForce<S>, 2> forces(const Parameters& p, const Context& c, const ScalarFrame<S>& m0,
                                               const ScalarFrame<S>& m1) {
     if (c.data[0] > 0) return {};
-    const S f = p.contactStiffness * gap(p, m0, m1) + p.contactDamping * (m1.rate - m0.rate);
-    return {ScalarForce<S>{f}, ScalarForce<S>{-f}};
+    const ImpactLaw law(p, p.impactModel == 0 ? 0.0 : c.data[1]);
+    const S f = law.normal_force<S>(-gap(p, m0, m1), m0.rate - m1.rate);
+    return {ScalarForce<S>{-f}, ScalarForce<S>{f}};
   }
 
   // Contact that opens or closes within a step is an error; the recommended step ends when that happens.
   static PostNewton update(const Parameters& p, const Context&, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
                            const double* start, double* data) {
     PostNewton verdict;
+    const double rate = m1.rate - m0.rate;
     data[0] = gap(p, m0, m1);
+    if (p.impactModel != 0) data[1] = start[0] > 0 && !(data[0] > 0) ? -rate : start[1];
     if ((data[0] > 0) == (start[0] > 0)) return verdict;
     verdict.error = std::abs(data[0] * p.contactStiffness);
-    const double rate = m1.rate - m0.rate;
     if (rate != 0) verdict.recommended_step_size = std::abs(start[0] / rate);
     return verdict;
   }
@@ -39,6 +49,13 @@ struct ObjectContactCoordinate : HasPairHistory, SwitchesByUpdate, AlwaysNeedsDa
   static void find_switches(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, Switches& switches) {
     const bool touches = !(c.data[0] > 0);
     switches.holds("contact", touches, touches ? -gap(p, m0, m1) : gap(p, m0, m1));
+  }
+
+  static bool output(const Parameters& p, const Context&, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, OutputVariableType variable,
+                     std::vector<double>& values) {
+    if (variable != OutputVariableType::Distance) return false;
+    values = {gap(p, m0, m1)};
+    return true;
   }
 
  private:

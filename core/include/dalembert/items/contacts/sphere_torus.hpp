@@ -43,6 +43,7 @@ struct ObjectContactSphereTorus : HasPairHistory, SwitchesByUpdate, AlwaysNeedsD
     const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
     switch (variable) {
       case OutputVariableType::Displacement: vector(span); return true;
+      case OutputVariableType::Velocity: vector(touch.velocity); return true;
       case OutputVariableType::Director1: vector(direction(span)); return true;
       case OutputVariableType::Director2: vector(touch.radial); return true;
       case OutputVariableType::Director3: vector(touch.normal); return true;

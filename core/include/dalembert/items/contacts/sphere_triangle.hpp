@@ -40,10 +40,16 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
     const RigidFrame<double> sphere = body_frame(x, 0);
-    const Nearest<double> touch(p, sphere, x.frame<RigidPort>(1));
+    const RigidFrame<double>& carrier = x.frame<RigidPort>(1);
+    const Nearest<double> touch(p, sphere, carrier);
     const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
     switch (variable) {
       case OutputVariableType::Displacement: vector(touch.span); return true;
+      case OutputVariableType::Velocity: {
+        const Vec3<double> arm = sphere.position + touch.span - carrier.position;
+        vector(carrier.velocity + cross(carrier.angular_velocity, arm) - sphere.velocity);
+        return true;
+      }
       case OutputVariableType::Director1: vector(touch.normal); return true;
       default: break;
     }

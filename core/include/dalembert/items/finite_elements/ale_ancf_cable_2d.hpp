@@ -69,6 +69,21 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
     return joined(r, Vec<S, 1>{along});
   }
 
+  static bool strain_energy(const Parameters&, const Prepared& k, const Vec<double, size>& q, double& energy) {
+    const auto y = Axis::Map::local(k.cable, cable_of(Coordinates<double, size>{.q = q, .v = {}, .a = {}}));
+    energy = 0;
+    const auto add = [&]<class F>(const auto& free) {
+      const auto& points = F::points(k.cable);
+      for (int i = 0; i < points.count; ++i) {
+        const double strain = F::strain(k.cable, interpolated<F>(points.at[i].shape, y))[0] - free[i][0];
+        energy += 0.5 * points.at[i].weight * k.cable.length * F::stiffness(k.cable) * strain * strain;
+      }
+    };
+    add.template operator()<Axis::Stretching>(k.free_stretch);
+    add.template operator()<Cable::Bending>(k.free_bend);
+    return true;
+  }
+
   // Motion of the axis, which does not move with the material.
   template <class S>
   static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {

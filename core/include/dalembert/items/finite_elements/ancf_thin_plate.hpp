@@ -76,7 +76,7 @@ struct ObjectANCFThinPlate : NoDoubt {
   using Shape = ShapeNumbers<5, 12>;
   struct Constants {
     double length = 1;  // weights are areas
-    double damping_by_mass = 0;
+    double damping_by_mass = 0, damping_by_membrane = 0, damping_by_bending = 0;
     Scales scales{};
     Vec<double, size> reference{};
     std::vector<Mat3<double>> membrane, bending;
@@ -85,7 +85,10 @@ struct ObjectANCFThinPlate : NoDoubt {
     bool operator==(const Constants&) const = default;
   };
   static Constants constants(const Parameters& p) {
+    const double by_stiffness = p.stiffnessProportionalDamping, by_bending = p.bendingStiffnessProportionalDamping;
     Constants k{.damping_by_mass = p.physicsMassProportionalDamping,
+                .damping_by_membrane = by_stiffness,
+                .damping_by_bending = by_bending < 0 ? by_stiffness : by_bending,
                 .scales = scales(p),
                 .reference = p.reference,
                 .membrane = p.physicsStrainCoefficients,
@@ -102,7 +105,7 @@ struct ObjectANCFThinPlate : NoDoubt {
     return k;
   }
   static bool calls(const Parameters&) { return false; }
-  static bool damped(const Constants&) { return false; }  // argument: strain rates
+  static bool damped(const Constants& k) { return k.damping_by_membrane != 0 || k.damping_by_bending != 0; }
 
   // All vectors of all nodes, as they are.
   struct Map : NoLieRotations {
@@ -159,10 +162,14 @@ struct ObjectANCFThinPlate : NoDoubt {
       return s;
     }
     static Mat<double, 6, 6> stiffness(const Constants& k, const Place& at) {
-      const Mat3<double> membrane = at_place(k.membrane, at), bending = at_place(k.bending, at);
+      return joined(at_place(k.membrane, at), at_place(k.bending, at));
+    }
+    static Mat<double, 6, 6> damping(const Constants& k, const Place& at) {
+      return joined(k.damping_by_membrane * at_place(k.membrane, at), k.damping_by_bending * at_place(k.bending, at));
+    }
+    static Mat<double, 6, 6> joined(const Mat3<double>& membrane, const Mat3<double>& bending) {
       return matrix_of<6, 6>([&](int i, int j) { return i / 3 != j / 3 ? 0.0 : i < 3 ? membrane(i, j) : bending(i - 3, j - 3); });
     }
-    static double damping(const Constants&) { return 0; }
     static Vec<double, 6> stress_free(const Parameters& p, const Vec<double, 6>& of_reference) {
       return p.strainIsRelativeToReference * of_reference;
     }

@@ -171,6 +171,16 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
       switch (at.request.variable) {
         case OutputVariableType::StrainLocal: values = {e[0], 0, 0, 0, e[2], e[1]}; return true;
         case OutputVariableType::CurvatureLocal: values = {e[3], e[4], e[5]}; return true;
+        case OutputVariableType::ForceLocal: {
+          const auto stress = at.template stress<0>();
+          values = {stress[0], stress[1], stress[2]};
+          return true;
+        }
+        case OutputVariableType::TorqueLocal: {
+          const auto stress = at.template stress<0>();
+          values = {stress[3], stress[4], stress[5]};
+          return true;
+        }
         default: return false;
       }
     }

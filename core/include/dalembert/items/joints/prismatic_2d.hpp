@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-struct ObjectJointPrismatic2D : Holonomic, VaryingDirections, NoConstraintOutputs {
+struct ObjectJointPrismatic2D : Holonomic, VaryingDirections {
   using Parameters = ObjectJointPrismatic2DParameters;
   using Port = RigidPort;
   static constexpr ConstraintForms closed_forms{.reaction = true};
@@ -30,6 +30,21 @@ struct ObjectJointPrismatic2D : Holonomic, VaryingDirections, NoConstraintOutput
                                     Wrench<S>{.force = f, .moment = -cross(m1.position - m0.position, f)}};
     add_moment_of_product(axis, normal, lambda[1], forces);
     return forces;
+  }
+
+  static bool output(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
+                     const Vec<double, 2>& lambda, OutputVariableType variable, std::vector<double>& values) {
+    const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
+    const auto local = [&](const Vec3<double>& v_0) { return transposed_times(m0.rotation, v_0); };
+    switch (variable) {
+      case OutputVariableType::Position: vector(m0.position); return true;
+      case OutputVariableType::Velocity: vector(m0.velocity); return true;
+      case OutputVariableType::DisplacementLocal: vector(local(m1.position - m0.position)); return true;
+      case OutputVariableType::Distance: values = {dot(p.axisMarker0, local(m1.position - m0.position))}; return true;
+      case OutputVariableType::Rotation: values = {tait_bryan_angles(transpose(m0.rotation) * m1.rotation)[2]}; return true;
+      case OutputVariableType::ForceLocal: vector(local(lambda[0] * (m1.rotation * p.normalMarker1))); return true;
+      default: return false;
+    }
   }
 };
 

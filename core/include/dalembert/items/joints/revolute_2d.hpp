@@ -1,6 +1,7 @@
 // ObjectJointRevolute2D, specs/joints/revolute_2d.toml
 #pragma once
 
+#include "dalembert/contracts/joint_frames.hpp"
 #include "dalembert/contracts/linear_equations.hpp"
 #include "dalembert/contracts/pair.hpp"
 #include "dalembert/enums.hpp"
@@ -9,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectJointRevolute2D : ConstrainsAll, Holonomic, VaryingDirections, NoConstraintOutputs {
+struct ObjectJointRevolute2D : ConstrainsAll, Holonomic, VaryingDirections {
   using Parameters = ObjectJointRevolute2DParameters;
   using Port = PointPort;
   static constexpr ConstraintForms closed_forms{.gap_rate = true, .reaction = true, .linear = true};
@@ -32,6 +33,11 @@ struct ObjectJointRevolute2D : ConstrainsAll, Holonomic, VaryingDirections, NoCo
   }
   static std::array<LinearEquation, 2> linear(const Parameters&) { return {LinearEquation{0}, LinearEquation{1}}; }
   static bool is_homogeneous(const Parameters&) { return true; }
+
+  static bool output(const Parameters&, const Context&, const PointFrame<double>& m0, const PointFrame<double>& m1,
+                     const Vec<double, 2>& lambda, OutputVariableType variable, std::vector<double>& values) {
+    return point_joint_output(m0, m1, {lambda[0], lambda[1], 0}, variable, values);
+  }
 };
 
 }  // namespace dalembert

@@ -33,7 +33,13 @@ struct ObjectJointSliding2D : SlidingAlongCable<ObjectJointSliding2DParameters, 
       for (int d = 0; d < 2; ++d) on_cable[2 * i + d] += here.weights.value[i] * force[d] + here.weights.slope[i] * couple[d];
   }
 
-  static bool output(const Parameters&, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+    if (variable == OutputVariableType::DisplacementLocal) {
+      const Cable<double> here(p, c, x, x.unknowns[way]);
+      const double length = norm(here.slope);
+      values = {dot(here.gap, here.slope) / length, dot(here.gap, across(here.slope)) / length, 0};
+      return true;
+    }
     if (variable != OutputVariableType::Force) return output_of_motion(c, x, variable, values);
     values = {x.unknowns[0], x.unknowns[1], 0};
     return true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/contracts/joint_equations.hpp"
+#include "dalembert/contracts/joint_frames.hpp"
 #include "dalembert/contracts/pair.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
@@ -41,14 +42,7 @@ struct ObjectJointSpherical : Holonomic {
 
   static bool output(const Parameters&, const Context&, const PointFrame<double>& m0, const PointFrame<double>& m1,
                      const Vec3<double>& lambda, OutputVariableType variable, std::vector<double>& values) {
-    const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
-    switch (variable) {
-      case OutputVariableType::Position: vector(m0.position); return true;
-      case OutputVariableType::Velocity: vector(m0.velocity); return true;
-      case OutputVariableType::Displacement: vector(m1.position - m0.position); return true;
-      case OutputVariableType::Force: vector(lambda); return true;
-      default: return false;
-    }
+    return point_joint_output(m0, m1, lambda, variable, values);
   }
 };
 

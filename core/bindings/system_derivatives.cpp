@@ -1,0 +1,360 @@
+// Residual, matrices K, D, M and the factors of a step matrix at any state; values of sensors with their gradients.
+//
+//   K = dr/d[q, y, lambda]    D = dr/dv    M = dr/da        (derivatives with respect to rotations of Lie-group nodes are
+//                                                            those along increments in the body frame)
+//   J = ck K B + cv D + ca M                               (B: 3 x 3 blocks at the rotations of Lie-group nodes, otherwise 1)
+//
+// States are arrays [q, v, a, y, y_t, lambda, data]. Several vectors are rows of an array.
+#include "system_derivatives.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/model/errors.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "main_system.hpp"
+
+namespace dalembert {
+namespace {
+
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Rows = py::array_t<double>;
+
+constexpr int most_dense_unknowns = 32;  // as solvers choose
+
+class SystemDerivatives {
+ public:
+  SystemDerivatives(std::shared_ptr<MainSystem> main, bool rate_level, bool inertia) : main_(std::move(main)) {
+    System& system = main_->assembled("SystemDerivatives");
+    version_ = system.version();
+    n_ = system.sizes();
+    state_ = system.state(ConfigurationType::Initial);
+    state_.a.resize(static_cast<std::size_t>(n_.ode2));
+    state_.y_t.resize(static_cast<std::size_t>(n_.ode1));
+    state_.lambda.resize(static_cast<std::size_t>(n_.ae));
+    state_.sign = MultiplierSign::motion;
+    conditions_.rate_level = rate_level;
+    conditions_.inertia = inertia;
+    system.complete_pattern();
+    pattern_ = &system.pattern(n_.total() <= most_dense_unknowns);
+    const auto values = static_cast<std::size_t>(pattern_->values());
+    for (auto* matrix : {&k_, &d_, &m_, &j_}) matrix->assign(values, 0.0);
+    residual_.assign(static_cast<std::size_t>(n_.total()), 0.0);
+  }
+  SystemDerivatives(const SystemDerivatives&) = delete;
+  SystemDerivatives& operator=(const SystemDerivatives&) = delete;
+
+  Rows residual(const Array& z, double time, double step_size) {
+    System& system = take(z, time, step_size);
+    Rows r(static_cast<py::ssize_t>(residual_.size()));
+    system.residual(state_, conditions_, {r.mutable_data(), residual_.size()});
+    return r;
+  }
+
+  // The weighted sum of the residuals of several systems with equal unknowns.
+  static Rows residual_sum(const std::vector<SystemDerivatives*>& systems, const std::vector<double>& weights, const std::vector<Array>& states,
+                           double time, double step_size) {
+    if (systems.empty() || weights.size() != systems.size() || states.size() != systems.size())
+      refuse(ErrorKind::value, {.item = "testing.residual_sum", .parameter = "systems", .received = std::to_string(systems.size()) + " systems",
+                                .expected = "as many as weights and states"});
+    const std::size_t total = systems.front()->residual_.size();
+    Rows sum(static_cast<py::ssize_t>(total));
+    double* to = sum.mutable_data();
+    std::fill_n(to, total, 0.0);
+    for (std::size_t k = 0; k < systems.size(); ++k) {
+      SystemDerivatives& one = *systems[k];
+      System& system = one.take(states[k], time, step_size);
+      system.residual(one.state_, one.conditions_, one.residual_);
+      if (one.residual_.size() != total)
+        refuse(ErrorKind::value, {.item = "testing.residual_sum", .parameter = "systems", .expected = "systems of equal size"});
+      for (std::size_t i = 0; i < total; ++i) to[i] += weights[k] * one.residual_[i];
+    }
+    return sum;
+  }
+
+  // Gaps of constraints at a level other than that of the equations.
+  Rows gaps(const Array& z, double time, bool rate_level) {
+    System& system = take(z, time, conditions_.step_size);
+    Conditions conditions = conditions_;
+    conditions.rate_level = rate_level;
+    Rows g(n_.ae);
+    system.gaps(state_, conditions, {g.mutable_data(), static_cast<std::size_t>(n_.ae)});
+    return g;
+  }
+
+  // D is found with K, because closed forms of some items need both: K + step D, minus K.
+  void linearize(const Array& z, double time, double step_size, std::optional<bool> rate_level) {
+    System& system = take(z, time, step_size);
+    Conditions conditions = conditions_;
+    if (rate_level) conditions.rate_level = *rate_level;
+    system.tangent(state_, conditions, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, *pattern_, k_);
+    if (!conditions.inertia) return;  // D and M stay zero
+    const double weight = step_size > 0 ? 1 / step_size : 1;
+    system.tangent(state_, conditions, {.q = 1, .v = weight, .a = 0, .y = 1, .y_t = 0}, *pattern_, d_);
+    for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = (d_[i] - k_[i]) / weight;
+    system.mass_matrix(state_, *pattern_, m_);
+  }
+
+  // Factors of each part of the matrix: K, D and M in the equations of motion (and K, D in those of first order); K and D
+  // in constraints; K in the columns of first-order coordinates, and minus dr/dydot there.
+  // Returns -1, or the unknown without a pivot. `scale` multiplies ODE2 equations and divides multipliers, for the
+  // selection of pivots only.
+  int factorize(const std::array<double, 7>& factors, const std::optional<Array>& blocks, double scale, bool transposed) {
+    const auto& [ck, cv, ca, gk, gv, cy, cy_t] = factors;
+    const int n = n_.ode2, first_ae = n_.first_ae();
+    const auto value_at = [&, ck = ck, cv = cv, ca = ca, gk = gk, gv = gv, cy = cy, cy_t = cy_t](int row, int column, std::size_t slot) {
+      if (column >= first_ae) return k_[slot];
+      if (column >= n) return cy * k_[slot] - (row == column ? cy_t : 0.0);
+      if (row >= first_ae) return gk * k_[slot] + gv * d_[slot];
+      return ck * k_[slot] + cv * d_[slot] + (row < n ? ca * m_[slot] : 0.0);
+    };
+    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[slot] = value_at(row, column, slot); });
+    if (blocks) add_blocks(*blocks, ck, gk);
+    scale_ = scale;
+    transposed_ = transposed;
+    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[slot] *= (row < n ? scale : 1.0) * (column >= first_ae ? 1 / scale : 1.0); });
+    if (transposed) transpose();
+    if (!factors_) {
+      const auto type = pattern_->is_dense() ? LinearSolverType::EXUdense : LinearSolverType::EigenSparse;
+      factors_ = make_linear_solver(*pattern_, type, {.unsettled_matrices = 8});
+    }
+    return factors_->factorize(j_);
+  }
+
+  Rows solve(const Array& right) {
+    Rows result = rows_like(right, n_.total(), n_.total());
+    const auto total = static_cast<std::size_t>(n_.total()), n = static_cast<std::size_t>(n_.ode2), first_ae = static_cast<std::size_t>(n_.first_ae());
+    const double before = transposed_ ? 1 : scale_, of_multipliers = transposed_ ? 1 / scale_ : 1;
+    for (py::ssize_t k = 0; k < right.shape(0); ++k) {
+      const double* from = right.data() + static_cast<std::size_t>(k) * total;
+      double* x = result.mutable_data() + static_cast<std::size_t>(k) * total;
+      std::copy_n(from, total, x);
+      for (std::size_t i = 0; i < n; ++i) x[i] *= before;
+      for (std::size_t i = first_ae; i < total; ++i) x[i] *= of_multipliers;
+      factors_->solve({x, total});
+      for (std::size_t i = 0; i < n; ++i) x[i] *= transposed_ ? scale_ : 1;
+      for (std::size_t i = first_ae; i < total; ++i) x[i] *= transposed_ ? 1 : 1 / scale_;
+    }
+    return result;
+  }
+
+  // K x, of all unknowns, or D v, of velocities, for each row; or the products with the transposed matrices.
+  Rows product(char matrix, const Array& x, bool transposed) {
+    const std::vector<double>& values = matrix == 'K' ? k_ : matrix == 'D' ? d_ : m_;
+    const int columns = matrix == 'K' ? n_.total() : n_.ode2, rows = matrix == 'M' ? n_.ode2 : n_.total();
+    const int length = transposed ? rows : columns, result_length = transposed ? columns : rows;
+    Rows result = rows_like(x, length, result_length);
+    const auto count = static_cast<std::size_t>(x.shape(0));
+    // Entry by entry, for all rows at once.
+    std::vector<double> from(count * static_cast<std::size_t>(length)), to(count * static_cast<std::size_t>(result_length), 0.0);
+    const auto turn = [count](const double* rows_of, double* columns_of, std::size_t size) {
+      for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t i = 0; i < size; ++i) columns_of[i * count + k] = rows_of[k * size + i];
+    };
+    turn(x.data(), from.data(), static_cast<std::size_t>(length));
+    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+      const double value = values[slot];
+      if (value == 0 || column >= columns || row >= rows) return;
+      const double* __restrict in = from.data() + static_cast<std::size_t>(transposed ? row : column) * count;
+      double* __restrict out = to.data() + static_cast<std::size_t>(transposed ? column : row) * count;
+      for (std::size_t k = 0; k < count; ++k) out[k] += value * in[k];
+    });
+    double* found = result.mutable_data();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(result_length); ++i)
+      for (std::size_t k = 0; k < count; ++k) found[k * static_cast<std::size_t>(result_length) + i] = to[i * count + k];
+    return result;
+  }
+
+  Rows compose(const Array& q, const Array& increment) {
+    check(q, n_.ode2, "q");
+    check(increment, n_.ode2, "increment");
+    std::vector<double> result(q.data(), q.data() + q.size());
+    move(current(), {q.data(), static_cast<std::size_t>(q.size())}, {increment.data(), static_cast<std::size_t>(increment.size())}, result);
+    return Rows(static_cast<py::ssize_t>(result.size()), result.data());
+  }
+
+  Rows sensor(int number, const Array& z, double time) {
+    take(z, time, conditions_.step_size);
+    return array(measured(number));
+  }
+
+  // Derivatives of the values of a sensor (rows) by entries of z, by central differences of fourth order; rotations of
+  // Lie-group nodes vary by increments.
+  Rows sensor_gradient(int number, const Array& z, double time, const std::vector<int>& entries, const std::vector<double>& steps) {
+    take(z, time, conditions_.step_size);
+    const State middle = state_;
+    const std::size_t values = measured(number).size();
+    Rows result({values, entries.size()});
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      std::vector<double> sum(values, 0.0);
+      for (const auto& [multiple, weight] : differences) {
+        state_ = middle;
+        vary(entries[k], multiple * steps[k]);
+        const std::vector<double> found = measured(number);
+        for (std::size_t i = 0; i < values; ++i) sum[i] += weight / steps[k] * found[i];
+      }
+      for (std::size_t i = 0; i < values; ++i) *result.mutable_data(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k)) = sum[i];
+    }
+    state_ = middle;
+    return result;
+  }
+
+  std::vector<int> rotations() {
+    std::vector<int> found;
+    for (const System::LieBlock& block : current().lie_blocks()) found.push_back(block.rotation);
+    return found;
+  }
+  std::vector<double> static_signs() {
+    const auto signs = current().static_signs();
+    return {signs.begin(), signs.end()};
+  }
+  std::vector<int> sizes() const { return {n_.ode2, n_.ode1, n_.ae, n_.data}; }
+
+ private:
+  struct Difference {
+    double multiple, weight;
+  };
+  static constexpr std::array<Difference, 4> differences{{{-2, 1.0 / 12}, {-1, -8.0 / 12}, {1, 8.0 / 12}, {2, -1.0 / 12}}};
+
+  System& current() {
+    System& system = main_->assembled("SystemDerivatives");
+    if (system.version() != version_)
+      refuse(ErrorKind::state, {.item = "testing.SystemDerivatives", .problem = "the system was assembled again", .advice = "Make a new one."});
+    return system;
+  }
+
+  static void check(const Array& values, int size, const char* name) {
+    if (values.ndim() == 1 && values.size() == size) return;
+    refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = name, .received = std::to_string(values.size()) + " numbers",
+                              .expected = std::to_string(size) + " numbers"});
+  }
+
+  System& take(const Array& z, double time, double step_size) {
+    check(z, 3 * n_.ode2 + 2 * n_.ode1 + n_.ae + n_.data, "z");
+    const double* from = z.data();
+    for (auto* part : {&state_.q, &state_.v, &state_.a, &state_.y, &state_.y_t, &state_.lambda, &state_.data}) {
+      std::copy_n(from, part->size(), part->begin());
+      from += part->size();
+    }
+    state_.time = time;
+    conditions_.step_size = step_size;
+    return current();
+  }
+
+  static Rows rows_like(const Array& rows, int length, int result_length) {
+    if (rows.ndim() != 2 || rows.shape(1) != length)
+      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "rows", .received = std::to_string(rows.size()) + " numbers",
+                                .expected = "rows of " + std::to_string(length) + " numbers"});
+    return Rows({rows.shape(0), static_cast<py::ssize_t>(result_length)});
+  }
+
+  static Rows array(const std::vector<double>& values) { return Rows(static_cast<py::ssize_t>(values.size()), values.data()); }
+
+  // Replaces K by K B in the columns of rotations.
+  void add_blocks(const Array& blocks, double ck, double gk) {
+    const int first_ae = n_.first_ae();
+    const double* b = blocks.data();
+    for (const System::LieBlock& block : current().lie_blocks()) {
+      for_each_row(*pattern_, block.rotation, [&](int row) {
+        std::array<std::size_t, 3> slots{};
+        for (int j = 0; j < 3; ++j) slots[static_cast<std::size_t>(j)] = static_cast<std::size_t>(pattern_->slot(row, block.rotation + j));
+        for (int j = 0; j < 3; ++j) {
+          double sum = -k_[slots[static_cast<std::size_t>(j)]];
+          for (int i = 0; i < 3; ++i) sum += k_[slots[static_cast<std::size_t>(i)]] * b[3 * i + j];
+          j_[slots[static_cast<std::size_t>(j)]] += (row < first_ae ? ck : gk) * sum;
+        }
+      });
+      b += 9;
+    }
+  }
+
+  void transpose() {
+    const std::vector<double> values = j_;
+    if (pattern_->is_dense()) {
+      for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[static_cast<std::size_t>(pattern_->slot(column, row))] = values[slot]; });
+    } else {
+      pattern_->for_each_transposed([&](int slot, int transposed) { j_[static_cast<std::size_t>(transposed)] = values[static_cast<std::size_t>(slot)]; });
+    }
+  }
+
+  static void move(const System& system, std::span<const double> from, std::span<const double> increment, std::vector<double>& q) {
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] = from[i] + increment[i];
+    if (system.has_lie_nodes()) system.compose(from, increment, q);
+  }
+
+  void vary(int entry, double by) {
+    const auto i = static_cast<std::size_t>(entry);
+    if (entry < n_.ode2) {
+      std::vector<double> increment(state_.q.size(), 0.0);
+      const std::vector<double> from = state_.q;
+      increment[i] = by;
+      return move(current(), from, increment, state_.q);
+    }
+    std::size_t first = state_.q.size();
+    for (auto* part : {&state_.v, &state_.a, &state_.y, &state_.y_t, &state_.lambda}) {
+      if (i < first + part->size()) {
+        (*part)[i - first] += by;
+        return;
+      }
+      first += part->size();
+    }
+  }
+
+  std::vector<double> measured(int sensor) {
+    System& system = current();
+    system.state(ConfigurationType::Current) = state_;  // in place: vectors keep their addresses
+    std::vector<double> values;
+    system.sensor_values(sensor, ConfigurationType::Current, values);
+    return values;
+  }
+
+  std::shared_ptr<MainSystem> main_;
+  std::uint64_t version_ = 0;
+  Sizes n_;
+  State state_;
+  Conditions conditions_;
+  const Pattern* pattern_ = nullptr;
+  std::vector<double> k_, d_, m_, j_, residual_;
+  std::unique_ptr<LinearSolver> factors_;
+  double scale_ = 1;
+  bool transposed_ = false;
+};
+
+}  // namespace
+
+void register_system_derivatives(py::module_& testing) {
+  using D = SystemDerivatives;
+  py::class_<D> c(testing, "SystemDerivatives",
+                  "Residual, matrices and sensors of an assembled system at states z = [q, v, a, y, y_t, lam, data]. Several vectors "
+                  "are rows of an array. rate_level, inertia: see State.");
+  c.def(py::init<std::shared_ptr<MainSystem>, bool, bool>(), py::arg("mbs"), py::kw_only(), py::arg("rate_level") = false, py::arg("inertia") = true);
+  const auto z = py::arg("z"), time = py::arg("time"), step_size = py::arg("step_size");
+  c.def("residual", &D::residual, z, time, step_size, "Residual of [ODE2, ODE1, AE].");
+  testing.def("residual_sum", &D::residual_sum, py::arg("systems"), py::arg("weights"), py::arg("states"), time, step_size,
+              "Weighted sum of the residuals of SystemDerivatives, each at a state of its own.");
+  c.def("gaps", &D::gaps, z, time, py::arg("rate_level"), "Algebraic equations alone, as positions or as rates.");
+  c.def("linearize", &D::linearize, z, time, step_size, py::arg("rate_level") = py::none(),
+        "Compute K = dr/d[q, y, lam], D = dr/dv and M = dr/da; rate_level: other than that of the equations.");
+  c.def("factorize", &D::factorize, py::arg("factors"), py::arg("blocks") = py::none(), py::arg("scale") = 1.0, py::arg("transposed") = false,
+        "Factors of a sum of K, D and M, or of its transposed. factors: those of K, D, M in the equations of motion, of K, D in constraints, of "
+        "K and -1 in the columns of first-order coordinates; blocks: 3 x 3 matrices by which K is multiplied from the right at the rotations of "
+        "Lie-group nodes. Returns -1, or the unknown without a pivot.");
+  c.def("solve", &D::solve, py::arg("right"), "Solutions for right-hand sides, with the last factors.");
+  c.def("product", &D::product, py::arg("matrix"), py::arg("x"), py::arg("transposed") = false,
+        "K x, D v or M a for each row, matrix: 'K', 'D' or 'M'; or the products with the transposed matrix.");
+  c.def("compose", &D::compose, py::arg("q"), py::arg("increment"), "q after an increment; rotations of Lie-group nodes are composed.");
+  c.def("sensor", &D::sensor, py::arg("number"), z, time, "Values of a sensor. The current state becomes z.");
+  c.def("sensor_gradient", &D::sensor_gradient, py::arg("number"), z, time, py::arg("entries"), py::arg("steps"),
+        "Derivatives of the values of a sensor by entries of z, by central differences of fourth order with these steps.");
+  c.def_property_readonly("rotations", &D::rotations, "First coordinates of the rotations of Lie-group nodes.");
+  c.def_property_readonly("static_signs", &D::static_signs, "-1 for multipliers, whose sign is opposite in static solutions; 1 for algebraic coordinates.");
+  c.def_property_readonly("sizes", &D::sizes, "Numbers of ODE2, ODE1, algebraic and data coordinates.");
+}
+
+}  // namespace dalembert

@@ -1,0 +1,454 @@
+"""mbs.ComputeSensitivities: derivatives of outputs of a solution with respect to parameters of the model."""
+
+from __future__ import annotations
+
+import copy
+import time as clock
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+from dalembert import _core
+from dalembert._checks import FloatArray, shape_error
+from dalembert._core import DynamicSolverType, MainSystem, SimulationSettings
+from dalembert._solving.quiet import assemble_if_needed, given_or_default
+from dalembert._studies.design_parameters import Parameter, Parameters
+from dalembert._studies.difference_formulas import STEP, derivative
+from dalembert._studies.differentiable_outputs import Context, Output, Sample, entries_read
+from dalembert._studies.generalized_alpha import LinearStep, Variation
+from dalembert._studies.not_differentiable import NotDifferentiable
+from dalembert._studies.recorded_motion import (
+    Motion,
+    check_steps,
+    record,
+    refuse_settings,
+    refuse_system,
+    refuse_unit_lengths,
+    silent,
+)
+from dalembert._studies.start_derivatives import Start
+from dalembert._tools.missing_names import nearest
+
+Method = Literal["auto", "forward", "adjoint"]
+_METHODS = ("auto", "forward", "adjoint")
+
+
+@dataclass(frozen=True, repr=False)
+class Sensitivities:
+    """Results of mbs.ComputeSensitivities.
+
+    values: by output, a number, or an array if the output has several.
+    matrix: derivatives, a row for each number of the outputs and a column for each parameter.
+    outputs, parameters: names of rows and columns.
+    method: 'forward' or 'adjoint'; exactness: 'differences': derivatives of the computed solution, in which
+    derivatives of the
+    equations with respect to parameters are differences of fourth order.
+    cost: seconds by part: 'solution' and 'derivatives'.
+    """
+
+    values: dict[str, Any]
+    matrix: FloatArray
+    outputs: list[str]
+    parameters: list[str]
+    method: str
+    exactness: str
+    cost: dict[str, float]
+    _rows: dict[str, slice]
+    _histories: dict[str, tuple[FloatArray, FloatArray]] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        """Sizes and method."""
+        sizes = f"{len(self._rows)} outputs with respect to {len(self.parameters)} parameters"
+        return f"<Sensitivities of {sizes}, {self.method}>"
+
+    def Derivative(self, output: str, parameter: str) -> Any:
+        """Return the derivative of an output with respect to a parameter; an array if the output has several."""
+        if output not in self._rows:
+            raise ValueError(
+                f"Derivative: received output '{output}', but there are "
+                f"{', '.join(self._rows)}{nearest(output, list(self._rows))}"
+            )
+        if parameter not in self.parameters:
+            raise ValueError(
+                f"Derivative: received parameter '{parameter}', but there are "
+                f"{', '.join(self.parameters)}{nearest(parameter, self.parameters)}"
+            )
+        column = self.matrix[self._rows[output], self.parameters.index(parameter)]
+        return float(column[0]) if np.ndim(self.values[output]) == 0 else column
+
+    def Histories(self, parameter: str) -> dict[str, FloatArray]:
+        """Return derivatives of the values of each sensor, with time in the first column (storeHistories=True)."""
+        if not self._histories:
+            raise ValueError("Histories: there are none; call ComputeSensitivities with storeHistories=True")
+        if parameter not in self.parameters:
+            raise ValueError(f"Histories: received parameter '{parameter}', but there are {', '.join(self.parameters)}")
+        k = self.parameters.index(parameter)
+        return {name: np.column_stack((times, rates[:, k])) for name, (times, rates) in self._histories.items()}
+
+
+def ComputeSensitivities(
+    mbs: MainSystem,
+    parameters: Mapping[str, Any],
+    outputs: Mapping[str, Any],
+    simulationSettings: SimulationSettings | None = None,
+    solverType: Any = DynamicSolverType.GeneralizedAlpha,
+    method: Method = "auto",
+    *,
+    consistentStart: bool = False,
+    storeHistories: bool = False,
+    autoAssemble: bool = True,
+) -> Sensitivities:
+    """Solve the system and return derivatives of outputs with respect to parameters.
+
+    They are the derivatives of the computed solution, with its step size.
+
+    parameters: by name, (item, parameter), (item, parameter, entry) for one entry of a vector or matrix, a list of
+    these,
+        which get the same value, or a DesignParameter. Items are indices or names.
+    outputs: by name, exu.At, exu.Integral, exu.Final, exu.Reaction or exu.Function; the name of a sensor stands for
+    At(sensor).
+    simulationSettings, solverType: as in SolveDynamic, with equal steps; 'static': as in SolveStatic.
+    method: 'forward': one linear solution per parameter and step; 'adjoint': one per number of the outputs and step;
+        'auto': whichever needs less.
+    consistentStart: initial values follow constraints that parameters change; otherwise they stay as they are, with a
+    warning.
+    storeHistories: also derivatives of sensors that outputs read, after each step (forward method).
+
+    The model is copied and does not change. What cannot be differentiated raises NotDifferentiable. Newton's method is
+    solved to round-off, whatever tolerances are set.
+    """
+    assemble_if_needed("ComputeSensitivities", mbs, autoAssemble)
+    settings = given_or_default("ComputeSensitivities", simulationSettings)
+    problem = Problem(mbs, parameters, outputs, settings, solverType, consistentStart)
+    if method not in _METHODS:
+        raise ValueError(
+            f"ComputeSensitivities: method: received {method!r}, but expected one of {', '.join(_METHODS)}"
+        )
+    return problem.solve(method, storeHistories)
+
+
+def read_outputs(outputs: Mapping[str, Any]) -> dict[str, Output]:
+    """Check outputs; names of sensors become their values at the end."""
+    from dalembert._studies.differentiable_outputs import At
+
+    if not isinstance(outputs, Mapping) or not outputs:
+        raise shape_error(
+            "ComputeSensitivities: outputs", "a dictionary, such as {'x': exu.At('tip', time=1.0)}", outputs
+        )
+    found: dict[str, Output] = {}
+    for name, output in outputs.items():
+        if isinstance(output, type) and issubclass(output, Output):
+            raise shape_error(
+                f"ComputeSensitivities: outputs['{name}']", f"{output.__name__}(...), with arguments", output
+            )
+        found[name] = output if isinstance(output, Output) else At(output)
+    return found
+
+
+class Problem:
+    """A copy of a model, with parameters and outputs."""
+
+    def __init__(
+        self,
+        mbs: MainSystem,
+        parameters: Mapping[str, Any],
+        outputs: Mapping[str, Any],
+        settings: SimulationSettings,
+        solverType: Any,
+        consistent: bool,
+    ) -> None:
+        if not isinstance(parameters, Mapping) or not parameters:
+            raise shape_error(
+                "ComputeSensitivities: parameters", "a dictionary, such as {'k': ('spring', 'stiffness')}", parameters
+            )
+        self.outputs = read_outputs(outputs)
+        self.static = solverType == "static"
+        if not self.static:
+            refuse_settings(settings, solverType)
+        refuse_system(mbs)
+        self.mbs, self.settings, self.solverType, self.consistent = (
+            copy.copy(mbs),
+            silent(settings),
+            solverType,
+            consistent,
+        )
+        self.parameters = [Parameter(self.mbs, name, given) for name, given in parameters.items()]
+        data = mbs.systemData
+        self.n, self.n1, self.m = data.ODE2Size(), data.ODE1Size(), data.AEsize()
+
+    def solve(self, method: Method, histories: bool = False) -> Sensitivities:
+        if self.static:
+            from dalembert._studies.static_derivatives import solve_static
+
+            return solve_static(self, method)
+        return _Integration(self).solve(method, histories)
+
+
+class Samples:
+    """Values and gradients of everything that outputs read."""
+
+    def __init__(self, problem: Problem, context: Context, states: FloatArray) -> None:
+        self.context, self.states, self.problem = context, states, problem
+        self.wanted: dict[Sample, None] = {}
+        for name, output in problem.outputs.items():
+            self.wanted.update(dict.fromkeys(output.samples(name, context)))
+        self.sensors = sorted({sample.source for sample in self.wanted if isinstance(sample.source, int)})
+
+    def read(self, parameters: Parameters, eigenvalues: Mapping[int, tuple[float, FloatArray]] | None = None) -> None:
+        """Evaluate all sensors; eigenvalues come with their derivatives with respect to all parameters."""
+        self.eigenvalues = eigenvalues or {}
+        self.parameters = parameters
+        derivatives = parameters.base.derivatives
+        self.values: dict[Sample, FloatArray] = {}
+        for sample in self.wanted:
+            z, time = self.states[sample.step], float(self.context.times[sample.step])
+            if isinstance(sample.source, int):
+                self.values[sample] = np.asarray(derivatives.sensor(sample.source, z, time))
+            elif sample.source[0] == "eigenvalue":
+                self.values[sample] = np.array([self.eigenvalues[sample.source[1]][0]])
+            else:
+                self.values[sample] = z[sample.source[1] : sample.source[1] + 1]
+        self.entries = {s: entries_read(parameters.base.mbs, s, parameters.reads[s]) for s in self.sensors}
+        extent = min(1.0, float(_core.testing.extent(parameters.base.mbs)))
+        n = self.problem.n
+        size = np.maximum(np.abs(self.states).max(axis=0, initial=0.0), extent)
+        size[:n] = extent
+        self.steps = STEP * size
+        for sensor in self.sensors:
+            self._check_entries(sensor)
+        self.rows: dict[str, slice] = {}
+        self.seeds: dict[Sample, list[tuple[int, FloatArray]]] = {}
+        begin = 0
+        for name, output in self.problem.outputs.items():
+            self.rows[name] = slice(begin, begin + output.size)
+            for seed in output.seeds(name, self.context, self.values):
+                self.seeds.setdefault(seed.sample, []).append((begin + seed.row, seed.weights))
+            begin += output.size
+        self.size = begin
+        self.by_step: dict[int, list[Sample]] = {}
+        for sample in self.seeds:
+            self.by_step.setdefault(sample.step, []).append(sample)
+
+    def _check_entries(self, sensor: int) -> None:
+        """Let a sensor read all entries if its gradient differs from a difference along a direction of all of them."""
+        sample = next(sample for sample in self.wanted if sample.source == sensor)
+        derivatives, time = self.parameters.base.derivatives, float(self.context.times[sample.step])
+        z, n = self.states[sample.step], self.problem.n
+        count = 3 * n + 2 * self.problem.n1 + self.problem.m
+        direction = np.zeros(len(z))
+        direction[:count] = np.cos(np.arange(count)) * self.steps[:count] / STEP
+
+        def value(e: float) -> FloatArray:
+            moved = z + e * direction
+            moved[:n] = derivatives.compose(z[:n], e * direction[:n])
+            return np.asarray(derivatives.sensor(sensor, moved, time))
+
+        entries, gradient = self.gradient(sample)
+        expected = derivative(value, STEP)
+        size = np.abs(gradient * direction[entries]).sum(axis=1) + np.abs(self.values[sample])
+        if np.any(np.abs(gradient @ direction[entries] - expected) > 1e-6 * size + 1e-12):
+            self.entries[sensor] = list(range(count))
+
+    def gradient(self, sample: Sample) -> tuple[list[int], FloatArray]:
+        """Return entries of the state, and derivatives of the values with respect to them."""
+        if not isinstance(sample.source, int):
+            return ([sample.source[1]], np.ones((1, 1))) if sample.source[0] == "z" else ([], np.zeros((1, 0)))
+        entries = self.entries[sample.source]
+        z, time = self.states[sample.step], float(self.context.times[sample.step])
+        steps = [float(self.steps[i]) for i in entries]
+        return entries, self.parameters.base.derivatives.sensor_gradient(sample.source, z, time, entries, steps)
+
+    def explicit(self, sample: Sample) -> FloatArray:
+        """Return derivatives of the values with respect to the parameters at a fixed state."""
+        rates = np.zeros((len(self.values[sample]), len(self.parameters.all)))
+        if isinstance(sample.source, int):
+            z, time = self.states[sample.step], float(self.context.times[sample.step])
+            for k, rate in self.parameters.sensor_rates(sample.source, z, time):
+                rates[:, k] = rate
+        elif sample.source[0] == "eigenvalue":
+            rates[0] = self.eigenvalues[sample.source[1]][1]
+        return rates
+
+    def add_seeds(self, step: int, bar: Variation, matrix: FloatArray) -> None:
+        """Add derivatives of the outputs with respect to the state at a step, and explicit ones."""
+        for sample in self.by_step.get(step, ()):
+            entries, gradient = self.gradient(sample)
+            explicit = self.explicit(sample)
+            for row, weights in self.seeds[sample]:
+                z = np.zeros(self.states.shape[1])
+                z[entries] = weights @ gradient
+                bar.add(row, z)
+                matrix[row] += weights @ explicit
+
+    def add_variations(self, step: int, change: Variation, matrix: FloatArray) -> None:
+        """Add derivatives of the outputs by the variation of a state with respect to all parameters."""
+        z = change.z if step in self.by_step else None
+        for sample in self.by_step.get(step, ()):
+            rates = self.rates(sample, z)
+            for row, weights in self.seeds[sample]:
+                matrix[row] += weights @ rates
+
+    def rates(self, sample: Sample, z: Any) -> FloatArray:
+        """Return derivatives of the values, for variations of the state in rows."""
+        entries, gradient = self.gradient(sample)
+        return np.asarray(gradient @ z[:, entries].T + self.explicit(sample))
+
+    def outputs(self) -> dict[str, Any]:
+        found = {}
+        for name, output in self.problem.outputs.items():
+            value = output.value(name, self.context, self.values)
+            found[name] = float(value[0]) if output.size == 1 else value
+        return found
+
+
+def chosen(method: Method, parameters: int, outputs: int) -> str:
+    """Return the method that needs fewer linear solutions."""
+    if method != "auto":
+        return method
+    return "forward" if parameters <= outputs else "adjoint"
+
+
+class _Integration:
+    """Derivatives of a time integration."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        begin = clock.perf_counter()
+        solved = copy.copy(problem.mbs)
+        self.motion: Motion = record(solved, problem.settings, problem.solverType)
+        self.seconds = clock.perf_counter() - begin
+
+    def solve(self, method: Method, histories: bool) -> Sensitivities:
+        problem = self.problem
+        begin = clock.perf_counter()
+        motion = self.motion
+        samples = Samples(problem, Context(problem.mbs, motion.times, False), motion.states)
+        rate_level = motion.scheme.newmark and (
+            problem.solverType == DynamicSolverType.TrapezoidalIndex2
+            or problem.settings.timeIntegration.generalizedAlpha.useIndex2Constraints
+        )
+        if rate_level:
+            refuse_unit_lengths(problem.mbs)
+        middle = len(motion.times) // 2
+        parameters = Parameters(
+            problem.mbs,
+            problem.parameters,
+            samples.sensors,
+            {"rate_level": rate_level},
+            (motion.states[middle], float(motion.times[middle])),
+        )
+        base = parameters.base.derivatives
+        motion = motion._replace(scheme=_with_rotations(motion, base))
+        self.motion = motion
+        if np.any(np.asarray(base.static_signs) > 0):
+            row = int(np.flatnonzero(np.asarray(base.static_signs) > 0)[0])
+            raise NotDifferentiable(
+                "algebraic coordinates are not available",
+                item=_core.testing.describe_row(problem.mbs, problem.n + problem.n1 + row),
+            )
+        check_steps(motion, base, problem.n)
+        samples.read(parameters)
+        start = Start(parameters, motion, problem.consistent).variations()
+        how = "forward" if histories and method == "auto" else chosen(method, len(parameters.all), samples.size)
+        if histories and how != "forward":
+            raise ValueError("ComputeSensitivities: storeHistories=True needs method='forward'")
+        kept: dict[str, tuple[FloatArray, FloatArray]] = {}
+        matrix = (
+            self._forward(parameters, samples, start, kept if histories else None)
+            if how == "forward"
+            else self._adjoint(parameters, samples, start)
+        )
+        cost = {"solution": self.seconds, "derivatives": clock.perf_counter() - begin}
+        return Sensitivities(
+            samples.outputs(),
+            matrix,
+            row_names(problem.outputs),
+            [p.name for p in parameters.all],
+            how,
+            "differences",
+            cost,
+            samples.rows,
+            kept,
+        )
+
+    def _linear_step(self, derivatives: Any, i: int, transposed: bool) -> LinearStep:
+        """Return the step to state i, with factors."""
+        motion, n = self.motion, self.problem.n
+        z, time = motion.states[i], float(motion.times[i])
+        before = motion.states[i - 1]
+        derivatives.linearize(z, time, motion.scheme.h)
+        step = LinearStep(
+            motion.scheme,
+            derivatives,
+            before[n : 2 * n],
+            before[2 * n : 3 * n],
+            motion.algorithmic[i - 1],
+            z[2 * n : 3 * n],
+        )
+        failed = step.factorize(transposed)
+        if failed >= 0:
+            raise NotDifferentiable(
+                "the matrix of the step is singular",
+                item=_core.testing.describe_row(self.problem.mbs, failed),
+                time=time,
+            )
+        return step
+
+    def _forward(self, parameters: Parameters, samples: Samples, change: Variation, kept: Any) -> FloatArray:
+        motion, problem = self.motion, self.problem
+        matrix = np.zeros((samples.size, len(parameters.all)))
+        samples.add_variations(0, change, matrix)
+        histories: dict[int, list[FloatArray]] = {sensor: [] for sensor in samples.sensors}
+        for i in range(len(motion.times)):
+            time = float(motion.times[i])
+            if i > 0:
+                step = self._linear_step(parameters.base.derivatives, i, False)
+                rates = parameters.rates(parameters.residual_at(motion.states[i], time, motion.scheme.h))
+                change = step.forward(change, rates)
+                samples.add_variations(i, change, matrix)
+            for sensor in samples.sensors if kept is not None else ():
+                sample = Sample(i, sensor)
+                if sample not in samples.values:
+                    samples.values[sample] = np.asarray(
+                        parameters.base.derivatives.sensor(sensor, motion.states[i], time)
+                    )
+                histories[sensor].append(samples.rates(sample, change.z).T)
+        if kept is not None:
+            for sensor, rows in histories.items():
+                kept[problem.mbs.GetSensorParameter(sensor, "name")] = motion.times, np.array(rows)
+        return matrix
+
+    def _adjoint(self, parameters: Parameters, samples: Samples, start: Variation) -> FloatArray:
+        motion, problem = self.motion, self.problem
+        matrix = np.zeros((samples.size, len(parameters.all)))
+        bar = Variation.zeros(samples.size, problem.n, problem.n1, problem.m)
+        samples_end = max(samples.by_step, default=0)
+        for i in range(samples_end, 0, -1):
+            samples.add_seeds(i, bar, matrix)
+            step = self._linear_step(parameters.base.derivatives, i, True)
+            bar, w = step.backward(bar)
+            residual = parameters.residual_at(motion.states[i], float(motion.times[i]), motion.scheme.h)
+            matrix -= parameters.weighted_rates(residual, w)
+        samples.add_seeds(0, bar, matrix)
+        for end, begin in zip(
+            (bar.q, bar.v, bar.a, bar.b, bar.y, bar.y_t, bar.lam),
+            (start.q, start.v, start.a, start.b, start.y, start.y_t, start.lam),
+            strict=True,
+        ):
+            matrix += end @ begin.T
+        return matrix
+
+
+def _with_rotations(motion: Motion, derivatives: Any) -> Any:
+    from dataclasses import replace
+
+    first = np.array(derivatives.rotations, dtype=int).reshape(-1, 1)
+    return replace(motion.scheme, rotations=first + np.arange(3))
+
+
+def row_names(outputs: Mapping[str, Output]) -> list[str]:
+    return [
+        name if output.size == 1 else f"{name}[{i}]" for name, output in outputs.items() for i in range(output.size)
+    ]

@@ -1,0 +1,716 @@
+"""mbs.ComputeSensitivities and exu.DifferentiableModel: kinds of items, input, and what is refused."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+import scipy.optimize
+import scipy.sparse
+
+import dalembert as exu
+from dalembert._core import testing
+from dalembert.itemInterface import (
+    CoordinateConstraint,
+    CoordinateSpringDamper,
+    CoordinateSpringDamperExt,
+    DistanceConstraint,
+    GenericJoint,
+    LoadCoordinate,
+    LoadForceVector,
+    LoadMassProportional,
+    LoadTorqueVector,
+    MarkerBodyMass,
+    MarkerBodyPosition,
+    MarkerBodyRigid,
+    MarkerNodeCoordinate,
+    MarkerNodePosition,
+    Mass1D,
+    MassPoint,
+    Node1D,
+    NodeGenericData,
+    NodePoint,
+    NodePoint2DSlope1,
+    NodePointGround,
+    NodeRigidBodyEP,
+    NodeRigidBodyRotVecLG,
+    ObjectANCFCable2D,
+    ObjectGenericODE2,
+    ObjectGround,
+    ObjectRigidBody,
+    RigidBodySpringDamper,
+    SensorBody,
+    SensorMarker,
+    SensorNode,
+    VObjectGround,
+)
+from dalembert.utilities import (
+    InertiaCuboid,
+    RotationMatrix2EulerParameters,
+    RotationMatrixX,
+    RotationMatrixY,
+)
+
+Variable = exu.OutputVariableType
+CENTRAL = {-2: 1 / 12, -1: -8 / 12, 1: 8 / 12, 2: -1 / 12}
+
+
+def new_system() -> Any:
+    return exu.SystemContainer().AddSystem()
+
+
+def settings(end: float = 0.4, steps: int = 40, radius: float = 0.6) -> Any:
+    s = exu.SimulationSettings()
+    s.timeIntegration.endTime, s.timeIntegration.numberOfSteps = end, steps
+    s.timeIntegration.generalizedAlpha.spectralRadius = radius
+    s.timeIntegration.verboseMode = 0
+    s.timeIntegration.newton.relativeTolerance, s.timeIntegration.newton.absoluteTolerance = 1e-12, 1e-13
+    s.solutionSettings.writeSolutionToFile = False
+    return s
+
+
+def ground_coordinate(mbs: Any) -> Any:
+    return mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
+
+
+def oscillator(damping: float = 0.5, **spring: Any) -> Any:
+    """A mass on a spring, pulled by a force."""
+    mbs = new_system()
+    node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[0.1], name="node"))
+    mbs.AddObject(Mass1D(physicsMass=2, nodeNumber=node, name="mass"))
+    marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+    mbs.AddObject(
+        CoordinateSpringDamper(
+            markerNumbers=[ground_coordinate(mbs), marker], stiffness=50, damping=damping, name="spring", **spring
+        )
+    )
+    mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=3, name="force"))
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name="x"))
+    mbs.Assemble()
+    return mbs
+
+
+# ---- kinds of items: derivatives are those of differences of whole solutions -------------------------------------------
+
+
+def spatial(node: Any = NodeRigidBodyRotVecLG, connector: Any = None) -> Any:
+    """A free body with a connector to the ground, and weight."""
+    mbs = new_system()
+    reference = [0.3, 0.1, -0.2, 1, 0, 0, 0] if node is NodeRigidBodyEP else [0.3, 0.1, -0.2, 0.1, -0.2, 0.3]
+    if node is NodeRigidBodyEP:
+        reference[3:] = RotationMatrix2EulerParameters(RotationMatrixX(0.3) @ RotationMatrixY(0.5))
+    number = mbs.AddNode(
+        node(referenceCoordinates=reference, initialVelocities=[0.2] * 3 + [0] * (len(reference) - 3), name="node")
+    )
+    body = mbs.AddObject(
+        ObjectRigidBody(
+            physicsMass=2, physicsInertia=[0.1, 0.2, 0.15, 0.01, 0, 0.02], physicsCenterOfMass=[0.05, 0, 0.02], nodeNumber=number,
+            name="body",
+        )
+    )  # fmt: skip
+    ground = mbs.AddObject(ObjectGround(referencePosition=[0.1, 0, 0], name="ground"))
+    markers = [
+        mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=[0, 0.1, 0], name="fixed")),
+        mbs.AddMarker(MarkerBodyRigid(bodyNumber=body, localPosition=[0.1, 0.2, 0.3], name="point")),
+    ]
+    if connector is not None:
+        connector(mbs, markers)
+    mass = mbs.AddMarker(MarkerBodyMass(bodyNumber=body))
+    mbs.AddLoad(LoadMassProportional(markerNumber=mass, loadVector=[0, 0, -9.81], name="weight"))
+    mbs.AddLoad(LoadTorqueVector(markerNumber=markers[1], loadVector=[0.1, 0.2, 0.3], bodyFixed=True, name="torque"))
+    mbs.AddSensor(SensorMarker(markerNumber=markers[1], outputVariableType=Variable.Position, name="p"))
+    mbs.AddSensor(SensorBody(bodyNumber=body, outputVariableType=Variable.AngularVelocityLocal, name="w"))
+    mbs.AddSensor(
+        SensorBody(bodyNumber=body, localPosition=[0.2, 0, 0], outputVariableType=Variable.Acceleration, name="a")
+    )
+    mbs.Assemble()
+    return mbs
+
+
+def bushing(mbs: Any, markers: Any) -> None:
+    mbs.AddObject(
+        RigidBodySpringDamper(
+            markerNumbers=markers, stiffness=np.diag([100, 120, 140, 10, 12, 14]), damping=np.diag([1, 1, 2, 0.1, 0.1, 0.2]),
+            offset=[0.1, 0, 0, 0, 0.1, 0], name="connector",
+        )
+    )  # fmt: skip
+
+
+def hinge(mbs: Any, markers: Any) -> None:
+    mbs.AddObject(
+        GenericJoint(
+            markerNumbers=[
+                mbs.AddMarker(MarkerBodyRigid(bodyNumber="ground", localPosition=[0.2, 0.1, -0.2])),
+                mbs.AddMarker(MarkerBodyRigid(bodyNumber="body", localPosition=[0, 0, 0], name="pin")),
+            ],
+            constrainedAxes=[1, 1, 1, 0, 0, 0],
+            name="joint",
+        )
+    )
+    bushing(mbs, markers)
+
+
+def cable() -> Any:
+    mbs = new_system()
+    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[0.5 * i, 0, 1, 0], name=f"end {i}")) for i in range(3)]
+    for i in range(2):
+        mbs.AddObject(
+            ObjectANCFCable2D(
+                physicsLength=0.5, physicsMassPerLength=1, physicsBendingStiffness=2, physicsAxialStiffness=500, physicsBendingDamping=0.01,
+                nodeNumbers=nodes[i : i + 2], name=f"cable {i}",
+            )
+        )  # fmt: skip
+    for i in (0, 1, 3):
+        marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=i))
+        mbs.AddObject(CoordinateConstraint(markerNumbers=[ground_coordinate(mbs), marker], name=f"clamp {i}"))
+    tip = mbs.AddMarker(MarkerNodePosition(nodeNumber=nodes[2]))
+    mbs.AddLoad(LoadForceVector(markerNumber=tip, loadVector=[0, -3, 0], name="force"))
+    mbs.AddSensor(SensorNode(nodeNumber=nodes[2], outputVariableType=Variable.Position, name="p"))
+    mbs.Assemble()
+    return mbs
+
+
+def matrices() -> Any:
+    mbs = new_system()
+    nodes = [mbs.AddNode(NodePoint(referenceCoordinates=[i, 0, 0], name=f"end {i}")) for i in range(2)]
+    random = np.random.default_rng(1)
+    part = random.normal(size=(6, 6))
+    mbs.AddObject(
+        ObjectGenericODE2(
+            nodeNumbers=nodes, massMatrix=np.diag([1.0, 2, 3, 4, 5, 6]), stiffnessMatrix=part @ part.T + 10 * np.eye(6),
+            dampingMatrix=0.1 * np.eye(6), forceVector=[1.0, 2, 3, 4, 5, 6], name="matrices",
+        )
+    )  # fmt: skip
+    mbs.AddSensor(SensorNode(nodeNumber=nodes[1], outputVariableType=Variable.Position, name="p"))
+    mbs.Assemble()
+    return mbs
+
+
+Given = dict[str, Any]
+MODELS: dict[str, tuple[Callable[[], Any], Given, Given]] = {
+    "oscillator": (
+        oscillator,
+        {"m": ("mass", "physicsMass"), "k": ("spring", "stiffness"), "d": ("spring", "damping"), "offset": ("spring", "offset"),
+         "F": ("force", "load"), "x0": ("node", "initialCoordinates", 0), "reference": ("node", "referenceCoordinates", 0)},
+        {"x": "x", "v": exu.Final(0, 1), "a": exu.Final(0, 2), "E": exu.Integral("x", lambda x: float(x @ x), start=0.1)},
+    ),
+    "bushing": (
+        lambda: spatial(connector=bushing),
+        {"m": ("body", "physicsMass"), "Jyz": ("body", "physicsInertia", 3), "com": ("body", "physicsCenterOfMass", 0),
+         "com1": ("body", "physicsCenterOfMass", 1),
+         "k": ("connector", "stiffness", (1, 1)), "coupling": ("connector", "stiffness", (0, 4)), "d": ("connector", "damping", (5, 5)),
+         "offset": ("connector", "offset", 0), "place": ("point", "localPosition", 2), "ground": ("ground", "referencePosition", 1),
+         "fixed": ("fixed", "localPosition", 0), "T": ("torque", "loadVector", 1), "g": ("weight", "loadVector", 2),
+         "x0": ("node", "referenceCoordinates", 1), "turn": ("node", "referenceCoordinates", 4), "w0": ("node", "initialVelocities", 5)},
+        {"p": "p", "w": exu.At("w", component=1), "a": exu.At("a", 0.2, component=2), "start": exu.At("a", 0.0, component=1),
+         "E": exu.Integral("w", lambda w: float(w @ w))},
+    ),
+    "joint": (
+        lambda: spatial(node=NodeRigidBodyEP, connector=hinge),
+        {"m": ("body", "physicsMass"), "Jy": ("body", "physicsInertia", 1), "com": ("body", "physicsCenterOfMass", 1),
+         "k": ("connector", "stiffness", (1, 1)), "T": ("torque", "loadVector", 1)},
+        {"p": "p", "w": exu.At("w", component=1), "F": exu.Reaction("joint", 1), "F0": exu.Reaction("joint", 2, time=0.0)},
+    ),
+    "cable": (
+        cable,
+        {"EI": [("cable 0", "physicsBendingStiffness"), ("cable 1", "physicsBendingStiffness")], "EA": ("cable 0", "physicsAxialStiffness"),
+         "rho": ("cable 1", "physicsMassPerLength"), "d": ("cable 0", "physicsBendingDamping"), "strain": ("cable 0", "physicsReferenceAxialStrain"),
+         "L": ("cable 1", "physicsLength"), "F": ("force", "loadVector", 0), "y0": ("end 1", "initialCoordinates", 1)},
+        {"y": exu.At("p", component=1), "F": exu.Reaction("clamp 1")},
+    ),
+    "matrices": (
+        matrices,
+        {"M": ("matrices", "massMatrix", (0, 0)), "K": ("matrices", "stiffnessMatrix", (3, 4)), "D": ("matrices", "dampingMatrix", (2, 2)),
+         "f": ("matrices", "forceVector", 5)},
+        {"x": "p"},
+    ),
+}  # fmt: skip
+
+
+def varied(build: Callable[[], Any], given: Any, value: float) -> Any:
+    """The model with another value, through its dictionary of parameters."""
+    mbs = build()
+    for item, parameter, *entry in given if isinstance(given, list) else [given]:
+        kind = next(k for k in ("Object", "Node", "Load", "Marker") if int(getattr(mbs, f"Get{k}Number")(item)) >= 0)
+        number = getattr(mbs, f"Get{kind}Number")(item)
+        now = getattr(mbs, f"Get{kind}Parameter")(number, parameter)
+        if entry:
+            now = np.array(now, dtype=float)
+            now[entry[0]] = value
+        getattr(mbs, f"Set{kind}Parameter")(number, parameter, now if entry else value)
+    mbs.Assemble()
+    return mbs
+
+
+def value_of(mbs: Any, given: Any) -> float:
+    item, parameter, *entry = given[0] if isinstance(given, list) else given
+    kind = next(k for k in ("Object", "Node", "Load", "Marker") if int(getattr(mbs, f"Get{k}Number")(item)) >= 0)
+    now = getattr(mbs, f"Get{kind}Parameter")(getattr(mbs, f"Get{kind}Number")(item), parameter)
+    return float(np.asarray(now)[entry[0]] if entry else now)
+
+
+def outputs_of(mbs: Any, any_parameter: Given, outputs: Given, solver: Any, with_settings: Any) -> Any:
+    values = mbs.ComputeSensitivities(any_parameter, outputs, with_settings, solver, "forward").values
+    return np.array(list(values.values()))
+
+
+@pytest.mark.filterwarnings("ignore:ComputeSensitivities. initial values do not fulfil")
+@pytest.mark.parametrize(
+    "solver",
+    [exu.DynamicSolverType.GeneralizedAlpha, exu.DynamicSolverType.TrapezoidalIndex2],
+    ids=["alpha", "trapezoidal"],
+)
+@pytest.mark.parametrize("name", MODELS)
+def test_derivatives_by_parameters_of_items(name: str, solver: Any) -> None:
+    build, parameters, outputs = MODELS[name]
+    if solver == exu.DynamicSolverType.TrapezoidalIndex2 and name == "joint":
+        build = lambda: spatial(connector=hinge)  # noqa: E731  Euler parameters are refused there
+    s = settings()
+    forward = build().ComputeSensitivities(parameters, outputs, s, solver, "forward")
+    adjoint = build().ComputeSensitivities(parameters, outputs, s, solver, "adjoint")
+    size = np.abs(forward.matrix).max(axis=1, keepdims=True)
+    assert np.all(np.abs(forward.matrix - adjoint.matrix) < 1e-10 * size)
+    cheap = dict([next(iter(parameters.items()))])
+    for k, given in enumerate(parameters.values()):
+        x = value_of(build(), given)
+        step = 1e-3 * abs(x) if x else 1e-3
+        if x == 0 and "amping" in str(given):
+            continue
+        differences = sum(
+            weight / step * outputs_of(varied(build, given, x + multiple * step), cheap, outputs, solver, s)
+            for multiple, weight in CENTRAL.items()
+        )
+        scale = np.maximum(np.abs(forward.matrix[:, k]), 1e-3 * size[:, 0])
+        assert np.all(np.abs(forward.matrix[:, k] - differences) < 2e-6 * scale), (
+            list(parameters)[k],
+            forward.matrix[:, k],
+            differences,
+        )
+
+
+def test_undamped_spring_has_a_derivative_by_its_damping() -> None:
+    # A damping of 0 may not be negative: differences go to one side. m x.. + d x. + k x = F, x(0) = x0: with x_d = dx/dd,
+    # m x_d.. + k x_d = -x.; for a free vibration A cos(w t) around F/k, x_d = -A/(2 m) (t cos(w t) - sin(w t)/w).
+    mbs = oscillator(damping=0.0)
+    end, w, amplitude = 0.4, np.sqrt(25.0), 0.1 - 3 / 50
+    s = settings(end, 4000, radius=1.0)
+    found = mbs.ComputeSensitivities({"d": ("spring", "damping")}, {"x": "x"}, s)
+    exact = -amplitude / 4 * (end * np.cos(w * end) - np.sin(w * end) / w)
+    assert found.Derivative("x", "d") == pytest.approx(exact, rel=1e-6)
+
+
+def test_histories_are_derivatives_in_time() -> None:
+    mbs = oscillator(damping=0.0)
+    found = mbs.ComputeSensitivities(
+        {"F": ("force", "load")}, {"x": "x"}, settings(1.0, 2000, radius=1.0), storeHistories=True
+    )
+    history = found.Histories("F")["x"]
+    exact = (1 - np.cos(5 * history[:, 0])) / 50
+    assert np.max(np.abs(history[:, 1] - exact)) < 2e-6 * np.max(exact)
+    assert history[-1, 1] == found.Derivative("x", "F")
+
+
+def test_initial_values_that_systems_were_given_are_used() -> None:
+    mbs = oscillator()
+    other = oscillator()
+    other.SetNodeParameter(0, "initialCoordinates", [0.3])
+    other.Assemble()
+    mbs.systemData.SetODE2Coordinates([0.3], exu.ConfigurationType.Initial)
+    parameters = {"k": ("spring", "stiffness"), "x0": ("node", "initialCoordinates", 0)}
+    first = mbs.ComputeSensitivities(parameters, {"x": "x"}, settings())
+    second = other.ComputeSensitivities(parameters, {"x": "x"}, settings())
+    np.testing.assert_allclose(first.matrix, second.matrix, rtol=1e-12)
+
+
+def pendulum(length: float = 0.8) -> Any:
+    mbs = new_system()
+    node = mbs.AddNode(NodePoint(referenceCoordinates=[length, 0, 0], name="node"))
+    body = mbs.AddObject(MassPoint(physicsMass=2, nodeNumber=node, name="mass"))
+    ends = [mbs.AddMarker(MarkerBodyPosition(bodyNumber=b)) for b in (mbs.AddObject(ObjectGround()), body)]
+    mbs.AddObject(DistanceConstraint(markerNumbers=ends, distance=length, name="rod"))
+    mbs.AddLoad(LoadForceVector(markerNumber=ends[1], loadVector=[0, -20, 0], name="weight"))
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Position, storeInternal=True, name="p"))
+    mbs.Assemble()
+    return mbs
+
+
+def test_start_follows_constraints_that_vary() -> None:
+    # With a consistent start, the length alone gives what length and start together give.
+    s, outputs = settings(0.5, 200), {"x": exu.At("p"), "y": exu.At("p", component=1)}
+    both = {"L": [("rod", "distance"), ("node", "referenceCoordinates", 0)]}
+    expected = pendulum().ComputeSensitivities(both, outputs, s)
+    found = pendulum().ComputeSensitivities({"L": ("rod", "distance")}, outputs, s, consistentStart=True)
+    np.testing.assert_allclose(found.matrix, expected.matrix, rtol=1e-9)
+    with pytest.warns(UserWarning, match="initial values do not fulfil the constraints any more if 'L' vary"):
+        pendulum().ComputeSensitivities({"L": ("rod", "distance")}, outputs, s)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        pendulum().ComputeSensitivities(both, outputs, s)
+
+
+# ---- DifferentiableModel -------------------------------------------------------------------------------------------
+
+
+TIMES = np.linspace(0.05, 0.4, 8)
+
+
+def identification() -> Any:
+    parameters = {"k": ("spring", "stiffness"), "d": ("spring", "damping")}
+    return exu.DifferentiableModel(oscillator(), parameters, {"x": exu.At("x", TIMES)}, settings())
+
+
+def test_identification_finds_the_parameters_of_the_data() -> None:
+    problem = identification()
+    data = problem.Values([62.0, 0.9])
+    residuals, jacobian = problem.LeastSquares(data)
+    found = scipy.optimize.least_squares(
+        residuals, problem.x0, jac=jacobian, bounds=problem.bounds, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=None
+    )
+    np.testing.assert_allclose(found.x, [62.0, 0.9], rtol=1e-7)
+    sigma = 1e-3
+    covariance = problem.Covariance(found.x, sigma)
+    expected = np.linalg.inv(found.jac.T @ found.jac) * sigma**2
+    np.testing.assert_allclose(covariance, expected, rtol=1e-5)
+
+
+def test_model_as_a_function() -> None:
+    problem = identification()
+    np.testing.assert_array_equal(problem.x0, [50.0, 0.5])
+    weighed = exu.DifferentiableModel(
+        oscillator(), {"m": ("mass", "physicsMass"), "k": ("spring", "stiffness")}, {"x": "x"}, settings()
+    )
+    lower, upper = weighed.bounds
+    np.testing.assert_array_equal(lower, [0.0, -np.inf])  # springs may have negative stiffness
+    assert np.all(np.isinf(upper))
+    weights = {"x": np.arange(8.0)}
+    value, gradient = problem.ValueAndGradient([55.0, 0.7], weights)
+    assert value == pytest.approx(np.arange(8.0) @ problem.Values({"k": 55.0, "d": 0.7})["x"], rel=1e-14)
+    np.testing.assert_allclose(problem.Vjp([55.0, 0.7], weights), gradient, rtol=1e-14)
+    change = problem.Jvp([55.0, 0.7], [1.0, -2.0])
+    assert np.arange(8.0) @ change == pytest.approx(gradient @ [1.0, -2.0], rel=1e-12)
+    error = scipy.optimize.check_grad(
+        lambda x: problem.ValueAndGradient(x, weights)[0],
+        lambda x: problem.ValueAndGradient(x, weights)[1],
+        [55.0, 0.7],
+    )
+    assert error < 1e-5 * np.linalg.norm(gradient)  # forward differences
+    assert problem.Check([55.0, 0.7]) == ""
+
+
+def test_check_reports_what_disagrees() -> None:
+    problem = identification()
+    exact = problem.Sensitivities
+
+    def wrong(x: Any) -> Any:
+        found = exact(x)
+        wrong_matrix = found.matrix.copy()
+        wrong_matrix[:, 1] *= 1.01
+        return type(found)(**{**vars(found), "matrix": wrong_matrix})
+
+    problem.Sensitivities = wrong
+    text = problem.Check([50.0, 0.5])
+    assert text.startswith("d x[0]/d d: ") and "d x[7]/d d" in text and "/d k" not in text
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda p: p.Values([1.0]), "x"),
+        (lambda p: p.Values({"k": 1.0}), "expected \\['k', 'd'\\]"),
+        (lambda p: p.ValueAndGradient([50.0, 0.5], {"y": 1}), "received output 'y'"),
+        (lambda p: p.Residuals([50.0, 0.5], {"x": [1.0, 2.0]}), "data\\['x'\\]"),
+        (lambda p: p.Residuals([50.0, 0.5], {"y": [1.0]}), "data of 'y'"),
+        (lambda p: p.Covariance([50.0, 0.5], -1.0), "positive standard deviations"),
+    ],
+)
+def test_wrong_arguments_of_the_model(call: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        call(identification())
+
+
+def test_covariance_needs_outputs_that_determine_all_parameters() -> None:
+    problem = exu.DifferentiableModel(
+        oscillator(), {"k": ("spring", "stiffness"), "d": ("spring", "damping")}, {"x": "x"}, settings()
+    )
+    with pytest.raises(ValueError, match="do not determine all parameters"):
+        problem.Covariance(problem.x0)
+
+
+# ---- the model stays as it was ---------------------------------------------------------------------------------------
+
+
+def contents(mbs: Any) -> Any:
+    states = [
+        mbs.systemData.GetSystemState(configuration)
+        for configuration in (exu.ConfigurationType.Current, exu.ConfigurationType.Initial)
+    ]
+    items = [
+        repr(getattr(mbs, f"Get{kind}")(i))
+        for kind in ("Node", "Object", "Marker", "Load", "Sensor")
+        for i in range(getattr(mbs.systemData, f"NumberOf{kind}s")())
+    ]
+    kept = [repr(mbs.variables), sorted(mbs.sys), mbs.GetSensorStoredData("p").tobytes(), mbs.systemData.GetTime()]
+    return items, [[part.tobytes() for part in state] for state in states], kept
+
+
+def test_model_does_not_change() -> None:
+    mbs = pendulum()
+    mbs.SolveDynamic(settings(0.1, 10))
+    before = contents(mbs)
+    mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": "p"}, settings())
+    with pytest.raises(ValueError, match="no step ends"):
+        mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": exu.At("p", 0.123)}, settings())
+    with pytest.raises(exu.SolverError):
+        s = settings()
+        s.timeIntegration.newton.maxIterations = 1
+        s.timeIntegration.adaptiveStep = False
+        mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": "p"}, s)
+    after = contents(mbs)
+    assert before == after
+
+
+def test_results_are_the_same_again() -> None:
+    mbs = pendulum()
+    first, second = (
+        mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": "p"}, settings()).matrix for _ in range(2)
+    )
+    assert first.tobytes() == second.tobytes()
+
+
+# ---- what is refused --------------------------------------------------------------------------------------------------
+
+
+def refusal(mbs: Any, parameters: Any = None, outputs: Any = None, with_settings: Any = None, **options: Any) -> Any:
+    with pytest.raises(exu.NotDifferentiable) as raised:
+        mbs.ComputeSensitivities(
+            parameters or {"k": ("spring", "stiffness")}, outputs or {"x": "x"}, with_settings or settings(), **options
+        )
+    return raised.value
+
+
+def test_functions_of_python_are_refused() -> None:
+    mbs = oscillator(springForceUserFunction=lambda mbs, t, i, u, v, k, d, offset: k * u)
+    found = refusal(mbs)
+    assert found.item == "object 1 'spring' (ConnectorCoordinateSpringDamper)"
+    assert found.reason == "springForceUserFunction is a function without derivative"
+    assert "dalembert.symbolic" in found.advice
+    assert str(found).startswith("object 1 'spring' (ConnectorCoordinateSpringDamper): springForceUserFunction is")
+    assert isinstance(found, ValueError)
+
+
+@pytest.mark.parametrize("name", ["PreStep", "PostStep", "PostNewton"])
+def test_functions_in_steps_are_refused(name: str) -> None:
+    mbs = oscillator()
+    getattr(mbs, f"Set{name}UserFunction")(lambda mbs, t: True)
+    assert refusal(mbs).item == f"mbs.{name}UserFunction"
+
+
+def test_general_contact_is_refused() -> None:
+    mbs = oscillator()
+    mbs.AddGeneralContact()
+    mbs.Assemble()
+    assert refusal(mbs).item == "GeneralContact"
+
+
+def test_drawing_functions_do_not_matter() -> None:
+    mbs = oscillator()
+    ground = mbs.AddObject(ObjectGround(visualization=VObjectGround(graphicsDataUserFunction=lambda mbs, item: [])))
+    mbs.Assemble()
+    found = mbs.ComputeSensitivities({"k": ("spring", "stiffness")}, {"x": "x"}, settings())
+    assert found.matrix.shape == (1, 1) and int(ground) == 2
+
+
+def test_euler_parameters_and_the_trapezoidal_rule_are_refused() -> None:
+    mbs = spatial(node=NodeRigidBodyEP, connector=bushing)
+    found = refusal(mbs, {"m": ("body", "physicsMass")}, {"p": "p"}, solverType=exu.DynamicSolverType.TrapezoidalIndex2)
+    assert found.item == "node 0 'node' (RigidBodyEP)"
+    assert "normalized" in found.reason
+
+
+def test_history_is_refused() -> None:
+    mbs = new_system()
+    node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[0.1]))
+    mbs.AddObject(Mass1D(physicsMass=2, nodeNumber=node, name="mass"))
+    history = mbs.AddNode(NodeGenericData(initialCoordinates=[1, 0, 0], numberOfDataCoordinates=3))
+    marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+    mbs.AddObject(
+        CoordinateSpringDamperExt(
+            markerNumbers=[ground_coordinate(mbs), marker],
+            stiffness=10,
+            fDynamicFriction=1,
+            nodeNumber=history,
+            name="spring",
+        )
+    )
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name="x"))
+    mbs.Assemble()
+    found = refusal(mbs)
+    assert found.item.startswith("object 1 'spring'") and "history" in found.reason
+
+
+def test_settings_that_are_refused() -> None:
+    def changed(change: Callable[[Any], None]) -> Any:
+        s = settings()
+        change(s)
+        return refusal(oscillator(), with_settings=s).item
+
+    def control(s: Any) -> None:
+        s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
+
+    def events(s: Any) -> None:
+        s.events.ofItems = True
+
+    assert changed(control) == "simulationSettings.stepSizeControl.implicitSolvers"
+    assert changed(events) == "simulationSettings.events.ofItems"
+    found = refusal(oscillator(), solverType=exu.DynamicSolverType.RK44)
+    assert "generalized alpha" in found.reason
+
+
+def test_redundant_constraints_are_refused() -> None:
+    mbs = pendulum()
+    ends = mbs.GetObjectParameter(mbs.GetObjectNumber("rod"), "markerNumbers")
+    mbs.AddObject(DistanceConstraint(markerNumbers=ends, distance=0.8, name="second rod"))
+    mbs.Assemble()
+    found = refusal(mbs, {"m": ("mass", "physicsMass")}, {"x": "p"})
+    assert "1 constraint equations follow from others" in found.reason
+    assert "rod" in found.item
+
+
+def test_singular_equilibrium_is_refused() -> None:
+    mbs = oscillator()
+    mbs.SetObjectParameter(1, "stiffness", 0.0)
+    mbs.SetLoadParameter(0, "load", 0.0)
+    mbs.Assemble()
+    with pytest.raises((exu.NotDifferentiable, exu.SolverError)):
+        mbs.ComputeSensitivities({"F": ("force", "load")}, {"x": "x"}, solverType="static")
+
+
+def test_corrected_velocities_are_refused() -> None:
+    # Coarse steps of a pendulum with much remembrance: the solver takes away velocities across the constraint.
+    mbs = pendulum()
+    found = refusal(mbs, {"m": ("mass", "physicsMass")}, {"x": "p"}, settings(8.0, 100, radius=0.99))
+    assert found.item == "time integration" and found.time is not None
+
+
+@pytest.mark.parametrize(
+    ("parameter", "error", "message"),
+    [
+        (("sprang", "stiffness"), ValueError, "parameter 'p': received 'sprang'"),
+        (("spring", "stifness"), ValueError, "parameter 'p'"),
+        (("spring", "stiffness", 0), ValueError, "entry 0 of stiffness, which has the shape \\(\\)"),
+        (("node", "initialCoordinates"), ValueError, "has the shape \\(1,\\); pass \\(item, parameter, entry\\)"),
+        (("node", "initialCoordinates", 1), ValueError, "entry 1 of initialCoordinates"),
+        (("spring", "activeConnector"), exu.NotDifferentiable, "activeConnector is not a real number"),
+        (("spring", "name"), exu.NotDifferentiable, "name is not a real number"),
+        ("timeIntegration.endTime", exu.NotDifferentiable, "timeIntegration.endTime, parameter 'p': it is a setting"),
+        (("spring",), ValueError, "expected \\(item, parameter\\)"),
+        ((1, "stiffness"), ValueError, "received 1 as item"),
+        ([], ValueError, "received an empty list"),
+        ([("spring", "stiffness"), ("spring", "damping")], ValueError, "its places have different values"),
+        (
+            exu.DesignParameter(7.0, {("spring", "stiffness"): 1.0}),
+            ValueError,
+            "is 50.0, but the value of the DesignParameter makes it 7.0",
+        ),
+    ],
+)
+def test_wrong_parameters(parameter: Any, error: type, message: str) -> None:
+    with pytest.raises(error, match=message):
+        oscillator().ComputeSensitivities({"p": parameter}, {"x": "x"}, settings())
+
+
+@pytest.mark.parametrize(
+    ("output", "message"),
+    [
+        ("y", "output 'o': received 'y'"),
+        (exu.At("x", 7.0), "no step ends at time 7 s; .*; it has to lie within the computed time"),
+        (exu.At("x", 0.123), "no step ends at time 0.123 s; .*; choose steps that end there"),
+        (exu.At("x", component=2), "component: received 2, but the sensor has 1 values"),
+        (exu.Final(5), "received 5, but the system has 1 ODE2 coordinates"),
+        (exu.Reaction("spring"), "the object has 0 constraint equations"),
+        (exu.At, "expected At\\(...\\), with arguments, received <class"),
+    ],
+)
+def test_wrong_outputs(output: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        oscillator().ComputeSensitivities({"k": ("spring", "stiffness")}, {"o": output}, settings())
+
+
+def test_wrong_arguments() -> None:
+    mbs = oscillator()
+    with pytest.raises(ValueError, match="parameters"):
+        mbs.ComputeSensitivities({}, {"x": "x"}, settings())
+    with pytest.raises(ValueError, match="outputs"):
+        mbs.ComputeSensitivities({"k": ("spring", "stiffness")}, {}, settings())
+    with pytest.raises(ValueError, match="expected one of auto, forward, adjoint"):
+        mbs.ComputeSensitivities({"k": ("spring", "stiffness")}, {"x": "x"}, settings(), method="backward")
+    found = mbs.ComputeSensitivities({"k": ("spring", "stiffness")}, {"x": "x"}, settings())
+    with pytest.raises(ValueError, match="received output 'y'"):
+        found.Derivative("y", "k")
+    with pytest.raises(ValueError, match="received parameter 'K'"):
+        found.Derivative("x", "K")
+    with pytest.raises(ValueError, match="storeHistories=True"):
+        found.Histories("k")
+
+
+# ---- matrices -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("bodies", [2, 12], ids=["dense", "sparse"])
+def test_factors_of_transposed_matrices(bodies: int) -> None:
+    # A chain with gyroscopic forces and reactions, whose matrices are not symmetric.
+    mbs = new_system()
+    last = mbs.CreateGround()
+    for i in range(bodies):
+        body = mbs.CreateRigidBody(
+            referencePosition=[i + 0.5, 0, 0], inertia=InertiaCuboid(100, [1, 0.2, 0.1]), initialAngularVelocity=[1, 2, 3],
+            gravity=[0, -9.81, 0],
+        )  # fmt: skip
+        mbs.CreateSphericalJoint(bodyNumbers=[last, body], position=[i, 0, 0])
+        last = body
+    mbs.Assemble()
+    derivatives = testing.SystemDerivatives(mbs)
+    n, n1, m, _ = derivatives.sizes
+    random = np.random.default_rng(2)
+    z = 0.1 * random.normal(size=3 * n + 2 * n1 + m)
+    derivatives.linearize(z, 0.0, 0.01)
+    size = n + n1 + m
+    unit = np.eye(size)
+    stiffness = derivatives.product("K", unit).T
+    damping, mass = derivatives.product("D", np.eye(n)).T, derivatives.product("M", np.eye(n)).T
+    np.testing.assert_allclose(derivatives.product("K", unit, transposed=True), stiffness, rtol=1e-13)
+    np.testing.assert_allclose(derivatives.product("D", unit, transposed=True), damping, rtol=1e-13)
+    matrix = stiffness.copy()
+    matrix[:, :n] += 50 * damping
+    matrix[:n, :n] += 4e4 * mass
+    right = random.normal(size=(3, size))
+    for transposed in (False, True):
+        assert derivatives.factorize((1.0, 50.0, 4e4, 1.0, 50.0, 1.0, 0.0), scale=2.5e-5, transposed=transposed) == -1
+        exact = np.linalg.solve(matrix.T if transposed else matrix, right.T).T
+        np.testing.assert_allclose(derivatives.solve(right), exact, rtol=1e-9, atol=1e-9 * np.abs(exact).max())
+
+
+def test_matrices_are_derivatives_of_the_residual() -> None:
+    mbs = spatial(connector=bushing)
+    derivatives = testing.SystemDerivatives(mbs)
+    n, _, m, _ = derivatives.sizes
+    z = 0.1 * np.random.default_rng(3).normal(size=3 * n + m)
+    derivatives.linearize(z, 0.0, 0.01)
+    for matrix, begin, size in (("K", 0, n + m), ("D", n, n), ("M", 2 * n, n)):
+        found = derivatives.product(matrix, np.eye(size))[:n]
+        for i in range(n):
+
+            def residual(e: float, i: int = i, begin: int = begin) -> Any:
+                moved = z.copy()
+                unit = e * np.eye(n)[i]
+                if begin == 0:
+                    moved[:n] = derivatives.compose(z[:n], unit)
+                else:
+                    moved[begin : begin + n] += unit
+                return derivatives.residual(moved, 0.0, 0.01)
+
+            expected = sum(weight / 1e-3 * residual(multiple * 1e-3) for multiple, weight in CENTRAL.items())
+            np.testing.assert_allclose(found[i], expected[: found.shape[1]], atol=1e-8 * np.abs(found).max())

@@ -1,0 +1,172 @@
+"""Derivatives of solutions: reference values, both methods against each other, and differences of the same solution."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from validation.sensitivity_problems import DYNAMIC, INTERVAL, STATIC, Problem, cantilever_problem, reference
+
+import dalembert as exu
+from dalembert.itemInterface import (
+    CoordinateConstraint,
+    MarkerNodeCoordinate,
+    MassPoint2D,
+    NodePoint2DSlope1,
+    NodePointGround,
+    ObjectANCFCable2D,
+)
+
+CENTRAL = {-2: 1 / 12, -1: -8 / 12, 1: 8 / 12, 2: -1 / 12}
+Solver = exu.DynamicSolverType
+
+
+def numbers_of(result: Any) -> Any:
+    return np.concatenate([np.atleast_1d(value) for value in result.values.values()])
+
+
+def relative(problem: Problem, difference: Any, compared: Any) -> Any:
+    """Errors times parameters, relative to the largest derivative of each output times its parameter."""
+    sizes = np.abs(np.array([problem.numbers[name] for name in problem.numbers]))
+    return np.max(np.abs(difference) * sizes, axis=1) / np.max(np.abs(compared) * sizes, axis=1)
+
+
+def known(name: str, problem: Problem) -> tuple[Any, Any]:
+    """Values and derivatives of the reference, in the order of outputs and parameters."""
+    block = reference(name.split()[0])
+    if name == "P17":  # costs of the forces themselves are no output of the model
+        value, by = block["cost"]
+        forces = {key: x for key, x in problem.numbers.items() if key[0] == "u"}
+        value -= sum(0.01 * INTERVAL * u**2 for u in forces.values())
+        block["cost"] = value, {key: x - 0.02 * INTERVAL * forces.get(key, 0.0) for key, x in by.items()}
+    return (
+        np.array([block[output][0] for output in problem.outputs]),
+        np.array([[block[output][1][parameter] for parameter in problem.numbers] for output in problem.outputs]),
+    )
+
+
+def by_differences(problem: Problem, steps: int | None = None) -> Any:
+    """Differences of fourth order of whole solutions, of models that are built anew."""
+    columns = []
+    for name, value in problem.numbers.items():
+        step = 1e-3 * (abs(value) if value else 1.0)
+        varied: list[Any] = []
+        for multiple, weight in CENTRAL.items():
+            numbers = {**problem.numbers, name: value + multiple * step}
+            # The cheapest derivatives: only values are used.
+            cheap = {next(iter(problem.parameters(numbers))): next(iter(problem.parameters(numbers).values()))}
+            found = problem.build(numbers).ComputeSensitivities(
+                cheap, problem.outputs, problem.settings(steps), problem.solver, "forward"
+            )
+            varied.append(weight / step * numbers_of(found))
+        columns.append(np.sum(varied, axis=0))
+    return np.array(columns).T
+
+
+@pytest.mark.parametrize("name", STATIC)
+def test_static_derivatives_are_those_of_closed_forms(name: str) -> None:
+    problem = STATIC[name]
+    forward, adjoint = problem.solve(method="forward"), problem.solve(method="adjoint")
+    values, derivatives = known(name, problem)
+    np.testing.assert_allclose(numbers_of(forward), values, rtol=1e-9)
+    assert np.all(relative(problem, forward.matrix - derivatives, derivatives) < 1e-9)
+    assert np.all(relative(problem, forward.matrix - adjoint.matrix, derivatives) < 1e-12)
+
+
+def test_what_does_not_act_has_no_derivative() -> None:
+    # The weight of the crank acts on its pin and on the motor: horizontal forces of the pins do not feel it.
+    found = STATIC["P3"].solve()
+    assert abs(found.Derivative("Ax", "m1")) < 1e-12
+    assert abs(found.Derivative("Dx", "m1")) < 1e-12
+
+
+# Extrapolated from solutions with n and 2 n steps, and 4 n where the start makes an error of first order: rates of first-order
+# coordinates, and accelerations of prescribed coordinates, start from zero. In P17, forces jump between steps.
+FIRST_ORDER = {"P12", "P17", "P20"}
+
+
+def extrapolated(problem: Problem, first_order: bool) -> tuple[Any, Any]:
+    counts = (1, 2, 4) if first_order else (1, 2)
+    found = [problem.solve(count * problem.steps, method="adjoint") for count in counts]
+    values, matrices = [numbers_of(each) for each in found], [each.matrix for each in found]
+
+    def limit(parts: list[Any]) -> Any:
+        if first_order:
+            parts = [2 * fine - coarse for coarse, fine in zip(parts[:-1], parts[1:], strict=True)]
+        return parts[1] + (parts[1] - parts[0]) / 3
+
+    return limit(values), limit(matrices)
+
+
+@pytest.mark.parametrize("name", DYNAMIC)
+def test_derivatives_of_motions_converge_to_the_reference(name: str) -> None:
+    problem = DYNAMIC[name]
+    values, matrix = extrapolated(problem, name in FIRST_ORDER)
+    expected, derivatives = known(name, problem)
+    assert np.all(np.abs(values - expected) < 2e-6 * np.maximum(np.abs(expected), 0.1))
+    assert np.all(relative(problem, matrix - derivatives, derivatives) < 1e-6)
+
+
+@pytest.mark.parametrize("name", DYNAMIC)
+def test_derivatives_are_those_of_the_computed_solution(name: str) -> None:
+    # In coarse steps, too, whose own errors are up to some percent.
+    problem = DYNAMIC[name]
+    forward, adjoint = problem.solve(60, method="forward"), problem.solve(60, method="adjoint")
+    assert np.all(relative(problem, forward.matrix - adjoint.matrix, forward.matrix) < 1e-10)
+    differences = by_differences(problem, 60)
+    assert np.all(relative(problem, forward.matrix - differences, forward.matrix) < 1e-7)
+
+
+def test_large_deflection_scales_with_load_length_and_stiffness() -> None:
+    # w/L is a function of F L^2/EI and EA L^2/EI, on any mesh: Euler's identities of its derivatives.
+    numbers = {"F": 4.0, "L": 1.0, "EI": 2.0, "EA": 1e5, "rhoA": 1.0, "M": 1.0}
+    found = cantilever_problem(numbers, 4, {"w": exu.At("tip", component=1)}).solve()
+    w, by = found.values["w"], {name: numbers[name] * found.Derivative("w", name) for name in numbers}
+    assert abs(by["F"] + by["EI"] + by["EA"]) < 1e-9 * abs(by["L"])
+    # Forces of 1e5 N cancel in differences along the length: 1e-16 * 1e5/1e-3 of a derivative of 1.
+    assert abs(by["L"] - w - 2 * by["F"] - 2 * by["EA"]) < 2e-7 * abs(by["L"])
+    assert abs(by["M"]) + abs(by["rhoA"]) < 1e-12  # there is no weight
+
+
+def test_frequencies_of_a_beam_with_a_mass() -> None:
+    numbers = {"F": 0.0, "L": 1.2, "EI": 50.0, "EA": 1e7, "rhoA": 2.0, "M": 0.8}
+    outputs = {f"omega_{k + 1}": exu.Function(np.sqrt, outputs=[exu.Eigenvalue(k)]) for k in (0, 1)}
+    coarse, fine = (cantilever_problem(numbers, elements, outputs).solve() for elements in (8, 16))
+    by = {name: numbers[name] * fine.matrix[:, fine.parameters.index(name)] for name in numbers}
+    omega = numbers_of(fine)
+    # On any mesh: omega^2 is linear in both stiffnesses together, and 1/omega^2 in both masses.
+    # (rounding errors of differences: the axial stiffness is 1e5 times that of bending)
+    np.testing.assert_allclose(by["EI"] + by["EA"], omega / 2, rtol=2e-8)
+    np.testing.assert_allclose(by["rhoA"] + by["M"], -omega / 2, rtol=2e-8)
+    for output, (_, derivatives) in reference("P6").items():
+        for parameter, expected in derivatives.items():
+            # Errors fall with the fourth power of the size of elements.
+            ends = [each.Derivative(output, parameter) for each in (coarse, fine)]
+            assert ends[1] + (ends[1] - ends[0]) / 15 == pytest.approx(expected, rel=1e-5)
+
+
+def test_repeated_eigenvalues_are_refused() -> None:
+    numbers = {"F": 0.0, "L": 1.2, "EI": 50.0, "EA": 1e7, "rhoA": 2.0, "M": 0.8}
+    mbs = cantilever_problem(numbers, 2, {}).build(numbers)
+    twin = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 5, 1, 0])) for x in np.linspace(0, 1.2, 3)]
+    for i in range(2):
+        copied = mbs.GetObject(i)
+        mbs.AddObject(
+            ObjectANCFCable2D(
+                **{
+                    **{k: v for k, v in copied.items() if k.startswith("physics")},
+                    "nodeNumbers": twin[i : i + 2],
+                }
+            )
+        )
+    for k in (0, 1, 3):
+        marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=twin[0], coordinate=k))
+        ground = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
+        mbs.AddObject(CoordinateConstraint(markerNumbers=[ground, marker]))
+    mbs.AddObject(MassPoint2D(physicsMass=0.8, nodeNumber=twin[-1]))
+    mbs.Assemble()
+    with pytest.raises(exu.NotDifferentiable, match="eigenvalue 0: it coincides with another one"):
+        mbs.ComputeSensitivities({"M": ("mass", "physicsMass")}, {"w": exu.Eigenvalue(0)}, solverType="static")
+    with pytest.raises(exu.NotDifferentiable, match="use solverType='static'"):
+        mbs.ComputeSensitivities({"M": ("mass", "physicsMass")}, {"w": exu.Eigenvalue(0)})
