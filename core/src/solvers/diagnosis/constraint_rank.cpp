@@ -18,7 +18,7 @@ namespace {
 // (3 g)^2.
 constexpr double tolerance_where_joints_fit = 1e-12, largest_tolerance = 1e-7, largest_ratio = 3;
 constexpr double certain_multiple = 1e4;     // ratio of remainders to the tolerance that makes a count certain
-constexpr std::size_t most_exact = 12, further_samples = 4;  // vectors of a null space; random ones beyond the rows of an item
+constexpr std::size_t most_exact = 64, further_samples = 4;  // vectors of a null space; random ones beyond the rows of an item
 constexpr double share_of_equation = 1e-10;  // smallest squared entry of an equation in the null space
 
 Eigen::Map<const Eigen::MatrixXd> matrix(const std::vector<double>& columns, std::size_t rows) {

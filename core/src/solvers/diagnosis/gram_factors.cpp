@@ -1,9 +1,11 @@
 #include "diagnosis/gram_factors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
+#include <Eigen/SparseQR>
 
 namespace dalembert {
 
@@ -14,11 +16,16 @@ namespace {
 constexpr double round_off = 1e-14, clearly_below = 0.1, ambiguous = 1e-7;
 constexpr int corrections = 1;
 constexpr int most_accurate = 100;  // each takes as long as a solution
+constexpr int largest_of_qr = 400;  // columns
 
 }  // namespace
 
 GramFactors::GramFactors(const std::vector<Column>& columns, int rows, double tolerance)
     : size_(static_cast<int>(columns.size())), rows_(rows), lower_(columns.size()), pivots_(columns.size(), 0.0) {
+  if (size_ <= largest_of_qr) {
+    factorize_accurately(columns, tolerance);
+    return;
+  }
   std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < size_; ++j)
     for (const auto& [row, value] : columns[static_cast<std::size_t>(j)]) entries.emplace_back(row, j, value);
@@ -75,6 +82,34 @@ GramFactors::GramFactors(const std::vector<Column>& columns, int rows, double to
   }
 }
 
+void GramFactors::factorize_accurately(const std::vector<Column>& columns, double tolerance) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < size_; ++j)
+    for (const auto& [row, value] : columns[static_cast<std::size_t>(j)]) entries.emplace_back(row, j, value);
+  Eigen::SparseMatrix<double> matrix(std::max(rows_, size_), size_);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> qr;
+  qr.setPivotThreshold(std::sqrt(tolerance));
+  qr.compute(matrix);
+  const auto rank = static_cast<int>(qr.rank());
+  const auto& order = qr.colsPermutation().indices();
+  const Eigen::SparseMatrix<double> triangle = qr.matrixR();
+  for (int i = 0; i < rank; ++i) {
+    const double pivot = triangle.coeff(i, i) * triangle.coeff(i, i);
+    smallest_pivot_ = i == 0 ? pivot : std::min(smallest_pivot_, pivot);
+  }
+  if (rank == size_) return;
+  const Eigen::SparseMatrix<double> independent = triangle.topLeftCorner(rank, rank);
+  const Eigen::MatrixXd others = Eigen::MatrixXd(triangle.topRightCorner(rank, size_ - rank));
+  const Eigen::MatrixXd combined = independent.triangularView<Eigen::Upper>().solve(others);
+  for (int i = rank; i < size_; ++i) {
+    dependent_.push_back(order[i]);
+    std::vector<double>& vector = null_vectors_.emplace_back(columns.size(), 0.0);
+    vector[static_cast<std::size_t>(order[i])] = 1;
+    for (int j = 0; j < rank; ++j) vector[static_cast<std::size_t>(order[j])] = -combined(j, i - rank);
+  }
+}
+
 void GramFactors::solve(std::span<double> x, int end) const {
   const auto columns = static_cast<std::size_t>(end);
   for (std::size_t i = 0; i < columns; ++i) {
@@ -122,6 +157,9 @@ double GramFactors::accurate_remainder(int k) const {
 
 std::vector<double> GramFactors::null_vector(std::span<const double> of_dependent) const {
   std::vector<double> x(static_cast<std::size_t>(rows_), 0.0), vector(static_cast<std::size_t>(size_), 0.0);
+  for (std::size_t i = 0; i < null_vectors_.size(); ++i)
+    for (std::size_t j = 0; j < vector.size(); ++j) vector[j] += of_dependent[i] * null_vectors_[i][j];
+  if (dropped_.empty()) return vector;
   for (std::size_t i = 0; i < dropped_.size(); ++i) {
     vector[static_cast<std::size_t>(dependent_[i])] = of_dependent[i];
     for (const auto& [row, value] : columns_[static_cast<std::size_t>(dropped_[i])]) x[static_cast<std::size_t>(row)] += of_dependent[i] * value;
