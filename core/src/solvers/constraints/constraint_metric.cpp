@@ -114,6 +114,8 @@ class ScaledColumns {
           const int slot = pattern_.slot(first + i, first + j);
           inertia(i, j) = slot < 0 ? 0 : masses_[at(slot)];
         }
+      for (int i = 0; i < n; ++i)
+        if (!(inertia(i, i) > 0)) inertia(i, i) = diagonal_[at(first + i)];  // nodes without inertia
       Eigen::VectorXd longer = Eigen::VectorXd::Zero(n);
       for (const auto& [j, g] : condition)
         if (j >= first && j < end) longer[j - first] = g;
