@@ -268,7 +268,7 @@ def test_derivatives_by_parameters_of_items(name: str, solver: Any) -> None:
     build, parameters, outputs = MODELS[name]
     if solver == exu.DynamicSolverType.TrapezoidalIndex2 and name == "joint":
         build = lambda: spatial(connector=hinge)  # noqa: E731  Euler parameters are refused there
-    s = settings(0.2, 20)
+    s = settings()
     forward = build().ComputeSensitivities(parameters, outputs, s, solver, "forward")
     adjoint = build().ComputeSensitivities(parameters, outputs, s, solver, "adjoint")
     size = np.abs(forward.matrix).max(axis=1, keepdims=True)
