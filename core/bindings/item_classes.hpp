@@ -63,7 +63,7 @@ Item take_item(ItemObject* object);
 
 // Sets one member; errors name item and parameter. `where` describes the item.
 void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const Label& where);
-// Transformations: None sets nothing.
+// A transformation sets position and rotation together. The value None leaves both unchanged.
 const ItemClass::Transformation* find_transformation(const ItemClass& item_class, PyObject* name);  // nullptr: there is none
 void set_transformation(const ItemClass& item_class, const ItemClass::Transformation& transformation, PyObject* value, void* record, const Label& where);
 py::object get_transformation(const ItemClass::Transformation& transformation, const void* record);
@@ -75,7 +75,8 @@ py::dict item_dictionary(const ItemType& type, const void* record, const std::st
 // The reverse. The item's kind must be `kind`.
 Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const Label& where);
 
-// Writes the given parameters over those in `record`. Of two names of one parameter, the later entry counts.
+// Overwrites parameters of `record`. A dictionary of GetObject has the canonical names, and users may add entries by other
+// names: if a parameter is named twice, the later entry is used.
 void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const Label& where);
 
 void register_items(py::module_& module);

@@ -201,6 +201,9 @@ py::dict item_dictionary(const ItemType& type, const void* record, const std::st
 
 namespace {
 
+// Entries of old releases that have no effect any more, but occur in models that still run there.
+bool is_obsolete(ItemKind kind, std::string_view word) { return kind == ItemKind::marker && word == "bodyFixed"; }
+
 // The entry of a key that is not interned; nullptr: there is nothing to set.
 const ItemClass::Argument* find_spelt(const ItemClass& item_class, PyObject* key, const Label& where) {
   const ItemType& type = *item_class.type;
@@ -208,6 +211,10 @@ const ItemClass::Argument* find_spelt(const ItemClass& item_class, PyObject* key
   if (word == type_key(type.kind)) return nullptr;
   for (const auto& entry : item_class.entries)
     if (to_string(entry.name) == word) return &entry;
+  if (is_obsolete(type.kind, word)) {
+    warn(Complaint{where.text(), "", in_quotes(word) + " has no effect on markers", "", "", ""}.text() + " The entry is ignored.");
+    return nullptr;
+  }
   refuse(ErrorKind::value, {where.text(), "", "there is no parameter " + in_quotes(word), "", "", suggest_parameter(type, word)});
 }
 

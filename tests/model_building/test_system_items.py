@@ -71,6 +71,14 @@ def test_outputs_before_assembling_name_the_item(mbs: exu.MainSystem) -> None:
             mbs.GetObjectOutputBody(body, exu.OutputVariableType.Force, [0, 0, 0], exu.ConfigurationType.Reference)
 
 
+def test_entries_of_old_releases_are_ignored_with_a_warning(mbs: exu.MainSystem) -> None:
+    """Models of Exudyn 1.11 give markers an entry that has had no effect for years."""
+    body = mbs.AddObject(exu.itemInterface.ObjectGround())
+    with pytest.warns(UserWarning, match="MarkerBodyPosition: 'bodyFixed' has no effect on markers"):
+        marker = mbs.AddMarker({"markerType": "BodyPosition", "bodyNumber": body, "bodyFixed": False})
+    assert "bodyFixed" not in mbs.GetMarker(marker)
+
+
 def test_unknown_keys_of_dictionaries_are_refused(mbs: exu.MainSystem) -> None:
     text = r"mbs\.AddNode\(\.\.\.\): NodePoint: there is no parameter 'initialVelocity'\. Did you mean 'initialVelocities'\?"
     before = mbs.systemData.NumberOfNodes()

@@ -21,8 +21,8 @@ _CURRENT = ConfigurationType.Current
 _RIGID = ("MassPoint", "MassPoint2D", "Mass1D", "RigidBody", "RigidBody2D")
 
 
-def _way(mbs: Any, marker: Any, configuration: ConfigurationType, variable: OutputVariableType) -> Any:
-    """Return the displacement of a marker from the reference configuration; None if it has no such output."""
+def _displacement(mbs: Any, marker: Any, configuration: ConfigurationType, variable: OutputVariableType) -> Any:
+    """Return how far an output of a marker is from its reference value; markers without the output give None."""
     try:
         end = mbs.GetMarkerOutput(marker, variable, configuration)
         return np.asarray(end) - mbs.GetMarkerOutput(marker, variable, ConfigurationType.Reference)
@@ -41,8 +41,8 @@ def LoadPotentialEnergy(mbs: MainSystem, loadNumber: Any, configuration: Configu
     if any(load.get(name, 0) != 0 for name in ("loadUserFunction", "loadVectorUserFunction")) or load.get("bodyFixed"):
         return None
     if kind == "ForceVector":
-        way = _way(mbs, marker, configuration, OutputVariableType.Position)
-        return None if way is None else -float(np.dot(load["loadVector"], way))
+        displacement = _displacement(mbs, marker, configuration, OutputVariableType.Position)
+        return None if displacement is None else -float(np.dot(load["loadVector"], displacement))
     if kind == "Coordinate":
         place = mbs.GetMarker(marker)
         if place["markerType"] != "NodeCoordinate":

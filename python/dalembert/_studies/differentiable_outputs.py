@@ -35,7 +35,7 @@ class Seed(NamedTuple):
 
 
 class Context(NamedTuple):
-    """Where outputs look: the model, and times of all steps."""
+    """The model, and the times of all steps."""
 
     mbs: Any
     times: FloatArray
