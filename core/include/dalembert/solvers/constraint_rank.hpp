@@ -1,6 +1,6 @@
 // The rank of the constraint Jacobian, for counts, messages and reports. Steps do not use it.
 //
-// The columns of M^-1/2 G^T, each divided by its length, are factorized (`GramFactors`). A column is redundant if its
+// The columns of M^-1/2 G^T, each divided by its length, are factorized (`OrthogonalFactors`). A column is redundant if its
 // remainder after projection onto earlier columns is below a tolerance. The factors give the null space of G^T, which
 // determines the items that could lose equations, and the misfit: the part of gaps that no motion can close. Large null
 // spaces are represented by a few random vectors. These have the same nonzero entries, and the same rank in the rows of one
@@ -17,7 +17,7 @@
 
 namespace dalembert {
 
-class GramFactors;
+class OrthogonalFactors;
 
 class ConstraintRank {
  public:
@@ -57,7 +57,7 @@ class ConstraintRank {
   std::vector<char> acting_;        // true if the equation acts on a coordinate
   std::vector<double> lengths_;     // of columns, by rows_
   int largest_item_ = 0;            // largest number of equations of an item
-  mutable std::shared_ptr<const GramFactors> factors_;  // until the null space is known
+  mutable std::shared_ptr<const OrthogonalFactors> factors_;  // until the null space is known
   // Orthonormal vectors, in multipliers times roots_, one after the other.
   mutable std::vector<double> null_space_;
   mutable bool whole_null_space_ = true;

@@ -138,11 +138,7 @@ void ConstrainedMotion::solve_as_regular() {
 }
 
 int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
-  if (!constraints_.is_prepared()) [[unlikely]] {
-    constraints_.prepare(system, state, conditions, settings_, treats_redundancy_, ConstraintSolver::Matrix::accelerations);
-    if (constraints_.active()) factors_ = make_linear_solver(*pattern_, type_, constraints_.options(options_));
-    begin_step(system, state, conditions);
-  }
+  if (!constraints_.is_prepared()) [[unlikely]] begin_step(system, state, conditions);
   const auto regularize = [&] {
     constraints_.choose(constraints_.largest(gaps_of_positions(system, state, conditions)));
     constraints_.regularize(*pattern_, matrix_, 1, 1, false);
@@ -156,6 +152,10 @@ int ConstrainedMotion::factorize_filled(System& system, const State& state, cons
 }
 
 void ConstrainedMotion::begin_step(System& system, const State& start, const Conditions& conditions) {
+  if (!constraints_.is_prepared()) [[unlikely]] {
+    constraints_.prepare(system, start, conditions, settings_, treats_redundancy_, ConstraintSolver::Matrix::accelerations);
+    if (constraints_.active()) factors_ = make_linear_solver(*pattern_, type_, constraints_.options(options_));
+  }
   if (constraints_.active()) constraints_.remember(constraints_.largest(gaps_of_positions(system, start, conditions)));
 }
 

@@ -7,7 +7,7 @@
 #include "constraints/constraint_states.hpp"
 #include "dalembert/math/decompositions.hpp"
 #include "dalembert/output/numbers.hpp"
-#include "diagnosis/gram_factors.hpp"
+#include "diagnosis/orthogonal_factors.hpp"
 #include "steppers/number_sequence.hpp"
 
 namespace dalembert {
@@ -18,7 +18,8 @@ namespace {
 // (3 g)^2.
 constexpr double tolerance_where_joints_fit = 1e-12, largest_tolerance = 1e-7, largest_ratio = 3;
 constexpr double certain_multiple = 1e4;     // ratio of remainders to the tolerance that makes a count certain
-constexpr std::size_t most_exact = 64, further_samples = 4;  // vectors of a null space; random ones beyond the rows of an item
+constexpr double most_operations = 2e8;      // to compute the whole null space
+constexpr std::size_t further_samples = 4;   // random vectors of a null space, more than the equations of an item
 constexpr double share_of_equation = 1e-10;  // smallest squared entry of an equation in the null space
 
 Eigen::Map<const Eigen::MatrixXd> matrix(const std::vector<double>& columns, std::size_t rows) {
@@ -38,16 +39,16 @@ ConstraintRank::ConstraintRank(System& system, const State& state, const Conditi
     allows_for_gaps_ = tolerance > tolerance_where_joints_fit;
   }
 
-  std::vector<GramFactors::Column> columns;
+  std::vector<OrthogonalFactors::Vector> columns;
   for (const int k : rows_) {
-    GramFactors::Column& column = columns.emplace_back();
+    OrthogonalFactors::Vector& column = columns.emplace_back();
     double sum = 0;
     for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)]) sum += value * value;
     lengths_.push_back(sum > 0 ? std::sqrt(sum) : 1);
     for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)]) column.push_back({row, value / lengths_.back()});
     roots_.push_back(std::sqrt(metric.weights[static_cast<std::size_t>(k)]));
   }
-  GramFactors factors(columns, system.sizes().ode2, tolerance);
+  OrthogonalFactors factors(columns, system.sizes().ode2, tolerance);
   weakest_ = factors.smallest_pivot();
   certain_ = factors.dependent().empty() || weakest_ > certain_multiple * tolerance;
   for (const int i : factors.dependent()) dependent_.push_back(rows_[static_cast<std::size_t>(i)]);
@@ -55,30 +56,34 @@ ConstraintRank::ConstraintRank(System& system, const State& state, const Conditi
   if (dependent_.empty()) return;
   largest_item_ = 0;
   for (const System::EquationOwner& owner : system.equation_owners()) largest_item_ = std::max(largest_item_, owner.count);
-  factors_ = std::make_shared<const GramFactors>(std::move(factors));
+  factors_ = std::make_shared<const OrthogonalFactors>(std::move(factors));
 }
 
 // Orthonormal vectors, computed at the first request: all of a small null space, otherwise random ones.
 const std::vector<double>& ConstraintRank::null_space() const {
   if (!null_space_.empty() || !factors_) return null_space_;
   const std::size_t count = dependent_.size();
-  const std::size_t samples = std::max(most_exact, static_cast<std::size_t>(largest_item_) + further_samples);
-  whole_null_space_ = count <= samples;
-  Eigen::MatrixXd basis(static_cast<Eigen::Index>(rows_.size()), static_cast<Eigen::Index>(std::min(count, samples)));
-  NumberSequence random;
-  std::vector<double> of_dependent(count, 0.0);
-  for (Eigen::Index j = 0; j < basis.cols(); ++j) {
-    if (whole_null_space_) {
-      std::ranges::fill(of_dependent, 0.0);
-      of_dependent[static_cast<std::size_t>(j)] = 1;
-    } else {
-      std::ranges::generate(of_dependent, random);
-    }
-    const std::vector<double> vector = factors_->null_vector(of_dependent);
-    for (std::size_t i = 0; i < vector.size(); ++i)  // from columns of unit length to multipliers in the metric
-      basis(static_cast<Eigen::Index>(i), j) = vector[i] * roots_[i] / lengths_[i];
+  whole_null_space_ = static_cast<double>(rows_.size()) * static_cast<double>(count) * static_cast<double>(count) < most_operations;
+  const auto samples = static_cast<std::size_t>(largest_item_) + further_samples;
+  const auto columns = static_cast<Eigen::Index>(whole_null_space_ ? count : std::min(count, samples));
+  Eigen::MatrixXd basis(static_cast<Eigen::Index>(rows_.size()), columns), given = Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(count), columns);
+  if (!whole_null_space_) {
+    NumberSequence random;
+    std::generate_n(given.data(), given.size(), random);
   }
-  basis = orthonormal(basis);
+  // The vectors have entries of very different size. The second pass makes all of an orthonormal basis accurate.
+  for (int pass = 0; pass < 2; ++pass) {
+    for (Eigen::Index j = 0; j < columns; ++j) {
+      const std::vector<double> vector = factors_->null_vector({given.col(j).data(), count});
+      for (std::size_t i = 0; i < vector.size(); ++i)  // from columns of unit length to multipliers in the metric
+        basis(static_cast<Eigen::Index>(i), j) = vector[i] * roots_[i] / lengths_[i];
+    }
+    basis = orthonormal(basis);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto k = static_cast<std::size_t>(factors_->dependent()[i]);
+      given.row(static_cast<Eigen::Index>(i)) = basis.row(static_cast<Eigen::Index>(k)) * (lengths_[k] / roots_[k]);
+    }
+  }
   null_space_.assign(basis.data(), basis.data() + basis.size());
   factors_.reset();
   return null_space_;

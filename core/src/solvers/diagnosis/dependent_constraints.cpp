@@ -28,8 +28,8 @@ constexpr double near_position = 1e-3;  // relative to the size of the model
       ConstraintRank near = rank_at(moved_along_velocities(at, near_position));
       if (near.count() < rank_.count()) {
         rank_ = std::move(near);
-        leaves = largest(start_of_step().v) > at_rest;  // motion from rest needs the regularization in the first step
-        rank_known_ = leaves;
+        // The first step, and a motion from rest, need the regularization.
+        rank_known_ = leaves = it.currentStepIndex > 0 && largest(start_of_step().v) > at_rest;
       }
     }
     if (leaves && rank_.count() == 0 && rank_.certain() && !is_static()) solve_as_regular();

@@ -240,6 +240,7 @@ bool Solver::have_fitted(const State& at, std::span<const double> misfit) {
 // Adds advice if round-off hides redundant constraints, so that it was amplified. Gaps of joints may hide them as well,
 // and have their own warning.
 [[gnu::noinline]] void Solver::advise_on_weak_constraints() {
+  if (!rank_known_) find_rank(start_of_step());
   const ConstraintRank& constraints = constraint_rank();
   if (constraints.certain() || constraints.allows_for_gaps()) return;
   Diagnosis& d = diagnosis_;

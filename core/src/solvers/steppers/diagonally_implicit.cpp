@@ -212,7 +212,7 @@ bool DiagonallyImplicitSolver::newton() {
   conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.newtonStagnated = conv.stopNewton = false;
   conv.linearSolverCausingRow = -1;
   it.newtonSteps = 0;
-  if (motion_.constraints().active()) [[unlikely]] motion_.begin_step(system(), start_of_step(), conditions_);
+  if (sizes_.ae > 0) motion_.begin_step(system(), start_of_step(), conditions_);
   if (!solve_stages()) return false;
   if (it.automaticStepSize) it.automaticStepSizeError = estimated_error();
   if (!back_onto_constraints()) return false;

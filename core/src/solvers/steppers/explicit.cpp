@@ -118,6 +118,7 @@ void ExplicitSolver::post_initialize() {
   if (!continues()) {
     find_first_accelerations();
     if (verlet_ && conv.linearSolverFailed) return;
+    if (constrained_) find_rank();
   }
   begin_to_watch();
   if (continues()) {
@@ -249,7 +250,7 @@ bool ExplicitSolver::newton() {
   conv.linearSolverCausingRow = -1;
   conv.newtonConverged = true;
   end_known_ = off_constraints_ = false;
-  if (constrained_ && motion_.constraints().active()) [[unlikely]] motion_.begin_step(system(), start_of_step(), conditions_);
+  if (constrained_) [[unlikely]] motion_.begin_step(system(), start_of_step(), conditions_);
   compute_step();
   if (constrained_ && !rank_known_) find_rank();
   if (off_constraints_) [[unlikely]] return lose_constraints();
