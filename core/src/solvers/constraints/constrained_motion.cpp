@@ -267,11 +267,7 @@ bool ConstrainedMotion::follow_motion(System& system, const State& start, const 
   constexpr double same = 1e-4, agree = 0.1;  // relative differences of accelerations
   const std::vector<double>& direction = largest(start.v) > at_rest ? start.v : a;
   if (!constraints_.active()) return true;
-  double size = 0;
-  const double extent = system.extent();
-  const std::vector<CoordinateUnit> units = system.coordinate_units();
-  for (std::size_t i = 0; i < direction.size(); ++i)
-    size = std::max(size, std::abs(direction[i]) / (units[i] == CoordinateUnit::meter ? extent : 1));
+  const double size = relative_size(system, direction);
   if (!(size > at_rest)) return true;
   std::vector<double> spread(a.size());
   const auto mean = [&](double part) {

@@ -50,6 +50,16 @@ inline void fill_in_masses(const System& system, std::span<double> masses) {
   }
 }
 
+// Largest entry of a motion, relative to the size of the model, or in radians.
+inline double relative_size(const System& system, std::span<const double> motion) {
+  const std::vector<CoordinateUnit> units = system.coordinate_units();
+  const double extent = system.extent();
+  double size = 0;
+  for (std::size_t i = 0; i < motion.size(); ++i)
+    size = std::max(size, std::abs(motion[i]) / (units[i] == CoordinateUnit::meter ? extent : 1));
+  return size;
+}
+
 inline void move_positions(System& system, std::span<const double> step, std::vector<double>& q) {
   const std::vector<double> before = q, increment(step.begin(), step.end());
   for (std::size_t i = 0; i < q.size(); ++i) q[i] += increment[i];

@@ -116,15 +116,16 @@ constexpr int most_equations = 1000;  // the diagnosis of larger models would ta
 // The state moved by this part of the size of the model, and projected onto the constraints if possible.
 State Solver::moved_along_velocities(const State& at, double part) {
   State moved = at;
-  const double speed = largest(at.v);
+  const double speed = relative_size(*system_, at.v);
   if (!(speed > at_rest)) return moved;
   std::vector<double> step = at.v;
-  const double factor = part * system_->extent() / speed;
+  const double factor = part / speed;
   for (double& x : step) x *= factor;
   move_positions(*system_, step, moved.q);
   ConstrainedMotion motion;
   prepare(motion);
   const Conditions conditions = at_level(conditions_, false);
+  motion.begin_step(*system_, at, conditions);
   State projected = moved;
   const bool succeeds = motion.factorize(*system_, moved, conditions) == LinearSolver::success && motion.project(*system_, projected, conditions);
   return succeeds ? projected : moved;
