@@ -50,6 +50,8 @@ class ConstraintRank {
 
  private:
   const std::vector<double>& null_space() const;
+  std::vector<double> null_vectors(std::size_t most) const;
+  std::size_t samples() const;  // number of random vectors that represent a large null space
 
   std::vector<int> rows_, dependent_;
   std::vector<double> roots_;       // square roots of the metric, by rows_
@@ -57,7 +59,7 @@ class ConstraintRank {
   std::vector<char> acting_;        // true if the equation acts on a coordinate
   std::vector<double> lengths_;     // of columns, by rows_
   int largest_item_ = 0;            // largest number of equations of an item
-  mutable std::shared_ptr<const OrthogonalFactors> factors_;  // until the null space is known
+  std::shared_ptr<const OrthogonalFactors> factors_;
   // Orthonormal vectors, in multipliers times roots_, one after the other.
   mutable std::vector<double> null_space_;
   mutable bool whole_null_space_ = true;

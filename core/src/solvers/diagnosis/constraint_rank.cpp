@@ -59,15 +59,12 @@ ConstraintRank::ConstraintRank(System& system, const State& state, const Conditi
   factors_ = std::make_shared<const OrthogonalFactors>(std::move(factors));
 }
 
-// Orthonormal vectors, computed at the first request: all of a small null space, otherwise random ones.
-const std::vector<double>& ConstraintRank::null_space() const {
-  if (!null_space_.empty() || !factors_) return null_space_;
-  const std::size_t count = dependent_.size();
-  whole_null_space_ = static_cast<double>(rows_.size()) * static_cast<double>(count) * static_cast<double>(count) < most_operations;
-  const auto samples = static_cast<std::size_t>(largest_item_) + further_samples;
-  const auto columns = static_cast<Eigen::Index>(whole_null_space_ ? count : std::min(count, samples));
-  Eigen::MatrixXd basis(static_cast<Eigen::Index>(rows_.size()), columns), given = Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(count), columns);
-  if (!whole_null_space_) {
+// Orthonormal vectors of the null space: a basis if `most` allows, otherwise random ones. By columns.
+std::vector<double> ConstraintRank::null_vectors(std::size_t most) const {
+  const std::size_t count = dependent_.size(), rows = rows_.size();
+  const auto columns = static_cast<Eigen::Index>(std::min(count, most));
+  Eigen::MatrixXd basis(static_cast<Eigen::Index>(rows), columns), given = Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(count), columns);
+  if (count > most) {
     NumberSequence random;
     std::generate_n(given.data(), given.size(), random);
   }
@@ -75,7 +72,7 @@ const std::vector<double>& ConstraintRank::null_space() const {
   for (int pass = 0; pass < 2; ++pass) {
     for (Eigen::Index j = 0; j < columns; ++j) {
       const std::vector<double> vector = factors_->null_vector({given.col(j).data(), count});
-      for (std::size_t i = 0; i < vector.size(); ++i)  // from columns of unit length to multipliers in the metric
+      for (std::size_t i = 0; i < rows; ++i)  // from columns of unit length to multipliers in the metric
         basis(static_cast<Eigen::Index>(i), j) = vector[i] * roots_[i] / lengths_[i];
     }
     basis = orthonormal(basis);
@@ -84,14 +81,25 @@ const std::vector<double>& ConstraintRank::null_space() const {
       given.row(static_cast<Eigen::Index>(i)) = basis.row(static_cast<Eigen::Index>(k)) * (lengths_[k] / roots_[k]);
     }
   }
-  null_space_.assign(basis.data(), basis.data() + basis.size());
-  factors_.reset();
+  return {basis.data(), basis.data() + basis.size()};
+}
+
+std::size_t ConstraintRank::samples() const { return static_cast<std::size_t>(largest_item_) + further_samples; }
+
+// Computed at the first request.
+const std::vector<double>& ConstraintRank::null_space() const {
+  if (!null_space_.empty() || !factors_) return null_space_;
+  const auto rows = static_cast<double>(rows_.size()), count = static_cast<double>(dependent_.size());
+  whole_null_space_ = dependent_.size() <= samples() || rows * count * count < most_operations;
+  null_space_ = null_vectors(whole_null_space_ ? dependent_.size() : samples());
   return null_space_;
 }
 
 std::vector<int> ConstraintRank::equations() const {
   std::vector<int> found;
-  const auto space = matrix(null_space(), rows_.size());
+  if (count() == 0) return found;
+  const std::vector<double> vectors = null_vectors(samples());
+  const auto space = matrix(vectors, rows_.size());
   for (Eigen::Index i = 0; i < space.rows(); ++i)
     if (space.row(i).squaredNorm() > share_of_equation) found.push_back(rows_[static_cast<std::size_t>(i)]);
   return found;
