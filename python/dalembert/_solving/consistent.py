@@ -32,8 +32,7 @@ class ConsistentInitialConditions:
     positionGaps, velocityGaps: the largest gap (m, rad) and rate of a gap (m/s, rad/s) before and after.
     contradictions: violated constraints of the initial values, one text per equation, the worst first.
     iterations: steps that closed the gaps of positions.
-    equations: number of constraint equations; redundantEquations: number of redundant ones at the new positions;
-        None: too many to be counted.
+    equations: number of constraint equations; redundantEquations: number of redundant ones at the new positions.
     displacements, velocityChanges: the largest change of a coordinate of each node that was changed, by node number.
     """
 
@@ -42,7 +41,7 @@ class ConsistentInitialConditions:
     contradictions: list[str]
     iterations: int
     equations: int
-    redundantEquations: int | None
+    redundantEquations: int
     displacements: dict[int, float]
     velocityChanges: dict[int, float]
 
@@ -362,7 +361,7 @@ def ComputeConsistentInitialConditions(
     iterations = projection.close_gaps(maxIterations) if positions else 0
     if velocities:
         projection.project_velocities()
-    redundant = projection.linearized(rate_level=True).redundant(projection.apart)
+    redundant = testing.redundant_constraints(mbs, state)["count"]
     if projection.apart > 0:
         projection.warn_of_contradictions()
     displacements, velocityChanges = nodes.changes(state.q - q), nodes.changes(state.v - v)

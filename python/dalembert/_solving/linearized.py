@@ -390,12 +390,10 @@ def ComputeSystemDegreeOfFreedom(
     """Count the degrees of freedom and the redundant constraints of the system in its initial state.
 
     The dict has degreeOfFreedom, redundantConstraints, nODE2, nODE1, nAE (all constraints) and nPureAE (constraints on
-    multipliers only). Redundant constraints do not increase the rank of the constraint Jacobian. They are counted by
-    block
-    inverse iteration, which takes about as long as a step of a simulation; removableEquations then has [removable,
-    all] equations by object number: the number that could be removed in this object alone. A warning reports equations
-    that are hardly independent, as in large nets of loops. useSVD counts singular values below `threshold`,
-    for small systems. verbose prints the counts, and the singular values if useSVD is set.
+    multipliers only). Redundant constraints do not increase the rank of the constraint Jacobian, which a sparse
+    QR factorization finds; removableEquations then has [removable, all] equations by object number: the number that
+    could be removed in this object alone. A warning reports equations that are hardly independent, as in large nets of
+    loops. useSVD counts singular values below `threshold`, for small systems. verbose prints the counts, and the singular values if useSVD is set.
     """
     name = "ComputeSystemDegreeOfFreedom"
     counts = (

@@ -14,11 +14,8 @@ import numpy as np
 from dalembert._checks import FloatArray, IntArray
 
 REGULAR, SMALLER, SMALLEST = 1e-10, 1e-12, 1e-14  # default eps; values for slow convergence
-_RANK = 1e-12  # eps for counting
-_LEFT_BY_JOINTS_APART = 1e2  # eps relative to the squared gap of the joints
 _LARGEST_BLOCK = 12  # coordinates of a mass matrix block that is searched for motions without inertia
 _MASSLESS = 1e-10  # share of the largest inertia in a block
-_MOST_REDUNDANT = 400  # equations, that are counted
 
 
 def _without_inertia(blocks: FloatArray) -> tuple[IntArray, FloatArray]:
@@ -116,35 +113,3 @@ class LinearizedConstraints:
         left[self.rows] = right[self.rows] - self._gradient @ self.solver(REGULAR)(right)
         sizes = [float(np.linalg.norm(self.row_scale * b[self.rows])) for b in (left, right)]
         return left, sizes[0] / max(sizes[1], 1e-300)
-
-    def redundant(self, apart: float = 0) -> int | None:
-        """Count the redundant equations; None: very many.
-
-        eps (S + eps)^-1 with S = G M^-1 G^T has eigenvalues of one for combinations of rows that vanish, and small ones
-        otherwise. Subspace iteration finds the former, eight at a time. Gaps of joints, relative to the size of their
-        mechanism, increase zero eigenvalues by the square of the gap.
-        """
-        eps = max(_RANK, _LEFT_BY_JOINTS_APART * apart**2)
-        size, count = len(self._scale), len(self.rows)
-        if count == 0:
-            return 0
-        factor = self._factor(eps)
-
-        def apply(block: FloatArray) -> FloatArray:
-            right = np.vstack((np.zeros((size, block.shape[1])), block))
-            return np.asarray(-eps * factor.solve(right)[size:])
-
-        known = np.zeros((count, 0))
-        random = np.random.default_rng(0)
-        while known.shape[1] < min(count, _MOST_REDUNDANT):
-            block = random.standard_normal((count, min(8, count - known.shape[1])))
-            for _ in range(2):
-                block = np.linalg.qr(apply(block - known @ (known.T @ block)))[0]
-            block = np.linalg.qr(block - known @ (known.T @ block))[0]
-            image = block.T @ apply(block)
-            shares, directions = np.linalg.eigh((image + image.T) / 2)
-            vanishing = block @ directions[:, shares > 0.5]
-            known = np.hstack((known, vanishing))
-            if vanishing.shape[1] < block.shape[1]:
-                return int(known.shape[1])
-        return count if known.shape[1] == count else None
