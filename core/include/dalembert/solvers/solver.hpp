@@ -18,6 +18,8 @@
 #include "dalembert/solvers/data.hpp"
 #include "dalembert/solvers/error.hpp"
 #include "dalembert/solvers/hooks.hpp"
+#include "dalembert/solvers/locking_angles.hpp"
+#include "dalembert/solvers/rebounds.hpp"
 #include "dalembert/solvers/step_controller.hpp"
 #include "dalembert/solvers/constraint_rank.hpp"
 #include "dalembert/system/system.hpp"
@@ -308,36 +310,8 @@ class Solver {
   void act_as_scheduled();
   bool step_was_cut() const;  // to a size without information for the next step
   void advise_on_weak_constraints();
-  // ---- gimbal lock (locking_angles.cpp) ----------------------------------------------------------------------------
-  void find_angles();
-  void watch_angles();
-  void doubt_angles();
-  void doubt_equilibrium_of_angles();
-  void advise_on_angles();
-  // Three successive rotations, of a node or of a tree in place of a ball joint.
-  struct Angles {
-    int node;           // -1 for a tree
-    std::size_t first;  // first coordinate
-  };
-  std::string text_of(const Angles& angles, double second_angle) const;
-  std::vector<Angles> angles_;
-  struct Lock {
-    std::size_t first;          // first coordinate
-    StepCount steps;            // number of steps that were too large
-    double time, second_angle;  // of the first of these steps
-  };
-  std::vector<Lock> locks_;
-  // ---- contacts that add energy (rebounds.cpp) ---------------------------------------------------------------------
-  void watch_rebounds();
-  void doubt_rebounds();
-  struct Rebound {
-    StepCount closed_at = -1, steps = 0;  // number of steps in contact at the largest growth
-    double approach = 0;                  // velocity before the contact closed
-    double growth = 0, largest = 0;       // logarithm of the ratio of velocities after and before
-    double time = 0;
-    Switch what{""};
-  };
-  std::vector<Rebound> rebounds_;  // by switch of items
+  LockingAngles angles_;
+  Rebounds rebounds_;
   bool watches_rebounds_ = false;
   // ---- the parts of solve_steps ------------------------------------------------------------------------------------
   void start_steps();

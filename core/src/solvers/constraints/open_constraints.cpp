@@ -188,8 +188,12 @@ void Solver::look_back() {
     doubts_.push_back("contact or friction that has not settled in " + steps(it.unsettledSteps) +
                       ": use smaller steps, or more discontinuous.maxIterations");
   }
-  doubt_angles();
-  doubt_rebounds();
+  std::vector<std::string> observed = is_static() ? angles_.doubts_of_equilibrium(*system_) : angles_.doubts(it.automaticStepSize);
+  std::ranges::copy(rebounds_.doubts([this](const Switch& at) { return describe_switch(at); }), std::back_inserter(observed));
+  for (std::string& doubt : observed) {
+    if (!verbose(1)) warn(doubt);
+    doubts_.push_back(std::move(doubt));
+  }
   const auto& s = settings_->initialConditions;
   if (s.checkConstraints && sizes_.ae > 0) {
     const double tolerance = (conditions_.rate_level ? tolerated_drift : 1) * s.positionTolerance;

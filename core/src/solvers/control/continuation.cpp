@@ -24,7 +24,6 @@ enum RunNumber : std::size_t {
   start_time, step_index, last_step_size, solution_written, sensors_written, image_recorded, singular_position_step, passing_steps, largest_misfit,
   smallest_step_size, largest_step_size, first_of_sizes, count = first_of_sizes + StepController::restart_size
 };
-constexpr std::size_t numbers_per_lock = 4;
 
 double as_number(StepCount n) { return static_cast<double>(n); }
 
@@ -58,7 +57,7 @@ void Solver::take_continuation() {
   const RestartData& data = *continuation_;
   require_fitting(data, current(), name);
   const std::size_t without_locks = RunNumber::count + restart_numbers().size() + SolverIterationData::counts.size();
-  if (data.run.size() < without_locks || (data.run.size() - without_locks) % numbers_per_lock != 0) {
+  if (data.run.size() < without_locks || (data.run.size() - without_locks) % LockingAngles::numbers_per_lock != 0) {
     throw ModelError(ErrorKind::value, "restart file '" + name + "': received " + std::to_string(data.run.size()) +
                                            " numbers about the run; expected " + std::to_string(without_locks));
   }
@@ -109,8 +108,7 @@ void Solver::take_counts(std::span<const double> run) {
   output.lastNewtonStepsCount = it.newtonStepsCount;
   output.lastNewtonJacobiCount = it.newtonJacobiCount;
   output.lastDiscontinuousIterationsCount = it.discontinuousIterationsCount;
-  for (; next < run.size(); next += numbers_per_lock)
-    locks_.push_back({static_cast<std::size_t>(run[next]), static_cast<StepCount>(run[next + 1]), run[next + 2], run[next + 3]});
+  angles_.take_numbers(run.subspan(next));
 }
 
 RestartData Solver::restart_data() {
@@ -125,7 +123,7 @@ RestartData Solver::restart_data() {
   if (hooks().schedule) std::ranges::copy(hooks().schedule->numbers(), std::back_inserter(data.events));
   std::ranges::copy(restart_numbers(), std::back_inserter(data.run));
   for (const auto counter : SolverIterationData::counts) data.run.push_back(as_number(it.*counter));
-  for (const Lock& lock : locks_) data.run.insert(data.run.end(), {static_cast<double>(lock.first), as_number(lock.steps), lock.time, lock.second_angle});
+  angles_.add_numbers(data.run);
   std::ranges::copy(sensors_.lengths(), std::back_inserter(data.files));
   return data;
 }

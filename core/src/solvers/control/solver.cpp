@@ -75,8 +75,7 @@ bool Solver::initialize() {
   output = SolverOutputData();
   diagnosis_ = Diagnosis();
   doubts_.clear();
-  locks_.clear();
-  rebounds_.clear();
+  rebounds_ = Rebounds();
   stop_ = silent_ = false;
   unwritten_ = nullptr;
   output.cpuStartTime = output.cpuLastTimePrinted = output.cpuSolverStartTime = SolverTimer::now();
@@ -90,7 +89,7 @@ bool Solver::initialize() {
   if (!is_static() && !(settings_->timeIntegration.automaticStepSize && controls_step_size())) warn_of_unused_tolerances(*settings_, hooks().warn);
   initialize_data();
   if (!starts_finite()) return false;
-  find_angles();
+  angles_.begin(*system_, environment_->model, hooks().locking_turns);
   initial_conditions();
   if (!is_static()) current().sign = start_of_step().sign = MultiplierSign::motion;
   if (!continues()) check_constraints();
@@ -353,7 +352,7 @@ void Solver::begin_step() {
     if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});
     name_singular_position();
     if (!closing_at_start_.empty()) diagnosis_.advice.insert(diagnosis_.advice.begin(), closing_at_start_);
-    advise_on_angles();
+    angles_.advise(*system_, diagnosis_.advice);
     advise_on_weak_constraints();
     return;
   }
@@ -368,8 +367,8 @@ void Solver::step_succeeded() {
   step_completed_ = true;
   if (it.automaticStepSize) [[unlikely]] steps_.count_accepted(conditions_.step_size);
   if (watch_) [[unlikely]] switch_over();
-  if (!angles_.empty()) watch_angles();
-  if (watches_rebounds_ && (it.discontinuousIteration > 1 || conv.discontinuousIterationError > 0)) [[unlikely]] watch_rebounds();
+  if (angles_.any() && !is_static()) angles_.watch(*system_, it);
+  if (watches_rebounds_ && (it.discontinuousIteration > 1 || conv.discontinuousIterationError > 0)) [[unlikely]] rebounds_.watch(*system_, conditions_, it);
   if (!silent_) finish_step(true);
   if (watch_ && event_reached()) [[unlikely]] act_on_events();
   if (steps_.is_recovered()) {

@@ -1,7 +1,5 @@
-// Gimbal lock of three angles: at 90 degrees of the second angle, the axes of the first and third rotation coincide.
-// Close to it, both angles rotate by up to half a turn in opposite directions within a short time. Steps that are too
-// large for this produce wrong motions. Torques about the lost direction do no work on the angles, so that these may be
-// in equilibrium although the body is not.
+#include "dalembert/solvers/locking_angles.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,7 +7,6 @@
 
 #include "dalembert/model/model.hpp"
 #include "dalembert/output/numbers.hpp"
-#include "dalembert/solvers/solver.hpp"
 
 namespace dalembert {
 
@@ -36,11 +33,12 @@ const char* remedy_of(int node) {
 
 }  // namespace
 
-void Solver::find_angles() {
-  angles_.clear();
-  const Model* model = environment_->model;
+void LockingAngles::begin(const System& system, const Model* model, const std::vector<LockingTurns>& turns) {
+  *this = LockingAngles();
+  model_ = model;
+  turns_ = turns;
   if (model == nullptr) return;
-  for (const LockingTurns& turns : hooks().locking_turns) angles_.push_back({-1, turns.first});
+  for (const LockingTurns& of_tree : turns) angles_.push_back({-1, of_tree.first});
   constexpr std::size_t translations = 3;
   const ItemType* last = nullptr;
   bool lock = false;
@@ -48,20 +46,19 @@ void Solver::find_angles() {
     const ItemType* type = model->item(ItemKind::node, node).type;
     if (type != last) lock = provides(*type, "RotationRxyz");
     last = type;
-    if (lock) angles_.push_back({node, static_cast<std::size_t>(system_->node_index(node, System::Coordinates::ode2)) + translations});
+    if (lock) angles_.push_back({node, static_cast<std::size_t>(system.node_index(node, System::Coordinates::ode2)) + translations});
   }
 }
 
-std::string Solver::text_of(const Angles& angles, double second_angle) const {
-  const std::string what = angles.node < 0 ? std::ranges::find(hooks().locking_turns, angles.first, &LockingTurns::first)->joint + " is three turns in its tree"
-                                           : environment_->model->describe(ItemKind::node, angles.node) + " turns by three angles";
+std::string LockingAngles::text_of(const Angles& angles, double second_angle) const {
+  const std::string what = angles.node < 0 ? std::ranges::find(turns_, angles.first, &LockingTurns::first)->joint + " is three turns in its tree"
+                                           : model_->describe(ItemKind::node, angles.node) + " turns by three angles";
   return what + ", which lock where the second is at 90 degrees; it came to " + format_number(second_angle * 180 / std::numbers::pi);
 }
 
-void Solver::watch_angles() {
-  if (is_static()) return;
-  const State &now = current(), &start = start_of_step();
-  const std::vector<double>& reference = system_->state(ConfigurationType::Reference).q;
+void LockingAngles::watch(System& system, const SolverIterationData& it) {
+  const State &now = system.state(ConfigurationType::Current), &start = system.state(ConfigurationType::StartOfStep);
+  const std::vector<double>& reference = system.state(ConfigurationType::Reference).q;
   const double h = now.time - start.time;
   const auto turn = [&](std::size_t k) { return std::max({std::abs(now.q[k] - start.q[k]), h * std::abs(now.v[k]), h * std::abs(start.v[k])}); };
   for (const Angles& angles : angles_) {
@@ -82,36 +79,36 @@ void Solver::watch_angles() {
 
 // A user who places a body at gimbal lock may know that it is in equilibrium, so only solutions that reach it are
 // reported.
-void Solver::doubt_equilibrium_of_angles() {
-  const std::vector<double>& reference = system_->state(ConfigurationType::Reference).q;
+std::vector<std::string> LockingAngles::doubts_of_equilibrium(System& system) const {
+  std::vector<std::string> doubts;
+  const auto second_angle = [&](ConfigurationType at, std::size_t second) {
+    return system.state(ConfigurationType::Reference).q[second] + system.state(at).q[second];
+  };
   for (const Angles& angles : angles_) {
-    const std::size_t second = angles.first + 1;
-    const double angle = reference[second] + current().q[second];
-    if (!Place(angle).is_close_to_lock(at_lock) || Place(reference[second] + initial().q[second]).is_close_to_lock(at_lock)) continue;
-    doubts_.push_back(text_of(angles, angle) + ", where forces on angles may be in equilibrium although those on the body are not: " + remedy_of(angles.node));
-    if (!verbose(1)) warn(doubts_.back());
+    const double angle = second_angle(ConfigurationType::Current, angles.first + 1);
+    if (!Place(angle).is_close_to_lock(at_lock) || Place(second_angle(ConfigurationType::Initial, angles.first + 1)).is_close_to_lock(at_lock)) continue;
+    doubts.push_back(text_of(angles, angle) + ", where forces on angles may be in equilibrium although those on the body are not: " + remedy_of(angles.node));
   }
+  return doubts;
 }
 
-void Solver::doubt_angles() {
-  if (is_static()) return doubt_equilibrium_of_angles();
-  const std::string steps = it.automaticStepSize ? "smaller tolerances" : "more steps there, error control (exu.DynamicSolverType.DOPRI5)";
+std::vector<std::string> LockingAngles::doubts(bool has_error_control) const {
+  std::vector<std::string> doubts;
+  const std::string steps = has_error_control ? "smaller tolerances" : "more steps there, error control (exu.DynamicSolverType.DOPRI5)";
   const std::size_t told = std::min(locks_.size(), most_told), others = locks_.size() - told;
   for (const Lock& lock : std::span(locks_).first(told)) {
     const auto angles = std::ranges::find(angles_, lock.first, &Angles::first);
     if (angles == angles_.end()) continue;  // the solution continues another model
-    doubts_.push_back(text_of(*angles, lock.second_angle) + " at time " + format_number(lock.time) + "; " + std::to_string(lock.steps) +
+    doubts.push_back(text_of(*angles, lock.second_angle) + " at time " + format_number(lock.time) + "; " + std::to_string(lock.steps) +
                       (lock.steps == 1 ? " step was" : " steps were") + " too large for it: use " + steps + ", or " + remedy_of(angles->node));
-    if (&lock == &locks_[told - 1] && others > 0) doubts_.back() += "; the same of " + std::to_string(others) + (others == 1 ? " other" : " others");
-    if (!verbose(1)) warn(doubts_.back());
+    if (&lock == &locks_[told - 1] && others > 0) doubts.back() += "; the same of " + std::to_string(others) + (others == 1 ? " other" : " others");
   }
+  return doubts;
 }
 
-// Adds advice on gimbal lock, found earlier or at the time of the failure.
-[[gnu::noinline]] void Solver::advise_on_angles() {
-  const State& last = current();
-  const std::vector<double>& reference = system_->state(ConfigurationType::Reference).q;
-  std::vector<std::string>& advice = diagnosis_.advice;
+void LockingAngles::advise(System& system, std::vector<std::string>& advice) const {
+  const State& last = system.state(ConfigurationType::Current);
+  const std::vector<double>& reference = system.state(ConfigurationType::Reference).q;
   const std::size_t others = advice.size();
   for (const Angles& angles : angles_) {
     if (advice.size() == others + most_told) break;
@@ -121,6 +118,16 @@ void Solver::doubt_angles() {
     const std::string text = known != locks_.end() ? text_of(angles, known->second_angle) + " at time " + format_number(known->time) : text_of(angles, angle);
     advice.insert(advice.begin(), text + ": use smaller steps, or " + remedy_of(angles.node));
   }
+}
+
+void LockingAngles::add_numbers(std::vector<double>& numbers) const {
+  for (const Lock& lock : locks_)
+    numbers.insert(numbers.end(), {static_cast<double>(lock.first), static_cast<double>(lock.steps), lock.time, lock.second_angle});
+}
+
+void LockingAngles::take_numbers(std::span<const double> numbers) {
+  for (std::size_t i = 0; i + numbers_per_lock <= numbers.size(); i += numbers_per_lock)
+    locks_.push_back({static_cast<std::size_t>(numbers[i]), static_cast<StepCount>(numbers[i + 1]), numbers[i + 2], numbers[i + 3]});
 }
 
 }  // namespace dalembert
