@@ -393,7 +393,8 @@ def ComputeSystemDegreeOfFreedom(
     multipliers only). Redundant constraints do not increase the rank of the constraint Jacobian, which a sparse
     QR factorization finds; removableEquations then has [removable, all] equations by object number: the number that
     could be removed in this object alone. A warning reports equations that are hardly independent, as in large nets of
-    loops. useSVD counts singular values below `threshold`, for small systems. verbose prints the counts, and the singular values if useSVD is set.
+    loops. useSVD counts singular values below `threshold`, for small systems. verbose prints the counts, and the
+    singular values if useSVD is set.
     """
     name = "ComputeSystemDegreeOfFreedom"
     counts = (
