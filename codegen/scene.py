@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-# Meaning of the coordinates of a node for a motion of its frame; tests/items/motions.py has the formulas.
+# Meaning of the coordinates of a node for a motion of its frame; python/dalembert/testing/motions.py has the formulas.
 FRAMES = ("point", "ep", "rxyz", "rotation_vector", "angle", "slope", "slopes12", "slopes23")
 # Symbols of objects of packages between their markers; python/dalembert/_pictures/connectors.py draws them.
 DRAWINGS = ("spring", "rod")
