@@ -22,8 +22,10 @@ SUPPORT = "core/packages/support.cpp"
 # Sources of the core that packages compile: those of every package, and those of folders of items.
 SOURCES = ("core/src/math/large_memory.cpp", "core/src/system/term.cpp")
 FURTHER_SOURCES = {
-    "markers": ("core/src/batches/inner_markers.cpp", "core/src/batches/marker.cpp"),
-    "super_elements": ("core/src/batches/mesh_place.cpp", "core/src/batches/sized_law.cpp"),
+    "markers": ("core/src/batches/inner_markers.cpp", "core/src/batches/marker.cpp", "core/src/system/ports.cpp"),
+    "super_elements": (
+        *("core/src/batches/mesh_place.cpp", "core/src/batches/sized_law.cpp", "core/src/contracts/square_matrix.cpp"),
+    ),
 }
 _INCLUDE = re.compile(r'^#include "(.+)"', re.MULTILINE)
 

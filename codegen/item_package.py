@@ -82,6 +82,7 @@ def facts(specs: Specs, own: list[Item]) -> dict[str, object]:
 
 PACKAGE_FILES = {
     "pyproject.toml": "package/pyproject.toml.j2",
+    ".gitignore": "package/gitignore.j2",
     "CMakeLists.txt": "package/CMakeLists.txt.j2",
     "{module}/__init__.py": "package/init.py.j2",
     "tests/test_items.py": "package/test_items.py.j2",
