@@ -17,7 +17,7 @@ from codegen.load import check_references, known_specs, load_items
 from codegen.model import Item, SpecError
 from codegen.model_settings import Specs
 from codegen.names import FOLDERS, nearest
-from codegen.new_item import create
+from codegen.new_item import create, full_name
 from codegen.render import environment, fill, holes
 from codegen.views import cpp, python, schema
 
@@ -37,6 +37,8 @@ def load(directory: Path, home: Path = ROOT) -> tuple[Specs, list[Item]]:
     names = {name: item.path for item in core for name in (item.name, *item.short_names)}
     check_references(own, core, enums, directory, names)
     for item in own:
+        if item.create_functions:
+            raise SpecError(f"{item.path}: create_functions: functions of the core create items of the core only")
         if item.ready and not item.irregular and not (directory / "kernels" / f"{item.stem}.hpp").is_file():
             raise SpecError(f"{item.path}: there is no kernel kernels/{item.stem}.hpp")
     return Specs(tuple(core), tuple(enums.values()), (), ()), own
@@ -95,6 +97,9 @@ def start(directory: Path, kind: str, name: str, version: str) -> list[str]:
     if not module.isidentifier():
         raise SpecError(f"{directory.name!r} is not the name of a package: use letters, digits and underscores")
     made = create(directory, kind, name, kernels="kernels")
+    if kind == "node":  # which is tested with a body
+        node = full_name("nodes", name)
+        made += create(directory, "body", f"{node.removeprefix('Node')}Mass", kernels="kernels", node=node)
     given = {"module": module, "version": version}
     for path, template in PACKAGE_FILES.items():
         file = directory / path.format(module=module)

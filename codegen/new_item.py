@@ -40,6 +40,7 @@ class NewItem:
     stem: str
     kernel: str  # path of its header
     short_names: tuple[str, ...] = ()
+    node: str = "NodePoint"  # of bodies
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -56,10 +57,10 @@ def full_name(folder: str, name: str) -> str:
     return shortest + name if own and name.startswith(own) else longest + name
 
 
-def create(root: Path, kind: str, name: str, kernels: str = "") -> list[str]:
+def create(root: Path, kind: str, name: str, kernels: str = "", node: str = "NodePoint") -> list[str]:
     """Write spec and kernel skeleton; returns the paths written. Existing files are never touched.
 
-    `kernels` is the folder of the kernels of a package, whose items get a short name.
+    `kernels` is the folder of the kernels of a package, whose items get a short name. `node` is that of a body.
     """
     if kind not in KINDS:
         raise SpecError(f"kind: there is no kind {kind!r} of items; {nearest(kind, KINDS)}")
@@ -71,7 +72,7 @@ def create(root: Path, kind: str, name: str, kernels: str = "") -> list[str]:
     stem = stem_of(full, folder)
     kernel = f"{kernels or 'core/include/dalembert/items'}/{stem}.hpp"
     short = (full.removeprefix(longest),) if kernels and longest != full.removeprefix(longest) else ()
-    item = NewItem(full, full.removeprefix(shortest), object_type, folder, stem, kernel, short)
+    item = NewItem(full, full.removeprefix(shortest), object_type, folder, stem, kernel, short, node)
     files = {
         f"specs/{stem}.toml": fill(f"new/{kind}.toml.j2", item=item),
         kernel: fill(f"new/{kind}.hpp.j2", item=item),

@@ -13,9 +13,7 @@ slider = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=mass, init
 markers = [mbs.AddMarker(MarkerBodyPosition(bodyNumber=body)) for body in (ground, slider)]
 data = mbs.AddNode(NodeGenericData(initialCoordinates=[0], numberOfDataCoordinates=1))
 spring = mbs.AddObject(
-    PlasticSpring(
-        markerNumbers=markers, nodeNumber=data, referenceLength=1, stiffness=stiffness, yieldForce=yieldForce
-    )
+    PlasticSpring(markerNumbers=markers, nodeNumber=data, referenceLength=1, stiffness=stiffness, yieldForce=yieldForce)
 )
 length, force = (
     mbs.AddSensor(SensorObject(objectNumber=spring, storeInternal=True, writeToFile=False, outputVariableType=variable))
