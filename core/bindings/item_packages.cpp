@@ -54,7 +54,7 @@ constexpr CoreFunctions core_functions{
 void require_stamp(const ItemPackage& package) {
   if (own_stamp() == package.stamp) return;
   const bool has_source = std::filesystem::exists(std::filesystem::path(package.source) / "pyproject.toml");
-  const std::string rebuild = has_source ? "dalembert items build \"" + std::string(package.source) + "\""
+  const std::string rebuild = has_source ? std::string(package.rebuild) + " \"" + package.source + "\""
                                          : "pip install --force-reinstall --no-deps --no-cache-dir " + std::string(package.module);
   throw py::import_error("the item package '" + std::string(package.module) + "' was built for another dalembert or compiler: its stamp is " +
                          package.stamp + ", but this core has " + own_stamp() + ". Build it again: " + rebuild);

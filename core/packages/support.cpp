@@ -1,5 +1,5 @@
 // Compiled into every item package: the initialization of its module, and functions of the core, by its table.
-// DALEMBERT_ITEM_MODULE, DALEMBERT_ITEM_SOURCE and DALEMBERT_HEADERS are texts, see python/dalembert/_tools/item_packages.py.
+// DALEMBERT_ITEM_MODULE, _SOURCE, _REBUILD and DALEMBERT_HEADERS are texts, see python/dalembert/_tools/item_packages.py.
 #define Py_LIMITED_API 0x030B0000
 #include <Python.h>
 
@@ -59,7 +59,7 @@ namespace {
 
 const ItemPackage& package() {
   static const std::string stamp = stamp_of(DALEMBERT_HEADERS);
-  static const ItemPackage own{sizeof(ItemPackage), stamp.c_str(), DALEMBERT_ITEM_MODULE, DALEMBERT_ITEM_SOURCE,
+  static const ItemPackage own{sizeof(ItemPackage), stamp.c_str(), DALEMBERT_ITEM_MODULE, DALEMBERT_ITEM_SOURCE, DALEMBERT_ITEM_REBUILD,
                                own_item_types(), own_item_texts(), own_item_transformations(), &core};
   return own;
 }

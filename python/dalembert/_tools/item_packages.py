@@ -244,13 +244,14 @@ def build(directory: Path, output: Path | None = None) -> Path:
         output = next((place for place in (directory / module, directory / "src" / module) if place.is_dir()), None)
         if output is None:
             raise BuildError(f"{directory}: there is no folder {module} with the Python files of the package")
-        work = directory / "build" / "items"
+        work, rebuild = directory / "build" / "items", "dalembert items build"
     else:
         work = output.resolve().parent / f"{output.name}.work"
+        rebuild = "pip install --force-reinstall --no-deps --no-build-isolation"
     generated = work / "generated"
     compiler = _compiler()
     _generator(str(directory), module, str(generated))
-    units = _units(directory, module, work, compiler)
+    units = _units(directory, module, work, compiler, rebuild)
     with ThreadPoolExecutor(os.cpu_count()) as threads:
         errors = [text for text in threads.map(_Unit.compile, units) if text]
     if errors:
@@ -270,7 +271,7 @@ def build(directory: Path, output: Path | None = None) -> Path:
     return output / COMPILED
 
 
-def _units(directory: Path, module: str, work: Path, compiler: Compiler) -> list[_Unit]:
+def _units(directory: Path, module: str, work: Path, compiler: Compiler, rebuild: str) -> list[_Unit]:
     tool, place, generated = _header_tool(), home(), work / "generated"
     kernels = directory / "kernels"
     include = [kernels, generated / "include", *(place / each for each in tool.INCLUDES)]
@@ -285,7 +286,7 @@ def _units(directory: Path, module: str, work: Path, compiler: Compiler) -> list
     python = sysconfig.get_path("include")
     if not Path(python, "Python.h").is_file():
         raise BuildError(f"there is no Python.h in {python}: install the headers of Python")
-    texts = {"MODULE": module, "SOURCE": directory.as_posix()}
+    texts = {"MODULE": module, "SOURCE": directory.as_posix(), "REBUILD": rebuild}
     of_module = (
         f"-I{python}",
         *(f'-DDALEMBERT_ITEM_{key}="{value}"' for key, value in texts.items()),

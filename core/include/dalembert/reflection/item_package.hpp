@@ -38,14 +38,15 @@ struct CoreFunctions {
   decltype(&System::state_may_have_changed) state_may_have_changed;
 };
 
-// An extension module passes this in a capsule. The first three members never change: they are read before the stamp
-// is compared.
+// An extension module passes this in a capsule. The texts never change their places: they are read before the stamp is
+// compared.
 struct ItemPackage {
   static constexpr const char* capsule = "dalembert.item_package";
   std::size_t size;    // bytes, as the package was compiled
   const char* stamp;   // see `stamp_of`
   const char* module;  // 'my_items': pickles import its classes from there
   const char* source;  // directory of its specs and kernels
+  const char* rebuild; // command that builds it from there: 'dalembert items build'
   std::span<const ItemType* const> types;
   std::span<const ItemText> texts;  // same order as `types`
   std::span<const ItemTransformation> transformations;
