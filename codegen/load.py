@@ -50,14 +50,29 @@ def load(root: Path) -> Specs:
     """All specs below `root`/specs, in the order of folders and files."""
     specs = root / "specs"
     _check_folders(specs)
-    enums = {enum.name: enum for enum in _each(root, ["enums"], load_enum)}
-    groups = dict(_each(root, ["groups"], lambda path, content: (Path(path).stem, load_group(path, content))))
-    items = _each(root, FOLDERS, lambda path, content: load_item(path, content, groups, enums))
+    items, groups, enums = known_specs(root)
     items = with_examples(items, {path.stem: path.read_text("utf-8") for path in sorted(root.glob("examples/*.py"))})
     settings = _each(root, ["settings"], lambda path, content: load_settings(path, content, enums))
     planned = [one for file in _each(root, ["interface"], load_planned) for one in file]
-    _check_references(items, enums, root)
+    check_references(items, (), enums, root, {})
     return Specs(tuple(items), tuple(enums.values()), tuple(settings), tuple(planned))
+
+
+def known_specs(root: Path) -> tuple[list[Item], Groups, dict[str, Enum]]:
+    """Items, groups and enumerations below `root`/specs; references between items are not checked."""
+    enums = {enum.name: enum for enum in _each(root, ["enums"], load_enum)}
+    groups = _groups(root)
+    return load_items(root, enums, groups), groups, enums
+
+
+def load_items(root: Path, enums: Mapping[str, Enum], groups: Groups) -> list[Item]:
+    """Items below `root`/specs, with rows of these groups or of its own."""
+    known = {**groups, **_groups(root)}
+    return _each(root, FOLDERS, lambda path, content: load_item(path, content, known, enums))
+
+
+def _groups(root: Path) -> dict[str, Mapping[str, Mapping[str, Any]]]:
+    return dict(_each(root, ["groups"], lambda path, content: (Path(path).stem, load_group(path, content))))
 
 
 def _each(root: Path, folders: Iterable[str], make: Callable[[str, str], T]) -> list[T]:
@@ -155,9 +170,12 @@ def with_examples(items: list[Item], examples: Mapping[str, str]) -> list[Item]:
     return completed
 
 
-def _check_references(items: Iterable[Item], enums: Mapping[str, Enum], root: Path) -> None:
-    names: dict[str, str] = {}
-    nodes = [item.name for item in items if item.kind == "node"]
+def check_references(
+    items: Iterable[Item], others: Iterable[Item], enums: Mapping[str, Enum], root: Path, names: dict[str, str]
+) -> None:
+    """Check the names in items; they may refer to the others. `names` are taken, by the specs that have them."""
+    known = {other.name: other for other in (*others, *items)}
+    nodes = [item.name for item in known.values() if item.kind == "node"]
     for item in items:
         for name in {item.name, *item.short_names}:
             if name in names:
@@ -166,7 +184,7 @@ def _check_references(items: Iterable[Item], enums: Mapping[str, Enum], root: Pa
         for name in item.nodes:
             if name not in nodes:
                 raise SpecError(f"{item.path}: nodes: no node item is named {name!r}; {nearest(name, nodes)}")
-        _check_scene(item, {other.name: other for other in items})
+        _check_scene(item, known)
         for row in item.rows:
             if row.type.storage == "output_variable" and row.default not in {
                 v.name for v in enums[row.type.name].values

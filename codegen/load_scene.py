@@ -8,14 +8,14 @@ from typing import Any
 
 from codegen.model import MARKER_CAPABILITIES, SpecError
 from codegen.names import nearest
-from codegen.scene import EXEMPT, FRAMES, End, NodePlace, SceneTable
+from codegen.scene import DRAWINGS, EXEMPT, FRAMES, End, NodePlace, SceneTable
 
 WORD = " on "
 GAP = "gap"  # gap of the constraint equations, in `closed`
 LEAST_WORDS = 5  # minimum number of words of a reason
 KEYS = tuple(f.name for f in fields(SceneTable))
 _KINDS: dict[str, tuple[type, str]] = {
-    **dict.fromkeys(("frame", "second_body"), (str, "a string")),
+    **dict.fromkeys(("frame", "second_body", "drawing"), (str, "a string")),
     **dict.fromkeys(("small_deformations", "bent", "every_body", "planar"), (bool, "true or false")),
     **dict.fromkeys(("data", "force_equations"), (int, "an integer")),
     **dict.fromkeys(("nodes", "local", "beside", "fits", "power", "pairs", "options"), (list, "a list")),
@@ -32,7 +32,7 @@ _ONLY: dict[str, tuple[str, ...]] = {
     "every_body": ("marker",), "beside": ("marker",),
     "fits": ("object", "load"), "planar": ("object",), "data": ("object",), "per_marker": ("object",),
     "closed": ("object",),
-    "power": ("object",), "force_equations": ("object",), "second_body": ("object",),
+    "power": ("object",), "force_equations": ("object",), "second_body": ("object",), "drawing": ("object",),
 }  # fmt: skip
 
 
@@ -62,6 +62,8 @@ def _known(what: str, word: str, known: Iterable[str], key: str = "") -> None:
 def _check_words(scene: SceneTable) -> None:
     if scene.frame:
         _known("frame", scene.frame, FRAMES)
+    if scene.drawing:
+        _known("drawing", scene.drawing, DRAWINGS)
     for word in scene.fits or ():
         _known("capability", word, MARKER_CAPABILITIES, "fits")
     for check in scene.exempt:

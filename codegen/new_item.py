@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from codegen.model import SpecError
-from codegen.names import FOLDERS, stem_of
+from codegen.names import FOLDERS, nearest, stem_of
 from codegen.render import fill
 
 # Kind -> folder of specs/, and type of objects.
@@ -38,6 +38,9 @@ class NewItem:
     object_type: str
     folder: str
     stem: str
+    kernel: str  # path of its header
+    short_names: tuple[str, ...] = ()
+    node: str = "NodePoint"  # of bodies
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -54,18 +57,25 @@ def full_name(folder: str, name: str) -> str:
     return shortest + name if own and name.startswith(own) else longest + name
 
 
-def create(root: Path, kind: str, name: str) -> list[str]:
-    """Write spec and kernel skeleton; returns the paths written. Existing files are never touched."""
+def create(root: Path, kind: str, name: str, kernels: str = "", node: str = "NodePoint") -> list[str]:
+    """Write spec and kernel skeleton; returns the paths written. Existing files are never touched.
+
+    `kernels` is the folder of the kernels of a package, whose items get a short name. `node` is that of a body.
+    """
+    if kind not in KINDS:
+        raise SpecError(f"kind: there is no kind {kind!r} of items; {nearest(kind, KINDS)}")
     folder, object_type = KINDS[kind]
     longest, shortest = FOLDERS[folder][1][0], FOLDERS[folder][1][-1]
     full = full_name(folder, name)
     if not full.isidentifier() or full in (longest, shortest):
         raise SpecError(f"name: {name!r} does not make the name of an item")
     stem = stem_of(full, folder)
-    item = NewItem(full, full.removeprefix(shortest), object_type, folder, stem)
+    kernel = f"{kernels or 'core/include/dalembert/items'}/{stem}.hpp"
+    short = (full.removeprefix(longest),) if kernels and longest != full.removeprefix(longest) else ()
+    item = NewItem(full, full.removeprefix(shortest), object_type, folder, stem, kernel, short, node)
     files = {
         f"specs/{stem}.toml": fill(f"new/{kind}.toml.j2", item=item),
-        f"core/include/dalembert/items/{stem}.hpp": fill(f"new/{kind}.hpp.j2", item=item),
+        kernel: fill(f"new/{kind}.hpp.j2", item=item),
     }
     for path in files:
         if (root / path).exists():

@@ -73,7 +73,7 @@ def render(specs: Specs) -> dict[str, str]:
 
 
 def _cpp_files(specs: Specs) -> dict[str, str]:
-    stems = {item.name: item.stem for item in specs.items}
+    kernels = {item.name: cpp.kernel_header(item) for item in specs.items}
     numbers = {enum.name: number for number, enum in enumerate(specs.enums)}
     files = {
         "src/registry.cpp": fill("registry.cpp.j2", items=specs.items),
@@ -89,7 +89,7 @@ def _cpp_files(specs: Specs) -> dict[str, str]:
     }
     for item in specs.items:
         files[f"include/dalembert/{item.stem}_parameters.hpp"] = fill("parameters.hpp.j2", item=item)
-        files[f"src/{item.stem}.cpp"] = fill("item.cpp.j2", item=item, stems=stems)
+        files[f"src/{item.stem}.cpp"] = fill("item.cpp.j2", item=item, kernels=kernels)
     for each in specs.settings:
         parts = settings.structs(each)
         files[f"include/dalembert/{each.stem}.hpp"] = fill("settings.hpp.j2", settings=each, structs=parts)

@@ -4,7 +4,7 @@ It defines the nodes, markers and values of its models, options with different e
 with
 the reason.
 
-Tests read it through `Item.scene`; no generated file depends on it.
+Tests read it through `Item.scene`; only the drawing of items of packages depends on it.
 """
 
 from __future__ import annotations
@@ -13,8 +13,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-# Meaning of the coordinates of a node for a motion of its frame; tests/items/motions.py has the formulas.
+# Meaning of the coordinates of a node for a motion of its frame; python/dalembert/testing/motions.py has the formulas.
 FRAMES = ("point", "ep", "rxyz", "rotation_vector", "angle", "slope", "slopes12", "slopes23")
+# Symbols of objects of packages between their markers; python/dalembert/_pictures/connectors.py draws them.
+DRAWINGS = ("spring", "rod")
 # Checks with possible exemptions, and their requirements.
 EXEMPT = {
     "moments": "what acts between two bodies leaves their angular momentum alone",
@@ -88,6 +90,7 @@ class SceneTable:
     power: tuple[tuple[str, str], ...] = ()
     force_equations: int = 3
     second_body: str = ""
+    drawing: str = ""
     # all
     pairs: tuple[tuple[End, ...], ...] = ()
     values: Mapping[str, Any] = field(default_factory=dict)

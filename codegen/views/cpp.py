@@ -216,13 +216,17 @@ def uses_enums(item: Item) -> bool:
     return any(row.type.storage in ("output_variable", "joint_types", "enumeration") for row in item.rows)
 
 
-def physics_includes(item: Item, stems: dict[str, str]) -> list[str]:
-    """Headers that the instantiation of a ready item's physics needs, in alphabetical order."""
+def kernel_header(item: Item) -> str:
+    """The header of the kernel of an item of the core."""
+    return f"dalembert/items/{item.stem}.hpp"
+
+
+def physics_includes(item: Item, kernels: dict[str, str]) -> list[str]:
+    """Headers that the instantiation of a ready item's physics needs, in alphabetical order; `kernels` by item."""
     if not item.ready or item.irregular:
         return []
-    kernels = [item.stem, *(stems[node] for node in item.nodes)]
     batch = _physics(item)[1]
-    return sorted([f"dalembert/batches/{batch}.hpp", *(f"dalembert/items/{stem}.hpp" for stem in kernels)])
+    return sorted([f"dalembert/batches/{batch}.hpp", *(kernels[name] for name in (item.name, *item.nodes))])
 
 
 def reflection_includes(item: Item) -> list[str]:

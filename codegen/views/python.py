@@ -62,10 +62,19 @@ def has_arrays(function: UserFunction) -> bool:
     return any(argument.shape and argument.type.real for argument in function.arguments)
 
 
+NODES, ASSEMBLE = -1, -2  # as in function_sizes.py.j2
+
+
+def array_sizes(function: UserFunction, item: Item) -> list[int]:
+    """The length of each array that the function receives."""
+    open_size = NODES if item.folder in BODY_FOLDERS else ASSEMBLE
+    return [a.shape[0] or open_size for a in function.arguments if a.shape and a.type.real]
+
+
 def argument_sizes(function: UserFunction, item: Item) -> str:
-    """`(3, 6, NODES)`: the length of each array that the function receives."""
-    open_size = "NODES" if item.folder in BODY_FOLDERS else "ASSEMBLE"
-    sizes = [str(a.shape[0] or open_size) for a in function.arguments if a.shape and a.type.real]
+    """`(3, 6, NODES)`: the same as text."""
+    names = {NODES: "NODES", ASSEMBLE: "ASSEMBLE"}
+    sizes = [names.get(size, str(size)) for size in array_sizes(function, item)]
     return f"({', '.join(sizes)}{',' * (len(sizes) == 1)})"
 
 

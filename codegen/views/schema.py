@@ -36,8 +36,18 @@ def schema_text(specs: Specs) -> str:
     return json.dumps(_schema(specs), indent=1, ensure_ascii=False)
 
 
+def definitions(specs: Specs) -> dict[str, dict[str, Any]]:
+    """The schemas of single items by their names."""
+    enums = _names(specs)
+    return {item.name: _item(item, enums) for item in specs.items if item.ready}
+
+
+def _names(specs: Specs) -> dict[str, list[str]]:
+    return {enum.name: [value.name for value in enum.values] for enum in specs.enums}
+
+
 def _schema(specs: Specs) -> dict[str, Any]:
-    enums = {enum.name: [value.name for value in enum.values] for enum in specs.enums}
+    enums = _names(specs)
     simulation = next(each for each in specs.settings if each.name == "SimulationSettings")
     lists = {f"{kind}s": {"type": "array", "items": _items(specs, kind)} for kind in KINDS}
     return {
@@ -52,15 +62,18 @@ def _schema(specs: Specs) -> dict[str, Any]:
             "format": {"const": "dalembert model"},
             "formatVersion": {"const": 1},
             "package": {"type": "string", "description": "version of the package that has written the file"},
+            "itemPackages": {
+                "type": "array",
+                "items": {"type": "string"},
+                "description": "modules of packages that items are from",
+            },
             **lists,
             "generalContacts": {"type": "array", "items": {"$ref": "#/$defs/generalContact"}},
             "functions": {"type": "object", "description": "user functions of the system"},
             "variables": {"type": "object", "description": "mbs.variables"},
             "settings": _group(simulation.root, enums),
         },
-        "$defs": _DEFINITIONS
-        | {"generalContact": _general_contact()}
-        | {item.name: _item(item, enums) for item in specs.items if item.ready},
+        "$defs": _DEFINITIONS | {"generalContact": _general_contact()} | definitions(specs),
     }
 
 

@@ -14,6 +14,7 @@
 #include "index_lists.hpp"
 #include "item_docs.hpp"
 #include "item_equality.hpp"
+#include "item_packages.hpp"
 #include "python_errors.hpp"
 
 namespace dalembert {
@@ -322,7 +323,7 @@ PyTypeObject* make_type(const std::string& name, const std::string& doc, std::si
                         PyTypeObject* base) {
   slots.push_back({Py_tp_doc, const_cast<char*>(keep(doc))});
   slots.push_back({0, nullptr});
-  PyType_Spec spec{keep("dalembert._core." + name), static_cast<int>(size), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE,
+  PyType_Spec spec{keep(name), static_cast<int>(size), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE,
                    slots.data()};
   PyObject* type = PyType_FromSpecWithBases(&spec, reinterpret_cast<PyObject*>(base));
   if (type == nullptr) throw py::error_already_set();
@@ -388,35 +389,6 @@ void add_names(ItemClass& item_class) {
     by_type_name[static_cast<std::size_t>(type.kind)][interned(std::string(name))] = &item_class;
 }
 
-void make_class(const ItemType& type) {
-  auto item_class = std::make_unique<ItemClass>();
-  item_class->type = &type;
-  item_class->defaults = type.record.create();
-  add_names(*item_class);
-
-  const std::string name(type.name);
-  auto slots = common_slots<ItemObject>();
-  slots.push_back({Py_tp_iter, reinterpret_cast<void*>(item_iterate)});
-  slots.push_back({Py_tp_methods, item_methods});
-  slots.push_back({Py_tp_getset, make_attributes<ItemObject>(*item_class, false)});
-  item_class->python_type = make_type(name, class_doc(*item_class, false), sizeof(ItemObject), slots, item_base);
-  item_class->python_type->tp_vectorcall = object_call<ItemObject>;
-
-  slots = common_slots<VisualizationObject>();
-  slots.push_back({Py_tp_iter, reinterpret_cast<void*>(visualization_iterate)});
-  slots.push_back({Py_mp_subscript, reinterpret_cast<void*>(visualization_get_item)});
-  slots.push_back({Py_mp_ass_subscript, reinterpret_cast<void*>(visualization_set_item)});
-  slots.push_back({Py_tp_methods, visualization_methods});
-  slots.push_back({Py_tp_getset, make_attributes<VisualizationObject>(*item_class, true)});
-  item_class->visualization_type =
-      make_type("V" + name, class_doc(*item_class, true), sizeof(VisualizationObject), slots, visualization_base);
-  item_class->visualization_type->tp_vectorcall = object_call<VisualizationObject>;
-
-  by_python_type[item_class->python_type] = by_python_type[item_class->visualization_type] = item_class.get();
-  by_item_type[&type] = item_class.get();
-  classes.push_back(std::move(item_class));
-}
-
 PyTypeObject* make_base(const char* name, const char* doc, std::size_t size) {
   PyType_Slot slots[] = {{Py_tp_doc, const_cast<char*>(doc)}, {0, nullptr}};
   PyType_Spec spec{name, static_cast<int>(size), 0,
@@ -427,6 +399,35 @@ PyTypeObject* make_base(const char* name, const char* doc, std::size_t size) {
 }
 
 }  // namespace
+
+const ItemClass& make_class(const ItemType& type, const std::string& module) {
+  auto item_class = std::make_unique<ItemClass>();
+  item_class->type = &type;
+  item_class->defaults = type.record.create();
+  add_names(*item_class);
+
+  const std::string name(type.name);
+  auto slots = common_slots<ItemObject>();
+  slots.push_back({Py_tp_iter, reinterpret_cast<void*>(item_iterate)});
+  slots.push_back({Py_tp_methods, item_methods});
+  slots.push_back({Py_tp_getset, make_attributes<ItemObject>(*item_class, false)});
+  item_class->python_type = make_type(module + "." + name, class_doc(*item_class, false), sizeof(ItemObject), slots, item_base);
+  item_class->python_type->tp_vectorcall = object_call<ItemObject>;
+
+  slots = common_slots<VisualizationObject>();
+  slots.push_back({Py_tp_iter, reinterpret_cast<void*>(visualization_iterate)});
+  slots.push_back({Py_mp_subscript, reinterpret_cast<void*>(visualization_get_item)});
+  slots.push_back({Py_mp_ass_subscript, reinterpret_cast<void*>(visualization_set_item)});
+  slots.push_back({Py_tp_methods, visualization_methods});
+  slots.push_back({Py_tp_getset, make_attributes<VisualizationObject>(*item_class, true)});
+  item_class->visualization_type =
+      make_type(module + ".V" + name, class_doc(*item_class, true), sizeof(VisualizationObject), slots, visualization_base);
+  item_class->visualization_type->tp_vectorcall = object_call<VisualizationObject>;
+
+  by_python_type[item_class->python_type] = by_python_type[item_class->visualization_type] = item_class.get();
+  by_item_type[&type] = item_class.get();
+  return *classes.emplace_back(std::move(item_class));
+}
 
 const std::vector<std::unique_ptr<ItemClass>>& item_classes() { return classes; }
 const ItemClass& class_of(const ItemType& type) { return *by_item_type.at(&type); }
@@ -469,16 +470,8 @@ void register_items(py::module_& module) {
   }, py::arg("cls"), py::pos_only(), "(name, size, unit, text) of the output variables of an item class; size 0: it depends on the item.");
   add("Item", item_base);
   add("Visualization", visualization_base);
-  for (const ItemType* type : item_types()) {
-    make_class(*type);
-    const ItemClass& item_class = *classes.back();
-    add(std::string(type->name), item_class.python_type);
-    add("V" + std::string(type->name), item_class.visualization_type);
-    for (const std::string_view name : type->short_names) {
-      add(std::string(name), item_class.python_type);
-      add("V" + std::string(name), item_class.visualization_type);
-    }
-  }
+  for (const ItemType* type : item_types()) add_classes(module, make_class(*type, "dalembert._core"));
+  register_item_packages(module);
 }
 
 }  // namespace dalembert

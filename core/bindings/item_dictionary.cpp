@@ -8,6 +8,7 @@
 #include "item_classes.hpp"
 #include "item_docs.hpp"
 #include "item_equality.hpp"
+#include "item_packages.hpp"
 #include "python_errors.hpp"
 
 namespace dalembert {
@@ -256,7 +257,7 @@ const ItemClass& class_in(ItemKind kind, const py::dict& dictionary, const Label
                                   in_quotes(find_type(kind, "Point") != nullptr ? "Point" : "...") + ", ...}"});
   }
   if (!PyUnicode_Check(name)) refuse(ErrorKind::type, {where.text(), key, "", show(name), "the name of a type as a string", ""});
-  return class_of(require_type(kind, to_string(name), where.text()));
+  return class_of(require_type_of_any_package(kind, to_string(name), where.text()));
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
 #include "garbage.hpp"
+#include "item_packages.hpp"
 #include "main_system_attributes.hpp"
-#include "item_classes.hpp"
 #include "python_callback.hpp"
 #include "python_errors.hpp"
 
@@ -243,6 +243,7 @@ py::dict system_dictionary(const MainSystem& main) {
     }
     result[list_key(kind)] = list;
   }
+  if (const py::list packages = packages_of(main.model); !packages.empty()) result["itemPackages"] = packages;
   if (!main.model.term_sources().empty()) result["generalContactList"] = general_contact_dictionaries(main);
   py::dict functions, settings;
   for (const auto& words : system_functions) {
@@ -261,6 +262,7 @@ py::dict system_dictionary(const MainSystem& main) {
 void set_system_dictionary(MainSystem& main, const py::dict& data) {
   require_idle(main, "mbs.SetDictionary(...)");
   check_version(data, "mbs.SetDictionary(...)");
+  if (data.contains("itemPackages")) load_packages(data["itemPackages"], "mbs.SetDictionary(...): the dictionary");
   Model model;
   for (int k = 0; k < item_kinds; ++k) {
     const ItemKind kind = static_cast<ItemKind>(k);

@@ -7,7 +7,7 @@
 #include "dalembert/model/references.hpp"
 #include "index_types.hpp"
 #include "item_arguments.hpp"
-#include "item_classes.hpp"
+#include "item_packages.hpp"
 #include "main_system.hpp"
 #include "main_system_attributes.hpp"
 #include "python_callback.hpp"
@@ -291,7 +291,7 @@ void register_reading(Class& main_system, ItemKind kind) {
   main_system.def(
       (get + "Defaults").c_str(),
       [kind](const MainSystem&, const std::string& name) {
-        const ItemType& type = require_type(kind, name, "mbs." + method_name("Get", kind, "Defaults") + "(...)");
+        const ItemType& type = require_type_of_any_package(kind, name, "mbs." + method_name("Get", kind, "Defaults") + "(...)");
         return item_dictionary(type, class_of(type).defaults.get(), "", true);
       },
       py::arg("typeName"), ("The default parameters of a type of " + noun + " as a dictionary.").c_str());

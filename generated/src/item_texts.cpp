@@ -1,6 +1,6 @@
 // Generated from specs/ by codegen/templates/item_texts.cpp.j2. Do not edit;
 // run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
-#include "dalembert/reflection/item_texts.hpp"
+#include "dalembert/reflection/own_items.hpp"
 
 #include <array>
 
@@ -2097,6 +2097,6 @@ constexpr std::array<ItemText, 97> all{{
 
 }  // namespace item_texts_of
 
-std::span<const ItemText> item_texts() { return item_texts_of::all; }
+std::span<const ItemText> own_item_texts() { return item_texts_of::all; }
 
 }  // namespace dalembert

@@ -2,7 +2,7 @@
 // run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
 #include <array>
 
-#include "dalembert/reflection/item_type.hpp"
+#include "dalembert/reflection/own_items.hpp"
 
 namespace dalembert {
 
@@ -104,7 +104,7 @@ extern const ItemType sensor_object_type;
 extern const ItemType sensor_super_element_type;
 extern const ItemType sensor_user_function_type;
 
-std::span<const ItemType* const> item_types() {
+std::span<const ItemType* const> own_item_types() {
   static constexpr std::array<const ItemType*, 97> types{
       &node_generic_ae_type,
       &node_generic_data_type,

@@ -8,7 +8,7 @@ import os
 import runpy
 import sys
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -158,10 +158,10 @@ def _print_table(rows: Iterable[Sequence[Any]]) -> None:
 
 def _item_names() -> dict[str, list[str]]:
     """Return the names of all item classes, without the V... classes and short names, by kind."""
-    from dalembert import itemInterface
+    from dalembert._tools.item_packages import item_classes
 
     kinds = ("Node", "Object", "Marker", "Load", "Sensor")
-    names = [name for name, value in vars(itemInterface).items() if getattr(value, "__name__", "") == name]
+    names = [name for name, value in item_classes().items() if value.__name__ == name]
     return {kind: [n for n in names if n.startswith(kind)] for kind in kinds}
 
 
@@ -175,9 +175,15 @@ def _count(names: Sequence[str]) -> str:
 
 def _items(arguments: argparse.Namespace) -> int:
     """List all items, or describe one item: parameters with type, default, unit and meaning, and output variables."""
-    from dalembert import itemInterface
     from dalembert._planned_table import ITEMS
+    from dalembert._tools import item_packages
 
+    if arguments.name in _PACKAGE_COMMANDS:
+        return _PACKAGE_COMMANDS[arguments.name](arguments.arguments)
+    if arguments.arguments:
+        print(f"dalembert items: one name, or one of {', '.join(_PACKAGE_COMMANDS)}", file=sys.stderr)
+        return 2
+    item_packages.load_installed()
     if arguments.name is None:
         for kind, names in _item_names().items():
             print(f"{kind} ({_count(names)} run)")
@@ -191,19 +197,116 @@ def _items(arguments: argparse.Namespace) -> int:
         told = f"mbs.{made}: {functions[made].__doc__}"
         print("\n".join(_wrapped(line) for line in told.splitlines()))
         return 0
-    known = [name for name, value in vars(itemInterface).items() if isinstance(value, type)]
+    classes = item_packages.item_classes()
+    known = list(classes)
     lower = {name.lower(): name for name in known}
     arguments.name = lower.get(arguments.name.lower(), arguments.name)
     if arguments.name not in known:
         near = _near(arguments.name, [name for name in [*known, *functions] if name not in ITEMS])
         print(f"dalembert items: there is no item '{arguments.name}'; {near}", file=sys.stderr)
         return 2
-    cls = getattr(itemInterface, arguments.name)
+    cls = classes[arguments.name]
     state = " (planned: it is refused when it is added)" if cls.__name__ in ITEMS else ""
     summary, _, rest = (cls.__doc__ or "").partition("\n")
     print(f"{cls.__name__}: {summary}{state}")
     print("\n".join(_wrapped(line) for line in rest.splitlines()))
     return 0
+
+
+def _package_command(usage: str, *arguments: tuple[str, dict[str, Any]]) -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog=f"dalembert items {usage}")
+    for name, options in arguments:
+        parser.add_argument(name, **options)
+    return parser
+
+
+_DIRECTORY: tuple[str, dict[str, Any]] = (
+    "directory",
+    {"nargs": "?", "type": Path, "default": Path("."), "help": "the package (default: this directory)"},
+)
+
+
+def _new_item(given: Sequence[str]) -> int:
+    """Start an item in a package, which is made if it does not exist."""
+    from dalembert._tools import item_packages
+
+    parser = _package_command(
+        "new",
+        ("package", {"type": Path, "help": "directory of the package; its name is that of the Python module"}),
+        ("kind", {"help": "node, body, connector, constraint, joint, load, marker, sensor, finite_element, ..."}),
+        ("name", {"help": "name of the item, e.g. HertzSpring"}),
+    )
+    options = parser.parse_args(given)
+    return _reported("new", lambda: print("\n".join(item_packages.new(options.package, options.kind, options.name))))
+
+
+def _build_items(given: Sequence[str]) -> int:
+    """Generate and compile the items of a package; only changed files are compiled."""
+    from dalembert._tools import item_packages
+
+    output = ("--output", {"type": Path, "help": "folder of the extension module (default: the Python package)"})
+    options = _package_command("build", _DIRECTORY, output).parse_args(given)
+    return _reported("build", lambda: print(item_packages.build(options.directory, options.output)))
+
+
+def _check_items(given: Sequence[str]) -> int:
+    """Build a package and run the generated tests of its items."""
+    from dalembert._tools import item_packages
+
+    parser = _package_command("check", _DIRECTORY)
+    options, of_pytest = parser.parse_known_args(given)
+    return _reported("check", lambda: item_packages.check(options.directory, of_pytest))
+
+
+def _list_packages(given: Sequence[str]) -> int:
+    """List the installed item packages, their versions, locations and items."""
+    from dalembert._tools import item_packages
+
+    _package_command("list").parse_args(given)
+    item_packages.load_installed()
+    packages = item_packages.installed()
+    if not packages:
+        print("no item packages are installed")
+    for package in packages:
+        module = sys.modules.get(package.module)
+        place = "cannot be imported" if module is None else str(Path(str(module.__file__)).parent)
+        print(f"{package.module} {package.version}  {place}")
+        classes = item_packages.item_classes().items()
+        for name in sorted(n for n, cls in classes if cls.__module__ == package.module and n == cls.__name__):
+            if not name.startswith("V"):
+                print(f"  {name}")
+    return 0
+
+
+def _reported(command: str, run: Callable[[], int | None]) -> int:
+    """Run a command of packages and print its error, if there is one."""
+    from dalembert._tools.item_packages import BuildError
+
+    try:
+        return run() or 0
+    except BuildError as error:
+        print(f"dalembert items {command}: {error}", file=sys.stderr)
+        return 1
+
+
+def _print_schema(given: Sequence[str]) -> int:
+    """Print the JSON Schema of model files, with the items of all installed packages."""
+    import json
+
+    from dalembert._io.model_files import Schema
+
+    _package_command("schema").parse_args(given)
+    print(json.dumps(Schema(), indent=1, ensure_ascii=False))
+    return 0
+
+
+_PACKAGE_COMMANDS = {
+    "new": _new_item,
+    "build": _build_items,
+    "check": _check_items,
+    "list": _list_packages,
+    "schema": _print_schema,
+}
 
 
 def _near(name: str, names: Iterable[str]) -> str:
@@ -374,8 +477,12 @@ def _parser() -> argparse.ArgumentParser:
         words = "load user functions of a model file, which is to run their code"
         command.add_argument("--allow-code", action="store_true", help=words)
 
-    items = commands.add_parser("items", help="list all items, or describe one: parameters, outputs, example")
-    items.add_argument("name", nargs="?", help="an item or Create function: NodePoint, Point, CreateRigidBody")
+    items = commands.add_parser(
+        "items", help="list all items, or describe one: parameters, outputs, example; packages with items of your own"
+    )
+    words = "an item or Create function: NodePoint, Point, CreateRigidBody; or new, build, check, list, schema"
+    items.add_argument("name", nargs="?", help=words)
+    items.add_argument("arguments", nargs=argparse.REMAINDER, help="of these commands, which are for item packages")
     items.set_defaults(function=_items)
 
     demo = commands.add_parser(

@@ -80,7 +80,7 @@ def ctypes_signature(item: type | str, userFunction: str) -> Any:
 def _type_name(item: type | str) -> str:
     """The full name of an item's class, which may be given by a short name or an alias such as exu.SpringDamper."""
     given = item if isinstance(item, str) else item.__name__
-    return str(getattr(getattr(_core, given, None), "__name__", given))
+    return str(getattr(_core._item_classes().get(given), "__name__", given))
 
 
 def _types(signature: str) -> tuple[str, list[str]]:

@@ -13,12 +13,7 @@ from dalembert import _core
 
 exudyn = exu = dalembert  # names under which models refer to the package after a star import
 
-_bases = (_core.Item, _core.Visualization)
-_classes: dict[str, type] = {
-    name: value
-    for name, value in vars(_core).items()
-    if isinstance(value, type) and issubclass(value, _bases) and value not in _bases
-}
+_classes = _core._item_classes()
 globals().update(_classes)
 
 

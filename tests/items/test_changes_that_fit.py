@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import ITEMS, Scene
-from test_outputs import find
-from test_refused_changes import accessors, assert_unchanged, snapshot
-from variants import variants_with
 
 from codegen.model import Item
 from dalembert._core import testing
+from dalembert.testing.outputs import find
+from dalembert.testing.refused_changes import accessors, assert_unchanged, snapshot
+from dalembert.testing.scenes import ITEMS, Scene
+from dalembert.testing.variants import variants_with
 
 VECTOR = "ObjectConnectorCoordinateVector"
 DO_NOT_FIT: list[tuple[str, str, Any]] = [

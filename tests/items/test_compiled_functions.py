@@ -9,17 +9,17 @@ from typing import Any
 import numba
 import numpy as np
 import pytest
-from scenes import ITEMS
 from scipy import LowLevelCallable
-from test_tangent import random_state
-from user_functions import as_c_function
-from variants import ALL_VARIANTS, Variant
 
 import dalembert as exu
 from codegen.model import Item, UserFunction
 from codegen.views.rst import c_declaration
 from dalembert import compiled
 from dalembert._core import testing
+from dalembert.testing.scenes import ITEMS
+from dalembert.testing.tangent import random_state
+from dalembert.testing.user_functions import as_c_function
+from dalembert.testing.variants import ALL_VARIANTS, Variant
 
 COMPILABLE = [(item, function) for item in ITEMS.values() for function in item.user_functions if function.compilable]
 SPRING = exu.ObjectConnectorCoordinateSpringDamper

@@ -10,7 +10,6 @@ import numba
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from trees import Link, Tree, in_python, lists, make, random_links
 
 import dalembert as exu
 from dalembert import compiled
@@ -22,6 +21,7 @@ from dalembert.robotics.motion import (
     ProfilePTP,
     Trajectory,
 )
+from dalembert.testing.trees import Link, Tree, in_python, lists, make, random_links
 from dalembert.treeDynamics import TreeDynamics
 
 Solver = exu.DynamicSolverType

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from exemptions import DATA_OF_ANY_SIZE
-from scenes import READY, Scene
-from variants import ALL_VARIANTS
 
 import dalembert as exu
 from codegen.model import Item
+from dalembert.testing.exemptions import DATA_OF_ANY_SIZE
+from dalembert.testing.scenes import READY, Scene
+from dalembert.testing.variants import ALL_VARIANTS
 
 FRICTION = "ObjectConnectorCoordinateSpringDamperExt"
 WITH_DATA = [item for item in READY if item.name in {v.item for v in ALL_VARIANTS if v.data} - set(DATA_OF_ANY_SIZE)]

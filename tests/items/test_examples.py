@@ -6,30 +6,10 @@ import ast
 from functools import cache
 from pathlib import Path
 
-import numpy as np
-import pytest
-from scenes import READY
-
-import dalembert as exu
-import dalembert.itemInterface as items
 from codegen.model import Item
+from dalembert.testing.examples import each_item, test_mini_example  # noqa: F401
 
 GENERATED = Path(__file__).parents[2] / "generated"
-each_item = pytest.mark.parametrize("item", READY, ids=lambda item: item.name)
-
-
-@each_item
-def test_mini_example(item: Item, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert item.example is not None
-    monkeypatch.chdir(tmp_path)
-    container = exu.SystemContainer()
-    names = {name: value for name, value in vars(items).items() if not name.startswith("_")}
-    names |= {"exu": exu, "np": np, "SC": container, "mbs": container.AddSystem()}
-    exec(compile(item.example.code, item.path, "exec"), names)
-    result = np.asarray(names["result"], dtype=float)
-    np.testing.assert_allclose(result, item.example.value, rtol=0, atol=item.example.tolerance)
-    uses = item.name in item.example.code or any(short in item.example.code for short in item.short_names)
-    assert uses, "the example does not use the item"
 
 
 @each_item

@@ -5,17 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-import exemptions
 import pytest
-from scenes import ITEMS
 from test_data_nodes import check_number_of_data_coordinates
-from test_invariance import check_accelerations, check_forces
-from test_momentum import BETWEEN, check_balance
-from test_output_rates import check_rates_of_outputs
-from test_repeated_solves import joins
-from test_tangent import check_tangent
-from test_virtual_work import ALL_CONSTRAINTS, CONSTRAINTS, check_gaps, check_rates, free_equations, reactions
-from variants import ALL_VARIANTS, Variant
+
+from dalembert.testing import exemptions
+from dalembert.testing.invariance import check_accelerations, check_forces
+from dalembert.testing.momentum import BETWEEN, check_balance
+from dalembert.testing.output_rates import check_rates_of_outputs
+from dalembert.testing.repeated_solves import joins
+from dalembert.testing.scenes import ITEMS
+from dalembert.testing.tangent import check_tangent
+from dalembert.testing.variants import ALL_VARIANTS, Variant
+from dalembert.testing.virtual_work import (
+    ALL_CONSTRAINTS,
+    CONSTRAINTS,
+    check_gaps,
+    check_rates,
+    free_equations,
+    reactions,
+)
 
 LISTS = {name: table for name, table in vars(exemptions).items() if isinstance(table, dict) and name.isupper()}
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from exemptions import NOT_OF_RATES, NOT_OF_VALUES, OUT_OF_THE_PLANE
-from scenes import ITEMS, of_one_coordinate, rests
-from test_invariance import accelerations
-from test_virtual_work import CONSTRAINTS
-from variants import Variant
 
 import dalembert as exu
 from dalembert._core import testing
+from dalembert.testing.exemptions import NOT_OF_RATES, NOT_OF_VALUES, OUT_OF_THE_PLANE
+from dalembert.testing.invariance import accelerations
+from dalembert.testing.scenes import ITEMS, of_one_coordinate, rests
+from dalembert.testing.variants import Variant
+from dalembert.testing.virtual_work import CONSTRAINTS
 
 
 def has_motion(variant: Variant) -> bool:

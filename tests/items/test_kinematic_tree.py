@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-import trees
-from trees import Link, Tree, box_inertia, forward, in_python, lists, make, random_links
 
 import dalembert as exu
 from dalembert import itemInterface as items
 from dalembert._core import testing
 from dalembert.rigidBodyUtilities import RigidBodyInertia, RotationMatrixX, RotationMatrixZ
+from dalembert.testing import trees
+from dalembert.testing.trees import Link, Tree, box_inertia, forward, in_python, lists, make, random_links
 
 Solver = exu.DynamicSolverType
 G = 9.81

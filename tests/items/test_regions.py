@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from test_tangent import random_state
-from variants import ALL_VARIANTS, Variant
 
 from dalembert._core import testing
+from dalembert.testing.tangent import random_state
+from dalembert.testing.variants import ALL_VARIANTS, Variant
 
 
 @pytest.mark.parametrize("variant", ALL_VARIANTS, ids=lambda variant: variant.id)

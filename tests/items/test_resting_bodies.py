@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import ITEMS, RESTING, RIGID, Carrier, Scene
-from test_outputs import CONFIGURATIONS
-from test_repeated_solves import settings
-from variants import Variant
 
 import dalembert as exu
 from dalembert._core import testing
+from dalembert.testing.outputs import CONFIGURATIONS
+from dalembert.testing.repeated_solves import settings
+from dalembert.testing.scenes import ITEMS, RESTING, RIGID, Carrier, Scene
+from dalembert.testing.variants import Variant
 
 each_resting = pytest.mark.parametrize("carrier", RESTING, ids="/".join)
 LOCAL = np.array([0.3, -0.2, 0.5])

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from trees import Link, in_python, lists, random_links
 
 import dalembert as exu
 from dalembert import itemInterface as items
+from dalembert.testing.trees import Link, in_python, lists, random_links
 from dalembert.treeDynamics import TreeDynamics
 
 GRAVITY = [1.0, -2.0, 9.0]

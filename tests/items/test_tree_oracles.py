@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from trees import JOINTS, Link, lists, random_links
 
 from dalembert import itemInterface as items
 from dalembert.robotics.utilities import ReadRobot
+from dalembert.testing.trees import JOINTS, Link, lists, random_links
 from dalembert.treeDynamics import TreeDynamics
 
 GRAVITY = np.array([1.0, -2.0, -9.0])

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from trees import Link, Tree, make, random_links
 
 import dalembert as exu
+from dalembert.testing.trees import Link, Tree, make, random_links
 
 Solver = exu.DynamicSolverType
 FIRST_ORDER = {Solver.ExplicitEuler, Solver.VelocityVerlet}  # forces depend on velocities

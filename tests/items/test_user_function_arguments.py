@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import READY
-from test_outputs import find
-from variants import variants_with
 
 import dalembert as exu
 from codegen.model import Item, UserFunction
 from dalembert._core import testing
+from dalembert.testing.outputs import find
+from dalembert.testing.scenes import READY
+from dalembert.testing.variants import variants_with
 
 PASSED = [
     (item, function, names)

@@ -14,16 +14,16 @@ from random import Random
 from typing import Any
 
 import numpy as np
-from motions import Place
-from scenes import Scene
 from solutions import SOLVERS, some_settings, some_solver_call
-from test_repeated_solves import joins, solvable
 from values import KINDS, arguments_of, item_of_dictionary, rows_of, some_argument, some_item, value_of
-from variants import ALL_VARIANTS, Variant
 from watchers import ITEM_FUNCTIONS, POST_NEWTON_FUNCTIONS, STEP_FUNCTIONS, read, write
 
 import dalembert as exu
 from codegen.model import Parameter
+from dalembert.testing.motions import Place
+from dalembert.testing.repeated_solves import joins, solvable
+from dalembert.testing.scenes import Scene
+from dalembert.testing.variants import ALL_VARIANTS, Variant
 
 VARIANTS = [variant for variant in ALL_VARIANTS if solvable(variant)]
 VARIABLES = list(exu.OutputVariableType.__members__.values())

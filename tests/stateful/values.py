@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 from sample_values import INDEX, sample
-from scenes import ITEMS, READY
 from watchers import ITEM_FUNCTIONS
 
 from codegen.model import Item, Parameter
+from dalembert.testing.scenes import ITEMS, READY
 
 KINDS = ("node", "object", "marker", "load", "sensor")
 LARGE = 1e300

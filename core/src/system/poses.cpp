@@ -23,21 +23,6 @@ bool has_orientation(const ItemType& type) {
   return type.category != "FiniteElement" || std::ranges::find(type.outputs, OutputVariableType::Rotation) != type.outputs.end();
 }
 
-}  // namespace
-
-void Term::poses(int first, int count, const Evaluation& evaluation, double* rows) const {
-  for (int i = first; i < first + count; ++i, rows += 12) {
-    Motion<double> m;
-    if (motion(i, evaluation, {}, m)) {
-      write_pose(m.position, m.rotation, rows);
-    } else {
-      forget(rows, 0, 1);
-    }
-  }
-}
-
-namespace {
-
 void find_objects(const SystemParts& parts, const Evaluation& e, double* rows) {
   std::size_t number = 0;
   for (const auto& [first, count] : parts.object_runs) {

@@ -18,10 +18,12 @@ from typing import Any
 
 import numpy as np
 
-from dalembert import _core, _version
+from dalembert import _version
 from dalembert._core import MainSystem, SimulationSettings, _parameters_of
 from dalembert._io.encoded_values import Decoder, Encoder, Refused
 from dalembert._io.files import file_to_read, file_to_write, naming, replacing
+from dalembert._tools import item_packages
+from dalembert._tools.item_packages import item_class, item_classes
 
 FORMAT = "dalembert model"
 FORMAT_VERSION = 1
@@ -55,10 +57,25 @@ class ModelFileError(ValueError):
     __module__ = "dalembert"
 
 
+def Schema() -> dict[str, Any]:
+    """Return the JSON Schema of model files, with the items of all installed packages."""
+    item_packages.load_installed()
+    schema: dict[str, Any] = json.loads(SCHEMA.read_text("utf-8"))
+    for table in item_packages.facts("schema"):
+        for name, definition in table.items():
+            schema["$defs"][name] = definition
+            kind = next(kind for kind in KINDS if name.startswith(kind))
+            items = schema["properties"][f"{kind.lower()}s"]["items"]
+            items["properties"]["type"]["enum"].append(name)
+            condition = {"properties": {"type": {"const": name}}}
+            items["allOf"].append({"if": condition, "then": {"$ref": f"#/$defs/{name}"}})
+    return schema
+
+
 @cache
 def _types(name: str) -> tuple[dict[str, str], dict[str, str]]:
     """Return parameters of an item type, and of its visualization, with their types in words."""
-    item, view = getattr(_core, name), getattr(_core, f"V{name}")
+    item, view = item_class(name), item_class(f"V{name}")
     return (
         {row[0]: row[1].split(" of length")[0] for row in _parameters_of(item)},
         {row[0]: row[1].split(" of length")[0] for row in _parameters_of(view)},
@@ -73,9 +90,7 @@ def _further_names(cls: type) -> dict[str, str]:
 
 def _classes(kind: str) -> dict[str, Any]:
     """Return the item classes of a kind by their full names."""
-    base = _core.Item
-    found = {name: cls for name, cls in vars(_core).items() if isinstance(cls, type) and issubclass(cls, base)}
-    return {name: cls for name, cls in found.items() if name == cls.__name__ and name.startswith(kind)}
+    return {name: cls for name, cls in item_classes().items() if name == cls.__name__ and name.startswith(kind)}
 
 
 # ---- writing ---------------------------------------------------------------------------------------------------------
@@ -102,6 +117,8 @@ def Save(
     for kind, key in zip(KINDS, _KEYS_OF_ITEMS, strict=True):
         items = enumerate(system[f"{kind.lower()}List"])
         content[key] = [_encoded_item(encoder, place, kind, item, f"{key}[{i}]") for i, item in items]
+    if packages := system.get("itemPackages"):
+        content["itemPackages"] = list(packages)
     if contacts := system.get("generalContactList"):
         content[_CONTACTS] = [_encoded_contact(encoder, entry, f"{_CONTACTS}[{i}]") for i, entry in enumerate(contacts)]
     functions = {name: function for name, function in system["userFunctions"].items() if callable(function)}
@@ -226,6 +243,10 @@ def Load(mbs: MainSystem, fileName: str | os.PathLike[str], allowCode: bool = Fa
     content = _content(path, place)
     decoder = Decoder(_arrays(path.with_suffix(".npz"), place), allowCode)
     names = _names(content, place)
+    with place.at("itemPackages"):
+        item_packages.load(content.get("itemPackages", ()), "the file")
+        if not {item.get("type") for key in _KEYS_OF_ITEMS for item in content[key]} <= item_classes().keys():
+            item_packages.load_installed()
     system: dict[str, Any] = {"__version__": _version.__version__}
     for kind, key in zip(KINDS, _KEYS_OF_ITEMS, strict=True):
         classes = _classes(kind)
@@ -278,7 +299,7 @@ def _content(path: Path, place: _Place) -> dict[str, Any]:
             f"{place.file}: formatVersion: received {version!r}, but this package reads 1 to {FORMAT_VERSION}; "
             f"the file was written by version {content.get('package', '?')} of the package"
         )
-    lists = (*_KEYS_OF_ITEMS, _CONTACTS)
+    lists = (*_KEYS_OF_ITEMS, _CONTACTS, "itemPackages")
     known = (*_KEYS, *lists)
     for key, value in content.items():
         if key not in known:
@@ -334,7 +355,7 @@ def _decoded_item(
     with place.at(f"{path}.visualization"):
         if not isinstance(view, dict):
             raise ValueError(f"received {view!r}, but expected a JSON object")
-    cls, view_cls = classes[str(name)], getattr(_core, f"V{name}")
+    cls, view_cls = classes[str(name)], item_class(f"V{name}")
     rows = {key: value for key, value in item.items() if key not in ("type", "visualization")}
     made = _made(decoder, place, cls, types, names, rows, path)
     made_view = _made(decoder, place, view_cls, view_types, names, view, f"{path}.visualization")

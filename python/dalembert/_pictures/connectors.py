@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from dalembert._pictures.looks import rgba
 from dalembert._pictures.meshes import Rgba
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import frame_along
+from dalembert._tools.item_packages import drawings_of_packages
 
 Item = dict[str, Any]
 GREY = (0.8, 0.8, 0.8, 1.0)
@@ -400,3 +402,13 @@ DRAWINGS: dict[str, Drawing] = {
     "ContactConvexRoll": roll_contact,
     "ContactCurveCircles": curve_contact,
 }
+# Items of packages: drawings that a spec can name, and those of folders.
+NAMED: dict[str, Drawing] = {"spring": spring, "rod": rod}
+BY_FOLDER: dict[str, Drawing] = {"connectors": spring, "contacts": spring, "constraints": rod, "joints": rod}
+
+
+@cache
+def drawing(name: str) -> Drawing | None:
+    """Return how a type of objects is drawn; None: it is a body."""
+    folder, named = drawings_of_packages().get(name, ("", ""))
+    return DRAWINGS.get(name) or NAMED.get(named) or BY_FOLDER.get(folder)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -282,6 +283,21 @@ class MeshBodies:
         if known is not None and len(known) == count:
             return known
         return np.array([colors.number(pen.places.mesh_output(number, colors.variable, node)) for node in range(count)])
+
+
+def nodes_line(pen: Pen, number: int, item: Item) -> None:
+    """Draw a line through the nodes of an element of a package."""
+    places = [pen.places.node(node) for key in item for node in _node_numbers(key, item[key])]
+    points = [place for place in places if place is not None]
+    if len(points) > 1:
+        pen.line(np.array(points), pen.looks.color(item, "bodies.defaultColor"), LINE_WIDTH)
+
+
+def _node_numbers(key: str, value: Any) -> Sequence[int]:
+    """Return the entries of nodeNumbers, or of nodeNumber0, nodeNumber1 and so on."""
+    if not key.startswith("nodeNumber"):
+        return ()
+    return [int(node) for node in np.atleast_1d(value)]
 
 
 def _coupled(pen: Pen, item: Item) -> IntArray:

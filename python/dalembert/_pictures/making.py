@@ -287,7 +287,7 @@ class SceneMaker:
         """Return the group of settings that an item belongs to."""
         if kind != "Object":
             return f"{kind.lower()}s"
-        return "connectors" if item["objectType"] in connectors.DRAWINGS else "bodies"
+        return "connectors" if connectors.drawing(item["objectType"]) else "bodies"
 
     def _draw(self, pen: Pen, colors: Contour, kind: str, number: int, item: dict[str, Any]) -> None:
         if kind == "Node":
@@ -298,8 +298,8 @@ class SceneMaker:
             symbols.load(pen, number, item)
         elif kind == "Sensor":
             symbols.sensor(pen, number, item)
-        elif item["objectType"] in connectors.DRAWINGS:
-            connectors.DRAWINGS[item["objectType"]](pen, item)
+        elif drawing := connectors.drawing(item["objectType"]):
+            drawing(pen, item)
         else:
             self._draw_body(pen, colors, number, item)
 
@@ -313,6 +313,10 @@ class SceneMaker:
             self.meshes.draw(pen, colors, number, item)
         elif name == "KinematicTree":
             self.trees.draw(pen, number, item)
+        elif "nodeNumber" in item:  # of a package
+            self.bodies.draw(pen, colors, number, item)
+        else:
+            flexible.nodes_line(pen, number, item)
 
 
 def add_normals(pen: Pen) -> bool:

@@ -10,6 +10,7 @@ import numpy as np
 
 from dalembert import _core
 from dalembert._checks import FloatArray
+from dalembert._tools.item_packages import item_class, item_classes
 
 _XYZ_VARIABLES = {
     "Position", "Displacement", "Velocity", "Acceleration", "Rotation", "AngularVelocity", "AngularAcceleration",
@@ -60,7 +61,7 @@ def unit_of(mbs: Any, sensor: Mapping[str, Any]) -> str:
 @cache
 def _units(name: str) -> dict[str, str]:
     """Return units of the output variables of an item type."""
-    cls = getattr(_core, name, None)
+    cls = item_classes().get(name)
     return {row[0]: row[2] for row in _core._outputs_of(cls)} if cls is not None else {}
 
 
@@ -68,15 +69,15 @@ def _units(name: str) -> dict[str, str]:
 def _usual_units() -> dict[str, str]:
     """Return units of the variables that have the same in all items, for markers that pass on those of others."""
     found: dict[str, set[str]] = {}
-    for cls in vars(_core).values():
-        if isinstance(cls, type) and issubclass(cls, _core.Item) and cls is not _core.Item:
+    for name, cls in item_classes().items():
+        if name == cls.__name__ and issubclass(cls, _core.Item):
             for row in _core._outputs_of(cls):
                 found.setdefault(row[0], set()).add(row[2])
     return {variable: units.pop() for variable, units in found.items() if len(units) == 1}
 
 
 def _load_unit(name: str) -> str:
-    facts = next((row[3] for row in _core._parameters_of(getattr(_core, name)) if row[0] in ("load", "loadVector")), "")
+    facts = next((row[3] for row in _core._parameters_of(item_class(name)) if row[0] in ("load", "loadVector")), "")
     return facts.rpartition("unit ")[2]
 
 

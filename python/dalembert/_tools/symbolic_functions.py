@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
 from dalembert import _core
 from dalembert._function_sizes import ASSEMBLE, NODES, SIZES
+from dalembert._tools.item_packages import facts
 
 _SYMBOLIC_TYPES = {
     "scalar": "Real",
@@ -32,6 +33,12 @@ def _item_with_function(mbs: Any, itemIndex: Any) -> tuple[str, Any]:
     data = getattr(mbs, "Get" + kind)(itemIndex)
     name: str = data[kind.lower() + "Type"]
     return kind + name, data
+
+
+def _sizes(item: str, function: str) -> Sequence[int]:
+    """Return the sizes of the arrays that a user function receives, also for items of packages."""
+    of_packages = {(name, own): sizes for table in facts("sizes") for name, own, sizes in table}
+    return SIZES.get((item, function)) or of_packages.get((item, function), ())
 
 
 def _coordinates_of_nodes(mbs: Any, data: Any) -> int:
@@ -76,8 +83,9 @@ def ConvertFunctionToSymbolic(
         result_type = _SYMBOLIC_TYPES.get(result_kind, result_kind)
     if kinds is None:
         raise ValueError(f"ConvertFunctionToSymbolic: {itemTypeName} has no user function '{userFunctionName}'")
-    sizes = iter(SIZES.get((itemTypeName, userFunctionName), ()))
-    if ASSEMBLE in SIZES.get((itemTypeName, userFunctionName), ()):
+    known = _sizes(itemTypeName, userFunctionName)
+    sizes = iter(known)
+    if ASSEMBLE in known:
         raise NotImplementedError(
             f"ConvertFunctionToSymbolic: {itemTypeName}, '{userFunctionName}': the sizes of its vectors are known at "
             "Assemble() only; pass the Python function itself"

@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from motions import random_rotation
 
 import dalembert as exu
 from dalembert import itemInterface as items
 from dalembert.kinematicTree import KinematicTree33
 from dalembert.rigidBodyUtilities import RotationMatrixX, RotationMatrixY, RotationMatrixZ
+from dalembert.testing.motions import random_rotation
 
 JOINTS = {"Rx": 1, "Ry": 2, "Rz": 3, "Px": 4, "Py": 5, "Pz": 6}
 

@@ -8,9 +8,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from exemptions import NO_FORCES, WITHOUT_DATA
-from motions import Place
-from scenes import (
+from codegen.model import Item
+from codegen.scene import End
+from dalembert.testing.exemptions import NO_FORCES, WITHOUT_DATA
+from dalembert.testing.motions import Place
+from dalembert.testing.scenes import (
     BODIES,
     ITEMS,
     READY,
@@ -22,9 +24,7 @@ from scenes import (
     on_markers,
     placed,
 )
-
-from codegen.model import Item
-from codegen.scene import End
+from dalembert.testing.specs import TESTED
 
 Pair = tuple[tuple[str, tuple[str, str]], ...]  # markers, each on a body and its node; without a name: another body
 SHAPES = {"Position", "Orientation", "Coordinate", "BodyMass"}  # of what markers pass on
@@ -162,7 +162,8 @@ def on_pairs(item: Item, options: list[tuple[tuple[str, Any], ...]]) -> Iterator
         yield Variant(item.name, pairs[0], options[0], functions=True, data=data)
 
 
-ALL_VARIANTS = [variant for item in READY for variant in variants_about(item)]
+# Items of a package are tested in all models that use them.
+ALL_VARIANTS = [variant for item in READY for variant in variants_about(item) if variant.uses & TESTED]
 
 
 def variants_with(item: Item) -> list[Variant]:

@@ -8,14 +8,16 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from motions import EZ, ITEMS, KINDS, Array, Motion, NodeKind, Place, random_motion, random_rotation
-from trees import link_frame
-from user_functions import functions_of
 
 import dalembert as exu
 from codegen.model import Item, Parameter
 from codegen.scene import End, NodePlace
 from dalembert._core import testing
+from dalembert._tools.item_packages import item_class
+from dalembert.testing.motions import EZ, ITEMS, KINDS, Array, Motion, NodeKind, Place, random_motion, random_rotation
+from dalembert.testing.specs import TESTED
+from dalembert.testing.trees import link_frame
+from dalembert.testing.user_functions import functions_of
 
 
 def output_of(read: Callable[..., Any], *arguments: Any) -> Any:
@@ -34,6 +36,7 @@ if TYPE_CHECKING:
     from variants import Variant
 
 READY = [item for item in ITEMS.values() if item.ready]
+UNDER_TEST = [item for item in READY if item.name in TESTED]  # those of a package, or all
 
 
 def nodes_label(item: Item) -> str:
@@ -190,7 +193,7 @@ class Scene:
         item, at = ITEMS[body], motion.at(self.place)
         if is_ground((body, node)):
             frame = {"referencePosition": at.position, "referenceRotation": at.rotation}
-            return Carrier(self.mbs.AddObject(getattr(exu, body)(**frame)), [], motion)
+            return Carrier(self.mbs.AddObject(item_class(body)(**frame)), [], motion)
         if item.scene.nodes:
             return self._on_many_nodes(item, node, reference, motion)
         if of_one_coordinate((body, node)):
@@ -199,7 +202,7 @@ class Scene:
         if kind.resting:
             reference = motion = motion.at_rest()
         number = self.node(node, reference, motion)
-        made = self.mbs.AddObject(getattr(exu, body)(nodeNumber=number, **self._inertia(item) | self._fixed(item)))
+        made = self.mbs.AddObject(item_class(body)(nodeNumber=number, **self._inertia(item) | self._fixed(item)))
         self.bodies.append(made)
         point = moves_as_point(item)
         frame_motion = replace(motion, rotation=np.eye(3)) if point else motion
@@ -267,10 +270,10 @@ class Scene:
         start: dict[str, Any] = {"referenceCoordinates": q[:1], "initialCoordinates": q[1:]}
         rates = next(name for name in ("initialVelocities", "initialCoordinates_t") if has_row(ITEMS[node_type], name))
         sizes = {row.name: 1 for row in ITEMS[node_type].parameters if row.name.startswith("numberOf")}
-        node = self.mbs.AddNode(getattr(exu, node_type)(**sizes, **start, **{rates: [v]}))
+        node = self.mbs.AddNode(item_class(node_type)(**sizes, **start, **{rates: [v]}))
         inertia = {row.name: rng.uniform(1, 2) for row in item.parameters if row.name.startswith("physics")}
         frame = {"referencePosition": placed.position, "referenceRotation": placed.rotation}
-        made = self.mbs.AddObject(getattr(exu, item.name)(nodeNumber=node, **frame, **inertia))
+        made = self.mbs.AddObject(item_class(item.name)(nodeNumber=node, **frame, **inertia))
         self.bodies.append(made)
         return Carrier(made, [node], coordinates=1)
 
@@ -297,7 +300,7 @@ class Scene:
         rows = {r.name: draw(self.rng, r) for r in item.parameters if r.type.storage in drawn and not r.internal}
         key = "nodeNumbers" if has_row(item, "nodeNumbers") else "nodeNumber"
         numbers = nodes if key == "nodeNumbers" else nodes[0]
-        made = self.mbs.AddObject(getattr(exu, item.name)(**{key: numbers}, **rows | self._fixed(item)))
+        made = self.mbs.AddObject(item_class(item.name)(**{key: numbers}, **rows | self._fixed(item)))
         if item.object_type != "Object":
             self.bodies.append(made)
         if any(entry.mesh for entry in item.scene.nodes):  # a mesh that moves back as its frame moves on has no inertia
@@ -334,7 +337,7 @@ class Scene:
         """A node that is displaced a little in the frame of its body."""
         displacement, velocity = 0.1 * self.rng.normal(size=(2, len(entry.mesh)))
         start = {"initialCoordinates": displacement, "initialVelocities": (not self.resting) * velocity}
-        return self.mbs.AddNode(getattr(exu, name)(referenceCoordinates=entry.mesh, **start))
+        return self.mbs.AddNode(item_class(name)(referenceCoordinates=entry.mesh, **start))
 
     def _generalized_node(self, name: str, entry: NodePlace) -> Any:
         """A node whose coordinates belong to no frame; values without a row in the spec are random."""
@@ -347,7 +350,7 @@ class Scene:
         }
         if self.resting and "initialCoordinates_t" in drawn:
             drawn["initialCoordinates_t"] = np.zeros(n)
-        return self.mbs.AddNode(getattr(exu, name)(**drawn, **entry.values))
+        return self.mbs.AddNode(item_class(name)(**drawn, **entry.values))
 
     # ---- markers -------------------------------------------------------------------------------------------------------
     def marker(self, name: str, on: Carrier, point: Array | None = None) -> Any:
@@ -366,7 +369,7 @@ class Scene:
             rows["coordinate"] = int(rng.integers(on.coordinates // len(on.nodes))) if on.coordinates else 0
         elif has_row(item, "rotationCoordinate"):
             rows["rotationCoordinate"] = int(rng.integers(3))
-        return self.mbs.AddMarker(getattr(exu, name)(**rows | self._fixed(item)))
+        return self.mbs.AddMarker(item_class(name)(**rows | self._fixed(item)))
 
     def _local_position(self, on: Carrier, point: Array | None) -> Array:
         """That of a point, or a random one."""
@@ -464,9 +467,9 @@ class Scene:
         if variant.functions:
             rows |= functions_of(item, rows)
         if item.kind == "load":
-            self.target = ("Load", self.mbs.AddLoad(getattr(exu, item.name)(markerNumber=markers[0], **rows)))
+            self.target = ("Load", self.mbs.AddLoad(item_class(item.name)(markerNumber=markers[0], **rows)))
         else:
-            self.target = ("Object", self.mbs.AddObject(getattr(exu, item.name)(markerNumbers=markers, **rows)))
+            self.target = ("Object", self.mbs.AddObject(item_class(item.name)(markerNumbers=markers, **rows)))
 
     def _coordinate_vector(self, carriers: list[Carrier], functions: bool) -> dict[str, Any]:
         """Two equations on all coordinates."""

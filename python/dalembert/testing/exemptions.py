@@ -4,7 +4,7 @@ under
 
 from __future__ import annotations
 
-import motions
+from dalembert.testing import motions
 
 
 def exempt(check: str, kind: str = "") -> dict[str, str]:

@@ -4,16 +4,14 @@ are."""
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-import dalembert as exu
-from codegen.load import load
-from codegen.model import Item
+from dalembert._tools.item_packages import item_class
+from dalembert.testing.specs import ITEMS
 
 Array = NDArray[np.float64]
 EZ = np.array([0.0, 0.0, 1.0])
@@ -175,10 +173,9 @@ class NodeKind:
         made = {"referenceCoordinates": start}
         if not self.resting:
             made |= {"initialCoordinates": self.total(m) - start, "initialVelocities": self.velocities(m)}
-        return getattr(exu, self.name)(**made)
+        return item_class(self.name)(**made)
 
 
-ITEMS: dict[str, Item] = {item.name: item for item in load(Path(__file__).parents[2]).items}
 KINDS = {
     item.name: NodeKind(
         item.name, item.scene.frame, planar="Position2D" in item.provides and not grounded, resting=grounded

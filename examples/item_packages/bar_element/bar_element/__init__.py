@@ -1,0 +1,3 @@
+"""Items of bar_element."""
+
+from bar_element._items import *

@@ -1,0 +1,3 @@
+"""Items of plastic_spring."""
+
+from plastic_spring._items import *
