@@ -313,6 +313,35 @@ def test_histories_are_derivatives_in_time() -> None:
     assert history[-1, 1] == found.Derivative("x", "F")
 
 
+def test_values_between_steps() -> None:
+    # The error of a cubic polynomial falls with the fourth power of the step, 1e-8; a free vibration around F/k.
+    mbs = oscillator(damping=0.0)
+    times = [0.0034, 0.5011, 0.9967]
+    found = mbs.ComputeSensitivities(
+        {"F": ("force", "load")}, {"x": exu.At("x", times)}, settings(1.0, 1000, radius=1.0)
+    )
+    exact = 3 / 50 + (0.1 - 3 / 50) * np.cos(5 * np.array(times))
+    np.testing.assert_allclose(found.values["x"], exact, atol=1e-6)
+    np.testing.assert_allclose(found.matrix[:, 0], (1 - np.cos(5 * np.array(times))) / 50, atol=1e-6)
+    fine = mbs.ComputeSensitivities(
+        {"F": ("force", "load")}, {"x": exu.At("x", 0.5005)}, settings(1.0, 2000, radius=1.0)
+    )
+    coarse = mbs.ComputeSensitivities(
+        {"F": ("force", "load")}, {"x": exu.At("x", 0.5005)}, settings(1.0, 1000, radius=1.0)
+    )
+    exact_rate = (1 - np.cos(5 * 0.5005)) / 50
+    errors = [abs(each.Derivative("x", "F") - exact_rate) for each in (coarse, fine)]
+    assert 3.5 < errors[0] / errors[1] < 4.5  # that of the solution
+
+
+def test_outputs_of_equilibria_need_a_static_solution() -> None:
+    found = refusal(oscillator(), outputs={"X": exu.FrequencyResponse("force", "x", 3.0)})
+    assert found.reason == "FrequencyResponse belongs to a static equilibrium"
+    with pytest.raises(ValueError, match="component: received 1, but the sensor has 1 values"):
+        output = exu.FrequencyResponse("force", "x", 3.0, component=1)
+        oscillator().ComputeSensitivities({"k": ("spring", "stiffness")}, {"X": output}, solverType="static")
+
+
 def test_initial_values_that_systems_were_given_are_used() -> None:
     mbs = oscillator()
     other = oscillator()
@@ -462,7 +491,7 @@ def test_model_does_not_change() -> None:
     before = contents(mbs)
     mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": "p"}, settings())
     with pytest.raises(ValueError, match="no step ends"):
-        mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": exu.At("p", 0.123)}, settings())
+        mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": exu.Reaction("rod", time=0.123)}, settings())
     with pytest.raises(exu.SolverError):
         s = settings()
         s.timeIntegration.newton.maxIterations = 1
@@ -627,7 +656,8 @@ def test_wrong_parameters(parameter: Any, error: type, message: str) -> None:
     [
         ("y", "output 'o': received 'y'"),
         (exu.At("x", 7.0), "no step ends at time 7 s; .*; it has to lie within the computed time"),
-        (exu.At("x", 0.123), "no step ends at time 0.123 s; .*; choose steps that end there"),
+        (exu.Integral("x", end=0.123), "no step ends at time 0.123 s; .*; choose steps that end there"),
+        (exu.EventTime("spring"), "number: received 1, but the object has 0 events"),
         (exu.At("x", component=2), "component: received 2, but the sensor has 1 values"),
         (exu.Final(5), "received 5, but the system has 1 ODE2 coordinates"),
         (exu.Reaction("spring"), "the object has 0 constraint equations"),

@@ -32,6 +32,7 @@ from dalembert.itemInterface import (
     MassPoint2D,
     Node1D,
     NodeGenericODE1,
+    NodeGenericODE2,
     NodePoint,
     NodePoint2DSlope1,
     NodePointGround,
@@ -41,6 +42,7 @@ from dalembert.itemInterface import (
     NodeRigidBodyRxyz,
     ObjectANCFCable2D,
     ObjectGenericODE1,
+    ObjectGenericODE2,
     ObjectGround,
     ObjectRigidBody,
     RevoluteJoint2D,
@@ -786,6 +788,87 @@ P1 = Problem(
 STATIC["P1"] = P1
 
 
+# ---- P4a: linear beam -----------------------------------------------------------------------------------------------
+
+
+def beam_stiffness(p: Numbers) -> Any:
+    """A cantilever with cubic shape functions: deflection and slope of its end."""
+    length = p["L"]
+    return p["EI"] / length**3 * np.array([[12, -6 * length], [-6 * length, 4 * length**2]])
+
+
+def linear_beam(p: Numbers) -> Any:
+    mbs = new_system()
+    node = mbs.AddNode(NodeGenericODE2(referenceCoordinates=[0, 0], initialCoordinates=[0, 0], initialCoordinates_t=[0, 0],
+                                       numberOfODE2Coordinates=2))  # fmt: skip
+    mbs.AddObject(ObjectGenericODE2(nodeNumbers=[node], massMatrix=np.eye(2), stiffnessMatrix=beam_stiffness(p), name="beam"))  # fmt: skip
+    mbs.AddLoad(LoadCoordinate(markerNumber=coordinate(mbs, node, 0), load=p["F"], name="force"))
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name="tip"))
+    mbs.Assemble()
+    return mbs
+
+
+def linear_beam_parameters(p: Numbers) -> dict[str, Any]:
+    def moved(name: str) -> Any:
+        return Design(
+            p[name],
+            {
+                ("beam", "stiffnessMatrix", (i, j)): (lambda x, i=i, j=j: beam_stiffness({**p, name: x})[i, j])
+                for i in range(2)
+                for j in range(2)
+            },
+        )
+
+    return {"F": ("force", "load"), "L": moved("L"), "EI": moved("EI")}
+
+
+STATIC["P4a"] = Problem(
+    {"F": 1.0, "L": 2.0, "EI": 1000.0}, linear_beam, linear_beam_parameters, {"w": exu.At("tip")}, solver="static"
+)
+
+
+# ---- P8: vibration absorber ------------------------------------------------------------------------------------------
+
+
+def absorber(p: Numbers) -> Any:
+    mbs = new_system()
+    nodes = [mbs.AddNode(Node1D(referenceCoordinates=[0])) for _ in range(2)]
+    for i, node in enumerate(nodes, 1):
+        mbs.AddObject(Mass1D(physicsMass=p[f"m{i}"], nodeNumber=node, name=f"mass{i}"))
+    markers = [ground_coordinate(mbs), *(coordinate(mbs, node, 0) for node in nodes)]
+    for i in (1, 2):
+        mbs.AddObject(
+            CoordinateSpringDamper(
+                markerNumbers=markers[i - 1 : i + 1], stiffness=p[f"k{i}"], damping=p["c2"] if i == 2 else 0, name=f"spring{i}"
+            )
+        )  # fmt: skip
+    mbs.AddLoad(LoadCoordinate(markerNumber=markers[1], load=1, name="force"))
+    mbs.AddSensor(SensorNode(nodeNumber=nodes[0], outputVariableType=Variable.Coordinates, name="x"))
+    mbs.Assemble()
+    return mbs
+
+
+OPTIMUM = {"k2": 181.40589569160997, "c2": 2.5453451610707085}  # of the absorber
+_ABSORBER = {"m1": 10.0, "k1": 4000.0, "m2": 0.5, **OPTIMUM}
+FIXED_POINTS = {-1: 17.929239094803, 1: 20.986832714494}
+
+
+def absorber_parameters(_: Numbers) -> dict[str, Any]:
+    return {
+        "m1": ("mass1", "physicsMass"),
+        "k1": ("spring1", "stiffness"),
+        "m2": ("mass2", "physicsMass"),
+        "k2": ("spring2", "stiffness"),
+        "c2": ("spring2", "damping"),
+    }
+
+
+def absorber_problem(omega: float) -> Problem:
+    return Problem(
+        _ABSORBER, absorber, absorber_parameters, {"X": exu.FrequencyResponse("force", "x", omega)}, solver="static"
+    )
+
+
 # ---- P4b, P6: cantilevers of cable elements -------------------------------------------------------------------------
 
 
@@ -846,6 +929,47 @@ def cantilever_problem(numbers: Numbers, elements: int, outputs: dict[str, Any])
         solver="static",
         change=in_steps,
     )
+
+
+# ---- P18: pendulum of one cable element -----------------------------------------------------------------------------
+
+
+def cable_pendulum(p: Numbers) -> Any:
+    mbs = new_system()
+    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0], name=f"end {i}")) for i, x in enumerate((0, p["L"]))]  # fmt: skip
+    cable = mbs.AddObject(
+        ObjectANCFCable2D(
+            physicsLength=p["L"],
+            physicsMassPerLength=p["rhoA"],
+            physicsBendingStiffness=p["EI"],
+            physicsAxialStiffness=p["EA"],
+            nodeNumbers=nodes,
+            useReducedOrderIntegration=False,
+            name="cable",
+        )
+    )
+    for k in (0, 1):
+        mbs.AddObject(CoordinateConstraint(markerNumbers=[ground_coordinate(mbs), coordinate(mbs, nodes[0], k)]))
+    weight(mbs, cable, "weight", p["g"])
+    mbs.AddSensor(SensorNode(nodeNumber=nodes[1], outputVariableType=Variable.Position, name="tip"))
+    mbs.Assemble()
+    return mbs
+
+
+DYNAMIC["P18"] = Problem(
+    {"EA": 2000.0, "EI": 2.0, "rhoA": 1.0, "L": 1.0, "g": 9.81},
+    cable_pendulum,
+    lambda p: {
+        "EA": ("cable", "physicsAxialStiffness"),
+        "EI": ("cable", "physicsBendingStiffness"),
+        "rhoA": ("cable", "physicsMassPerLength"),
+        "L": [("end 1", "referenceCoordinates", 0), ("cable", "physicsLength")],
+        "g": Design(p["g"], {("weight", "loadVector", 1): -1.0}),
+    },
+    {"x(tip)": exu.At("tip"), "y(tip)": exu.At("tip", component=1)},
+    end=0.8,
+    steps=3200,
+)
 
 
 # ---- P17: cart-pole with forces in eight intervals --------------------------------------------------------------------

@@ -360,8 +360,11 @@ class Parameters:
         sensors: Sequence[int],
         options: dict[str, Any],
         state: tuple[FloatArray, float],
+        *,
+        together: bool = True,
     ) -> None:
-        self.all = list(parameters)
+        """together: parameters without common equations are varied at the same time."""
+        self.all, self._together = list(parameters), together
         self._options = options
         self._structure = Structure(base)
         size = base.systemData.SystemSize()
@@ -421,7 +424,7 @@ class Parameters:
         """Yield parameters without common equations or sensors, and with the same formula, together."""
         open_groups: list[tuple[list[int], set[int], set[int]]] = []
         for k, (parameter, rows, sensors) in enumerate(zip(self.all, self.rows, self.sensors, strict=True)):
-            if rows is None or sensors is None:
+            if rows is None or sensors is None or not self._together:
                 yield [k]
                 continue
             own = set(rows.tolist())
@@ -500,6 +503,12 @@ class Parameters:
             products = weights[:, group.rows] * evaluate(group)[group.rows]
             found[:, group.members] = np.add.reduceat(products, group.begins, axis=1)
         return found / self.steps
+
+    def scalar_rates(self, evaluate: Callable[[Variant], Any]) -> FloatArray:
+        """Return derivatives of a number; parameters have to be varied one by one."""
+        rates = [np.sum(weighted(evaluate)(group), axis=0) for group in self.groups]
+        order = [group.members[0] for group in self.groups]
+        return np.asarray(rates)[np.argsort(order)] / self.steps
 
     def residual_at(self, z: FloatArray, time: float, step_size: float) -> Callable[[_Group], FloatArray]:
         """Return what `rates` evaluates for the equations of motion at a state."""

@@ -16,7 +16,7 @@ from dalembert._core import DynamicSolverType, MainSystem, SimulationSettings
 from dalembert._solving.quiet import assemble_if_needed, given_or_default
 from dalembert._studies.design_parameters import Parameter, Parameters
 from dalembert._studies.difference_formulas import STEP, derivative
-from dalembert._studies.differentiable_outputs import Context, Output, Sample, entries_read
+from dalembert._studies.differentiable_outputs import COMPUTED, Context, Output, Sample, entries_read
 from dalembert._studies.generalized_alpha import LinearStep, Variation
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import (
@@ -195,10 +195,16 @@ class Samples:
         for name, output in problem.outputs.items():
             self.wanted.update(dict.fromkeys(output.samples(name, context)))
         self.sensors = sorted({sample.source for sample in self.wanted if isinstance(sample.source, int)})
+        responding = {
+            sample.source[1][1]
+            for sample in self.wanted
+            if not isinstance(sample.source, int) and sample.source[0] == "response"
+        }
+        self.read_by_outputs = sorted({*self.sensors, *responding})
 
-    def read(self, parameters: Parameters, eigenvalues: Mapping[int, tuple[float, FloatArray]] | None = None) -> None:
-        """Evaluate all sensors; eigenvalues come with their derivatives with respect to all parameters."""
-        self.eigenvalues = eigenvalues or {}
+    def read(self, parameters: Parameters, computed: Mapping[Any, tuple[float, FloatArray]] | None = None) -> None:
+        """Evaluate all sensors; computed numbers come with their derivatives with respect to all parameters."""
+        self.computed = computed or {}
         self.parameters = parameters
         derivatives = parameters.base.derivatives
         self.values: dict[Sample, FloatArray] = {}
@@ -206,16 +212,14 @@ class Samples:
             z, time = self.states[sample.step], float(self.context.times[sample.step])
             if isinstance(sample.source, int):
                 self.values[sample] = np.asarray(derivatives.sensor(sample.source, z, time))
-            elif sample.source[0] == "eigenvalue":
-                self.values[sample] = np.array([self.eigenvalues[sample.source[1]][0]])
+            elif sample.source[0] in COMPUTED:
+                self.values[sample] = np.array([self.computed[sample.source][0]])
+            elif sample.source[0] == "t":
+                self.values[sample] = np.array([time])
             else:
                 self.values[sample] = z[sample.source[1] : sample.source[1] + 1]
         self.entries = {s: entries_read(parameters.base.mbs, s, parameters.reads[s]) for s in self.sensors}
-        extent = min(1.0, float(_core.testing.extent(parameters.base.mbs)))
-        n = self.problem.n
-        size = np.maximum(np.abs(self.states).max(axis=0, initial=0.0), extent)
-        size[:n] = extent
-        self.steps = STEP * size
+        self.steps = typical_steps(self.problem, self.states)
         for sensor in self.sensors:
             self._check_entries(sensor)
         self.rows: dict[str, slice] = {}
@@ -267,8 +271,8 @@ class Samples:
             z, time = self.states[sample.step], float(self.context.times[sample.step])
             for k, rate in self.parameters.sensor_rates(sample.source, z, time):
                 rates[:, k] = rate
-        elif sample.source[0] == "eigenvalue":
-            rates[0] = self.eigenvalues[sample.source[1]][1]
+        elif sample.source[0] in COMPUTED:
+            rates[0] = self.computed[sample.source][1]
         return rates
 
     def add_seeds(self, step: int, bar: Variation, matrix: FloatArray) -> None:
@@ -303,6 +307,14 @@ class Samples:
         return found
 
 
+def typical_steps(problem: Problem, states: FloatArray) -> FloatArray:
+    """Return steps of differences for entries of the state."""
+    extent = min(1.0, float(_core.testing.extent(problem.mbs)))
+    size = np.maximum(np.abs(states).max(axis=0, initial=0.0), extent)
+    size[: problem.n] = extent
+    return np.asarray(STEP * size)
+
+
 def chosen(method: Method, parameters: int, outputs: int) -> str:
     """Return the method that needs fewer linear solutions."""
     if method != "auto":
@@ -335,7 +347,7 @@ class _Integration:
         parameters = Parameters(
             problem.mbs,
             problem.parameters,
-            samples.sensors,
+            samples.read_by_outputs,
             {"rate_level": rate_level},
             (motion.states[middle], float(motion.times[middle])),
         )
