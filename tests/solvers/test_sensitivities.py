@@ -559,25 +559,71 @@ def test_euler_parameters_and_the_trapezoidal_rule_are_refused() -> None:
     assert "normalized" in found.reason
 
 
-def test_history_is_refused() -> None:
+def rubbing(mass: float = 2.0, friction: float = 0.3) -> Any:
+    """A mass on a spring with dry friction by bristles, which sticks at each reversal."""
     mbs = new_system()
-    node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[0.1]))
-    mbs.AddObject(Mass1D(physicsMass=2, nodeNumber=node, name="mass"))
-    history = mbs.AddNode(NodeGenericData(initialCoordinates=[1, 0, 0], numberOfDataCoordinates=3))
+    node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[0.1], name="node"))
+    mbs.AddObject(Mass1D(physicsMass=mass, nodeNumber=node, name="mass"))
+    history = mbs.AddNode(NodeGenericData(initialCoordinates=[-1, 0.1, 0], numberOfDataCoordinates=3))
     marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
     mbs.AddObject(
         CoordinateSpringDamperExt(
             markerNumbers=[ground_coordinate(mbs), marker],
-            stiffness=10,
-            fDynamicFriction=1,
+            stiffness=200,
+            fDynamicFriction=friction,
+            stickingStiffness=1e4,
+            stickingDamping=20,
+            frictionProportionalZone=0,
             nodeNumber=history,
             name="spring",
         )
     )
     mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name="x"))
     mbs.Assemble()
-    found = refusal(mbs)
+    return mbs
+
+
+def with_events(end: float = 0.9, steps: int = 90) -> Any:
+    s = settings(end, steps)
+    s.events.ofItems = True
+    return s
+
+
+def test_history_needs_events() -> None:
+    found = refusal(rubbing(), {"m": ("mass", "physicsMass")}, {"x": "x"}, settings(0.9, 90))
     assert found.item.startswith("object 1 'spring'") and "history" in found.reason
+    assert "events.ofItems = True" in found.advice
+
+
+def test_derivatives_through_stick_and_slip() -> None:
+    # Anchors of bristles are states: they depend on parameters. Slip turns twice.
+    parameters = {
+        "m": ("mass", "physicsMass"),
+        "k": ("spring", "stiffness"),
+        "f": ("spring", "fDynamicFriction"),
+        "bristle": ("spring", "stickingStiffness"),
+        "x0": ("node", "initialCoordinates", 0),
+    }
+    outputs = {"x": "x", "t": exu.EventTime("spring", 3), "between": exu.At("x", 0.123), "E": exu.Integral("x")}
+    forward, adjoint = (
+        rubbing().ComputeSensitivities(parameters, outputs, with_events(), method=method)
+        for method in ("forward", "adjoint")
+    )
+    size = np.abs(forward.matrix * [2, 200, 0.3, 1e4, 0.1]).max(axis=1, keepdims=True)
+    assert np.all(np.abs(forward.matrix - adjoint.matrix) * [2, 200, 0.3, 1e4, 0.1] < 1e-10 * size)
+    for k, given in enumerate(parameters.values()):
+        x = value_of(rubbing(), given)
+        differences = sum(
+            weight / (1e-4 * x)
+            * outputs_of(varied(rubbing, given, x * (1 + 1e-4 * multiple)), {"m": parameters["m"]}, outputs,
+                         exu.DynamicSolverType.GeneralizedAlpha, with_events())
+            for multiple, weight in CENTRAL.items()
+        )  # fmt: skip
+        assert np.all(np.abs(forward.matrix[:, k] - differences) * x < 1e-6 * size[:, 0]), (
+            k,
+            forward.matrix[:, k],
+            differences,
+        )
 
 
 def test_settings_that_are_refused() -> None:
@@ -589,11 +635,7 @@ def test_settings_that_are_refused() -> None:
     def control(s: Any) -> None:
         s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
 
-    def events(s: Any) -> None:
-        s.events.ofItems = True
-
     assert changed(control) == "simulationSettings.stepSizeControl.implicitSolvers"
-    assert changed(events) == "simulationSettings.events.ofItems"
     found = refusal(oscillator(), solverType=exu.DynamicSolverType.RK44)
     assert "generalized alpha" in found.reason
 
@@ -634,7 +676,11 @@ def test_corrected_velocities_are_refused() -> None:
         (("node", "initialCoordinates", 1), ValueError, "entry 1 of initialCoordinates"),
         (("spring", "activeConnector"), exu.NotDifferentiable, "activeConnector is not a real number"),
         (("spring", "name"), exu.NotDifferentiable, "name is not a real number"),
-        ("timeIntegration.endTime", exu.NotDifferentiable, "timeIntegration.endTime, parameter 'p': it is a setting"),
+        (
+            "timeIntegration.startTime",
+            exu.NotDifferentiable,
+            "timeIntegration.startTime, parameter 'p': it is a setting",
+        ),
         (("spring",), ValueError, "expected \\(item, parameter\\)"),
         ((1, "stiffness"), ValueError, "received 1 as item"),
         ([], ValueError, "received an empty list"),

@@ -10,6 +10,7 @@ import pytest
 import scipy.optimize
 from validation.sensitivity_problems import (
     DYNAMIC,
+    EVENTS,
     FIXED_POINTS,
     INTERVAL,
     OPTIMUM,
@@ -71,7 +72,7 @@ def by_differences(problem: Problem, steps: int | None = None) -> Any:
             # The cheapest derivatives: only values are used.
             cheap = {next(iter(problem.parameters(numbers))): next(iter(problem.parameters(numbers).values()))}
             found = problem.build(numbers).ComputeSensitivities(
-                cheap, problem.outputs, problem.settings(steps), problem.solver, "forward"
+                cheap, problem.outputs, problem.settings(steps, numbers), problem.solver, "forward"
             )
             varied.append(weight / step * numbers_of(found))
         columns.append(np.sum(varied, axis=0))
@@ -122,14 +123,41 @@ def test_derivatives_of_motions_converge_to_the_reference(name: str) -> None:
     assert np.all(relative(problem, matrix - derivatives, derivatives) < 1e-6)
 
 
-@pytest.mark.parametrize("name", DYNAMIC)
+@pytest.mark.parametrize("name", [*DYNAMIC, *EVENTS])
 def test_derivatives_are_those_of_the_computed_solution(name: str) -> None:
     # In coarse steps, too, whose own errors are up to some percent.
-    problem = DYNAMIC[name]
+    problem = {**DYNAMIC, **EVENTS}[name]
     forward, adjoint = problem.solve(60, method="forward"), problem.solve(60, method="adjoint")
     assert np.all(relative(problem, forward.matrix - adjoint.matrix, forward.matrix) < 1e-10)
     differences = by_differences(problem, 60)
     assert np.all(relative(problem, forward.matrix - differences, forward.matrix) < 1e-7)
+
+
+def test_stop_of_a_sliding_block() -> None:
+    # Friction is constant until the block stops: steps of the solver have no error.
+    problem = EVENTS["P9"]
+    values, derivatives = known("P9", problem)
+    for method in ("forward", "adjoint"):
+        found = problem.solve(method=method)
+        np.testing.assert_allclose(numbers_of(found), values, rtol=1e-10)
+        assert np.all(relative(problem, found.matrix - derivatives, derivatives) < 1e-9)
+
+
+def test_drop_on_a_spring() -> None:
+    # Before the contact, steps have no error; after it, that of the place of the event in a step is of first order.
+    problem = EVENTS["P10"]
+    block = reference("P10")
+    coarse, fine = problem.solve(1400), problem.solve(11200)
+    for output, largest in (("t(touch)", 1e-11), ("t(leave)", 5e-6), ("gap at t=0.7", 5e-5)):
+        expected = np.array([block[output][1][name] for name in problem.numbers])
+        sizes = np.array(list(problem.numbers.values()))
+        errors = [
+            np.max(np.abs(found.matrix[found.outputs.index(output)] - expected) * sizes)
+            / np.max(np.abs(expected * sizes))
+            for found in (coarse, fine)
+        ]
+        assert errors[1] < largest and errors[1] < max(0.25 * errors[0], 1e-11)
+    assert abs(fine.Derivative("t(touch)", "k")) < 1e-15  # the contact has not begun
 
 
 def test_large_deflection_scales_with_load_length_and_stiffness() -> None:

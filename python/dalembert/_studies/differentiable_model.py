@@ -50,7 +50,7 @@ class DifferentiableModel:
         self._given, self._outputs = dict(parameters), read_outputs(outputs)
         self._options = solverType, consistentStart
         self._method: Method = method
-        self._parameters = [Parameter(self._mbs, name, each) for name, each in parameters.items()]
+        self._parameters = [Parameter(self._mbs, name, each, self._settings) for name, each in parameters.items()]
         self.names = list(parameters)
         self.x0 = np.array([parameter.value for parameter in self._parameters])
         self._point: FloatArray | None = None
@@ -64,6 +64,8 @@ class DifferentiableModel:
 
     def _refuses(self, parameter: Parameter, sign: float) -> bool:
         trial = copy.copy(self._mbs)
+        if parameter.is_end_time:
+            return True
         try:
             parameter.set(trial, sign * max(1.0, abs(parameter.value)))
         except (ValueError, RuntimeError):
@@ -83,14 +85,16 @@ class DifferentiableModel:
         """Return values and derivatives of all outputs."""
         point = self._vector(x)
         if self._found is None or self._point is None or not np.array_equal(point, self._point):
-            mbs = copy.copy(self._mbs)
+            mbs, settings = copy.copy(self._mbs), copy.deepcopy(self._settings)
             for parameter, value in zip(self._parameters, point, strict=True):
+                if parameter.is_end_time:
+                    settings.timeIntegration.endTime = float(value)
                 parameter.set(mbs, float(value))
             mbs.Assemble()
             given = {
                 name: _moved(each, float(value)) for (name, each), value in zip(self._given.items(), point, strict=True)
             }
-            problem = Problem(mbs, given, self._outputs, self._settings, *self._options)
+            problem = Problem(mbs, given, self._outputs, settings, *self._options)
             self._found, self._point = problem.solve(self._method), point.copy()
         return self._found
 

@@ -15,9 +15,8 @@ from dalembert._studies.difference_formulas import gradient
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._tools.found_items import find_item, index_of
 
-# A sensor by its number; or ("z", entry of the state [q, v, a, y, y_t, lambda]), ("t", 0) for the time, or a number that
-# is computed of an equilibrium: ("eigenvalue", mode), ("buckling", number),
-# ("response", (load, sensor, component, omega)).
+# A sensor by its number; "z" with an entry of the state [q, v, a, y, y_t, lambda]; "t" for the time; or a number
+# that is computed of an equilibrium, with the mode, the number, or load, sensor, component and circular frequency.
 Source = int | tuple[str, Any]
 COMPUTED = ("eigenvalue", "buckling", "response")
 
@@ -131,15 +130,19 @@ def _component(name: str, values: FloatArray, component: int) -> FloatArray:
 class At(Output):
     """One value of a sensor at a time, or at several times, in s; by default at the end.
 
-    Between the ends of steps, it is the value of the cubic polynomial through the values at four steps.
+    Between the ends of steps, it is the value of the cubic polynomial through the values at four steps. An EventTime as
+    time is that of the event, wherever parameters move it.
     """
 
     __module__ = "dalembert"
 
-    def __init__(self, sensor: Any, time: float | ArrayLike | None = None, component: int = 0) -> None:
+    def __init__(self, sensor: Any, time: float | ArrayLike | EventTime | None = None, component: int = 0) -> None:
         self.sensor, self.component = sensor, component
-        if time is None or np.ndim(time) == 0:
-            self.times: list[float | None] = [None if time is None else float(np.asarray(time))]
+        self.event = time if isinstance(time, EventTime) else None
+        if time is None or isinstance(time, EventTime):
+            self.times: list[float | None] = [None]
+        elif np.ndim(time) == 0:
+            self.times = [float(np.asarray(time))]
         else:
             self.times = list(as_vector("At: time", time))
             if not self.times:
@@ -148,6 +151,8 @@ class At(Output):
 
     def _weights(self, name: str, context: Context, time: float | None) -> tuple[list[int], FloatArray, FloatArray]:
         """Return steps, weights of their values, and weights for the rate of the polynomial."""
+        if self.event is not None:
+            return [next(self.event.samples(name, context)).step], np.ones(1), np.zeros(1)
         steps = [context.step(name, None)] if time is None else context.steps_around(name, time)
         if len(steps) == 1 or time is None:
             return steps, np.ones(1), np.zeros(1)

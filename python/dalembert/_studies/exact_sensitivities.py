@@ -18,10 +18,12 @@ from dalembert._studies.design_parameters import Parameter, Parameters
 from dalembert._studies.difference_formulas import STEP, derivative
 from dalembert._studies.differentiable_outputs import COMPUTED, Context, Output, Sample, entries_read
 from dalembert._studies.generalized_alpha import LinearStep, Variation
+from dalembert._studies.moving_steps import Moving, Steps, Walk, find_steps, with_data
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import (
     Motion,
     check_steps,
+    check_tangent,
     record,
     refuse_settings,
     refuse_system,
@@ -174,7 +176,7 @@ class Problem:
             solverType,
             consistent,
         )
-        self.parameters = [Parameter(self.mbs, name, given) for name, given in parameters.items()]
+        self.parameters = [Parameter(self.mbs, name, given, settings) for name, given in parameters.items()]
         data = mbs.systemData
         self.n, self.n1, self.m = data.ODE2Size(), data.ODE1Size(), data.AEsize()
 
@@ -275,6 +277,40 @@ class Samples:
             rates[0] = self.computed[sample.source][1]
         return rates
 
+    def moving_seeds(self, step: int, bar: Moving, matrix: FloatArray, walk: Walk) -> None:
+        """Add derivatives of the outputs with respect to the state, time and data coordinates at a step."""
+        self.add_seeds(step, bar.state, matrix)
+        for sample in self.by_step.get(step, ()):
+            by_time, by_data = self._moving_rates(sample, walk)
+            for row, weights in self.seeds[sample]:
+                bar.t[row] += weights @ by_time
+                bar.data[row] += weights @ by_data
+
+    def _moving_rates(self, sample: Sample, walk: Walk) -> tuple[FloatArray, FloatArray]:
+        """Return derivatives of values with respect to time, at a fixed state, and to tracked data coordinates."""
+        none = np.zeros((len(self.values[sample]), len(walk.tracked)))
+        if not isinstance(sample.source, int):
+            return np.full(1, float(sample.source[0] == "t")), none
+        sensor, derivatives = sample.source, self.parameters.base.derivatives
+        z, time = self.states[sample.step], float(self.context.times[sample.step])
+        by_time = derivative(lambda e: np.asarray(derivatives.sensor(sensor, z, time + e)), STEP * walk.steps.regular)
+        for column, entry in enumerate(walk.tracked):
+            none[:, column] = walk._along_data(lambda at: derivatives.sensor(sensor, at, time), z, entry)
+        return by_time, none
+
+    def moving_variations(self, step: int, change: Moving, matrix: FloatArray, walk: Walk) -> None:
+        """Add derivatives of the outputs by the variation of a step with respect to all parameters."""
+        self.add_variations(step, change.state, matrix)
+        for sample in self.by_step.get(step, ()):
+            rates = self.moving_rates(sample, change, walk)
+            for row, weights in self.seeds[sample]:
+                matrix[row] += weights @ rates
+
+    def moving_rates(self, sample: Sample, change: Moving, walk: Walk) -> FloatArray:
+        """Return derivatives of values by the variation of time and data coordinates."""
+        by_time, by_data = self._moving_rates(sample, walk)
+        return np.outer(by_time, change.t) + by_data @ change.data.T
+
     def add_seeds(self, step: int, bar: Variation, matrix: FloatArray) -> None:
         """Add derivatives of the outputs with respect to the state at a step, and explicit ones."""
         for sample in self.by_step.get(step, ()):
@@ -336,13 +372,15 @@ class _Integration:
         problem = self.problem
         begin = clock.perf_counter()
         motion = self.motion
-        samples = Samples(problem, Context(problem.mbs, motion.times, False), motion.states)
+        end_time = next((k for k, parameter in enumerate(problem.parameters) if parameter.is_end_time), None)
         rate_level = motion.scheme.newmark and (
             problem.solverType == DynamicSolverType.TrapezoidalIndex2
             or problem.settings.timeIntegration.generalizedAlpha.useIndex2Constraints
         )
         if rate_level:
             refuse_unit_lengths(problem.mbs)
+        steps, context = self._steps(rate_level, end_time)
+        samples = Samples(problem, context, motion.states)
         middle = len(motion.times) // 2
         parameters = Parameters(
             problem.mbs,
@@ -360,18 +398,35 @@ class _Integration:
                 "algebraic coordinates are not available",
                 item=_core.testing.describe_row(problem.mbs, problem.n + problem.n1 + row),
             )
-        check_steps(motion, base, problem.n)
+        check_steps(motion, base, problem.n, steps)
         samples.read(parameters)
+        state, data = motion.states[middle], base.sizes[3]
+        if data and middle > 0:
+            state = with_data(state, motion.states[middle - 1][-data:])
+        check_tangent(base, state, float(motion.times[middle]), motion.scheme.h, samples.steps, problem.mbs)
+        walk = None
+        if steps is not None:
+            typical = samples.steps
+            walk = Walk(parameters, motion.times, motion.states, motion.scheme, steps, typical, end_time)
+            if not walk.tracked and not steps.moves and end_time is None:
+                walk = None
         start = Start(parameters, motion, problem.consistent).variations()
         how = "forward" if histories and method == "auto" else chosen(method, len(parameters.all), samples.size)
         if histories and how != "forward":
             raise ValueError("ComputeSensitivities: storeHistories=True needs method='forward'")
         kept: dict[str, tuple[FloatArray, FloatArray]] = {}
-        matrix = (
-            self._forward(parameters, samples, start, kept if histories else None)
-            if how == "forward"
-            else self._adjoint(parameters, samples, start)
-        )
+        if walk is not None:
+            matrix = (
+                self._move(walk, samples, start, kept if histories else None)
+                if how == "forward"
+                else self._move_back(walk, samples, start)
+            )
+        else:
+            matrix = (
+                self._forward(parameters, samples, start, kept if histories else None)
+                if how == "forward"
+                else self._adjoint(parameters, samples, start)
+            )
         cost = {"solution": self.seconds, "derivatives": clock.perf_counter() - begin}
         return Sensitivities(
             samples.outputs(),
@@ -384,6 +439,53 @@ class _Integration:
             samples.rows,
             kept,
         )
+
+    def _steps(self, rate_level: bool, end_time: int | None) -> tuple[Steps | None, Context]:
+        """Return steps whose sizes differ or that have data coordinates or a moving end; None if there are none."""
+        problem, motion = self.problem, self.motion
+        derivatives = _core.testing.SystemDerivatives(problem.mbs, rate_level=rate_level)
+        watches = problem.settings.events.ofItems and _has_switches(derivatives, motion)
+        equal = np.all(motion.algorithmic[0] == motion.states[0, 2 * problem.n : 3 * problem.n])
+        if not watches and not derivatives.sizes[3] and end_time is None and equal:
+            return None, Context(problem.mbs, motion.times, False)
+        scheme = _with_rotations(motion, derivatives)
+        steps = find_steps(
+            motion.times, motion.states, scheme, motion.scheme.h, derivatives, problem.mbs, watches=bool(watches)
+        )
+        events = tuple((step, event.item) for step, event in sorted(steps.events.items()))
+        moves = bool(events) or end_time is not None
+        return steps, Context(problem.mbs, motion.times, False, tuple(steps.events), moves, events)
+
+    def _move(self, walk: Walk, samples: Samples, start: Variation, kept: Any) -> FloatArray:
+        """Carry variations along steps whose sizes depend on parameters."""
+        matrix = np.zeros((samples.size, len(walk.parameters.all)))
+        histories: dict[int, list[FloatArray]] = {sensor: [] for sensor in samples.sensors}
+        for i, change in walk.forward(Moving.of(start, len(walk.tracked))):
+            samples.moving_variations(i, change, matrix, walk)
+            for sensor in samples.sensors if kept is not None else ():
+                sample = Sample(i, sensor)
+                if sample not in samples.values:
+                    z, time = self.motion.states[i], float(self.motion.times[i])
+                    samples.values[sample] = np.asarray(walk.derivatives.sensor(sensor, z, time))
+                rates = samples.rates(sample, change.state.z) + samples.moving_rates(sample, change, walk)
+                histories[sensor].append(rates.T)
+        if kept is not None:
+            for sensor, rows in histories.items():
+                kept[self.problem.mbs.GetSensorParameter(sensor, "name")] = self.motion.times, np.array(rows)
+        return matrix
+
+    def _move_back(self, walk: Walk, samples: Samples, start: Variation) -> FloatArray:
+        """Go back along steps whose sizes depend on parameters."""
+        problem = self.problem
+        matrix = np.zeros((samples.size, len(walk.parameters.all)))
+        bar = Moving.of(Variation.zeros(samples.size, problem.n, problem.n1, problem.m), len(walk.tracked))
+
+        def add_seeds(i: int, at: Moving, to: FloatArray) -> None:
+            samples.moving_seeds(i, at, to, walk)
+
+        bar = walk.backward(bar, matrix, add_seeds)
+        samples.moving_seeds(0, bar, matrix, walk)
+        return matrix + _products(bar.state, start)
 
     def _linear_step(self, derivatives: Any, i: int, transposed: bool) -> LinearStep:
         """Return the step to state i, with factors."""
@@ -444,13 +546,17 @@ class _Integration:
             residual = parameters.residual_at(motion.states[i], float(motion.times[i]), motion.scheme.h)
             matrix -= parameters.weighted_rates(residual, w)
         samples.add_seeds(0, bar, matrix)
-        for end, begin in zip(
-            (bar.q, bar.v, bar.a, bar.b, bar.y, bar.y_t, bar.lam),
-            (start.q, start.v, start.a, start.b, start.y, start.y_t, start.lam),
-            strict=True,
-        ):
-            matrix += end @ begin.T
-        return matrix
+        return matrix + _products(bar, start)
+
+
+def _products(bar: Variation, start: Variation) -> FloatArray:
+    """Return products of derivatives with respect to the start with its variations."""
+    names = ("q", "v", "a", "b", "y", "y_t", "lam")
+    return np.asarray(sum(getattr(bar, name) @ getattr(start, name).T for name in names))
+
+
+def _has_switches(derivatives: Any, motion: Motion) -> bool:
+    return len(derivatives.switches(motion.states[0], float(motion.times[0]), motion.scheme.h)) > 0
 
 
 def _with_rotations(motion: Motion, derivatives: Any) -> Any:
