@@ -636,8 +636,33 @@ def test_settings_that_are_refused() -> None:
         s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
 
     assert changed(control) == "simulationSettings.stepSizeControl.implicitSolvers"
-    found = refusal(oscillator(), solverType=exu.DynamicSolverType.RK44)
-    assert "generalized alpha" in found.reason
+    for solver in (exu.DynamicSolverType.VelocityVerlet, exu.DynamicSolverType.ESDIRK43):
+        found = refusal(oscillator(), solverType=solver)
+        assert "generalized alpha" in found.reason
+
+
+def test_what_explicit_methods_do_not_differentiate() -> None:
+    def refused(mbs: Any, parameters: Any, outputs: Any) -> Any:
+        return refusal(mbs, parameters, outputs, solverType=exu.DynamicSolverType.RK44)
+
+    found = refused(pendulum(), {"m": ("mass", "physicsMass")}, {"x": "p"})
+    assert found.reason == "constraints are not available with explicit methods" and "rod" in found.item
+    mass = {"m": ("body", "physicsMass")}
+    found = refused(spatial(connector=bushing), mass, {"x": "p"})
+    assert found.item == "node 0 'node' (RigidBodyRotVecLG)" and "Lie-group" in found.reason
+    found = refused(oscillator(), None, {"a": exu.Final(0, 2)})
+    assert found.reason == "accelerations of explicit methods are not available"
+
+
+def test_adaptive_steps_are_frozen() -> None:
+    # The derivative of the exact solution, to the tolerance of the steps.
+    s = settings(0.9, 1)
+    s.timeIntegration.automaticStepSize = True
+    s.timeIntegration.relativeTolerance, s.timeIntegration.absoluteTolerance = 1e-9, 1e-10
+    mbs = oscillator(damping=0.0)
+    found = mbs.ComputeSensitivities({"F": ("force", "load")}, {"x": "x"}, s, exu.DynamicSolverType.DOPRI5)
+    assert found.exactness == "frozen steps"
+    assert found.Derivative("x", "F") == pytest.approx((1 - np.cos(5 * 0.9)) / 50, rel=1e-7)
 
 
 def test_redundant_constraints_are_refused() -> None:

@@ -160,6 +160,23 @@ def test_drop_on_a_spring() -> None:
     assert abs(fine.Derivative("t(touch)", "k")) < 1e-15  # the contact has not begun
 
 
+@pytest.mark.parametrize(("name", "steps"), [("P10", 900), ("P12", 30), ("P13", 60)])
+def test_explicit_methods(name: str, steps: int) -> None:
+    # RK67 has order 6: a few steps are enough, also across the events of P10.
+    problem = replace({**DYNAMIC, **EVENTS}[name], solver=Solver.RK67)
+    if name == "P10":
+        problem = replace(
+            problem, outputs={key: problem.outputs[key] for key in ("t(touch)", "t(leave)", "gap at t=0.7")}
+        )
+    values, derivatives = known(name, problem)
+    found = problem.solve(steps, method="forward")
+    np.testing.assert_allclose(numbers_of(found), values, rtol=1e-8)
+    assert np.all(relative(problem, found.matrix - derivatives, derivatives) < 1e-8)
+    if name != "P10":
+        adjoint = problem.solve(steps, method="adjoint")
+        assert np.all(relative(problem, found.matrix - adjoint.matrix, derivatives) < 1e-12)
+
+
 def test_large_deflection_scales_with_load_length_and_stiffness() -> None:
     # w/L is a function of F L^2/EI and EA L^2/EI, on any mesh: Euler's identities of its derivatives.
     numbers = {"F": 4.0, "L": 1.0, "EI": 2.0, "EA": 1e5, "rhoA": 1.0, "M": 1.0}

@@ -490,7 +490,10 @@ class Parameters:
 
         now = start(base)
         moved = np.zeros(data.ODE2Size())
-        if members:
+        if members and not any(target.kind == "Node" for k in members for target in self.all[k].targets):
+            for k in members:
+                self.all[k].set(made, self.all[k].value + multiple * self.all[k].step)
+        elif members:
             made.Assemble()
             from_nodes = start(made)  # users may have set other initial values
             for k in members:
@@ -534,6 +537,43 @@ class Parameters:
         for group in self.groups:
             rates[group.members[0]] = float(weighted(evaluate)(group))
         return rates / self.steps
+
+    def weighted_rates_of(
+        self, states: FloatArray, times: FloatArray, step_size: float, weights: FloatArray
+    ) -> FloatArray:
+        """Return sums over states of products of weights (states x outputs x equations) with derivatives.
+
+        A column per parameter. Each copy of the model evaluates all states before the next one: it stays in the caches.
+        """
+        found = np.zeros((weights.shape[1], len(self.all)))
+        for group in self.groups:
+            total = np.zeros((weights.shape[1], self.size))
+            for multiple, weight in group.formula.items():
+                variant = group.variants[multiple]
+                total += weight * variant.derivatives.weighted_residuals(
+                    self._all_shifted(variant, states), times, step_size, weights
+                )
+            found[:, group.members] = np.add.reduceat(total[:, group.rows], group.begins, axis=1)
+        return found / self.steps
+
+    def rates_of(self, states: FloatArray, times: FloatArray, step_size: float) -> FloatArray:
+        """Return derivatives of equations at several states: states x parameters x equations."""
+        found = np.zeros((len(states), len(self.all), self.size))
+        for group in self.groups:
+            total = np.zeros((len(states), self.size))
+            for multiple, weight in group.formula.items():
+                variant = group.variants[multiple]
+                total += weight * variant.derivatives.residuals(self._all_shifted(variant, states), times, step_size)
+            rows = np.arange(self.size) if isinstance(group.rows, slice) else group.rows
+            found[:, group.owners, rows] = total[:, group.rows] / self.steps[group.owners]
+        return found
+
+    def _all_shifted(self, variant: Variant, states: FloatArray) -> FloatArray:
+        if variant.shift is None:
+            return states
+        states = states.copy()
+        states[:, : len(variant.shift)] += variant.shift
+        return states
 
     def residual_at(self, z: FloatArray, time: float, step_size: float) -> Callable[[_Group], FloatArray]:
         """Return what `rates` evaluates for the equations of motion at a state."""

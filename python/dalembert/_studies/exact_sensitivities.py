@@ -17,8 +17,9 @@ from dalembert._solving.quiet import assemble_if_needed, given_or_default
 from dalembert._studies.design_parameters import Parameter, Parameters
 from dalembert._studies.difference_formulas import STEP, derivative
 from dalembert._studies.differentiable_outputs import COMPUTED, Context, Output, Sample, entries_read
+from dalembert._studies.explicit_steps import TABLEAUS, ExplicitWalk, refuse_for_stages
 from dalembert._studies.generalized_alpha import LinearStep, Variation
-from dalembert._studies.moving_steps import Moving, Steps, Walk, find_steps, with_data
+from dalembert._studies.moving_steps import Moving, Steps, Walk, find_steps, only_states_of_items, with_data
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import (
     Motion,
@@ -35,6 +36,8 @@ from dalembert._tools.missing_names import nearest
 
 Method = Literal["auto", "forward", "adjoint"]
 _METHODS = ("auto", "forward", "adjoint")
+_BLOCK = 64  # steps whose derivatives by parameters are computed together
+_BLOCK_NUMBERS = 4_000_000
 
 
 @dataclass(frozen=True, repr=False)
@@ -44,9 +47,9 @@ class Sensitivities:
     values: by output, a number, or an array if the output has several.
     matrix: derivatives, a row for each number of the outputs and a column for each parameter.
     outputs, parameters: names of rows and columns.
-    method: 'forward' or 'adjoint'; exactness: 'differences': derivatives of the computed solution, in which
-    derivatives of the
-    equations with respect to parameters are differences of fourth order.
+    method: 'forward' or 'adjoint'.
+    exactness: 'differences': derivatives of the computed solution, in which those of the equations with respect to
+        parameters are differences of fourth order; 'frozen steps': the same, with step sizes that are held fixed.
     cost: seconds by part: 'solution' and 'derivatives'.
     """
 
@@ -109,9 +112,12 @@ def ComputeSensitivities(
     parameters: by name, (item, parameter), (item, parameter, entry) for one entry of a vector or matrix, a list of
     these,
         which get the same value, or a DesignParameter. Items are indices or names.
-    outputs: by name, exu.At, exu.Integral, exu.Final, exu.Reaction or exu.Function; the name of a sensor stands for
-    At(sensor).
-    simulationSettings, solverType: as in SolveDynamic, with equal steps; 'static': as in SolveStatic.
+    outputs: by name, exu.At, exu.Integral, exu.Final, exu.Reaction, exu.EventTime or exu.Function; with 'static',
+        exu.At, exu.Reaction, exu.Eigenvalue, exu.BucklingLoad or exu.FrequencyResponse. The name of a sensor stands for
+        At(sensor).
+    simulationSettings, solverType: as in SolveDynamic: generalized alpha or the trapezoidal rule with equal steps, or
+        an explicit Runge-Kutta method without constraints; 'static': as in SolveStatic. Contact and friction need
+        simulationSettings.events.ofItems=True.
     method: 'forward': one linear solution per parameter and step; 'adjoint': one per number of the outputs and step;
         'auto': whichever needs less.
     consistentStart: initial values follow constraints that parameters change; otherwise they stay as they are, with a
@@ -236,6 +242,26 @@ class Samples:
         self.by_step: dict[int, list[Sample]] = {}
         for sample in self.seeds:
             self.by_step.setdefault(sample.step, []).append(sample)
+
+    def refuse_accelerations(self) -> None:
+        """Refuse sensors of accelerations, which are no states of explicit methods."""
+        n, n1 = self.problem.n, self.problem.n1
+        for sample in self.seeds:
+            entries, gradient = self.gradient(sample)
+            moved = np.abs(gradient) * self.steps[entries]  # changes of values
+            largest = moved.max(initial=0.0)
+            for entry, column in zip(entries, moved.T, strict=True):
+                if (2 * n <= entry < 3 * n or entry >= 3 * n + n1) and column.max(initial=0.0) > 1e-9 * largest:
+                    name = (
+                        self.problem.mbs.GetSensorParameter(sample.source, "name")
+                        if isinstance(sample.source, int)
+                        else ""
+                    )
+                    raise NotDifferentiable(
+                        "accelerations of explicit methods are not available",
+                        item=f"sensor '{name}'" if name else "output",
+                        advice="use generalized alpha",
+                    )
 
     def _check_entries(self, sensor: int) -> None:
         """Let a sensor read all entries if its gradient differs from a difference along a direction of all of them."""
@@ -398,7 +424,9 @@ class _Integration:
                 "algebraic coordinates are not available",
                 item=_core.testing.describe_row(problem.mbs, problem.n + problem.n1 + row),
             )
-        check_steps(motion, base, problem.n, steps)
+        explicit = TABLEAUS.get(problem.solverType)
+        if explicit is None:
+            check_steps(motion, base, problem.n, steps)
         samples.read(parameters)
         state, data = motion.states[middle], base.sizes[3]
         if data and middle > 0:
@@ -407,8 +435,13 @@ class _Integration:
         walk = None
         if steps is not None:
             typical = samples.steps
-            walk = Walk(parameters, motion.times, motion.states, motion.scheme, steps, typical, end_time)
-            if not walk.tracked and not steps.moves and end_time is None:
+            kind = Walk if explicit is None else ExplicitWalk
+            walk = kind(parameters, motion.times, motion.states, motion.scheme, steps, typical, end_time)
+            if isinstance(walk, ExplicitWalk):
+                walk.tableau = TABLEAUS[problem.solverType]
+                walk.check_ends()
+                samples.refuse_accelerations()
+            elif not walk.tracked and not steps.moves and end_time is None:
                 walk = None
         start = Start(parameters, motion, problem.consistent).variations()
         how = "forward" if histories and method == "auto" else chosen(method, len(parameters.all), samples.size)
@@ -434,7 +467,7 @@ class _Integration:
             row_names(problem.outputs),
             [p.name for p in parameters.all],
             how,
-            "differences",
+            "differences" if steps is None or steps.equal or steps.events else "frozen steps",
             cost,
             samples.rows,
             kept,
@@ -446,11 +479,25 @@ class _Integration:
         derivatives = _core.testing.SystemDerivatives(problem.mbs, rate_level=rate_level)
         watches = problem.settings.events.ofItems and _has_switches(derivatives, motion)
         equal = np.all(motion.algorithmic[0] == motion.states[0, 2 * problem.n : 3 * problem.n])
-        if not watches and not derivatives.sizes[3] and end_time is None and equal:
+        explicit = problem.solverType in TABLEAUS
+        if explicit:
+            refuse_for_stages(derivatives, problem.mbs)
+        plain = not watches and end_time is None and equal and not explicit
+        if plain and (
+            not derivatives.sizes[3]
+            or only_states_of_items(motion.times, motion.states, motion.scheme.h, derivatives, problem.mbs)
+        ):
             return None, Context(problem.mbs, motion.times, False)
         scheme = _with_rotations(motion, derivatives)
         steps = find_steps(
-            motion.times, motion.states, scheme, motion.scheme.h, derivatives, problem.mbs, watches=bool(watches)
+            motion.times,
+            motion.states,
+            scheme,
+            motion.scheme.h,
+            derivatives,
+            problem.mbs,
+            watches=bool(watches),
+            implicit=not explicit,
         )
         events = tuple((step, event.item) for step, event in sorted(steps.events.items()))
         moves = bool(events) or end_time is not None
@@ -515,12 +562,17 @@ class _Integration:
         matrix = np.zeros((samples.size, len(parameters.all)))
         samples.add_variations(0, change, matrix)
         histories: dict[int, list[FloatArray]] = {sensor: [] for sensor in samples.sensors}
+        block = max(1, min(_BLOCK, _BLOCK_NUMBERS // (parameters.size * len(parameters.all))))
+        rates = np.zeros((0, 0, 0))
         for i in range(len(motion.times)):
             time = float(motion.times[i])
             if i > 0:
+                if (i - 1) % block == 0:
+                    rates = parameters.rates_of(
+                        motion.states[i : i + block], motion.times[i : i + block], motion.scheme.h
+                    )
                 step = self._linear_step(parameters.base.derivatives, i, False)
-                rates = parameters.rates(parameters.residual_at(motion.states[i], time, motion.scheme.h))
-                change = step.forward(change, rates)
+                change = step.forward(change, rates[(i - 1) % block])
                 samples.add_variations(i, change, matrix)
             for sensor in samples.sensors if kept is not None else ():
                 sample = Sample(i, sensor)
@@ -539,12 +591,16 @@ class _Integration:
         matrix = np.zeros((samples.size, len(parameters.all)))
         bar = Variation.zeros(samples.size, problem.n, problem.n1, problem.m)
         samples_end = max(samples.by_step, default=0)
-        for i in range(samples_end, 0, -1):
-            samples.add_seeds(i, bar, matrix)
-            step = self._linear_step(parameters.base.derivatives, i, True)
-            bar, w = step.backward(bar)
-            residual = parameters.residual_at(motion.states[i], float(motion.times[i]), motion.scheme.h)
-            matrix -= parameters.weighted_rates(residual, w)
+        block = max(1, min(_BLOCK, _BLOCK_NUMBERS // (parameters.size * samples.size)))
+        for end in range(samples_end, 0, -block):
+            begin = max(end - block, 0)
+            weights = np.zeros((end - begin, samples.size, parameters.size))
+            for i in range(end, begin, -1):
+                samples.add_seeds(i, bar, matrix)
+                step = self._linear_step(parameters.base.derivatives, i, True)
+                bar, weights[i - begin - 1] = step.backward(bar)
+            part = slice(begin + 1, end + 1)
+            matrix -= parameters.weighted_rates_of(motion.states[part], motion.times[part], motion.scheme.h, weights)
         samples.add_seeds(0, bar, matrix)
         return matrix + _products(bar, start)
 

@@ -63,6 +63,10 @@ class Steps(NamedTuple):
     def moves(self) -> bool:
         return bool(self.events)
 
+    @property
+    def equal(self) -> bool:
+        return bool(np.all(self.sizes[1:-1] == self.regular))
+
     def is_regular(self, step: int) -> bool:
         return bool(self.sizes[step] == self.regular)
 
@@ -96,6 +100,7 @@ def find_steps(
     mbs: Any,
     *,
     watches: bool,
+    implicit: bool = True,
 ) -> Steps:
     """Find events, and the accelerations after them; refuse steps that are not explained by them."""
     n, _, m, nd = derivatives.sizes
@@ -135,7 +140,7 @@ def find_steps(
         a_now = states[i, 2 * n : 3 * n]
         b_now, size = own.algorithmic(a[i], b[i], a_now), h
         if found:
-            if m > 0:
+            if m > 0 and implicit:
                 raise NotDifferentiable(
                     "events in systems with constraints are not available",
                     item=_name(mbs, found[0]),
@@ -161,6 +166,27 @@ def _switched(now: list[Any], before: list[Any], beyond_noise: bool) -> list[Eve
 def _name(mbs: Any, event: Event) -> str:
     name = describe(mbs, _core.ObjectIndex(event.item)) if event.item >= 0 else "system"
     return f"event '{event.what}' of {name}"
+
+
+def only_states_of_items(times: FloatArray, states: FloatArray, h: float, derivatives: Any, mbs: Any) -> bool:
+    """Return whether residuals of equal steps depend on states of items alone, such as turns of a spring.
+
+    These do not vary. Values of data coordinates, such as the place where friction sticks, do.
+    """
+    n, _, _, nd = derivatives.sizes
+    data = slice(states.shape[1] - nd, None)
+    ends = states[1:].copy()
+    ends[:, data] = states[:-1, data]
+    still = ends.copy()
+    still[:, 2 * n : 3 * n] = 0.0
+    residuals = derivatives.residuals(ends, times[1:], h)
+    terms = np.abs(derivatives.residuals(still, times[1:], h))[:, :n].max(axis=1, initial=0.0)
+    unbalanced = np.abs(residuals)[:, :n].max(axis=1, initial=0.0) > _BALANCED * np.maximum(terms, 1e-9)
+    if np.any(unbalanced):
+        i = int(np.argmax(unbalanced))
+        _check_balance(derivatives, ends[i], float(times[i + 1]), h, mbs)
+    ends[:, data] *= 1 + _OF_DATA
+    return bool(np.all(derivatives.residuals(ends, times[1:], h) == residuals))
 
 
 def _check_balance(derivatives: Any, z: FloatArray, time: float, h: float, mbs: Any) -> None:
@@ -378,7 +404,7 @@ class Walk:
         return at
 
     def _without_corner(self, function: Any, step: float, i: int) -> float:
-        """Return the derivative of a switch, with steps that do not reach over a corner, such as that of a magnitude."""
+        """Return the derivative of a switch, with steps that do not reach over a corner, such as of a magnitude."""
         coarse = float(derivative(function, step))
         for _ in range(4):
             fine = float(derivative(function, 0.1 * step))
@@ -403,7 +429,7 @@ class Walk:
 
         by_state = np.array(
             [
-                self._without_corner(lambda e, k=k: value(self._moved(z, k, e)), float(self.typical[k]), i)  # type: ignore[misc]
+                self._without_corner(lambda e, k=k: value(self._moved(z, k, e)), float(self.typical[k]), i)
                 for k in range(self.count)
             ]
         )
@@ -413,7 +439,7 @@ class Walk:
             at = float(z[self.count + entry])
             if at != 0:
                 by_data[row] = self._without_corner(
-                    lambda e, k=self.count + entry: value(self._plus(z, k, e)),  # type: ignore[misc]
+                    lambda e, k=self.count + entry: value(self._plus(z, k, e)),
                     _OF_DATA * abs(at),
                     i,
                 )
@@ -544,38 +570,52 @@ class Walk:
     def forward(self, change: Moving) -> Iterator[tuple[int, Moving]]:
         """Yield variations at the ends of all steps; those of a start come first."""
         yield 0, change
-        parameters, end_time = self.parameters, self.end_time
+        end_time = self.end_time
         for i in range(1, len(self.times)):
-            step = self.linear_step(i, False)
-            z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
-            rates = self.residual_rates(i)
-            right = parameters.rates(parameters.residual_at(z, time, h)) + np.outer(change.t, rates[0])
-            if self.tracked:
-                right += change.data @ self.by_data(i)
-            fixed = Moving(
-                step.forward(self._start(i, change), right), change.t.copy(), np.zeros_like(change.t), change.data
-            )
-            size = self.response_to_size(step, i, rates)
-            by = np.zeros_like(change.t)
             last = i == len(self.times) - 1
-            if i in self.steps.events:
+            sized = i in self.steps.events or end_time is not None or (last and self.ends_at_end(i))
+            fixed, size = self.fixed_and_size(i, change, sized)
+            by = np.zeros_like(change.t)
+            if size is None:
+                pass
+            elif i in self.steps.events:
                 by_state, by_time, by_data, by_parameters = self.switch_gradient(i)
                 rate = self._switch_rate(i, by_state, by_time, size)
                 by = -(fixed.state.z @ by_state + fixed.t * by_time + change.data @ by_data + by_parameters) / rate
-            elif last and (self.steps.events or not self.steps.is_regular(i)):
+            elif last and self.ends_at_end(i):
                 by = -change.t
                 if end_time is not None:
                     by[end_time] += 1.0
             elif end_time is not None:
                 by[end_time] = self._part(i)
-            change = fixed.plus(by, size)
+            change = fixed.plus(by, size) if size is not None else fixed
             gradient = self.data_gradient(i)
             if gradient is not None:
                 self._check_zero_data(i, change.data)
                 change.data = change.state.z @ gradient[0].T + change.data @ gradient[1].T + gradient[2].T
             yield i, change
             if i in self.steps.events:
-                change = self._renewed(i, change)
+                change = self.renewed(i, change)
+
+    def ends_at_end(self, i: int) -> bool:
+        """Return whether the last step ends at the end of the solution, whenever it begins."""
+        return bool(self.steps.events) or not self.steps.is_regular(i)
+
+    def fixed_and_size(self, i: int, change: Moving, sized: bool) -> tuple[Moving, Moving | None]:
+        """Return the variation at the end of a step of fixed size, and, if wanted, that by the size of the step."""
+        step, parameters = self.linear_step(i, False), self.parameters
+        z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+        rates = self.residual_rates(i)
+        right = parameters.rates(parameters.residual_at(z, time, h)) + np.outer(change.t, rates[0])
+        if self.tracked:
+            right += change.data @ self.by_data(i)
+        state = step.forward(self._start(i, change), right)
+        fixed = Moving(state, change.t.copy(), np.zeros_like(change.t), change.data)
+        return fixed, self.response_to_size(step, i, rates) if sized else None
+
+    def size_alone(self, i: int) -> Moving:
+        """Return the variation at the end of a step by its size."""
+        return self.response_to_size(self.linear_step(i, False), i, self.residual_rates(i))
 
     def _part(self, i: int) -> float:
         """Return the derivative of the size of a step by the end, of which it is a constant part."""
@@ -598,7 +638,7 @@ class Walk:
             )
         return rate
 
-    def _renewed(self, i: int, change: Moving) -> Moving:
+    def renewed(self, i: int, change: Moving) -> Moving:
         """Return the variation after an event: accelerations follow from positions, velocities and data."""
         z = self._after(i)
         right = self._acceleration_rates(i, z, change)
@@ -625,24 +665,22 @@ class Walk:
 
     def backward(self, bar: Moving, matrix: FloatArray, add_seeds: Any) -> Moving:
         """Return derivatives with respect to the start; add those with respect to parameters to the matrix."""
-        parameters, end_time = self.parameters, self.end_time
+        end_time = self.end_time
         for i in range(len(self.times) - 1, 0, -1):
-            z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
             last = i == len(self.times) - 1
             if i in self.steps.events and not last:
-                self._renew_back(i, bar, matrix)
+                self.renew_back(i, bar, matrix)
             add_seeds(i, bar, matrix)
             gradient = self.data_gradient(i)
             if gradient is not None:
                 self._add_state(bar, bar.data @ gradient[0])
                 matrix += bar.data @ gradient[2]
                 bar.data = bar.data @ gradient[1]
-            rates = self.residual_rates(i)
-            event, ends = i in self.steps.events, last and (self.steps.events or not self.steps.is_regular(i))
+            event, ends = i in self.steps.events, last and self.ends_at_end(i)
             follows = end_time is not None
             of_start = np.zeros_like(bar.t)
             if event or ends or follows:
-                size = self.response_to_size(self.linear_step(i, False), i, rates)
+                size = self.size_alone(i)
                 by_size = bar.dot(size)
                 if event:
                     by_state, by_time, by_data, by_parameters = self.switch_gradient(i)
@@ -658,24 +696,30 @@ class Walk:
                         matrix[:, end_time] += by_size
                 else:
                     matrix[:, end_time] += by_size * self._part(i)
-            step = self.linear_step(i, True)
-            start, w = step.backward(bar.state)
-            matrix -= parameters.weighted_rates(parameters.residual_at(z, time, h), w)
-            t = bar.t - w @ rates[0] + of_start
-            data = bar.data - w @ self.by_data(i).T if self.tracked else bar.data
-            size_before = np.zeros_like(t)
-            ratio = float(self.steps.ratios[i])
-            if ratio != 0.0 and not self.scheme.newmark:
-                size_before = -(start.b @ self._b_slope(i)) * ratio
-                start = replace(start, a=start.a + (1 - ratio) * start.b, b=ratio * start.b)
-            bar = Moving(start, t, size_before, data)
+            bar = self.step_back(i, bar, matrix)
+            bar.t = bar.t + of_start
         return bar
+
+    def step_back(self, i: int, bar: Moving, matrix: FloatArray) -> Moving:
+        """Return derivatives with respect to the start of a step of fixed size."""
+        parameters, rates = self.parameters, self.residual_rates(i)
+        z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+        start, w = self.linear_step(i, True).backward(bar.state)
+        matrix -= parameters.weighted_rates(parameters.residual_at(z, time, h), w)
+        t = bar.t - w @ rates[0]
+        data = bar.data - w @ self.by_data(i).T if self.tracked else bar.data
+        size_before = np.zeros_like(t)
+        ratio = float(self.steps.ratios[i])
+        if ratio != 0.0 and not self.scheme.newmark:
+            size_before = -(start.b @ self._b_slope(i)) * ratio
+            start = replace(start, a=start.a + (1 - ratio) * start.b, b=ratio * start.b)
+        return Moving(start, t, size_before, data)
 
     def _add_state(self, bar: Moving, z: FloatArray) -> None:
         for row, values in enumerate(z):
             bar.state.add(row, values)
 
-    def _renew_back(self, i: int, bar: Moving, matrix: FloatArray) -> None:
+    def renew_back(self, i: int, bar: Moving, matrix: FloatArray) -> None:
         z, time, h, n = self._after(i), float(self.times[i]), float(self.steps.sizes[i]), self.n
         d, s = self.derivatives, bar.state
         d.linearize(z, time, h)

@@ -14,6 +14,7 @@ from dalembert._core import MainSystem, SimulationSettings
 from dalembert._solving.integrators import IMPLICIT, kind_of
 from dalembert._studies.design_parameters import describe
 from dalembert._studies.difference_formulas import derivative
+from dalembert._studies.explicit_steps import TABLEAUS
 from dalembert._studies.generalized_alpha import Scheme
 from dalembert._studies.moving_steps import Steps
 from dalembert._studies.not_differentiable import NotDifferentiable
@@ -38,7 +39,7 @@ class Motion(NamedTuple):
     times: FloatArray
     states: FloatArray
     algorithmic: FloatArray  # algorithmic accelerations, in rows
-    scheme: Scheme
+    scheme: Scheme  # of explicit methods: the size of regular steps alone
     computes_start: bool  # accelerations of the start fulfil the equations of motion
 
 
@@ -103,11 +104,16 @@ def refuse_unit_lengths(mbs: MainSystem) -> None:
 def refuse_settings(settings: SimulationSettings, solverType: Any) -> None:
     """Refuse methods and step sizes whose derivatives are not available."""
     kind_of("ComputeSensitivities", solverType)
-    if solverType not in IMPLICIT:
+    if solverType not in IMPLICIT and solverType not in TABLEAUS:
         raise NotDifferentiable(
-            "only generalized alpha and the trapezoidal rule are available", item=str(solverType), advice=_INSTEAD
+            "only generalized alpha, the trapezoidal rule and explicit Runge-Kutta methods of up to 7 stages are "
+            "available",
+            item=str(solverType),
+            advice=_INSTEAD,
         )
     time = settings.timeIntegration
+    if solverType in TABLEAUS:
+        return
     refused = [
         (
             time.automaticStepSize and settings.stepSizeControl.implicitSolvers,
@@ -181,6 +187,12 @@ def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any) -> Mo
     finally:
         mbs.SetPostStepUserFunction(0)
     used = mbs.sys["dynamicSolver"]
+    if solverType in TABLEAUS:
+        time = settings.timeIntegration
+        h = (time.endTime - time.startTime) / int(round(time.numberOfSteps))
+        scheme = Scheme(h, 0.25, 0.5, 0.0, 0.0, True, False)
+        found = np.array(states)
+        return Motion(np.array(times), found, np.zeros((len(found), data.ODE2Size())), scheme, False)
     refuse_redundant(used)
     generalized = settings.timeIntegration.generalizedAlpha
     newmark = generalized.useNewmark or solverType == _core.DynamicSolverType.TrapezoidalIndex2
