@@ -38,6 +38,7 @@ from dalembert.itemInterface import (
     NodeRigidBodyEP,
     NodeRigidBodyRotVecLG,
     ObjectANCFCable2D,
+    ObjectContactCoordinate,
     ObjectGenericODE2,
     ObjectGround,
     ObjectRigidBody,
@@ -48,6 +49,7 @@ from dalembert.itemInterface import (
     VObjectGround,
 )
 from dalembert.utilities import (
+    CreateSymbolicUserFunction,
     InertiaCuboid,
     RotationMatrix2EulerParameters,
     RotationMatrixX,
@@ -624,6 +626,91 @@ def test_derivatives_through_stick_and_slip() -> None:
             forward.matrix[:, k],
             differences,
         )
+
+
+def falling(*heights: float, constrained: bool = False) -> Any:
+    """Masses that fall on springs."""
+    mbs = new_system()
+    for i, height in enumerate(heights):
+        node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[height], name=f"node {i}"))
+        mbs.AddObject(Mass1D(physicsMass=2, nodeNumber=node, name=f"mass {i}"))
+        gap = mbs.AddNode(NodeGenericData(initialCoordinates=[height], numberOfDataCoordinates=1))
+        marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+        ends = [ground_coordinate(mbs), marker]
+        mbs.AddObject(
+            ObjectContactCoordinate(markerNumbers=ends, nodeNumber=gap, contactStiffness=1e3, name=f"stop {i}")
+        )
+        mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=-20))
+        mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name=f"x{i}"))
+    if constrained:
+        other = mbs.AddNode(Node1D(referenceCoordinates=[0]))
+        mbs.AddObject(Mass1D(physicsMass=1, nodeNumber=other))
+        ends = [ground_coordinate(mbs), mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=other, coordinate=0))]
+        mbs.AddObject(CoordinateConstraint(markerNumbers=ends))
+    mbs.Assemble()
+    return mbs
+
+
+def test_events_that_are_refused() -> None:
+    parameters, outputs = {"m": ("mass 0", "physicsMass")}, {"x": "x0"}
+    found = refusal(falling(0.05, constrained=True), parameters, outputs, with_events(0.2, 40))
+    assert found.reason == "events in systems with constraints are not available"
+    assert found.item == "event 'contact' of object 1 'stop 0' (ContactCoordinate)" and found.time is not None
+    found = refusal(falling(0.05, 0.05), parameters, outputs, with_events(0.2, 40))
+    assert found.reason == "two events come at the same time"
+    with pytest.raises(ValueError, match="output 't': number: received 3, but the object has 2 events"):
+        falling(0.05).ComputeSensitivities(parameters, {"t": exu.EventTime("stop 0", 3)}, with_events(0.4, 80))
+
+
+def hardening(c3: float = 2e3) -> Any:
+    mbs = oscillator()
+    number, spring = exu.symbolic.Real("c3", c3), mbs.GetObjectNumber("spring")
+    law = CreateSymbolicUserFunction(
+        mbs, lambda mbs, t, i, x, v, k, d, offset: k * x + d * v + number * x * x * x, "springForceUserFunction", spring
+    )
+    mbs.SetObjectParameter(spring, "springForceUserFunction", law)
+    mbs.Assemble()
+    return mbs
+
+
+def test_named_numbers_of_recorded_functions() -> None:
+    where = ("spring", "springForceUserFunction", "c3")
+    model = exu.DifferentiableModel(
+        hardening(), {"c3": where, "end": "timeIntegration.endTime"}, {"x": "x"}, settings()
+    )
+    np.testing.assert_array_equal(model.x0, [2e3, 0.4])
+    assert model.Values([3e3, 0.4])["x"] == pytest.approx(
+        hardening(3e3).ComputeSensitivities({"c3": where}, {"x": "x"}, settings()).values["x"], rel=1e-12
+    )
+    assert model.Check(model.x0, digits=8) == ""
+    for given in (("spring", "springForceUserFunction"), ("spring", "springForceUserFunction", "c4")):
+        with pytest.raises(ValueError, match=r"is a recorded function; pass \(item, parameter, name\) with one of c3"):
+            hardening().ComputeSensitivities({"p": given}, {"x": "x"}, settings())
+
+
+def test_recorded_functions_have_exact_tangents() -> None:
+    # Differences of 1e-8 would leave errors of 1e-9.
+    mbs = hardening()
+    derivatives = testing.SystemDerivatives(mbs)
+    x, z = 0.3, np.array([0.3, 0.0, 0.0])
+    derivatives.linearize(z, 0.0, 0.01)
+    assert derivatives.product("K", np.eye(1))[0, 0] == pytest.approx(50 + 3 * 2e3 * x**2, rel=1e-14)
+
+
+def test_jacobians_that_are_no_derivatives_are_refused() -> None:
+    # Solvers hold a mass matrix of a user function fixed, which is enough for Newton's method.
+    mbs = matrices()
+    item = mbs.GetObjectNumber("matrices")
+
+    def mass(mbs: Any, t: Any, i: Any, q: Any, v: Any) -> Any:
+        diagonal = [1 + q[0] * q[0], 2, 3, 4, 5, 6]
+        return exu.symbolic.Matrix([[diagonal[i] if i == j else 0 for j in range(6)] for i in range(6)])
+
+    law = CreateSymbolicUserFunction(mbs, mass, "massMatrixUserFunction", item)
+    mbs.ModifyObject(item, {"massMatrixUserFunction": law})
+    mbs.Assemble()
+    found = refusal(mbs, {"K": ("matrices", "stiffnessMatrix", (3, 4))}, {"x": "p"})
+    assert found.reason.startswith("the Jacobian is not the derivative of these equations")
 
 
 def test_settings_that_are_refused() -> None:

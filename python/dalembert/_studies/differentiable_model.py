@@ -169,6 +169,29 @@ class DifferentiableModel:
         found = self.Sensitivities(x)
         return np.asarray(self._weights(weights, found) @ found.matrix)
 
+    def JaxFunction(self) -> Callable[[Any], Any]:
+        """Return the model as a function of JAX: from an array of parameters to one of all numbers of the outputs.
+
+        It works with grad, jvp, jacobian, jit and vmap. JAX has to compute with 64 bits. The order is that of
+        Sensitivities(x).outputs.
+        """
+        from dalembert._studies.autograd_adapters import jax_function
+
+        return jax_function(self)
+
+    def TorchFunction(self) -> Callable[[Any], Any]:
+        """Return the model as a function of PyTorch: from a tensor of parameters to one of all numbers of the outputs.
+
+        Tensors are of torch.float64; the order is that of Sensitivities(x).outputs.
+        """
+        from dalembert._studies.autograd_adapters import torch_function
+
+        return torch_function(self)
+
+    @property
+    def _size(self) -> int:
+        return sum(output.size for output in self._outputs.values())
+
     def Covariance(self, x: ArrayLike | Mapping[str, float], sigma: float | ArrayLike = 1.0) -> FloatArray:
         """Return the covariance of parameters that are fitted to data of all outputs.
 

@@ -152,6 +152,13 @@ class ExplicitWalk(Walk):
                 time=time,
             )
 
+    def _by_time(self, z: FloatArray, time: float, h: float) -> FloatArray:
+        return np.asarray(derivative(lambda e: self.derivatives.residual(z, time + e, h), _SMALL * h))
+
+    def _by_data(self, z: FloatArray, time: float, h: float) -> FloatArray:
+        rates = [self._along_data(lambda at: self.derivatives.residual(at, time, h), z, each) for each in self.tracked]
+        return np.array(rates)
+
     def check_ends(self) -> None:
         """Refuse steps that are not those of the method at fixed data."""
         n, n1 = self.n, self.n1
@@ -182,23 +189,23 @@ class ExplicitWalk(Walk):
                 factor = float(tableau.a[k, j])
                 if factor == 0:
                     continue
-                for part, rate, value in zip((q, v, y), rates[j], self._rates_of(other), strict=True):
-                    part += h * factor * rate + np.outer(factor * sizes, value)
+                for part, known, value in zip((q, v, y), rates[j], self._rates_of(other), strict=True):
+                    part += h * factor * known + np.outer(factor * sizes, value)
             d.linearize(z, time, h)
             self._factorize(False, time)
-            by_time = derivative(lambda e, z=z, time=time: d.residual(z, time + e, h), _SMALL * h)  # type: ignore[misc]
+            by_time = self._by_time(z, time, h)
             right = d.product("K", np.hstack((q, y))) + d.product("D", v)
             right += np.outer(change.t + tableau.c[k] * sizes, by_time)
             if with_parameters:
                 right += self.parameters.rates(self.parameters.residual_at(z, time, h))
             if self.tracked:
-                by_data = [self._along_data(lambda at, time=time: d.residual(at, time, h), z, e) for e in self.tracked]  # type: ignore[misc]
-                right += change.data @ np.array(by_data)
+                by_data = self._by_data(z, time, h)
+                right += change.data @ by_data
             a = -np.asarray(d.solve(self._padded(right)))[:, :n]
             rates.append((v, a, right[:, n : n + n1]))
         parts = [s.q.copy(), s.v.copy(), s.y.copy()]
-        for weight, rate, (z, _) in zip(tableau.b, rates, found, strict=True):
-            for part, one, value in zip(parts, rate, self._rates_of(z), strict=True):
+        for weight, of_stage, (z, _) in zip(tableau.b, rates, found, strict=True):
+            for part, one, value in zip(parts, of_stage, self._rates_of(z), strict=True):
                 part += h * weight * one + np.outer(weight * sizes, value)
         zero = np.zeros_like(s.q)
         state = Variation(parts[0], parts[1], zero, zero.copy(), parts[2], np.zeros_like(s.y), np.zeros_like(s.lam))
@@ -235,12 +242,12 @@ class ExplicitWalk(Walk):
             w[:, n : n + n1] = of_rates[k][2]
             by_k = d.product("K", w, transposed=True)
             stage = [by_k[:, :n], of_rates[k][0] + d.product("D", w, transposed=True), by_k[:, n : n + n1]]
-            by_time = derivative(lambda e, z=z, time=time: d.residual(z, time + e, h), _SMALL * h)  # type: ignore[misc]
+            by_time = self._by_time(z, time, h)
             t += w @ by_time
             matrix += self.parameters.weighted_rates(self.parameters.residual_at(z, time, h), w)
             if self.tracked:
-                by_data = [self._along_data(lambda at, time=time: d.residual(at, time, h), z, e) for e in self.tracked]  # type: ignore[misc]
-                data += w @ np.array(by_data).T
+                by_data = self._by_data(z, time, h)
+                data += w @ by_data.T
             for part, one in zip((q, v, y), stage, strict=True):
                 part += one
             for j in range(k):

@@ -211,7 +211,7 @@ def _item_with_history(mbs: Any) -> str:
     for number in range(data.NumberOfObjects()):
         for value in mbs.GetObject(number).values():
             for each in value if isinstance(value, (list, tuple)) else [value]:
-                if isinstance(each, _core.NodeIndex) and data.GetNodeLTGData(int(each)):  # type: ignore[call-overload]
+                if isinstance(each, _core.NodeIndex) and data.GetNodeLTGData(int(each)):
                     return describe(mbs, _core.ObjectIndex(number))
     return "time integration"
 

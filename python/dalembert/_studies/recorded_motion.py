@@ -293,7 +293,7 @@ def check_tangent(derivatives: Any, z: FloatArray, time: float, h: float, steps:
     inertia[:n] = derivatives.product("M", a[None])[0][:n]
     parts.append(inertia)
     size = np.abs(parts).sum(axis=0)
-    for scale, tolerance in ((0.1, 1e-5), (1e-3, 1e-3)):  # smaller, if a corner is near
+    for scale, tolerance in ((0.1, 1e-6), (1e-3, 1e-5)):  # smaller, if a corner is near
         off = np.abs(derivative(along, scale) - np.sum(parts, axis=0))
         blocks = ((0, n), (n, n + n1), (n + n1, count))
         bad = [begin + int(np.argmax(off[begin:end])) for begin, end in blocks if end > begin
