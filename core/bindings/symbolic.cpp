@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -418,12 +419,26 @@ class SymbolicCallback final : public Callback {
     run(time, item, arguments, results);
     return results;
   }
+  // A derivative that does not exist, such as that of a root at zero, is left to differences.
+  bool derivative(double time, int item, std::span<const Argument> arguments, int number, std::span<double> results) const override {
+    if (static_cast<int>(results.size()) != tape_->shape().size()) return false;
+    std::size_t input = 0;
+    while (input < arguments.size() && number >= arguments[input].size()) number -= arguments[input++].size();
+    const std::size_t before = static_cast<std::size_t>(takes_time_) + static_cast<std::size_t>(takes_item_);
+    with_inputs(time, item, arguments, [&](std::span<const double* const> inputs) { tape_->derivative(inputs, before + input, number, results); });
+    return std::ranges::all_of(results, [](double x) { return std::isfinite(x); });
+  }
   PyObject* function() const { return function_.ptr(); }
 
  private:
   static constexpr std::size_t most = 24;
 
   void run(double time, int item, std::span<const Argument> arguments, std::span<double> results) const {
+    with_inputs(time, item, arguments, [&](std::span<const double* const> inputs) { tape_->evaluate(inputs, results); });
+  }
+
+  template <class Use>
+  void with_inputs(double time, int item, std::span<const Argument> arguments, Use&& use) const {
     const double number = item;
     std::array<const double*, most> inputs{};
     std::size_t n = 0;
@@ -438,7 +453,7 @@ class SymbolicCallback final : public Callback {
                  std::to_string(argument.size()));
       inputs[n++] = argument.data;
     }
-    tape_->evaluate(std::span(inputs.data(), n), results);
+    use(std::span<const double* const>(inputs.data(), n));
   }
 
   [[noreturn]] void complain(const std::string& problem) const {
@@ -491,6 +506,28 @@ py::object evaluate_function(const SymbolicFunction& function, const py::args& a
   return python_value(shape, results);
 }
 
+// Scalars that the function reads besides its arguments, by name.
+std::map<std::string, Node> scalars_of(const SymbolicFunction& function) {
+  if (!function.tape) refuse_empty();
+  std::map<std::string, Node> found;
+  for (const Node& variable : function.tape->variables())
+    if (variable->shape.is_scalar() && !variable->name.empty()) found.emplace(variable->name, variable);
+  return found;
+}
+
+SymbolicFunction with_variable(const SymbolicFunction& function, const std::string& name, double value) {
+  const auto scalars = scalars_of(function);
+  const auto found = scalars.find(name);
+  if (found == scalars.end()) {
+    std::vector<std::string_view> names;
+    for (const auto& entry : scalars) names.push_back(entry.first);
+    throw py::value_error("symbolic.UserFunction: '" + function.name + "' has no variable '" + name + "'." + (names.empty() ? "" : " " + suggestion(name, names)));
+  }
+  SymbolicFunction made = function;
+  made.tape = std::make_shared<symbolic::Tape>(function.tape->replaced(*found->second, symbolic::variable({}, {value}, name)));
+  return made;
+}
+
 void transfer(const py::object& self, const py::object& main, const py::object& index, const std::string& name) {
   ItemKind kind{};
   int number = -1;
@@ -526,6 +563,12 @@ void register_user_functions(py::module_& module) {
            py::arg("itemIndex") = py::none(), py::arg("itemTypeName") = "None", "Use a result of ConvertFunctionToSymbolic(...).");
   type.def("Evaluate", &evaluate_function, "Call the function from Python; mbs comes first.");
   type.def("__call__", &evaluate_function);
+  type.def("_Variables", [](const SymbolicFunction& f) {
+    std::map<std::string, double> values;
+    for (const auto& [name, node] : scalars_of(f)) values.emplace(name, node->values[0]);
+    return values;
+  });
+  type.def("_WithVariable", &with_variable, py::arg("name"), py::arg("value"));
   type.def("TransferUserFunction2Item", &transfer, py::arg("mainSystem"), py::arg("itemIndex"), py::arg("userFunctionName"),
            "Make it the user function of an item.");
   type.def("__str__", [](const SymbolicFunction& f) { return f.result ? symbolic::text(*f.result) : std::string("None"); });

@@ -18,6 +18,7 @@
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/system/switches.hpp"
 #include "main_system.hpp"
 
 namespace dalembert {
@@ -78,6 +79,38 @@ class SystemDerivatives {
     return sum;
   }
 
+  // Residuals at states in rows: sums over all states of weights times residuals, entry by entry. weights: states x outputs x
+  // equations; the result: outputs x equations. One system at a time stays in the caches.
+  Rows weighted_residuals(const Array& states, const Array& times, double step_size, const Array& weights) {
+    const py::ssize_t count = check_states(states, times);
+    const auto total = static_cast<py::ssize_t>(residual_.size());
+    if (weights.ndim() != 3 || weights.shape(0) != count || weights.shape(2) != total)
+      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "weights", .received = std::to_string(weights.size()) + " numbers",
+                                .expected = "states x outputs x equations"});
+    const py::ssize_t outputs = weights.shape(1);
+    Rows result({outputs, total});
+    double* const sums = result.mutable_data();
+    std::fill_n(sums, outputs * total, 0.0);
+    for (py::ssize_t k = 0; k < count; ++k) {
+      take_from(states.data(k, 0), times.data()[k], step_size).residual(state_, conditions_, residual_);
+      for (py::ssize_t o = 0; o < outputs; ++o) {
+        const double* w = weights.data(k, o, 0);
+        for (py::ssize_t i = 0; i < total; ++i) sums[o * total + i] += w[i] * residual_[static_cast<std::size_t>(i)];
+      }
+    }
+    return result;
+  }
+
+  // Residuals at states in rows.
+  Rows residuals(const Array& states, const Array& times, double step_size) {
+    const py::ssize_t count = check_states(states, times);
+    const auto total = static_cast<py::ssize_t>(residual_.size());
+    Rows result({count, total});
+    for (py::ssize_t k = 0; k < count; ++k)
+      take_from(states.data(k, 0), times.data()[k], step_size).residual(state_, conditions_, {result.mutable_data(k, 0), residual_.size()});
+    return result;
+  }
+
   // Gaps of constraints at a level other than that of the equations.
   Rows gaps(const Array& z, double time, bool rate_level) {
     System& system = take(z, time, conditions_.step_size);
@@ -86,6 +119,23 @@ class SystemDerivatives {
     Rows g(n_.ae);
     system.gaps(state_, conditions, {g.mutable_data(), static_cast<std::size_t>(n_.ae)});
     return g;
+  }
+
+  // Switches of items at a state: (value, whether forces have a kink only, noise, object or -1, what).
+  py::list switches(const Array& z, double time, double step_size) {
+    System& system = take(z, time, step_size);
+    std::vector<Switch> found;
+    system.find_switches(state_, conditions_, found);
+    py::list result;
+    for (const Switch& at : found) result.append(py::make_tuple(at.value, at.kink, at.noise, at.item, at.what));
+    return result;
+  }
+
+  // Data coordinates after a step that ends at a state, whose data are those of the step.
+  Rows switch_over(const Array& z, double time, double step_size) {
+    System& system = take(z, time, step_size);
+    system.switch_over(state_, conditions_);
+    return array(state_.data);
   }
 
   // D is found with K, because closed forms of some items need both: K + step D, minus K.
@@ -235,9 +285,21 @@ class SystemDerivatives {
                               .expected = std::to_string(size) + " numbers"});
   }
 
+  int length() const { return 3 * n_.ode2 + 2 * n_.ode1 + n_.ae + n_.data; }
+
+  py::ssize_t check_states(const Array& states, const Array& times) const {
+    if (states.ndim() != 2 || states.shape(1) != length() || times.size() != states.shape(0))
+      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "states", .received = std::to_string(states.size()) + " numbers",
+                                .expected = "rows of " + std::to_string(length()) + " numbers, and as many times"});
+    return states.shape(0);
+  }
+
   System& take(const Array& z, double time, double step_size) {
-    check(z, 3 * n_.ode2 + 2 * n_.ode1 + n_.ae + n_.data, "z");
-    const double* from = z.data();
+    check(z, length(), "z");
+    return take_from(z.data(), time, step_size);
+  }
+
+  System& take_from(const double* from, double time, double step_size) {
     for (auto* part : {&state_.q, &state_.v, &state_.a, &state_.y, &state_.y_t, &state_.lambda, &state_.data}) {
       std::copy_n(from, part->size(), part->begin());
       from += part->size();
@@ -336,9 +398,15 @@ void register_system_derivatives(py::module_& testing) {
   c.def(py::init<std::shared_ptr<MainSystem>, bool, bool>(), py::arg("mbs"), py::kw_only(), py::arg("rate_level") = false, py::arg("inertia") = true);
   const auto z = py::arg("z"), time = py::arg("time"), step_size = py::arg("step_size");
   c.def("residual", &D::residual, z, time, step_size, "Residual of [ODE2, ODE1, AE].");
+  c.def("residuals", &D::residuals, py::arg("states"), py::arg("times"), step_size, "Residuals at states in rows.");
+  c.def("weighted_residuals", &D::weighted_residuals, py::arg("states"), py::arg("times"), step_size, py::arg("weights"),
+        "Sums over states of weights (states x outputs x equations) times residuals, entry by entry.");
   testing.def("residual_sum", &D::residual_sum, py::arg("systems"), py::arg("weights"), py::arg("states"), time, step_size,
               "Weighted sum of the residuals of SystemDerivatives, each at a state of its own.");
   c.def("gaps", &D::gaps, z, time, py::arg("rate_level"), "Algebraic equations alone, as positions or as rates.");
+  c.def("switches", &D::switches, z, time, step_size,
+        "Switches of items: (value, whether it is a kink only, noise, object or -1, what). A negative value, or any change of sign of a kink, is an event.");
+  c.def("switch_over", &D::switch_over, z, time, step_size, "Data coordinates after a step, given the data of the step.");
   c.def("linearize", &D::linearize, z, time, step_size, py::arg("rate_level") = py::none(),
         "Compute K = dr/d[q, y, lam], D = dr/dv and M = dr/da; rate_level: other than that of the equations.");
   c.def("factorize", &D::factorize, py::arg("factors"), py::arg("blocks") = py::none(), py::arg("scale") = 1.0, py::arg("transposed") = false,

@@ -54,8 +54,11 @@ if TYPE_CHECKING:
     from dalembert._studies.differentiable_model import DifferentiableModel as DifferentiableModel
     from dalembert._studies.differentiable_outputs import (
         At as At,
+        BucklingLoad as BucklingLoad,
         Eigenvalue as Eigenvalue,
+        EventTime as EventTime,
         Final as Final,
+        FrequencyResponse as FrequencyResponse,
         Function as Function,
         Integral as Integral,
         Reaction as Reaction,
@@ -110,7 +113,10 @@ _classes = {
     "DesignParameter": "_studies.design_parameters",
     "DifferentiableModel": "_studies.differentiable_model",
     "At": "_studies.differentiable_outputs",
+    "BucklingLoad": "_studies.differentiable_outputs",
     "Eigenvalue": "_studies.differentiable_outputs",
+    "EventTime": "_studies.differentiable_outputs",
+    "FrequencyResponse": "_studies.differentiable_outputs",
     "Final": "_studies.differentiable_outputs",
     "Function": "_studies.differentiable_outputs",
     "Integral": "_studies.differentiable_outputs",

@@ -38,6 +38,7 @@ from dalembert.itemInterface import (
     NodeRigidBodyEP,
     NodeRigidBodyRotVecLG,
     ObjectANCFCable2D,
+    ObjectContactCoordinate,
     ObjectGenericODE2,
     ObjectGround,
     ObjectRigidBody,
@@ -48,6 +49,7 @@ from dalembert.itemInterface import (
     VObjectGround,
 )
 from dalembert.utilities import (
+    CreateSymbolicUserFunction,
     InertiaCuboid,
     RotationMatrix2EulerParameters,
     RotationMatrixX,
@@ -313,6 +315,35 @@ def test_histories_are_derivatives_in_time() -> None:
     assert history[-1, 1] == found.Derivative("x", "F")
 
 
+def test_values_between_steps() -> None:
+    # The error of a cubic polynomial falls with the fourth power of the step, 1e-8; a free vibration around F/k.
+    mbs = oscillator(damping=0.0)
+    times = [0.0034, 0.5011, 0.9967]
+    found = mbs.ComputeSensitivities(
+        {"F": ("force", "load")}, {"x": exu.At("x", times)}, settings(1.0, 1000, radius=1.0)
+    )
+    exact = 3 / 50 + (0.1 - 3 / 50) * np.cos(5 * np.array(times))
+    np.testing.assert_allclose(found.values["x"], exact, atol=1e-6)
+    np.testing.assert_allclose(found.matrix[:, 0], (1 - np.cos(5 * np.array(times))) / 50, atol=1e-6)
+    fine = mbs.ComputeSensitivities(
+        {"F": ("force", "load")}, {"x": exu.At("x", 0.5005)}, settings(1.0, 2000, radius=1.0)
+    )
+    coarse = mbs.ComputeSensitivities(
+        {"F": ("force", "load")}, {"x": exu.At("x", 0.5005)}, settings(1.0, 1000, radius=1.0)
+    )
+    exact_rate = (1 - np.cos(5 * 0.5005)) / 50
+    errors = [abs(each.Derivative("x", "F") - exact_rate) for each in (coarse, fine)]
+    assert 3.5 < errors[0] / errors[1] < 4.5  # that of the solution
+
+
+def test_outputs_of_equilibria_need_a_static_solution() -> None:
+    found = refusal(oscillator(), outputs={"X": exu.FrequencyResponse("force", "x", 3.0)})
+    assert found.reason == "FrequencyResponse belongs to a static equilibrium"
+    with pytest.raises(ValueError, match="component: received 1, but the sensor has 1 values"):
+        output = exu.FrequencyResponse("force", "x", 3.0, component=1)
+        oscillator().ComputeSensitivities({"k": ("spring", "stiffness")}, {"X": output}, solverType="static")
+
+
 def test_initial_values_that_systems_were_given_are_used() -> None:
     mbs = oscillator()
     other = oscillator()
@@ -462,7 +493,7 @@ def test_model_does_not_change() -> None:
     before = contents(mbs)
     mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": "p"}, settings())
     with pytest.raises(ValueError, match="no step ends"):
-        mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": exu.At("p", 0.123)}, settings())
+        mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": exu.Reaction("rod", time=0.123)}, settings())
     with pytest.raises(exu.SolverError):
         s = settings()
         s.timeIntegration.newton.maxIterations = 1
@@ -530,25 +561,156 @@ def test_euler_parameters_and_the_trapezoidal_rule_are_refused() -> None:
     assert "normalized" in found.reason
 
 
-def test_history_is_refused() -> None:
+def rubbing(mass: float = 2.0, friction: float = 0.3) -> Any:
+    """A mass on a spring with dry friction by bristles, which sticks at each reversal."""
     mbs = new_system()
-    node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[0.1]))
-    mbs.AddObject(Mass1D(physicsMass=2, nodeNumber=node, name="mass"))
-    history = mbs.AddNode(NodeGenericData(initialCoordinates=[1, 0, 0], numberOfDataCoordinates=3))
+    node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[0.1], name="node"))
+    mbs.AddObject(Mass1D(physicsMass=mass, nodeNumber=node, name="mass"))
+    history = mbs.AddNode(NodeGenericData(initialCoordinates=[-1, 0.1, 0], numberOfDataCoordinates=3))
     marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
     mbs.AddObject(
         CoordinateSpringDamperExt(
             markerNumbers=[ground_coordinate(mbs), marker],
-            stiffness=10,
-            fDynamicFriction=1,
+            stiffness=200,
+            fDynamicFriction=friction,
+            stickingStiffness=1e4,
+            stickingDamping=20,
+            frictionProportionalZone=0,
             nodeNumber=history,
             name="spring",
         )
     )
     mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name="x"))
     mbs.Assemble()
-    found = refusal(mbs)
+    return mbs
+
+
+def with_events(end: float = 0.9, steps: int = 90) -> Any:
+    s = settings(end, steps)
+    s.events.ofItems = True
+    return s
+
+
+def test_history_needs_events() -> None:
+    found = refusal(rubbing(), {"m": ("mass", "physicsMass")}, {"x": "x"}, settings(0.9, 90))
     assert found.item.startswith("object 1 'spring'") and "history" in found.reason
+    assert "events.ofItems = True" in found.advice
+
+
+def test_derivatives_through_stick_and_slip() -> None:
+    # Anchors of bristles are states: they depend on parameters. Slip turns twice.
+    parameters = {
+        "m": ("mass", "physicsMass"),
+        "k": ("spring", "stiffness"),
+        "f": ("spring", "fDynamicFriction"),
+        "bristle": ("spring", "stickingStiffness"),
+        "x0": ("node", "initialCoordinates", 0),
+    }
+    outputs = {"x": "x", "t": exu.EventTime("spring", 3), "between": exu.At("x", 0.123), "E": exu.Integral("x")}
+    forward, adjoint = (
+        rubbing().ComputeSensitivities(parameters, outputs, with_events(), method=method)
+        for method in ("forward", "adjoint")
+    )
+    size = np.abs(forward.matrix * [2, 200, 0.3, 1e4, 0.1]).max(axis=1, keepdims=True)
+    assert np.all(np.abs(forward.matrix - adjoint.matrix) * [2, 200, 0.3, 1e4, 0.1] < 1e-10 * size)
+    for k, given in enumerate(parameters.values()):
+        x = value_of(rubbing(), given)
+        differences = sum(
+            weight / (1e-4 * x)
+            * outputs_of(varied(rubbing, given, x * (1 + 1e-4 * multiple)), {"m": parameters["m"]}, outputs,
+                         exu.DynamicSolverType.GeneralizedAlpha, with_events())
+            for multiple, weight in CENTRAL.items()
+        )  # fmt: skip
+        assert np.all(np.abs(forward.matrix[:, k] - differences) * x < 1e-6 * size[:, 0]), (
+            k,
+            forward.matrix[:, k],
+            differences,
+        )
+
+
+def falling(*heights: float, constrained: bool = False) -> Any:
+    """Masses that fall on springs."""
+    mbs = new_system()
+    for i, height in enumerate(heights):
+        node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[height], name=f"node {i}"))
+        mbs.AddObject(Mass1D(physicsMass=2, nodeNumber=node, name=f"mass {i}"))
+        gap = mbs.AddNode(NodeGenericData(initialCoordinates=[height], numberOfDataCoordinates=1))
+        marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+        ends = [ground_coordinate(mbs), marker]
+        mbs.AddObject(
+            ObjectContactCoordinate(markerNumbers=ends, nodeNumber=gap, contactStiffness=1e3, name=f"stop {i}")
+        )
+        mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=-20))
+        mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name=f"x{i}"))
+    if constrained:
+        other = mbs.AddNode(Node1D(referenceCoordinates=[0]))
+        mbs.AddObject(Mass1D(physicsMass=1, nodeNumber=other))
+        ends = [ground_coordinate(mbs), mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=other, coordinate=0))]
+        mbs.AddObject(CoordinateConstraint(markerNumbers=ends))
+    mbs.Assemble()
+    return mbs
+
+
+def test_events_that_are_refused() -> None:
+    parameters, outputs = {"m": ("mass 0", "physicsMass")}, {"x": "x0"}
+    found = refusal(falling(0.05, constrained=True), parameters, outputs, with_events(0.2, 40))
+    assert found.reason == "events in systems with constraints are not available"
+    assert found.item == "event 'contact' of object 1 'stop 0' (ContactCoordinate)" and found.time is not None
+    found = refusal(falling(0.05, 0.05), parameters, outputs, with_events(0.2, 40))
+    assert found.reason == "two events come at the same time"
+    with pytest.raises(ValueError, match="output 't': number: received 3, but the object has 2 events"):
+        falling(0.05).ComputeSensitivities(parameters, {"t": exu.EventTime("stop 0", 3)}, with_events(0.4, 80))
+
+
+def hardening(c3: float = 2e3) -> Any:
+    mbs = oscillator()
+    number, spring = exu.symbolic.Real("c3", c3), mbs.GetObjectNumber("spring")
+    law = CreateSymbolicUserFunction(
+        mbs, lambda mbs, t, i, x, v, k, d, offset: k * x + d * v + number * x * x * x, "springForceUserFunction", spring
+    )
+    mbs.SetObjectParameter(spring, "springForceUserFunction", law)
+    mbs.Assemble()
+    return mbs
+
+
+def test_named_numbers_of_recorded_functions() -> None:
+    where = ("spring", "springForceUserFunction", "c3")
+    model = exu.DifferentiableModel(
+        hardening(), {"c3": where, "end": "timeIntegration.endTime"}, {"x": "x"}, settings()
+    )
+    np.testing.assert_array_equal(model.x0, [2e3, 0.4])
+    assert model.Values([3e3, 0.4])["x"] == pytest.approx(
+        hardening(3e3).ComputeSensitivities({"c3": where}, {"x": "x"}, settings()).values["x"], rel=1e-12
+    )
+    assert model.Check(model.x0, digits=8) == ""
+    for given in (("spring", "springForceUserFunction"), ("spring", "springForceUserFunction", "c4")):
+        with pytest.raises(ValueError, match=r"is a recorded function; pass \(item, parameter, name\) with one of c3"):
+            hardening().ComputeSensitivities({"p": given}, {"x": "x"}, settings())
+
+
+def test_recorded_functions_have_exact_tangents() -> None:
+    # Differences of 1e-8 would leave errors of 1e-9.
+    mbs = hardening()
+    derivatives = testing.SystemDerivatives(mbs)
+    x, z = 0.3, np.array([0.3, 0.0, 0.0])
+    derivatives.linearize(z, 0.0, 0.01)
+    assert derivatives.product("K", np.eye(1))[0, 0] == pytest.approx(50 + 3 * 2e3 * x**2, rel=1e-14)
+
+
+def test_jacobians_that_are_no_derivatives_are_refused() -> None:
+    # Solvers hold a mass matrix of a user function fixed, which is enough for Newton's method.
+    mbs = matrices()
+    item = mbs.GetObjectNumber("matrices")
+
+    def mass(mbs: Any, t: Any, i: Any, q: Any, v: Any) -> Any:
+        diagonal = [1 + q[0] * q[0], 2, 3, 4, 5, 6]
+        return exu.symbolic.Matrix([[diagonal[i] if i == j else 0 for j in range(6)] for i in range(6)])
+
+    law = CreateSymbolicUserFunction(mbs, mass, "massMatrixUserFunction", item)
+    mbs.ModifyObject(item, {"massMatrixUserFunction": law})
+    mbs.Assemble()
+    found = refusal(mbs, {"K": ("matrices", "stiffnessMatrix", (3, 4))}, {"x": "p"})
+    assert found.reason.startswith("the Jacobian is not the derivative of these equations")
 
 
 def test_settings_that_are_refused() -> None:
@@ -560,13 +722,34 @@ def test_settings_that_are_refused() -> None:
     def control(s: Any) -> None:
         s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
 
-    def events(s: Any) -> None:
-        s.events.ofItems = True
-
     assert changed(control) == "simulationSettings.stepSizeControl.implicitSolvers"
-    assert changed(events) == "simulationSettings.events.ofItems"
-    found = refusal(oscillator(), solverType=exu.DynamicSolverType.RK44)
-    assert "generalized alpha" in found.reason
+    for solver in (exu.DynamicSolverType.VelocityVerlet, exu.DynamicSolverType.ESDIRK43):
+        found = refusal(oscillator(), solverType=solver)
+        assert "generalized alpha" in found.reason
+
+
+def test_what_explicit_methods_do_not_differentiate() -> None:
+    def refused(mbs: Any, parameters: Any, outputs: Any) -> Any:
+        return refusal(mbs, parameters, outputs, solverType=exu.DynamicSolverType.RK44)
+
+    found = refused(pendulum(), {"m": ("mass", "physicsMass")}, {"x": "p"})
+    assert found.reason == "constraints are not available with explicit methods" and "rod" in found.item
+    mass = {"m": ("body", "physicsMass")}
+    found = refused(spatial(connector=bushing), mass, {"x": "p"})
+    assert found.item == "node 0 'node' (RigidBodyRotVecLG)" and "Lie-group" in found.reason
+    found = refused(oscillator(), None, {"a": exu.Final(0, 2)})
+    assert found.reason == "accelerations of explicit methods are not available"
+
+
+def test_adaptive_steps_are_frozen() -> None:
+    # The derivative of the exact solution, to the tolerance of the steps.
+    s = settings(0.9, 1)
+    s.timeIntegration.automaticStepSize = True
+    s.timeIntegration.relativeTolerance, s.timeIntegration.absoluteTolerance = 1e-9, 1e-10
+    mbs = oscillator(damping=0.0)
+    found = mbs.ComputeSensitivities({"F": ("force", "load")}, {"x": "x"}, s, exu.DynamicSolverType.DOPRI5)
+    assert found.exactness == "frozen steps"
+    assert found.Derivative("x", "F") == pytest.approx((1 - np.cos(5 * 0.9)) / 50, rel=1e-7)
 
 
 def test_redundant_constraints_are_refused() -> None:
@@ -605,7 +788,11 @@ def test_corrected_velocities_are_refused() -> None:
         (("node", "initialCoordinates", 1), ValueError, "entry 1 of initialCoordinates"),
         (("spring", "activeConnector"), exu.NotDifferentiable, "activeConnector is not a real number"),
         (("spring", "name"), exu.NotDifferentiable, "name is not a real number"),
-        ("timeIntegration.endTime", exu.NotDifferentiable, "timeIntegration.endTime, parameter 'p': it is a setting"),
+        (
+            "timeIntegration.startTime",
+            exu.NotDifferentiable,
+            "timeIntegration.startTime, parameter 'p': it is a setting",
+        ),
         (("spring",), ValueError, "expected \\(item, parameter\\)"),
         ((1, "stiffness"), ValueError, "received 1 as item"),
         ([], ValueError, "received an empty list"),
@@ -627,7 +814,8 @@ def test_wrong_parameters(parameter: Any, error: type, message: str) -> None:
     [
         ("y", "output 'o': received 'y'"),
         (exu.At("x", 7.0), "no step ends at time 7 s; .*; it has to lie within the computed time"),
-        (exu.At("x", 0.123), "no step ends at time 0.123 s; .*; choose steps that end there"),
+        (exu.Integral("x", end=0.123), "no step ends at time 0.123 s; .*; choose steps that end there"),
+        (exu.EventTime("spring"), "number: received 1, but the object has 0 events"),
         (exu.At("x", component=2), "component: received 2, but the sensor has 1 values"),
         (exu.Final(5), "received 5, but the system has 1 ODE2 coordinates"),
         (exu.Reaction("spring"), "the object has 0 constraint equations"),

@@ -18,6 +18,7 @@ import dalembert as exu
 from dalembert.itemInterface import (
     CoordinateConstraint,
     CoordinateSpringDamper,
+    CoordinateSpringDamperExt,
     DistanceConstraint,
     LoadCoordinate,
     LoadForceVector,
@@ -31,7 +32,9 @@ from dalembert.itemInterface import (
     MassPoint,
     MassPoint2D,
     Node1D,
+    NodeGenericData,
     NodeGenericODE1,
+    NodeGenericODE2,
     NodePoint,
     NodePoint2DSlope1,
     NodePointGround,
@@ -40,7 +43,9 @@ from dalembert.itemInterface import (
     NodeRigidBodyRotVecLG,
     NodeRigidBodyRxyz,
     ObjectANCFCable2D,
+    ObjectContactCoordinate,
     ObjectGenericODE1,
+    ObjectGenericODE2,
     ObjectGround,
     ObjectRigidBody,
     RevoluteJoint2D,
@@ -80,8 +85,9 @@ class Problem:
     solver: Any = exu.DynamicSolverType.GeneralizedAlpha
     change: Callable[[Any], None] = field(default=lambda _: None)
 
-    def settings(self, steps: int | None = None) -> Any:
-        made = settings(self.end, self.steps if steps is None else steps, self.radius, 1e-12)
+    def settings(self, steps: int | None = None, numbers: Numbers | None = None) -> Any:
+        end = (numbers or self.numbers).get("T", self.end)
+        made = settings(end, self.steps if steps is None else steps, self.radius, 1e-12)
         self.change(made)
         return made
 
@@ -89,7 +95,7 @@ class Problem:
         numbers = self.numbers if numbers is None else numbers
         mbs = self.build(numbers)
         return mbs.ComputeSensitivities(
-            self.parameters(numbers), self.outputs, self.settings(steps), self.solver, method
+            self.parameters(numbers), self.outputs, self.settings(steps, numbers), self.solver, method
         )
 
 
@@ -107,7 +113,7 @@ def reference(name: str) -> dict[str, tuple[float, dict[str, float]]]:
                 parameter, value = entry.split()
                 found[output][1][parameter.removeprefix("d/d")] = float(value)
         elif line:
-            output, value = (part.strip() for part in line.split("="))
+            output, value = (part.strip() for part in line.rsplit("=", 1))
             found[output] = float(value), {}
     return found
 
@@ -786,6 +792,87 @@ P1 = Problem(
 STATIC["P1"] = P1
 
 
+# ---- P4a: linear beam -----------------------------------------------------------------------------------------------
+
+
+def beam_stiffness(p: Numbers) -> Any:
+    """A cantilever with cubic shape functions: deflection and slope of its end."""
+    length = p["L"]
+    return p["EI"] / length**3 * np.array([[12, -6 * length], [-6 * length, 4 * length**2]])
+
+
+def linear_beam(p: Numbers) -> Any:
+    mbs = new_system()
+    node = mbs.AddNode(NodeGenericODE2(referenceCoordinates=[0, 0], initialCoordinates=[0, 0], initialCoordinates_t=[0, 0],
+                                       numberOfODE2Coordinates=2))  # fmt: skip
+    mbs.AddObject(ObjectGenericODE2(nodeNumbers=[node], massMatrix=np.eye(2), stiffnessMatrix=beam_stiffness(p), name="beam"))  # fmt: skip
+    mbs.AddLoad(LoadCoordinate(markerNumber=coordinate(mbs, node, 0), load=p["F"], name="force"))
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name="tip"))
+    mbs.Assemble()
+    return mbs
+
+
+def linear_beam_parameters(p: Numbers) -> dict[str, Any]:
+    def moved(name: str) -> Any:
+        return Design(
+            p[name],
+            {
+                ("beam", "stiffnessMatrix", (i, j)): (lambda x, i=i, j=j: beam_stiffness({**p, name: x})[i, j])
+                for i in range(2)
+                for j in range(2)
+            },
+        )
+
+    return {"F": ("force", "load"), "L": moved("L"), "EI": moved("EI")}
+
+
+STATIC["P4a"] = Problem(
+    {"F": 1.0, "L": 2.0, "EI": 1000.0}, linear_beam, linear_beam_parameters, {"w": exu.At("tip")}, solver="static"
+)
+
+
+# ---- P8: vibration absorber ------------------------------------------------------------------------------------------
+
+
+def absorber(p: Numbers) -> Any:
+    mbs = new_system()
+    nodes = [mbs.AddNode(Node1D(referenceCoordinates=[0])) for _ in range(2)]
+    for i, node in enumerate(nodes, 1):
+        mbs.AddObject(Mass1D(physicsMass=p[f"m{i}"], nodeNumber=node, name=f"mass{i}"))
+    markers = [ground_coordinate(mbs), *(coordinate(mbs, node, 0) for node in nodes)]
+    for i in (1, 2):
+        mbs.AddObject(
+            CoordinateSpringDamper(
+                markerNumbers=markers[i - 1 : i + 1], stiffness=p[f"k{i}"], damping=p["c2"] if i == 2 else 0, name=f"spring{i}"
+            )
+        )  # fmt: skip
+    mbs.AddLoad(LoadCoordinate(markerNumber=markers[1], load=1, name="force"))
+    mbs.AddSensor(SensorNode(nodeNumber=nodes[0], outputVariableType=Variable.Coordinates, name="x"))
+    mbs.Assemble()
+    return mbs
+
+
+OPTIMUM = {"k2": 181.40589569160997, "c2": 2.5453451610707085}  # of the absorber
+_ABSORBER = {"m1": 10.0, "k1": 4000.0, "m2": 0.5, **OPTIMUM}
+FIXED_POINTS = {-1: 17.929239094803, 1: 20.986832714494}
+
+
+def absorber_parameters(_: Numbers) -> dict[str, Any]:
+    return {
+        "m1": ("mass1", "physicsMass"),
+        "k1": ("spring1", "stiffness"),
+        "m2": ("mass2", "physicsMass"),
+        "k2": ("spring2", "stiffness"),
+        "c2": ("spring2", "damping"),
+    }
+
+
+def absorber_problem(omega: float) -> Problem:
+    return Problem(
+        _ABSORBER, absorber, absorber_parameters, {"X": exu.FrequencyResponse("force", "x", omega)}, solver="static"
+    )
+
+
 # ---- P4b, P6: cantilevers of cable elements -------------------------------------------------------------------------
 
 
@@ -846,6 +933,175 @@ def cantilever_problem(numbers: Numbers, elements: int, outputs: dict[str, Any])
         solver="static",
         change=in_steps,
     )
+
+
+# ---- P9: block that slides to rest -------------------------------------------------------------------------------------
+
+
+def block(p: Numbers) -> Any:
+    mbs = new_system()
+    node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialVelocities=[p["v0"]], name="node"))
+    mbs.AddObject(Mass1D(physicsMass=1.5, nodeNumber=node))
+    slides = mbs.AddNode(NodeGenericData(initialCoordinates=[1, 0, 0], numberOfDataCoordinates=3))
+    mbs.AddObject(
+        CoordinateSpringDamperExt(
+            markerNumbers=[ground_coordinate(mbs), coordinate(mbs, node, 0)],
+            nodeNumber=slides,
+            fDynamicFriction=1.5 * p["mu"] * p["g"],
+            frictionProportionalZone=0,
+            stickingStiffness=1e9,
+            name="friction",
+        )
+    )
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name="x"))
+    mbs.Assemble()
+    return mbs
+
+
+def with_events(made: Any) -> None:
+    made.events.ofItems = True
+
+
+P9 = Problem(
+    {"v0": 3.0, "mu": 0.25, "g": 9.81},
+    block,
+    lambda p: {
+        "v0": ("node", "initialVelocities", 0),
+        "mu": Design(p["mu"], {("friction", "fDynamicFriction"): 1.5 * p["g"]}),
+        "g": Design(p["g"], {("friction", "fDynamicFriction"): 1.5 * p["mu"]}),
+    },
+    {"t": exu.EventTime("friction"), "x": exu.At("x", exu.EventTime("friction"))},
+    end=1.3,
+    steps=130,
+    change=with_events,
+)
+
+
+# ---- P10: drop on a spring-damper -------------------------------------------------------------------------------------
+
+
+def drop(p: Numbers) -> Any:
+    mbs = new_system()
+    node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[p["h"]], name="node"))
+    mbs.AddObject(Mass1D(physicsMass=p["m"], nodeNumber=node, name="mass"))
+    gap = mbs.AddNode(NodeGenericData(initialCoordinates=[p["h"]], numberOfDataCoordinates=1))
+    marker = coordinate(mbs, node, 0)
+    mbs.AddObject(
+        ObjectContactCoordinate(
+            markerNumbers=[ground_coordinate(mbs), marker],
+            nodeNumber=gap,
+            contactStiffness=p["k"],
+            contactDamping=p["d"],
+            name="contact",
+        )
+    )
+    mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=-p["m"] * p["g"], name="weight"))
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name="x"))
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates_t, name="v"))
+    mbs.Assemble()
+    return mbs
+
+
+P10 = Problem(
+    {"h": 0.5, "k": 20000.0, "d": 30.0, "m": 1.5, "g": 9.81},
+    drop,
+    lambda p: {
+        "h": ("node", "initialCoordinates", 0),
+        "k": ("contact", "contactStiffness"),
+        "d": ("contact", "contactDamping"),
+        "m": Design(p["m"], {("mass", "physicsMass"): 1.0, ("weight", "load"): -p["g"]}),
+        "g": Design(p["g"], {("weight", "load"): -p["m"]}),
+    },
+    {
+        "t(touch)": exu.EventTime("contact", 1),
+        "t(leave)": exu.EventTime("contact", 2),
+        "gap at t=0.7": exu.At("x"),
+        "speed": exu.At("v", exu.EventTime("contact", 2)),
+    },
+    end=0.7,
+    steps=1400,
+    radius=0.9,
+    change=with_events,
+)
+
+
+# ---- P13: planet ---------------------------------------------------------------------------------------------------------
+
+
+def planet(p: Numbers) -> Any:
+    mbs = new_system()
+    node = mbs.AddNode(NodePoint(referenceCoordinates=[p["r0"], 0, 0], initialVelocities=[0, p["v0"], 0], name="node"))
+    body = mbs.AddObject(MassPoint(physicsMass=1, nodeNumber=node))
+    ends = [mbs.AddMarker(MarkerBodyPosition(bodyNumber=b)) for b in (mbs.AddObject(ObjectGround()), body)]
+    number = exu.symbolic.Real("mu", p["mu"])
+    sun = mbs.AddObject(SpringDamper(markerNumbers=ends, referenceLength=1, name="sun"))
+    law = CreateSymbolicUserFunction(
+        mbs,
+        lambda mbs, t, item, stretch, rate, k, d, force: number / (1 + stretch) ** 2,
+        "springForceUserFunction",
+        sun,
+    )
+    mbs.SetObjectParameter(sun, "springForceUserFunction", law)
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Position, name="place"))
+    mbs.Assemble()
+    return mbs
+
+
+P13 = Problem(
+    {"mu": 1.0, "r0": 1.0, "v0": 1.2, "T": 3.0},
+    planet,
+    lambda p: {
+        "mu": ("sun", "springForceUserFunction", "mu"),
+        "r0": ("node", "referenceCoordinates", 0),
+        "v0": ("node", "initialVelocities", 1),
+        "T": "timeIntegration.endTime",
+    },
+    {"x": exu.At("place"), "y": exu.At("place", component=1)},
+    end=3.0,
+    steps=800,
+    radius=0.9,
+)
+
+
+# ---- P18: pendulum of one cable element -----------------------------------------------------------------------------
+
+
+def cable_pendulum(p: Numbers) -> Any:
+    mbs = new_system()
+    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0], name=f"end {i}")) for i, x in enumerate((0, p["L"]))]  # fmt: skip
+    cable = mbs.AddObject(
+        ObjectANCFCable2D(
+            physicsLength=p["L"],
+            physicsMassPerLength=p["rhoA"],
+            physicsBendingStiffness=p["EI"],
+            physicsAxialStiffness=p["EA"],
+            nodeNumbers=nodes,
+            useReducedOrderIntegration=False,
+            name="cable",
+        )
+    )
+    for k in (0, 1):
+        mbs.AddObject(CoordinateConstraint(markerNumbers=[ground_coordinate(mbs), coordinate(mbs, nodes[0], k)]))
+    weight(mbs, cable, "weight", p["g"])
+    mbs.AddSensor(SensorNode(nodeNumber=nodes[1], outputVariableType=Variable.Position, name="tip"))
+    mbs.Assemble()
+    return mbs
+
+
+DYNAMIC["P18"] = Problem(
+    {"EA": 2000.0, "EI": 2.0, "rhoA": 1.0, "L": 1.0, "g": 9.81},
+    cable_pendulum,
+    lambda p: {
+        "EA": ("cable", "physicsAxialStiffness"),
+        "EI": ("cable", "physicsBendingStiffness"),
+        "rhoA": ("cable", "physicsMassPerLength"),
+        "L": [("end 1", "referenceCoordinates", 0), ("cable", "physicsLength")],
+        "g": Design(p["g"], {("weight", "loadVector", 1): -1.0}),
+    },
+    {"x(tip)": exu.At("tip"), "y(tip)": exu.At("tip", component=1)},
+    end=0.8,
+    steps=3200,
+)
 
 
 # ---- P17: cart-pole with forces in eight intervals --------------------------------------------------------------------
@@ -919,3 +1175,6 @@ P17 = Problem(
     steps=400,
 )
 DYNAMIC["P17"] = P17
+DYNAMIC["P13"] = P13
+
+EVENTS = {"P9": P9, "P10": P10}

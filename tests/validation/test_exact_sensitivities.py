@@ -2,16 +2,31 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
-from validation.sensitivity_problems import DYNAMIC, INTERVAL, STATIC, Problem, cantilever_problem, reference
+import scipy.optimize
+from validation.sensitivity_problems import (
+    DYNAMIC,
+    EVENTS,
+    FIXED_POINTS,
+    INTERVAL,
+    OPTIMUM,
+    STATIC,
+    Problem,
+    absorber_problem,
+    cantilever_problem,
+    reference,
+)
 
 import dalembert as exu
 from dalembert.itemInterface import (
     CoordinateConstraint,
+    LoadForceVector,
     MarkerNodeCoordinate,
+    MarkerNodePosition,
     MassPoint2D,
     NodePoint2DSlope1,
     NodePointGround,
@@ -57,7 +72,7 @@ def by_differences(problem: Problem, steps: int | None = None) -> Any:
             # The cheapest derivatives: only values are used.
             cheap = {next(iter(problem.parameters(numbers))): next(iter(problem.parameters(numbers).values()))}
             found = problem.build(numbers).ComputeSensitivities(
-                cheap, problem.outputs, problem.settings(steps), problem.solver, "forward"
+                cheap, problem.outputs, problem.settings(steps, numbers), problem.solver, "forward"
             )
             varied.append(weight / step * numbers_of(found))
         columns.append(np.sum(varied, axis=0))
@@ -108,14 +123,58 @@ def test_derivatives_of_motions_converge_to_the_reference(name: str) -> None:
     assert np.all(relative(problem, matrix - derivatives, derivatives) < 1e-6)
 
 
-@pytest.mark.parametrize("name", DYNAMIC)
+@pytest.mark.parametrize("name", [*DYNAMIC, *EVENTS])
 def test_derivatives_are_those_of_the_computed_solution(name: str) -> None:
     # In coarse steps, too, whose own errors are up to some percent.
-    problem = DYNAMIC[name]
+    problem = {**DYNAMIC, **EVENTS}[name]
     forward, adjoint = problem.solve(60, method="forward"), problem.solve(60, method="adjoint")
     assert np.all(relative(problem, forward.matrix - adjoint.matrix, forward.matrix) < 1e-10)
     differences = by_differences(problem, 60)
     assert np.all(relative(problem, forward.matrix - differences, forward.matrix) < 1e-7)
+
+
+def test_stop_of_a_sliding_block() -> None:
+    # Friction is constant until the block stops: steps of the solver have no error.
+    problem = EVENTS["P9"]
+    values, derivatives = known("P9", problem)
+    for method in ("forward", "adjoint"):
+        found = problem.solve(method=method)
+        np.testing.assert_allclose(numbers_of(found), values, rtol=1e-10)
+        assert np.all(relative(problem, found.matrix - derivatives, derivatives) < 1e-9)
+
+
+def test_drop_on_a_spring() -> None:
+    # Before the contact, steps have no error; after it, that of the place of the event in a step is of first order.
+    problem = EVENTS["P10"]
+    block = reference("P10")
+    coarse, fine = problem.solve(1400), problem.solve(11200)
+    for output, largest in (("t(touch)", 1e-11), ("t(leave)", 5e-6), ("gap at t=0.7", 5e-5)):
+        expected = np.array([block[output][1][name] for name in problem.numbers])
+        sizes = np.array(list(problem.numbers.values()))
+        errors = [
+            np.max(np.abs(found.matrix[found.outputs.index(output)] - expected) * sizes)
+            / np.max(np.abs(expected * sizes))
+            for found in (coarse, fine)
+        ]
+        assert errors[1] < largest and errors[1] < max(0.25 * errors[0], 1e-11)
+    assert abs(fine.Derivative("t(touch)", "k")) < 1e-15  # the contact has not begun
+
+
+@pytest.mark.parametrize(("name", "steps"), [("P10", 900), ("P12", 30), ("P13", 60)])
+def test_explicit_methods(name: str, steps: int) -> None:
+    # RK67 has order 6: a few steps are enough, also across the events of P10.
+    problem = replace({**DYNAMIC, **EVENTS}[name], solver=Solver.RK67)
+    if name == "P10":
+        problem = replace(
+            problem, outputs={key: problem.outputs[key] for key in ("t(touch)", "t(leave)", "gap at t=0.7")}
+        )
+    values, derivatives = known(name, problem)
+    found = problem.solve(steps, method="forward")
+    np.testing.assert_allclose(numbers_of(found), values, rtol=1e-8)
+    assert np.all(relative(problem, found.matrix - derivatives, derivatives) < 1e-8)
+    if name != "P10":
+        adjoint = problem.solve(steps, method="adjoint")
+        assert np.all(relative(problem, found.matrix - adjoint.matrix, derivatives) < 1e-12)
 
 
 def test_large_deflection_scales_with_load_length_and_stiffness() -> None:
@@ -144,6 +203,77 @@ def test_frequencies_of_a_beam_with_a_mass() -> None:
             # Errors fall with the fourth power of the size of elements.
             ends = [each.Derivative(output, parameter) for each in (coarse, fine)]
             assert ends[1] + (ends[1] - ends[0]) / 15 == pytest.approx(expected, rel=1e-5)
+
+
+def test_buckling_load_of_a_cantilever() -> None:
+    # On any mesh: P/EI and P L^2/EI depend on EA L^2/EI alone; errors of elements fall with the fourth power of their size.
+    numbers = {"F": 0.0, "L": 1.5, "EI": 20.0, "EA": 1e7, "rhoA": 1.0, "M": 1.0}
+    value, derivatives = reference("P5")["P"]
+    found = []
+    for elements in (4, 8):
+        problem = cantilever_problem(numbers, elements, {"P": exu.BucklingLoad()})
+        mbs = problem.build(numbers)
+        tip = mbs.AddMarker(MarkerNodePosition(nodeNumber=mbs.GetNodeNumber(f"end {elements}")))
+        mbs.AddLoad(LoadForceVector(markerNumber=tip, loadVector=[-1, 0, 0], name="pressure"))
+        mbs.Assemble()
+        found.append(mbs.ComputeSensitivities(problem.parameters(numbers), problem.outputs, solverType="static"))
+        load = found[-1].values["P"]
+        assert load == pytest.approx(mbs.ComputeBucklingLoads().factors[0], rel=1e-6)
+        by = {name: numbers[name] * found[-1].Derivative("P", name) / load for name in numbers}
+        assert by["EI"] + by["EA"] == pytest.approx(1, rel=1e-7)
+        assert by["L"] == pytest.approx(-2 * by["EI"], rel=1e-7)
+        assert abs(by["F"]) + abs(by["rhoA"]) + abs(by["M"]) < 1e-9
+    limit = [fine + (fine - coarse) / 15 for coarse, fine in zip(found[0].matrix[0], found[1].matrix[0], strict=True)]
+    by = dict(zip(numbers, limit, strict=True))
+    assert found[1].values["P"] + (found[1].values["P"] - found[0].values["P"]) / 15 == pytest.approx(value, rel=1e-5)
+    assert by["L"] == pytest.approx(derivatives["L"], rel=1e-5)
+    assert by["EI"] == pytest.approx(derivatives["EI"], rel=1e-5)
+
+
+@pytest.mark.parametrize("side", FIXED_POINTS)
+def test_response_at_fixed_points_of_an_absorber(side: int) -> None:
+    # Den Hartog: there, the amplitude does not depend on the damping.
+    omega = FIXED_POINTS[side]
+    problem = absorber_problem(omega)
+    found = problem.solve()
+    values = {name: value for name, value in reference(f"P8 {side:+d}")["X"][1].items() if name in problem.numbers}
+    assert found.values["X"] == pytest.approx(np.sqrt(1 + 2 * 10 / 0.5) / 4000, rel=1e-9)
+    sizes = np.array(list(problem.numbers.values()))
+    expected = np.array([values[name] for name in problem.numbers])
+    assert np.max(np.abs(found.matrix[0] - expected) * sizes) < 1e-9 * np.max(np.abs(expected) * sizes)
+    assert abs(found.Derivative("X", "c2")) * OPTIMUM["c2"] < 1e-9 * found.values["X"]
+
+
+def test_search_finds_the_optimal_absorber() -> None:
+    # Den Hartog, Brock: at the best stiffness, both fixed points have one amplitude. The curve is level at one of them for
+    # one damping each; the optimum is the mean of their squares.
+    numbers = {**absorber_problem(18.0).numbers, "c2": 1.0, "k2": 150.0}
+
+    def response(omega: float, k2: float, c2: float) -> Any:
+        problem = replace(absorber_problem(omega), numbers={**numbers, "k2": k2, "c2": c2})
+        return problem.solve()
+
+    def by_damping(omega: float, k2: float) -> float:
+        return float(response(omega, k2, 1.0).Derivative("X", "c2"))
+
+    def fixed_points(k2: float) -> list[float]:
+        own = np.sqrt(k2 / 0.5)  # between both
+        ends = ((own - 2, own - 0.2), (own + 0.2, own + 4))
+        return [scipy.optimize.brentq(by_damping, *end, args=(k2,), xtol=1e-8) for end in ends]
+
+    def difference(k2: float) -> float:
+        return float(np.subtract(*(response(omega, k2, 1.0).values["X"] for omega in fixed_points(k2))))
+
+    k2 = scipy.optimize.brentq(difference, 175.0, 190.0, xtol=1e-4)
+    first, second = fixed_points(k2)
+    assert k2 == pytest.approx(OPTIMUM["k2"], rel=1e-5)
+    step = 1e-3
+
+    def slope(c2: float, omega: float) -> float:
+        return float(response(omega + step, k2, c2).values["X"] - response(omega - step, k2, c2).values["X"])
+
+    level = [scipy.optimize.brentq(slope, 1.5, 4.0, args=(omega,), xtol=1e-10) for omega in (first, second)]
+    assert np.sqrt(np.mean(np.square(level))) == pytest.approx(OPTIMUM["c2"], rel=1e-5)
 
 
 def test_repeated_eigenvalues_are_refused() -> None:

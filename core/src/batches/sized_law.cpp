@@ -130,8 +130,14 @@ void LawOfBody::add_tangent(const Evaluation& evaluation, const Weights& w, Work
     const std::span<double> force = std::span(work.force).first(n);
     call(force_, evaluation, work, force);
     const auto evaluate = [&](std::span<double> f) { repeat(force_, evaluation.time, work, f); };
-    add_differences(work.q, order_ == 2 ? -w.q : w.y, force, block, evaluate);
-    if (order_ == 2) add_differences(work.v, -w.v, force, block, evaluate);
+    const auto derivative_from = [&](int first) {
+      return [&, first](int number, std::span<double> slopes) {
+        const std::array all{as_argument(work.q), as_argument(work.v)};
+        return force_.callback->derivative(evaluation.time, item_, std::span(all).first(static_cast<std::size_t>(order_)), first + number, slopes);
+      };
+    };
+    add_derivatives(work.q, order_ == 2 ? -w.q : w.y, force, block, evaluate, derivative_from(0));
+    if (order_ == 2) add_derivatives(work.v, -w.v, force, block, evaluate, derivative_from(static_cast<int>(n)));
   }
   if (w.a == 0 || !mass_) return;
   call(mass_, evaluation, work, std::span(work.matrix).first(n * n));

@@ -269,6 +269,32 @@ std::vector<double> Tape::evaluate() const {
   return results;
 }
 
+void Tape::derivative(std::span<const double* const> inputs, std::size_t input, int number, std::span<double> results) const {
+  thread_local std::vector<Moving> x;
+  x.assign(static_cast<std::size_t>(size_), Moving(0.0));
+  for (std::size_t i = 0; i < input_places_.size(); ++i)
+    for (int k = 0; k < input_shapes_[i].size(); ++k) x[static_cast<std::size_t>(input_places_[i] + k)].value = inputs[i][k];
+  for (const Constant& constant : constants_) x[static_cast<std::size_t>(constant.place)].value = constant.value;
+  for (const Live& live : live_)
+    for (std::size_t k = 0; k < live.variable->values.size(); ++k) x[static_cast<std::size_t>(live.place) + k].value = live.variable->values[k];
+  x[static_cast<std::size_t>(input_places_[input] + number)].d[0] = 1;
+  run<Moving>(instructions_, x.data());
+  for (std::size_t k = 0; k < results.size(); ++k) results[k] = x[static_cast<std::size_t>(result_) + k].d[0];
+}
+
+std::vector<Node> Tape::variables() const {
+  std::vector<Node> found;
+  for (const Live& live : live_) found.push_back(live.variable);
+  return found;
+}
+
+Tape Tape::replaced(const Expression& variable, const Node& by) const {
+  Tape made = *this;
+  for (Live& live : made.live_)
+    if (live.variable.get() == &variable) live.variable = by;
+  return made;
+}
+
 double Tape::derivative(const Expression& variable) const {
   std::vector<Moving> x(static_cast<std::size_t>(size_));
   for (const Constant& constant : constants_) x[static_cast<std::size_t>(constant.place)] = Moving(constant.value);

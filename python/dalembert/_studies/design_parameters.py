@@ -26,6 +26,7 @@ _IndexTypes = (_core.ObjectIndex, _core.NodeIndex, _core.LoadIndex, _core.Marker
 _ROUND_OFF = 1e-11  # of a residual, relative to its largest entry
 _OF_MASS = {"physicsMass", "physicsInertia", "physicsCenterOfMass"}  # of bodies: they move no frame of a marker
 Rows = NDArray[np.int_] | None  # None: any
+END_TIME = "timeIntegration.endTime"
 
 
 class DesignParameter:
@@ -56,24 +57,29 @@ class _Target(NamedTuple):
     item: Any
     kind: str
     parameter: str
-    entry: tuple[int, ...] | None
+    entry: tuple[int, ...] | str | None  # str: a variable of a recorded function
     map: Callable[[float], float]
 
     def current(self, mbs: Any) -> Any:
-        return _get(mbs, self.kind, self.item, self.parameter)
+        found = _get(mbs, self.kind, self.item, self.parameter)
+        return found._Variables()[self.entry] if isinstance(self.entry, str) else found
+
+    def restore(self, mbs: Any, value: Any) -> None:
+        if isinstance(self.entry, str):
+            value = _get(mbs, self.kind, self.item, self.parameter)._WithVariable(self.entry, float(value))
+        getattr(mbs, f"Set{self.kind}Parameter")(self.item, self.parameter, value)
 
     def set(self, mbs: Any, x: float) -> None:
         value = float(self.map(x))
-        if self.entry is not None:
-            values = np.array(self.current(mbs), dtype=float)
-            values[self.entry] = value
-            getattr(mbs, f"Set{self.kind}Parameter")(self.item, self.parameter, values)
-        else:
-            getattr(mbs, f"Set{self.kind}Parameter")(self.item, self.parameter, value)
+        if self.entry is None or isinstance(self.entry, str):
+            return self.restore(mbs, value)
+        values = np.array(self.current(mbs), dtype=float)
+        values[self.entry] = value
+        return self.restore(mbs, values)
 
     def number(self, mbs: Any) -> float:
         now = self.current(mbs)
-        return float(now if self.entry is None else np.asarray(now)[self.entry])
+        return float(now if self.entry is None or isinstance(self.entry, str) else np.asarray(now)[self.entry])
 
 
 def describe(mbs: Any, item: Any) -> str:
@@ -90,9 +96,15 @@ def _get(mbs: Any, kind: str, item: Any, parameter: str) -> Any:
 class Parameter:
     """A named parameter: its value, where it acts, and how large its differences are."""
 
-    def __init__(self, mbs: Any, name: str, given: Any) -> None:
+    def __init__(self, mbs: Any, name: str, given: Any, settings: Any = None) -> None:
         self.name = name
         where = f"parameter '{name}'"
+        self.is_end_time = given == END_TIME if isinstance(given, str) else False
+        self.formula: dict[int, float] = {}
+        if self.is_end_time:
+            self.targets: list[_Target] = []
+            self.value, self.step = float(settings.timeIntegration.endTime), 1.0
+            return
         if isinstance(given, DesignParameter):
             self.targets = [_target(mbs, where, name, key, map_) for key, map_ in given.targets.items()]
             self.value = given.value
@@ -110,7 +122,6 @@ class Parameter:
                 )
             self.value = values.pop()
         self.step = STEP * self._size(mbs)
-        self.formula: dict[int, float] = {}
 
     def _size(self, mbs: Any) -> float:
         """Return a typical size: the value, the largest entry of its vector, or a length of the model."""
@@ -125,6 +136,8 @@ class Parameter:
 
     def choose_formula(self, trial: Any) -> None:
         """Find the side to which the parameter may be varied, and check that it stands for what the model has."""
+        if self.is_end_time:
+            return
         now = [np.array(target.current(trial), dtype=float) for target in self.targets]
         with _named(self.name, self.targets[0], trial):
             self.set(trial, self.value)
@@ -152,8 +165,7 @@ class Parameter:
                 self.formula = formula
                 break
         for target, before in zip(self.targets, now, strict=True):
-            value = before if target.entry is not None else float(before)
-            getattr(trial, f"Set{target.kind}Parameter")(target.item, target.parameter, value)
+            target.restore(trial, before if np.ndim(before) else float(before))
         if assembles:
             trial.Assemble()
         if not self.formula:
@@ -188,7 +200,7 @@ def _target(mbs: Any, where: str, name: str, given: Any, map_: Any) -> _Target:
             "it is a setting of the solver",
             item=given,
             parameter=name,
-            advice="use parameters of items, or processing.ComputeSensitivities, which takes differences",
+            advice=f"use '{END_TIME}', parameters of items, or processing.ComputeSensitivities",
         )
     if not isinstance(given, tuple) or len(given) not in (2, 3) or not isinstance(given[1], str):
         expected = "(item, parameter), (item, parameter, entry), a list of these, or a DesignParameter"
@@ -204,6 +216,17 @@ def _target(mbs: Any, where: str, name: str, given: Any, map_: Any) -> _Target:
     except (ValueError, IndexError, KeyError, TypeError) as error:
         raise type(error)(f"{where}: {error}") from None
     text = describe(mbs, item)
+    function = map_ if callable(map_) else lambda x, factor=float(map_): factor * x
+    if isinstance(now, _core.symbolic.UserFunction):
+        variables = now._Variables()
+        if len(given) == 3 and isinstance(given[2], str) and given[2] in variables:
+            return _Target(item, kind, given[1], given[2], function)
+        advice = (
+            f"pass (item, parameter, name) with one of {', '.join(variables)}"
+            if variables
+            else ("let it read a symbolic.Real with a name, or symbolic.variables")
+        )
+        raise ValueError(f"{where}: received {given!r}, but {given[1]} of {text} is a recorded function; {advice}")
     if isinstance(now, (bool, int, np.integer, np.bool_, str)) or not _is_real(now):
         what = "an integer" if isinstance(now, (int, np.integer)) and not isinstance(now, bool) else "not a real number"
         raise NotDifferentiable(f"{given[1]} is {what}: {now!r}", item=text, parameter=name)
@@ -222,7 +245,6 @@ def _target(mbs: Any, where: str, name: str, given: Any, map_: Any) -> _Target:
         )
         if not fits:
             raise ValueError(f"{where}: received entry {given[2]!r} of {given[1]}, which has the shape {shape}")
-    function = map_ if callable(map_) else lambda x, factor=float(map_): factor * x
     return _Target(item, kind, given[1], entry, function)
 
 
@@ -360,8 +382,11 @@ class Parameters:
         sensors: Sequence[int],
         options: dict[str, Any],
         state: tuple[FloatArray, float],
+        *,
+        together: bool = True,
     ) -> None:
-        self.all = list(parameters)
+        """together: parameters without common equations are varied at the same time."""
+        self.all, self._together = list(parameters), together
         self._options = options
         self._structure = Structure(base)
         size = base.systemData.SystemSize()
@@ -392,7 +417,7 @@ class Parameters:
         moved = z.copy()
         moved[:count] += 1e-2 * np.cos(np.arange(count)) * (1e-2 + np.abs(z[:count]).max(initial=0.0))
         for parameter, rows in zip(self.all, self.rows, strict=True):
-            if rows is None:
+            if rows is None or parameter.is_end_time:
                 continue
             parameter.set(trial, parameter.value)
             before = np.asarray(derivatives.residual(moved, time, 1.0))
@@ -421,7 +446,9 @@ class Parameters:
         """Yield parameters without common equations or sensors, and with the same formula, together."""
         open_groups: list[tuple[list[int], set[int], set[int]]] = []
         for k, (parameter, rows, sensors) in enumerate(zip(self.all, self.rows, self.sensors, strict=True)):
-            if rows is None or sensors is None:
+            if parameter.is_end_time:  # it changes no equation
+                continue
+            if rows is None or sensors is None or not self._together:
                 yield [k]
                 continue
             own = set(rows.tolist())
@@ -463,7 +490,10 @@ class Parameters:
 
         now = start(base)
         moved = np.zeros(data.ODE2Size())
-        if members:
+        if members and not any(target.kind == "Node" for k in members for target in self.all[k].targets):
+            for k in members:
+                self.all[k].set(made, self.all[k].value + multiple * self.all[k].step)
+        elif members:
             made.Assemble()
             from_nodes = start(made)  # users may have set other initial values
             for k in members:
@@ -500,6 +530,50 @@ class Parameters:
             products = weights[:, group.rows] * evaluate(group)[group.rows]
             found[:, group.members] = np.add.reduceat(products, group.begins, axis=1)
         return found / self.steps
+
+    def scalar_rates(self, evaluate: Callable[[Variant], Any]) -> FloatArray:
+        """Return derivatives of a number; parameters have to be varied one by one."""
+        rates = np.zeros(len(self.all))
+        for group in self.groups:
+            rates[group.members[0]] = float(weighted(evaluate)(group))
+        return rates / self.steps
+
+    def weighted_rates_of(
+        self, states: FloatArray, times: FloatArray, step_size: float, weights: FloatArray
+    ) -> FloatArray:
+        """Return sums over states of products of weights (states x outputs x equations) with derivatives.
+
+        A column per parameter. Each copy of the model evaluates all states before the next one: it stays in the caches.
+        """
+        found = np.zeros((weights.shape[1], len(self.all)))
+        for group in self.groups:
+            total = np.zeros((weights.shape[1], self.size))
+            for multiple, weight in group.formula.items():
+                variant = group.variants[multiple]
+                total += weight * variant.derivatives.weighted_residuals(
+                    self._all_shifted(variant, states), times, step_size, weights
+                )
+            found[:, group.members] = np.add.reduceat(total[:, group.rows], group.begins, axis=1)
+        return found / self.steps
+
+    def rates_of(self, states: FloatArray, times: FloatArray, step_size: float) -> FloatArray:
+        """Return derivatives of equations at several states: states x parameters x equations."""
+        found = np.zeros((len(states), len(self.all), self.size))
+        for group in self.groups:
+            total = np.zeros((len(states), self.size))
+            for multiple, weight in group.formula.items():
+                variant = group.variants[multiple]
+                total += weight * variant.derivatives.residuals(self._all_shifted(variant, states), times, step_size)
+            rows = np.arange(self.size) if isinstance(group.rows, slice) else group.rows
+            found[:, group.owners, rows] = total[:, group.rows] / self.steps[group.owners]
+        return found
+
+    def _all_shifted(self, variant: Variant, states: FloatArray) -> FloatArray:
+        if variant.shift is None:
+            return states
+        states = states.copy()
+        states[:, : len(variant.shift)] += variant.shift
+        return states
 
     def residual_at(self, z: FloatArray, time: float, step_size: float) -> Callable[[_Group], FloatArray]:
         """Return what `rates` evaluates for the equations of motion at a state."""

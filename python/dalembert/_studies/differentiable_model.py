@@ -50,7 +50,7 @@ class DifferentiableModel:
         self._given, self._outputs = dict(parameters), read_outputs(outputs)
         self._options = solverType, consistentStart
         self._method: Method = method
-        self._parameters = [Parameter(self._mbs, name, each) for name, each in parameters.items()]
+        self._parameters = [Parameter(self._mbs, name, each, self._settings) for name, each in parameters.items()]
         self.names = list(parameters)
         self.x0 = np.array([parameter.value for parameter in self._parameters])
         self._point: FloatArray | None = None
@@ -64,6 +64,8 @@ class DifferentiableModel:
 
     def _refuses(self, parameter: Parameter, sign: float) -> bool:
         trial = copy.copy(self._mbs)
+        if parameter.is_end_time:
+            return True
         try:
             parameter.set(trial, sign * max(1.0, abs(parameter.value)))
         except (ValueError, RuntimeError):
@@ -83,14 +85,16 @@ class DifferentiableModel:
         """Return values and derivatives of all outputs."""
         point = self._vector(x)
         if self._found is None or self._point is None or not np.array_equal(point, self._point):
-            mbs = copy.copy(self._mbs)
+            mbs, settings = copy.copy(self._mbs), copy.deepcopy(self._settings)
             for parameter, value in zip(self._parameters, point, strict=True):
+                if parameter.is_end_time:
+                    settings.timeIntegration.endTime = float(value)
                 parameter.set(mbs, float(value))
             mbs.Assemble()
             given = {
                 name: _moved(each, float(value)) for (name, each), value in zip(self._given.items(), point, strict=True)
             }
-            problem = Problem(mbs, given, self._outputs, self._settings, *self._options)
+            problem = Problem(mbs, given, self._outputs, settings, *self._options)
             self._found, self._point = problem.solve(self._method), point.copy()
         return self._found
 
@@ -164,6 +168,29 @@ class DifferentiableModel:
         """Return the gradient of a weighted sum of outputs."""
         found = self.Sensitivities(x)
         return np.asarray(self._weights(weights, found) @ found.matrix)
+
+    def JaxFunction(self) -> Callable[[Any], Any]:
+        """Return the model as a function of JAX: from an array of parameters to one of all numbers of the outputs.
+
+        It works with grad, jvp, jacobian, jit and vmap. JAX has to compute with 64 bits. The order is that of
+        Sensitivities(x).outputs.
+        """
+        from dalembert._studies.autograd_adapters import jax_function
+
+        return jax_function(self)
+
+    def TorchFunction(self) -> Callable[[Any], Any]:
+        """Return the model as a function of PyTorch: from a tensor of parameters to one of all numbers of the outputs.
+
+        Tensors are of torch.float64; the order is that of Sensitivities(x).outputs.
+        """
+        from dalembert._studies.autograd_adapters import torch_function
+
+        return torch_function(self)
+
+    @property
+    def _size(self) -> int:
+        return sum(output.size for output in self._outputs.values())
 
     def Covariance(self, x: ArrayLike | Mapping[str, float], sigma: float | ArrayLike = 1.0) -> FloatArray:
         """Return the covariance of parameters that are fitted to data of all outputs.

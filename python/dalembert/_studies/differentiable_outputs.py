@@ -15,8 +15,10 @@ from dalembert._studies.difference_formulas import gradient
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._tools.found_items import find_item, index_of
 
-# A sensor by its number; or ("z", entry of the state [q, v, a, y, y_t, lambda]) or ("eigenvalue", number).
-Source = int | tuple[str, int]
+# A sensor by its number; "z" with an entry of the state [q, v, a, y, y_t, lambda]; "t" for the time; or a number
+# that is computed of an equilibrium, with the mode, the number, or load, sensor, component and circular frequency.
+Source = int | tuple[str, Any]
+COMPUTED = ("eigenvalue", "buckling", "response")
 
 
 class Sample(NamedTuple):
@@ -35,26 +37,58 @@ class Seed(NamedTuple):
 
 
 class Context(NamedTuple):
-    """The model, and the times of all steps."""
+    """The model, and the times of all steps.
+
+    jumps: steps at whose ends events make the motion jump; moves: whether times of steps depend on parameters.
+    """
 
     mbs: Any
     times: FloatArray
     static: bool
+    jumps: tuple[int, ...] = ()
+    moves: bool = False
+    events: tuple[tuple[int, int], ...] = ()  # (step, object)
 
     def step(self, name: str, time: float | None) -> int:
         """Return the step that ends at a time."""
         if time is None:
             return len(self.times) - 1
-        size = self.times[1] - self.times[0] if len(self.times) > 1 else 1.0
         step = int(np.argmin(np.abs(self.times - time)))
-        if abs(self.times[step] - time) > 1e-6 * size:
-            inside = self.times[0] <= time <= self.times[-1]
-            advice = "choose steps that end there" if inside else "it has to lie within the computed time"
+        if abs(self.times[step] - time) > self._round_off:
             raise ValueError(
-                f"output '{name}': no step ends at time {time:.10g} s; steps of {size:.10g} s go from "
-                f"{self.times[0]:.10g} s to {self.times[-1]:.10g} s; {advice}"
+                f"output '{name}': no step ends at time {time:.10g} s; steps of {self._size:.10g} s go from "
+                f"{self.times[0]:.10g} s to {self.times[-1]:.10g} s; {self._advice(time)}"
             )
         return step
+
+    @property
+    def _size(self) -> float:
+        return float(np.max(np.diff(self.times))) if len(self.times) > 1 else 1.0
+
+    @property
+    def _round_off(self) -> float:
+        return 1e-6 * self._size
+
+    def _advice(self, time: float) -> str:
+        inside = self.times[0] <= time <= self.times[-1]
+        return "choose steps that end there" if inside else "it has to lie within the computed time"
+
+    def steps_around(self, name: str, time: float) -> list[int]:
+        """Return the step that ends at a time, or the steps whose values are interpolated there.
+
+        They are up to four, and the motion is smooth between them.
+        """
+        step = int(np.argmin(np.abs(self.times - time)))
+        exact = abs(self.times[step] - time) <= self._round_off
+        if self.static or not self.times[0] - self._round_off <= time <= self.times[-1] + self._round_off:
+            return [self.step(name, time)]
+        if exact and (step in (0, len(self.times) - 1) or not self.moves):
+            return [step]
+        last = int(np.clip(np.searchsorted(self.times, time), 1, len(self.times) - 1))
+        begin = max((jump for jump in self.jumps if jump < last), default=0)
+        end = min((jump for jump in self.jumps if jump >= last), default=len(self.times) - 1)
+        first = int(np.clip(last - 2, begin, max(begin, end - 3)))
+        return list(range(first, min(first + 3, end) + 1))
 
     def sensor(self, name: str, sensor: Any) -> int:
         where = f"output '{name}'"
@@ -96,32 +130,104 @@ def _component(name: str, values: FloatArray, component: int) -> FloatArray:
 class At(Output):
     """One value of a sensor at a time, or at several times, in s; by default at the end.
 
-    Steps have to end at these times.
+    Between the ends of steps, it is the value of the cubic polynomial through the values at four steps. An EventTime as
+    time is that of the event, wherever parameters move it.
     """
 
     __module__ = "dalembert"
 
-    def __init__(self, sensor: Any, time: float | ArrayLike | None = None, component: int = 0) -> None:
+    def __init__(self, sensor: Any, time: float | ArrayLike | EventTime | None = None, component: int = 0) -> None:
         self.sensor, self.component = sensor, component
-        if time is None or np.ndim(time) == 0:
-            self.times: list[float | None] = [None if time is None else float(np.asarray(time))]
+        self.event = time if isinstance(time, EventTime) else None
+        if time is None or isinstance(time, EventTime):
+            self.times: list[float | None] = [None]
+        elif np.ndim(time) == 0:
+            self.times = [float(np.asarray(time))]
         else:
             self.times = list(as_vector("At: time", time))
             if not self.times:
                 raise shape_error("At: time", "a time, or a list of at least one time", time)
         self.size = len(self.times)
 
+    def _weights(self, name: str, context: Context, time: float | None) -> tuple[list[int], FloatArray, FloatArray]:
+        """Return steps, weights of their values, and weights for the rate of the polynomial."""
+        if self.event is not None:
+            return [next(self.event.samples(name, context)).step], np.ones(1), np.zeros(1)
+        steps = [context.step(name, None)] if time is None else context.steps_around(name, time)
+        if len(steps) == 1 or time is None:
+            return steps, np.ones(1), np.zeros(1)
+        return steps, *interpolation_weights(context.times[steps], time)
+
     def samples(self, name: str, context: Context) -> Iterator[Sample]:
+        sensor = context.sensor(name, self.sensor)
         for time in self.times:
-            yield Sample(context.step(name, time), context.sensor(name, self.sensor))
+            steps, _, _ = self._weights(name, context, time)
+            yield from (Sample(step, sensor) for step in steps)
+            if context.moves and len(steps) > 1:
+                yield from (Sample(step, ("t", 0)) for step in steps)
 
     def value(self, name: str, context: Context, values: Values) -> FloatArray:
-        found = [values[sample] for sample in self.samples(name, context)]
-        return np.array([_component(name, each, self.component) @ each for each in found])
+        sensor, found = context.sensor(name, self.sensor), []
+        for time in self.times:
+            steps, weights, _ = self._weights(name, context, time)
+            parts = [values[Sample(step, sensor)] for step in steps]
+            unit = _component(name, parts[0], self.component)
+            found.append(sum(float(w * (unit @ part)) for w, part in zip(weights, parts, strict=True)))
+        return np.array(found)
 
     def seeds(self, name: str, context: Context, values: Values) -> Iterator[Seed]:
-        for row, sample in enumerate(self.samples(name, context)):
-            yield Seed(row, sample, _component(name, values[sample], self.component))
+        sensor = context.sensor(name, self.sensor)
+        for row, time in enumerate(self.times):
+            steps, weights, rates = self._weights(name, context, time)
+            samples = [Sample(step, sensor) for step in steps]
+            unit = _component(name, values[samples[0]], self.component)
+            for sample, weight in zip(samples, weights, strict=True):
+                yield Seed(row, sample, weight * unit)
+            if context.moves and len(steps) > 1:  # where an end moves, the polynomial moves along its slope
+                slope = sum(r * (unit @ values[sample]) for r, sample in zip(rates, samples, strict=True))
+                for step, weight in zip(steps, weights, strict=True):
+                    yield Seed(row, Sample(step, ("t", 0)), np.array([-weight * slope]))
+
+
+def interpolation_weights(times: FloatArray, time: float) -> tuple[FloatArray, FloatArray]:
+    """Return weights of values at some times for the value, and the rate, of the polynomial through them."""
+    count = len(times)
+    scale = times[-1] - times[0]
+    powers = ((times - times[0]) / scale)[:, None] ** np.arange(count)
+    x = (time - times[0]) / scale
+    at = x ** np.arange(count)
+    slope = np.concatenate(([0.0], np.arange(1, count) * x ** np.arange(count - 1))) / scale
+    return np.linalg.solve(powers.T, at), np.linalg.solve(powers.T, slope)
+
+
+class EventTime(Output):
+    """The time at which an item switches, such as a contact that closes, in s; needs simulationSettings.events.ofItems.
+
+    object: the item; number: of its event, beginning with 1 for the first one.
+    """
+
+    __module__ = "dalembert"
+
+    def __init__(self, object: Any, number: int = 1) -> None:  # noqa: A002
+        if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or number < 1:
+            raise shape_error("EventTime: number", "1, 2, ...", number)
+        self.object, self.number = object, int(number)
+
+    def samples(self, name: str, context: Context) -> Iterator[Sample]:
+        where = f"output '{name}'"
+        found = find_item(context.mbs, self.object, ("Object",), where) if isinstance(self.object, str) else self.object
+        item = int(index_of(context.mbs, "Object", found, where))
+        steps = [step for step, owner in context.events if owner == item]
+        if len(steps) < self.number:
+            raise ValueError(f"{where}: number: received {self.number}, but the object has {len(steps)} events")
+        yield Sample(steps[self.number - 1], ("t", 0))
+
+    def value(self, name: str, context: Context, values: Values) -> FloatArray:
+        return np.concatenate([values[sample] for sample in self.samples(name, context)])
+
+    def seeds(self, name: str, context: Context, values: Values) -> Iterator[Seed]:
+        for sample in self.samples(name, context):
+            yield Seed(0, sample, np.ones(1))
 
 
 class Integral(Output):
@@ -160,6 +266,11 @@ class Integral(Output):
         first = 0 if self.start is None else context.step(name, self.start)
         for step in range(first, context.step(name, self.end) + 1):
             yield Sample(step, sensor)
+            if context.moves:
+                yield Sample(step, ("t", 0))
+
+    def _of_sensor(self, name: str, context: Context) -> list[Sample]:
+        return [sample for sample in self.samples(name, context) if isinstance(sample.source, int)]
 
     def _weights(self, samples: Sequence[Sample], context: Context) -> FloatArray:
         times = context.times[[sample.step for sample in samples]]
@@ -174,12 +285,17 @@ class Integral(Output):
         return float(self.function(x))
 
     def value(self, name: str, context: Context, values: Values) -> FloatArray:
-        samples = list(self.samples(name, context))
+        samples = self._of_sensor(name, context)
         integrand = [self._integrand(name, values[sample]) for sample in samples]
         return np.array([self._weights(samples, context) @ integrand])
 
     def seeds(self, name: str, context: Context, values: Values) -> Iterator[Seed]:
-        samples = list(self.samples(name, context))
+        samples = self._of_sensor(name, context)
+        if context.moves:  # sum of (t_k+1 - t_k) (f_k + f_k+1)/2
+            f = [self._integrand(name, values[sample]) for sample in samples]
+            pairs = 0.5 * (np.array(f[:-1]) + np.array(f[1:]))
+            for sample, weight in zip(samples, -np.diff(np.concatenate(([0.0], pairs, [0.0]))), strict=True):
+                yield Seed(0, Sample(sample.step, ("t", 0)), np.array([weight]))
         for sample, weight in zip(samples, self._weights(samples, context), strict=True):
             x = values[sample]
             if self.function is None:
@@ -248,7 +364,31 @@ class Reaction(Output):
             yield Seed(0, sample, np.ones(1))
 
 
-class Eigenvalue(Output):
+class _Computed(Output):
+    """A number that is computed of an equilibrium."""
+
+    @abstractmethod
+    def source(self, name: str, context: Context) -> Source:
+        """Return what it is."""
+
+    def samples(self, name: str, context: Context) -> Iterator[Sample]:
+        if not context.static:
+            raise NotDifferentiable(
+                f"{type(self).__name__} belongs to a static equilibrium",
+                item=f"output '{name}'",
+                advice="use solverType='static'",
+            )
+        yield Sample(0, self.source(name, context))
+
+    def value(self, name: str, context: Context, values: Values) -> FloatArray:
+        return np.concatenate([values[sample] for sample in self.samples(name, context)])
+
+    def seeds(self, name: str, context: Context, values: Values) -> Iterator[Seed]:
+        for sample in self.samples(name, context):
+            yield Seed(0, sample, np.ones(1))
+
+
+class Eigenvalue(_Computed):
     """An eigenvalue of the undamped system at its static equilibrium: the square of a circular frequency, in (rad/s)^2.
 
     mode: its number, beginning with 0 for the smallest one.
@@ -261,21 +401,46 @@ class Eigenvalue(Output):
             raise shape_error("Eigenvalue: mode", "a number of a mode, 0, 1, ...", mode)
         self.mode = int(mode)
 
-    def samples(self, name: str, context: Context) -> Iterator[Sample]:
-        if not context.static:
-            raise NotDifferentiable(
-                "eigenvalues are those of a static equilibrium",
-                item=f"output '{name}'",
-                advice="use solverType='static'",
-            )
-        yield Sample(0, ("eigenvalue", self.mode))
+    def source(self, name: str, context: Context) -> Source:
+        return ("eigenvalue", self.mode)
 
-    def value(self, name: str, context: Context, values: Values) -> FloatArray:
-        return np.concatenate([values[sample] for sample in self.samples(name, context)])
 
-    def seeds(self, name: str, context: Context, values: Values) -> Iterator[Seed]:
-        for sample in self.samples(name, context):
-            yield Seed(0, sample, np.ones(1))
+class BucklingLoad(_Computed):
+    """A buckling load: the factor of all loads at which the initial state buckles, as in mbs.ComputeBucklingLoads.
+
+    number: beginning with 0 for the factor of the smallest magnitude.
+    """
+
+    __module__ = "dalembert"
+
+    def __init__(self, number: int = 0) -> None:
+        if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or number < 0:
+            raise shape_error("BucklingLoad: number", "0, 1, ...", number)
+        self.number = int(number)
+
+    def source(self, name: str, context: Context) -> Source:
+        return ("buckling", self.number)
+
+
+class FrequencyResponse(_Computed):
+    """A frequency response: the amplitude of a value of a sensor under a harmonic load, about the static equilibrium.
+
+    load: it oscillates about its value, with its value as amplitude; sensor, component: what responds.
+    omega: circular frequency in rad/s.
+    """
+
+    __module__ = "dalembert"
+
+    def __init__(self, load: Any, sensor: Any, omega: float, component: int = 0) -> None:
+        if not np.isfinite(omega) or omega < 0:
+            raise shape_error("FrequencyResponse: omega", "a circular frequency in rad/s", omega)
+        self.load, self.sensor, self.omega, self.component = load, sensor, float(omega), component
+
+    def source(self, name: str, context: Context) -> Source:
+        where = f"output '{name}'"
+        found = find_item(context.mbs, self.load, ("Load",), where) if isinstance(self.load, str) else self.load
+        load = int(index_of(context.mbs, "Load", found, where))
+        return ("response", (load, context.sensor(name, self.sensor), self.component, self.omega))
 
 
 class Function(Output):

@@ -16,12 +16,15 @@ from dalembert._core import DynamicSolverType, MainSystem, SimulationSettings
 from dalembert._solving.quiet import assemble_if_needed, given_or_default
 from dalembert._studies.design_parameters import Parameter, Parameters
 from dalembert._studies.difference_formulas import STEP, derivative
-from dalembert._studies.differentiable_outputs import Context, Output, Sample, entries_read
+from dalembert._studies.differentiable_outputs import COMPUTED, Context, Output, Sample, entries_read
+from dalembert._studies.explicit_steps import TABLEAUS, ExplicitWalk, refuse_for_stages
 from dalembert._studies.generalized_alpha import LinearStep, Variation
+from dalembert._studies.moving_steps import Moving, Steps, Walk, find_steps, only_states_of_items, with_data
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import (
     Motion,
     check_steps,
+    check_tangent,
     record,
     refuse_settings,
     refuse_system,
@@ -33,6 +36,8 @@ from dalembert._tools.missing_names import nearest
 
 Method = Literal["auto", "forward", "adjoint"]
 _METHODS = ("auto", "forward", "adjoint")
+_BLOCK = 64  # steps whose derivatives by parameters are computed together
+_BLOCK_NUMBERS = 4_000_000
 
 
 @dataclass(frozen=True, repr=False)
@@ -42,9 +47,9 @@ class Sensitivities:
     values: by output, a number, or an array if the output has several.
     matrix: derivatives, a row for each number of the outputs and a column for each parameter.
     outputs, parameters: names of rows and columns.
-    method: 'forward' or 'adjoint'; exactness: 'differences': derivatives of the computed solution, in which
-    derivatives of the
-    equations with respect to parameters are differences of fourth order.
+    method: 'forward' or 'adjoint'.
+    exactness: 'differences': derivatives of the computed solution, in which those of the equations with respect to
+        parameters are differences of fourth order; 'frozen steps': the same, with step sizes that are held fixed.
     cost: seconds by part: 'solution' and 'derivatives'.
     """
 
@@ -107,9 +112,12 @@ def ComputeSensitivities(
     parameters: by name, (item, parameter), (item, parameter, entry) for one entry of a vector or matrix, a list of
     these,
         which get the same value, or a DesignParameter. Items are indices or names.
-    outputs: by name, exu.At, exu.Integral, exu.Final, exu.Reaction or exu.Function; the name of a sensor stands for
-    At(sensor).
-    simulationSettings, solverType: as in SolveDynamic, with equal steps; 'static': as in SolveStatic.
+    outputs: by name, exu.At, exu.Integral, exu.Final, exu.Reaction, exu.EventTime or exu.Function; with 'static',
+        exu.At, exu.Reaction, exu.Eigenvalue, exu.BucklingLoad or exu.FrequencyResponse. The name of a sensor stands for
+        At(sensor).
+    simulationSettings, solverType: as in SolveDynamic: generalized alpha or the trapezoidal rule with equal steps, or
+        an explicit Runge-Kutta method without constraints; 'static': as in SolveStatic. Contact and friction need
+        simulationSettings.events.ofItems=True.
     method: 'forward': one linear solution per parameter and step; 'adjoint': one per number of the outputs and step;
         'auto': whichever needs less.
     consistentStart: initial values follow constraints that parameters change; otherwise they stay as they are, with a
@@ -174,7 +182,7 @@ class Problem:
             solverType,
             consistent,
         )
-        self.parameters = [Parameter(self.mbs, name, given) for name, given in parameters.items()]
+        self.parameters = [Parameter(self.mbs, name, given, settings) for name, given in parameters.items()]
         data = mbs.systemData
         self.n, self.n1, self.m = data.ODE2Size(), data.ODE1Size(), data.AEsize()
 
@@ -195,10 +203,16 @@ class Samples:
         for name, output in problem.outputs.items():
             self.wanted.update(dict.fromkeys(output.samples(name, context)))
         self.sensors = sorted({sample.source for sample in self.wanted if isinstance(sample.source, int)})
+        responding = {
+            sample.source[1][1]
+            for sample in self.wanted
+            if not isinstance(sample.source, int) and sample.source[0] == "response"
+        }
+        self.read_by_outputs = sorted({*self.sensors, *responding})
 
-    def read(self, parameters: Parameters, eigenvalues: Mapping[int, tuple[float, FloatArray]] | None = None) -> None:
-        """Evaluate all sensors; eigenvalues come with their derivatives with respect to all parameters."""
-        self.eigenvalues = eigenvalues or {}
+    def read(self, parameters: Parameters, computed: Mapping[Any, tuple[float, FloatArray]] | None = None) -> None:
+        """Evaluate all sensors; computed numbers come with their derivatives with respect to all parameters."""
+        self.computed = computed or {}
         self.parameters = parameters
         derivatives = parameters.base.derivatives
         self.values: dict[Sample, FloatArray] = {}
@@ -206,16 +220,14 @@ class Samples:
             z, time = self.states[sample.step], float(self.context.times[sample.step])
             if isinstance(sample.source, int):
                 self.values[sample] = np.asarray(derivatives.sensor(sample.source, z, time))
-            elif sample.source[0] == "eigenvalue":
-                self.values[sample] = np.array([self.eigenvalues[sample.source[1]][0]])
+            elif sample.source[0] in COMPUTED:
+                self.values[sample] = np.array([self.computed[sample.source][0]])
+            elif sample.source[0] == "t":
+                self.values[sample] = np.array([time])
             else:
                 self.values[sample] = z[sample.source[1] : sample.source[1] + 1]
         self.entries = {s: entries_read(parameters.base.mbs, s, parameters.reads[s]) for s in self.sensors}
-        extent = min(1.0, float(_core.testing.extent(parameters.base.mbs)))
-        n = self.problem.n
-        size = np.maximum(np.abs(self.states).max(axis=0, initial=0.0), extent)
-        size[:n] = extent
-        self.steps = STEP * size
+        self.steps = typical_steps(self.problem, self.states)
         for sensor in self.sensors:
             self._check_entries(sensor)
         self.rows: dict[str, slice] = {}
@@ -230,6 +242,26 @@ class Samples:
         self.by_step: dict[int, list[Sample]] = {}
         for sample in self.seeds:
             self.by_step.setdefault(sample.step, []).append(sample)
+
+    def refuse_accelerations(self) -> None:
+        """Refuse sensors of accelerations, which are no states of explicit methods."""
+        n, n1 = self.problem.n, self.problem.n1
+        for sample in self.seeds:
+            entries, gradient = self.gradient(sample)
+            moved = np.abs(gradient) * self.steps[entries]  # changes of values
+            largest = moved.max(initial=0.0)
+            for entry, column in zip(entries, moved.T, strict=True):
+                if (2 * n <= entry < 3 * n or entry >= 3 * n + n1) and column.max(initial=0.0) > 1e-9 * largest:
+                    name = (
+                        self.problem.mbs.GetSensorParameter(sample.source, "name")
+                        if isinstance(sample.source, int)
+                        else ""
+                    )
+                    raise NotDifferentiable(
+                        "accelerations of explicit methods are not available",
+                        item=f"sensor '{name}'" if name else "output",
+                        advice="use generalized alpha",
+                    )
 
     def _check_entries(self, sensor: int) -> None:
         """Let a sensor read all entries if its gradient differs from a difference along a direction of all of them."""
@@ -267,9 +299,43 @@ class Samples:
             z, time = self.states[sample.step], float(self.context.times[sample.step])
             for k, rate in self.parameters.sensor_rates(sample.source, z, time):
                 rates[:, k] = rate
-        elif sample.source[0] == "eigenvalue":
-            rates[0] = self.eigenvalues[sample.source[1]][1]
+        elif sample.source[0] in COMPUTED:
+            rates[0] = self.computed[sample.source][1]
         return rates
+
+    def moving_seeds(self, step: int, bar: Moving, matrix: FloatArray, walk: Walk) -> None:
+        """Add derivatives of the outputs with respect to the state, time and data coordinates at a step."""
+        self.add_seeds(step, bar.state, matrix)
+        for sample in self.by_step.get(step, ()):
+            by_time, by_data = self._moving_rates(sample, walk)
+            for row, weights in self.seeds[sample]:
+                bar.t[row] += weights @ by_time
+                bar.data[row] += weights @ by_data
+
+    def _moving_rates(self, sample: Sample, walk: Walk) -> tuple[FloatArray, FloatArray]:
+        """Return derivatives of values with respect to time, at a fixed state, and to tracked data coordinates."""
+        none = np.zeros((len(self.values[sample]), len(walk.tracked)))
+        if not isinstance(sample.source, int):
+            return np.full(1, float(sample.source[0] == "t")), none
+        sensor, derivatives = sample.source, self.parameters.base.derivatives
+        z, time = self.states[sample.step], float(self.context.times[sample.step])
+        by_time = derivative(lambda e: np.asarray(derivatives.sensor(sensor, z, time + e)), STEP * walk.steps.regular)
+        for column, entry in enumerate(walk.tracked):
+            none[:, column] = walk._along_data(lambda at: derivatives.sensor(sensor, at, time), z, entry)
+        return by_time, none
+
+    def moving_variations(self, step: int, change: Moving, matrix: FloatArray, walk: Walk) -> None:
+        """Add derivatives of the outputs by the variation of a step with respect to all parameters."""
+        self.add_variations(step, change.state, matrix)
+        for sample in self.by_step.get(step, ()):
+            rates = self.moving_rates(sample, change, walk)
+            for row, weights in self.seeds[sample]:
+                matrix[row] += weights @ rates
+
+    def moving_rates(self, sample: Sample, change: Moving, walk: Walk) -> FloatArray:
+        """Return derivatives of values by the variation of time and data coordinates."""
+        by_time, by_data = self._moving_rates(sample, walk)
+        return np.outer(by_time, change.t) + by_data @ change.data.T
 
     def add_seeds(self, step: int, bar: Variation, matrix: FloatArray) -> None:
         """Add derivatives of the outputs with respect to the state at a step, and explicit ones."""
@@ -303,6 +369,14 @@ class Samples:
         return found
 
 
+def typical_steps(problem: Problem, states: FloatArray) -> FloatArray:
+    """Return steps of differences for entries of the state."""
+    extent = min(1.0, float(_core.testing.extent(problem.mbs)))
+    size = np.maximum(np.abs(states).max(axis=0, initial=0.0), extent)
+    size[: problem.n] = extent
+    return np.asarray(STEP * size)
+
+
 def chosen(method: Method, parameters: int, outputs: int) -> str:
     """Return the method that needs fewer linear solutions."""
     if method != "auto":
@@ -324,18 +398,20 @@ class _Integration:
         problem = self.problem
         begin = clock.perf_counter()
         motion = self.motion
-        samples = Samples(problem, Context(problem.mbs, motion.times, False), motion.states)
+        end_time = next((k for k, parameter in enumerate(problem.parameters) if parameter.is_end_time), None)
         rate_level = motion.scheme.newmark and (
             problem.solverType == DynamicSolverType.TrapezoidalIndex2
             or problem.settings.timeIntegration.generalizedAlpha.useIndex2Constraints
         )
         if rate_level:
             refuse_unit_lengths(problem.mbs)
+        steps, context = self._steps(rate_level, end_time)
+        samples = Samples(problem, context, motion.states)
         middle = len(motion.times) // 2
         parameters = Parameters(
             problem.mbs,
             problem.parameters,
-            samples.sensors,
+            samples.read_by_outputs,
             {"rate_level": rate_level},
             (motion.states[middle], float(motion.times[middle])),
         )
@@ -348,18 +424,42 @@ class _Integration:
                 "algebraic coordinates are not available",
                 item=_core.testing.describe_row(problem.mbs, problem.n + problem.n1 + row),
             )
-        check_steps(motion, base, problem.n)
+        explicit = TABLEAUS.get(problem.solverType)
+        if explicit is None:
+            check_steps(motion, base, problem.n, steps)
         samples.read(parameters)
+        state, data = motion.states[middle], base.sizes[3]
+        if data and middle > 0:
+            state = with_data(state, motion.states[middle - 1][-data:])
+        check_tangent(base, state, float(motion.times[middle]), motion.scheme.h, samples.steps, problem.mbs)
+        walk = None
+        if steps is not None:
+            typical = samples.steps
+            kind = Walk if explicit is None else ExplicitWalk
+            walk = kind(parameters, motion.times, motion.states, motion.scheme, steps, typical, end_time)
+            if isinstance(walk, ExplicitWalk):
+                walk.tableau = TABLEAUS[problem.solverType]
+                walk.check_ends()
+                samples.refuse_accelerations()
+            elif not walk.tracked and not steps.moves and end_time is None:
+                walk = None
         start = Start(parameters, motion, problem.consistent).variations()
         how = "forward" if histories and method == "auto" else chosen(method, len(parameters.all), samples.size)
         if histories and how != "forward":
             raise ValueError("ComputeSensitivities: storeHistories=True needs method='forward'")
         kept: dict[str, tuple[FloatArray, FloatArray]] = {}
-        matrix = (
-            self._forward(parameters, samples, start, kept if histories else None)
-            if how == "forward"
-            else self._adjoint(parameters, samples, start)
-        )
+        if walk is not None:
+            matrix = (
+                self._move(walk, samples, start, kept if histories else None)
+                if how == "forward"
+                else self._move_back(walk, samples, start)
+            )
+        else:
+            matrix = (
+                self._forward(parameters, samples, start, kept if histories else None)
+                if how == "forward"
+                else self._adjoint(parameters, samples, start)
+            )
         cost = {"solution": self.seconds, "derivatives": clock.perf_counter() - begin}
         return Sensitivities(
             samples.outputs(),
@@ -367,11 +467,72 @@ class _Integration:
             row_names(problem.outputs),
             [p.name for p in parameters.all],
             how,
-            "differences",
+            "differences" if steps is None or steps.equal or steps.events else "frozen steps",
             cost,
             samples.rows,
             kept,
         )
+
+    def _steps(self, rate_level: bool, end_time: int | None) -> tuple[Steps | None, Context]:
+        """Return steps whose sizes differ or that have data coordinates or a moving end; None if there are none."""
+        problem, motion = self.problem, self.motion
+        derivatives = _core.testing.SystemDerivatives(problem.mbs, rate_level=rate_level)
+        watches = problem.settings.events.ofItems and _has_switches(derivatives, motion)
+        equal = np.all(motion.algorithmic[0] == motion.states[0, 2 * problem.n : 3 * problem.n])
+        explicit = problem.solverType in TABLEAUS
+        if explicit:
+            refuse_for_stages(derivatives, problem.mbs)
+        plain = not watches and end_time is None and equal and not explicit
+        if plain and (
+            not derivatives.sizes[3]
+            or only_states_of_items(motion.times, motion.states, motion.scheme.h, derivatives, problem.mbs)
+        ):
+            return None, Context(problem.mbs, motion.times, False)
+        scheme = _with_rotations(motion, derivatives)
+        steps = find_steps(
+            motion.times,
+            motion.states,
+            scheme,
+            motion.scheme.h,
+            derivatives,
+            problem.mbs,
+            watches=bool(watches),
+            implicit=not explicit,
+        )
+        events = tuple((step, event.item) for step, event in sorted(steps.events.items()))
+        moves = bool(events) or end_time is not None
+        return steps, Context(problem.mbs, motion.times, False, tuple(steps.events), moves, events)
+
+    def _move(self, walk: Walk, samples: Samples, start: Variation, kept: Any) -> FloatArray:
+        """Carry variations along steps whose sizes depend on parameters."""
+        matrix = np.zeros((samples.size, len(walk.parameters.all)))
+        histories: dict[int, list[FloatArray]] = {sensor: [] for sensor in samples.sensors}
+        for i, change in walk.forward(Moving.of(start, len(walk.tracked))):
+            samples.moving_variations(i, change, matrix, walk)
+            for sensor in samples.sensors if kept is not None else ():
+                sample = Sample(i, sensor)
+                if sample not in samples.values:
+                    z, time = self.motion.states[i], float(self.motion.times[i])
+                    samples.values[sample] = np.asarray(walk.derivatives.sensor(sensor, z, time))
+                rates = samples.rates(sample, change.state.z) + samples.moving_rates(sample, change, walk)
+                histories[sensor].append(rates.T)
+        if kept is not None:
+            for sensor, rows in histories.items():
+                kept[self.problem.mbs.GetSensorParameter(sensor, "name")] = self.motion.times, np.array(rows)
+        return matrix
+
+    def _move_back(self, walk: Walk, samples: Samples, start: Variation) -> FloatArray:
+        """Go back along steps whose sizes depend on parameters."""
+        problem = self.problem
+        matrix = np.zeros((samples.size, len(walk.parameters.all)))
+        bar = Moving.of(Variation.zeros(samples.size, problem.n, problem.n1, problem.m), len(walk.tracked))
+
+        def add_seeds(i: int, at: Moving, to: FloatArray) -> None:
+            samples.moving_seeds(i, at, to, walk)
+
+        bar = walk.backward(bar, matrix, add_seeds)
+        samples.moving_seeds(0, bar, matrix, walk)
+        return matrix + _products(bar.state, start)
 
     def _linear_step(self, derivatives: Any, i: int, transposed: bool) -> LinearStep:
         """Return the step to state i, with factors."""
@@ -401,12 +562,17 @@ class _Integration:
         matrix = np.zeros((samples.size, len(parameters.all)))
         samples.add_variations(0, change, matrix)
         histories: dict[int, list[FloatArray]] = {sensor: [] for sensor in samples.sensors}
+        block = max(1, min(_BLOCK, _BLOCK_NUMBERS // (parameters.size * len(parameters.all))))
+        rates = np.zeros((0, 0, 0))
         for i in range(len(motion.times)):
             time = float(motion.times[i])
             if i > 0:
+                if (i - 1) % block == 0:
+                    rates = parameters.rates_of(
+                        motion.states[i : i + block], motion.times[i : i + block], motion.scheme.h
+                    )
                 step = self._linear_step(parameters.base.derivatives, i, False)
-                rates = parameters.rates(parameters.residual_at(motion.states[i], time, motion.scheme.h))
-                change = step.forward(change, rates)
+                change = step.forward(change, rates[(i - 1) % block])
                 samples.add_variations(i, change, matrix)
             for sensor in samples.sensors if kept is not None else ():
                 sample = Sample(i, sensor)
@@ -425,20 +591,28 @@ class _Integration:
         matrix = np.zeros((samples.size, len(parameters.all)))
         bar = Variation.zeros(samples.size, problem.n, problem.n1, problem.m)
         samples_end = max(samples.by_step, default=0)
-        for i in range(samples_end, 0, -1):
-            samples.add_seeds(i, bar, matrix)
-            step = self._linear_step(parameters.base.derivatives, i, True)
-            bar, w = step.backward(bar)
-            residual = parameters.residual_at(motion.states[i], float(motion.times[i]), motion.scheme.h)
-            matrix -= parameters.weighted_rates(residual, w)
+        block = max(1, min(_BLOCK, _BLOCK_NUMBERS // (parameters.size * samples.size)))
+        for end in range(samples_end, 0, -block):
+            begin = max(end - block, 0)
+            weights = np.zeros((end - begin, samples.size, parameters.size))
+            for i in range(end, begin, -1):
+                samples.add_seeds(i, bar, matrix)
+                step = self._linear_step(parameters.base.derivatives, i, True)
+                bar, weights[i - begin - 1] = step.backward(bar)
+            part = slice(begin + 1, end + 1)
+            matrix -= parameters.weighted_rates_of(motion.states[part], motion.times[part], motion.scheme.h, weights)
         samples.add_seeds(0, bar, matrix)
-        for end, begin in zip(
-            (bar.q, bar.v, bar.a, bar.b, bar.y, bar.y_t, bar.lam),
-            (start.q, start.v, start.a, start.b, start.y, start.y_t, start.lam),
-            strict=True,
-        ):
-            matrix += end @ begin.T
-        return matrix
+        return matrix + _products(bar, start)
+
+
+def _products(bar: Variation, start: Variation) -> FloatArray:
+    """Return products of derivatives with respect to the start with its variations."""
+    names = ("q", "v", "a", "b", "y", "y_t", "lam")
+    return np.asarray(sum(getattr(bar, name) @ getattr(start, name).T for name in names))
+
+
+def _has_switches(derivatives: Any, motion: Motion) -> bool:
+    return len(derivatives.switches(motion.states[0], float(motion.times[0]), motion.scheme.h)) > 0
 
 
 def _with_rotations(motion: Motion, derivatives: Any) -> Any:

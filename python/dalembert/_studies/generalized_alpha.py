@@ -18,13 +18,14 @@ to the first, give the gradient of an output (discrete adjoint).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from dalembert._checks import FloatArray
+from dalembert._studies.difference_formulas import derivative
 
 _NONE = np.zeros((0, 3), dtype=int)
 
@@ -187,6 +188,18 @@ class Scheme:
         return dq
 
 
+@dataclass(frozen=True)
+class _BySize:
+    """Derivatives of a step by its size, at a fixed start and fixed unknowns."""
+
+    q: FloatArray
+    turned: FloatArray  # increments, of which those of rotations are turned by half a step
+    v: FloatArray
+    a: FloatArray
+    y: FloatArray
+    y_t: FloatArray
+
+
 class LinearStep:
     """The linearized step from a state (v, a, b) to its end, where the derivatives of the equations have been computed.
 
@@ -229,32 +242,74 @@ class LinearStep:
     def _transposed(self, matrices: FloatArray, x: FloatArray) -> FloatArray:
         return np.asarray((x[..., None, :] @ matrices)[..., 0, :])
 
-    def forward(self, start: Variation, rates: FloatArray) -> Variation:
+    def forward(self, start: Variation, rates: FloatArray, by_size: _BySize | None = None) -> Variation:
         """Return variations at the end; rates: derivatives of the residual with respect to the parameters, in rows."""
         s, d, r = self.scheme, self.derivatives, self.scheme.rotations
         p_a, p_b = s.of_positions
         dq = s.h * start.v + p_a * start.a + p_b * start.b
         v = s.velocities(start.v, start.a, start.b)
         q = start.q + dq
+        if by_size is not None:
+            q = q + by_size.q
         if len(r):
             if s.simplified:
+                if by_size is not None:
+                    dq = dq + by_size.q
                 q[:, r] = self._times(self.turn, start.q[:, r]) + self._times(self.blocks, dq[:, r])
             else:
                 turned = self._times(self.by_increment, dq[:, r]) + self._times(self.by_velocity, v[:, r])
+                if by_size is not None:
+                    turned = turned + by_size.turned[r]
                 first = self._times(self.first_turn, start.q[:, r]) + self._times(self.first_blocks, turned)
                 q[:, r] = self._times(self.turn, first)
         y = start.y + 0.5 * s.h * start.y_t
         n, n1 = q.shape[1], y.shape[1]
+        if by_size is not None:
+            v, y = v + by_size.v, y + by_size.y
+            rates = rates.copy()
+            rates[:, :n] += d.product("M", by_size.a[None])[:, :n]
+            rates[:, n : n + n1] -= by_size.y_t
         right = d.product("K", np.hstack((q, y, np.zeros((len(q), start.lam.shape[1]))))) + d.product("D", v) + rates
         u = -d.solve(right)
         x, eta = u[:, :n], u[:, n : n + n1]
         moved = x.copy()
         if len(r):
             moved[:, r] = self._times(self.blocks, x[:, r])
-        a = s.c_a * x
-        return Variation(
-            q + moved, v + s.c_v * x, a, s.algorithmic(start.a, start.b, a), y + eta, 2 / s.h * eta, u[:, n + n1 :]
+        a, y_t = s.c_a * x, 2 / s.h * eta
+        if by_size is not None:
+            a, y_t = a + by_size.a, y_t + by_size.y_t
+        return Variation(q + moved, v + s.c_v * x, a, s.algorithmic(start.a, start.b, a), y + eta, y_t, u[:, n + n1 :])
+
+    def forward_by_size(
+        self,
+        start: Variation,
+        rates: FloatArray,
+        v: FloatArray,
+        a: FloatArray,
+        b: FloatArray,
+        a_end: FloatArray,
+        y_t: FloatArray,
+        y_t_end: FloatArray,
+    ) -> Variation:
+        """Return the variation of the end by the size of the step.
+
+        start: variation of the start; rates: derivative of the residual at a fixed state, both in one row.
+        """
+        s = self.scheme
+        x, step = a_end / s.c_a, 1e-3 * s.h
+
+        def of(function: Any) -> FloatArray:
+            return np.asarray(derivative(lambda e: function(replace(s, h=s.h + e)), step))
+
+        explicit = _BySize(
+            q=of(lambda at: at.increments(v, a, b)),
+            turned=of(lambda at: at._turned(v, a, b)),
+            v=of(lambda at: at.velocities(v, a, b) + at.c_v * x),
+            a=of(lambda at: at.c_a * x),
+            y=0.5 * y_t,
+            y_t=-y_t_end / s.h,
         )
+        return self.forward(start, rates, explicit)
 
     def backward(self, end: Variation) -> tuple[Variation, FloatArray]:
         """Return derivatives with respect to the start of the step, and w: parameters contribute - w dr/dp."""

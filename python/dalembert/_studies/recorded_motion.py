@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,12 +13,14 @@ from dalembert._checks import FloatArray
 from dalembert._core import MainSystem, SimulationSettings
 from dalembert._solving.integrators import IMPLICIT, kind_of
 from dalembert._studies.design_parameters import describe
+from dalembert._studies.difference_formulas import derivative
+from dalembert._studies.explicit_steps import TABLEAUS
 from dalembert._studies.generalized_alpha import Scheme
+from dalembert._studies.moving_steps import Steps
 from dalembert._studies.not_differentiable import NotDifferentiable
 
 _INSTEAD = "use processing.ComputeSensitivities, which takes differences of whole solutions"
 _NEWTON = {"relativeTolerance": 1e-12, "absoluteTolerance": 1e-13}
-_TURNS = {"ConnectorTorsionalSpringDamper"}  # data only count turns
 _SYSTEM_FUNCTIONS = (
     "PreStep",
     "PostStep",
@@ -36,7 +39,7 @@ class Motion(NamedTuple):
     times: FloatArray
     states: FloatArray
     algorithmic: FloatArray  # algorithmic accelerations, in rows
-    scheme: Scheme
+    scheme: Scheme  # of explicit methods: the size of regular steps alone
     computes_start: bool  # accelerations of the start fulfil the equations of motion
 
 
@@ -52,7 +55,6 @@ def refuse_system(mbs: MainSystem) -> None:
     if mbs.GetDictionary().get("generalContactList"):
         raise NotDifferentiable("contacts switch within steps", item="GeneralContact", advice=_INSTEAD)
     data = mbs.systemData
-    users_of_nodes: dict[int, list[int]] = {}
     kinds = (
         ("Node", _core.NodeIndex),
         ("Object", _core.ObjectIndex),
@@ -71,20 +73,6 @@ def refuse_system(mbs: MainSystem) -> None:
                         item=describe(mbs, item),
                         advice=f"write it with dalembert.symbolic, or {_INSTEAD}",
                     )
-            if kind == "Node" and data.GetNodeLTGData(number):
-                if not users_of_nodes:
-                    for i in range(data.NumberOfObjects()):
-                        for node in _nodes_of(mbs.GetObject(i)):
-                            users_of_nodes.setdefault(int(node), []).append(i)
-                users = users_of_nodes.get(number, [])
-                if all(mbs.GetObject(i)["objectType"] in _TURNS for i in users):
-                    continue
-                owner = _core.ObjectIndex(users[0]) if users else item
-                raise NotDifferentiable(
-                    "its history, such as of contact or friction, changes between steps",
-                    item=describe(mbs, owner),
-                    advice=_INSTEAD,
-                )
 
 
 def _nodes_of(entries: dict[str, Any]) -> list[Any]:
@@ -116,11 +104,16 @@ def refuse_unit_lengths(mbs: MainSystem) -> None:
 def refuse_settings(settings: SimulationSettings, solverType: Any) -> None:
     """Refuse methods and step sizes whose derivatives are not available."""
     kind_of("ComputeSensitivities", solverType)
-    if solverType not in IMPLICIT:
+    if solverType not in IMPLICIT and solverType not in TABLEAUS:
         raise NotDifferentiable(
-            "only generalized alpha and the trapezoidal rule are available", item=str(solverType), advice=_INSTEAD
+            "only generalized alpha, the trapezoidal rule and explicit Runge-Kutta methods of up to 7 stages are "
+            "available",
+            item=str(solverType),
+            advice=_INSTEAD,
         )
     time = settings.timeIntegration
+    if solverType in TABLEAUS:
+        return
     refused = [
         (
             time.automaticStepSize and settings.stepSizeControl.implicitSolvers,
@@ -128,7 +121,6 @@ def refuse_settings(settings: SimulationSettings, solverType: Any) -> None:
             "steps depend on parameters",
             "use equal steps",
         ),
-        (settings.events.ofItems, "events.ofItems", "steps end at events", "switch it off if the model has no events"),
         (time.newton.useNewtonSolver is False, "timeIntegration.newton.useNewtonSolver", "residuals do not vanish", ""),
         (
             settings.linearSolverSettings.ignoreSingularJacobian,
@@ -195,13 +187,20 @@ def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any) -> Mo
     finally:
         mbs.SetPostStepUserFunction(0)
     used = mbs.sys["dynamicSolver"]
+    if solverType in TABLEAUS:
+        time = settings.timeIntegration
+        h = (time.endTime - time.startTime) / int(round(time.numberOfSteps))
+        scheme = Scheme(h, 0.25, 0.5, 0.0, 0.0, True, False)
+        found = np.array(states)
+        return Motion(np.array(times), found, np.zeros((len(found), data.ODE2Size())), scheme, False)
     refuse_redundant(used)
     generalized = settings.timeIntegration.generalizedAlpha
     newmark = generalized.useNewmark or solverType == _core.DynamicSolverType.TrapezoidalIndex2
     steps = int(round(settings.timeIntegration.numberOfSteps))
     step_size = (settings.timeIntegration.endTime - settings.timeIntegration.startTime) / steps
     all_times, z = np.array(times), np.array(states)
-    if len(z) != steps + 1 or np.max(np.abs(np.diff(all_times) - step_size)) > 1e-8 * step_size:
+    equal = len(z) == steps + 1 and np.max(np.abs(np.diff(all_times) - step_size)) <= 1e-8 * step_size
+    if not equal and not settings.events.ofItems:
         raise NotDifferentiable(
             f"there were {len(z) - 1} steps, some of them of other sizes, instead of {steps} equal ones",
             item="time integration",
@@ -218,25 +217,41 @@ def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any) -> Mo
     )
     n = data.ODE2Size()
     a = z[:, 2 * n : 3 * n]
-    b = np.empty_like(a)
-    b[0] = a[0]
-    for i in range(steps):
-        b[i + 1] = scheme.algorithmic(a[i], b[i], a[i + 1])
+    b = np.zeros_like(a)
+    if equal:
+        b[0] = a[0]
+        for i in range(steps):
+            b[i + 1] = scheme.algorithmic(a[i], b[i], a[i + 1])
     return Motion(all_times, z, b, scheme, bool(generalized.computeInitialAccelerations))
 
 
-def check_steps(motion: Motion, derivatives: Any, n: int) -> None:
+def _predicted(
+    s: Scheme, q: FloatArray, v: FloatArray, a: FloatArray, b: FloatArray, a_end: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return positions, but for rotations, and velocities at the ends of steps."""
+    x = a_end / s.c_a
+    return q + s.increments(v, a, b) + x, s.velocities(v, a, b) + s.c_v * x
+
+
+def check_steps(motion: Motion, derivatives: Any, n: int, steps: Steps | None = None) -> None:
     """Refuse a motion whose steps are not those of the scheme, because the solver has corrected velocities."""
     s, z = motion.scheme, motion.states
     q, v, a, b = z[:-1, :n], z[:-1, n : 2 * n], z[:-1, 2 * n : 3 * n], motion.algorithmic[:-1]
+    if steps is not None:
+        a, b = steps.a[1:], steps.b[1:]
     q_end, v_end, a_end = z[1:, :n], z[1:, n : 2 * n], z[1:, 2 * n : 3 * n]
-    x = a_end / s.c_a
-    expected_v = s.velocities(v, a, b) + s.c_v * x
-    expected_q = q + s.increments(v, a, b) + x
+    if steps is None:
+        expected_q, expected_v = _predicted(s, q, v, a, b, a_end)
+    else:
+        expected_q, expected_v = np.empty_like(q), np.empty_like(v)
+        for i in range(len(q)):
+            own = replace(s, h=float(steps.sizes[i + 1]))
+            expected_q[i], expected_v[i] = _predicted(own, q[i], v[i], a[i], b[i], a_end[i])
     if len(s.rotations):
         for i in range(len(q)):
+            own = s if steps is None else replace(s, h=float(steps.sizes[i + 1]))
             now = q[i]
-            for increment in s.increment_of_step(v[i], a[i], b[i], a_end[i]):
+            for increment in own.increment_of_step(v[i], a[i], b[i], a_end[i]):
                 now = derivatives.compose(now, increment)
             expected_q[i] = now
     # Round-off of a is that of increments times c_a.
@@ -252,3 +267,42 @@ def check_steps(motion: Motion, derivatives: Any, n: int) -> None:
             time=float(motion.times[bad[0] + 1]),
             advice="use smaller steps, a smaller spectralRadius, or exu.DynamicSolverType.TrapezoidalIndex2",
         )
+
+
+def check_tangent(derivatives: Any, z: FloatArray, time: float, h: float, steps: FloatArray, mbs: Any) -> None:
+    """Refuse matrices that are not derivatives of the residual, such as those of mass matrices of user functions."""
+    n, n1, m, _ = derivatives.sizes
+    count = n + n1 + m
+    directions = [np.cos(np.arange(size) + 1.0) for size in (n, n, n, n1, m)]
+    q, v, a, y = (
+        part * steps[begin : begin + len(part)]
+        for part, begin in zip(directions[:4], (0, n, 2 * n, 3 * n), strict=True)
+    )
+    lam = directions[4] * steps[3 * n + 2 * n1 : 3 * n + 2 * n1 + m]
+
+    def along(e: float) -> FloatArray:
+        at = z.copy()
+        at[:n] = derivatives.compose(z[:n], e * q)
+        for part, begin in ((v, n), (a, 2 * n), (y, 3 * n), (lam, 3 * n + 2 * n1)):
+            at[begin : begin + len(part)] += e * part
+        return np.asarray(derivatives.residual(at, time, h))
+
+    derivatives.linearize(z, time, h)
+    parts = [derivatives.product("K", np.concatenate((q, y, lam))[None])[0], derivatives.product("D", v[None])[0]]
+    inertia = np.zeros(count)
+    inertia[:n] = derivatives.product("M", a[None])[0][:n]
+    parts.append(inertia)
+    size = np.abs(parts).sum(axis=0)
+    for scale, tolerance in ((0.1, 1e-6), (1e-3, 1e-5)):  # smaller, if a corner is near
+        off = np.abs(derivative(along, scale) - np.sum(parts, axis=0))
+        blocks = ((0, n), (n, n + n1), (n + n1, count))
+        bad = [begin + int(np.argmax(off[begin:end])) for begin, end in blocks if end > begin
+               and off[begin:end].max() > tolerance * size[begin:end].max() + 1e-12]  # fmt: skip
+        if not bad:
+            return
+    raise NotDifferentiable(
+        "the Jacobian is not the derivative of these equations, as with mass matrices and Jacobians of user functions",
+        item=_core.testing.describe_row(mbs, bad[0]),
+        time=time,
+        advice=_INSTEAD,
+    )

@@ -13,13 +13,22 @@ import numpy as np
 
 from dalembert import _core, solver
 from dalembert._checks import FloatArray
+from dalembert._studies.buckling_derivatives import buckling_derivatives
 from dalembert._studies.design_parameters import Parameters, Variant, weighted
-from dalembert._studies.differentiable_outputs import Context
+from dalembert._studies.differentiable_outputs import COMPUTED, BucklingLoad, Context
 from dalembert._studies.eigenvalue_derivatives import eigenvalue_derivatives
-from dalembert._studies.exact_sensitivities import Problem, Samples, Sensitivities, chosen, row_names
+from dalembert._studies.exact_sensitivities import (
+    Problem,
+    Samples,
+    Sensitivities,
+    chosen,
+    row_names,
+    typical_steps,
+)
 from dalembert._studies.generalized_alpha import Variation
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import refuse_redundant
+from dalembert._studies.response_derivatives import response_derivatives
 
 _WHOLE = (1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0)  # factors of K alone
 _MOST_RANKED = 1000  # unknowns of matrices whose condition is computed
@@ -32,26 +41,50 @@ def solve_static(problem: Problem, method: Any) -> Sensitivities:
     solved = copy.copy(problem.mbs)
     if problem.n1 > 0:
         raise NotDifferentiable("coordinates of first order are not available", item="static solution")
-    settings = problem.settings
-    solver.SolveStatic(solved, settings)
-    refuse_redundant(solved.sys["staticSolver"])
+    only_buckling = all(isinstance(output, BucklingLoad) for output in problem.outputs.values())
+    if not only_buckling:  # which belongs to the state without loads
+        solver.SolveStatic(solved, problem.settings)
+        refuse_redundant(solved.sys["staticSolver"])
     seconds = clock.perf_counter() - begin
     begin = clock.perf_counter()
     z, time = _equilibrium(problem, solved)
     samples = Samples(problem, Context(problem.mbs, np.array([time]), True), z[None])
-    parameters = Parameters(problem.mbs, problem.parameters, samples.sensors, {"inertia": False}, (z, time))
-    base, n, m = parameters.base.derivatives, problem.n, problem.m
-    _check(problem, base, z, time)
-    modes = sorted(
-        source[1] for _, source in samples.wanted if not isinstance(source, int) and source[0] == "eigenvalue"
+    wanted: dict[str, list[Any]] = {kind: [] for kind in COMPUTED}
+    for sample in samples.wanted:
+        if not isinstance(sample.source, int) and sample.source[0] in COMPUTED:
+            wanted[sample.source[0]].append(sample.source[1])
+    alone = bool(wanted["buckling"] or wanted["response"])  # these depend on all equations
+    parameters = Parameters(
+        problem.mbs, problem.parameters, samples.read_by_outputs, {"inertia": False}, (z, time), together=not alone
     )
+    base, n, m = parameters.base.derivatives, problem.n, problem.m
+    computed: dict[Any, Any] = {}
+
+    def add(kind: str, found: Any) -> None:
+        computed.update({(kind, key): value for key, value in found.items()})
+
+    if wanted["buckling"]:
+        add("buckling", buckling_derivatives(parameters, sorted(wanted["buckling"])))
     size = sum(output.size for output in problem.outputs.values())
-    how = "forward" if modes else chosen(method, len(parameters.all), size)
-    if base.factorize(_WHOLE, transposed=how == "adjoint") >= 0:
-        raise _singular(problem, None)
-    rates = parameters.rates(weighted(lambda variant: _residual(parameters, variant, z, time)))
-    u = -base.solve(rates) if how == "forward" else np.zeros((0, n + m))
-    samples.read(parameters, eigenvalue_derivatives(parameters, z, time, u, modes) if modes else None)
+    how = (
+        "forward"
+        if computed or wanted["eigenvalue"] or wanted["response"]
+        else chosen(method, len(parameters.all), size)
+    )
+    if only_buckling:
+        rates, u = np.zeros((len(parameters.all), n + m)), np.zeros((len(parameters.all), n + m))
+    else:
+        _check(problem, base, z, time)
+        if base.factorize(_WHOLE, transposed=how == "adjoint") >= 0:
+            raise _singular(problem, None)
+        rates = parameters.rates(weighted(lambda variant: _residual(parameters, variant, z, time)))
+        u = -base.solve(rates) if how == "forward" else np.zeros((0, n + m))
+    if wanted["eigenvalue"]:
+        add("eigenvalue", eigenvalue_derivatives(parameters, z, time, u, sorted(wanted["eigenvalue"])))
+    if wanted["response"]:
+        steps = typical_steps(problem, z[None])
+        add("response", response_derivatives(parameters, z, time, u, steps, wanted["response"]))
+    samples.read(parameters, computed)
     matrix = np.zeros((samples.size, len(parameters.all)))
     if how == "forward":
         change = Variation.zeros(len(u), n, 0, m)

@@ -1,5 +1,5 @@
-// A user function takes and gives doubles; inside a kernel its derivatives come from differences, argument by argument, and
-// only for those arguments that move.
+// A user function takes and gives doubles. Recorded functions have derivatives; those of other functions are differences.
+// Both are found argument by argument, and only for those arguments that move.
 #pragma once
 
 #include <algorithm>
@@ -47,6 +47,10 @@ class CallArguments {
     std::array<Argument, most_arguments> arguments;
     f.callback->recall(c.time, c.item, described(arguments, numbers), results);
   }
+  bool derivative(const UserFunction& f, const Context& c, const double* numbers, int number, std::span<double> results) const {
+    std::array<Argument, most_arguments> arguments;
+    return f.callback->derivative(c.time, c.item, described(arguments, numbers), number, results);
+  }
 
   // The arguments as a callback takes them, over their own numbers (S is double) or over given ones.
   void describe(std::span<Argument> arguments) const
@@ -90,22 +94,23 @@ Vec<Dual<N, T>, Results> evaluate(const UserFunction& f, const Context& c,
                                   const CallArguments<Dual<N, T>, Capacity>& arguments) {
   std::array<double, Capacity> numbers{};
   for (int i = 0; i < arguments.size(); ++i) numbers[i] = value_of(arguments[i]);
-  Vec<double, Results> at, ahead;
+  Vec<double, Results> at, slopes;
   c.same_state ? arguments.recall(f, c, numbers.data(), at.x) : arguments.call(f, c, numbers.data(), at.x);
   Vec<Dual<N, T>, Results> r;
   for (int k = 0; k < Results; ++k) r[k] = Dual<N, T>(at[k]);
   for (int i = 0; i < arguments.size(); ++i) {
     const auto& d = arguments[i].d;
     if (std::all_of(d.begin(), d.end(), [](const T& x) { return value_of(x) == 0; })) continue;
-    const double x = numbers[i];
-    numbers[i] = x + 1e-8 * std::max(1e-2, std::abs(x));
-    arguments.call(f, c, numbers.data(), ahead.x);
-    const double step = numbers[i] - x;  // as rounded
-    numbers[i] = x;
-    for (int k = 0; k < Results; ++k) {
-      const double slope = (ahead[k] - at[k]) / step;
-      for (int j = 0; j < N; ++j) r[k].d[j] += slope * d[j];
+    if (!arguments.derivative(f, c, numbers.data(), i, slopes.x)) {
+      const double x = numbers[i];
+      numbers[i] = x + 1e-8 * std::max(1e-2, std::abs(x));
+      arguments.call(f, c, numbers.data(), slopes.x);
+      const double step = numbers[i] - x;  // as rounded
+      numbers[i] = x;
+      for (int k = 0; k < Results; ++k) slopes[k] = (slopes[k] - at[k]) / step;
     }
+    for (int k = 0; k < Results; ++k)
+      for (int j = 0; j < N; ++j) r[k].d[j] += slopes[k] * d[j];
   }
   return r;
 }

@@ -25,6 +25,11 @@ class Callback {
   virtual void recall(double time, int item, std::span<const Argument> arguments, std::span<double> results) const {
     call(time, item, arguments, results);
   }
+  // Derivatives of the results of `call` with respect to one number of the arguments, which are counted through.
+  // Returns false if the function has no derivative.
+  virtual bool derivative(double /*time*/, int /*item*/, std::span<const Argument> /*arguments*/, int /*number*/, std::span<double> /*results*/) const {
+    return false;
+  }
   // Variant of `call` for a result of any length.
   virtual std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const = 0;
 };

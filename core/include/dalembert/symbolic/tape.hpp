@@ -25,8 +25,15 @@ class Tape {
   // One pointer per input, to the numbers of its shape. May be called from several threads.
   void evaluate(std::span<const double* const> inputs, std::span<double> results) const;
   std::vector<double> evaluate() const;  // evaluates a tape without inputs
+  // Derivatives of all results with respect to one number of an input.
+  void derivative(std::span<const double* const> inputs, std::size_t input, int number, std::span<double> results) const;
   // The derivative of a scalar result with respect to a scalar variable that is no input.
   double derivative(const Expression& variable) const;
+
+  // Variables that are no inputs, in the order in which they occur.
+  std::vector<Node> variables() const;
+  // A copy in which another variable takes the place of one that is no input.
+  Tape replaced(const Expression& variable, const Node& by) const;
 
   Shape shape() const { return shape_; }
   std::span<const Shape> input_shapes() const { return input_shapes_; }

@@ -1,0 +1,746 @@
+"""Variations of a motion whose steps end at times that depend on parameters, at events or at the end.
+
+A step from the state z to z' = Phi(z, h, D; p) has the data coordinates D of its start, which change at its end, by
+D' = S(z', D; p). Its size h is
+
+    constant, or a part of the duration         regular steps, and those that were repeated with a part of their size
+    that of g(z', t', D; p) = 0                 a step that ends at an event with the switch g of an item
+    T - t                                       the last step
+
+At an event, dh = -(g_z dz' + g_t dt' + g_p dp)/(g_z z'_h + g_t), with dz' at a fixed size, and z'_h = dPhi/dh. After
+it, accelerations are those of the equations of motion with the new data. The transposed maps give the gradient.
+
+Serban, Recuero: Sensitivity analysis for hybrid systems and systems with memory, Journal of Computational and Nonlinear
+Dynamics 14 (2019).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from dalembert import _core
+from dalembert._checks import FloatArray
+from dalembert._studies.design_parameters import Parameters, Variant, describe, weighted
+from dalembert._studies.difference_formulas import CENTRAL, FORWARD, derivative
+from dalembert._studies.generalized_alpha import LinearStep, Scheme, Variation
+from dalembert._studies.not_differentiable import NotDifferentiable
+
+_SAME_SIZE = 1e-9  # relative
+_BALANCED = 1e-6  # residual of a step, relative to its terms
+_GRAZES = 1e-8  # rate of a switch, relative to its terms
+_OF_DATA = 1e-3  # relative steps of data coordinates
+_SMALL = 1e-3  # relative to the usual steps: changes of data must not switch
+_INSTEAD = "use processing.ComputeSensitivities, which takes differences of whole solutions"
+
+
+class Event(NamedTuple):
+    """number: of the switch; item: the object, or -1."""
+
+    number: int
+    item: int
+    what: str
+
+
+class Steps(NamedTuple):
+    """Sizes of all steps (index 0 is not used), and what starts them.
+
+    a, b: accelerations at the start of each step; ratio: size relative to that of the step before, by which b has been
+    moved; 0 after an event, and in the first step.
+    """
+
+    sizes: FloatArray
+    regular: float
+    a: FloatArray
+    b: FloatArray
+    ratios: FloatArray
+    events: dict[int, Event]
+
+    @property
+    def moves(self) -> bool:
+        return bool(self.events)
+
+    @property
+    def equal(self) -> bool:
+        return bool(np.all(self.sizes[1:-1] == self.regular))
+
+    def is_regular(self, step: int) -> bool:
+        return bool(self.sizes[step] == self.regular)
+
+
+class Switches:
+    """Switches of items at states."""
+
+    def __init__(self, derivatives: Any) -> None:
+        self.derivatives = derivatives
+
+    def at(self, z: FloatArray, time: float, h: float) -> list[tuple[float, bool, float, int, str]]:
+        return list(self.derivatives.switches(z, time, h))
+
+    def value(self, number: int, z: FloatArray, time: float, h: float) -> float:
+        return float(self.derivatives.switches(z, time, h)[number][0])
+
+
+def with_data(z: FloatArray, data: FloatArray) -> FloatArray:
+    """Return a state with other data coordinates, which are its last ones."""
+    made = z.copy()
+    made[len(z) - len(data) :] = data
+    return made
+
+
+def find_steps(
+    times: FloatArray,
+    states: FloatArray,
+    scheme: Scheme,
+    regular: float,
+    derivatives: Any,
+    mbs: Any,
+    *,
+    watches: bool,
+    implicit: bool = True,
+) -> Steps:
+    """Find events, and the accelerations after them; refuse steps that are not explained by them."""
+    n, _, m, nd = derivatives.sizes
+    count = len(times)
+    sizes = np.diff(times, prepend=times[0])
+    sizes[np.abs(sizes - regular) < _SAME_SIZE * regular] = regular
+    a, b, ratios = np.zeros((count, n)), np.zeros((count, n)), np.zeros(count)
+    events: dict[int, Event] = {}
+    before: list[Any] = []
+    a_now, b_now, size = states[0, 2 * n : 3 * n], states[0, 2 * n : 3 * n], 0.0
+    watch = Switches(derivatives)
+    for i in range(1, count):
+        h, time = float(sizes[i]), float(times[i])
+        own = scheme if h == scheme.h else replace(scheme, h=h)
+        data = states[i - 1, len(states[i]) - nd :]
+        z = with_data(states[i], data) if nd else states[i]
+        _check_balance(derivatives, z, time, h, mbs)
+        if not before and watches:
+            before = watch.at(states[i - 1], float(times[i - 1]), h)
+        regular_step, last = h == regular, i == count - 1
+        now = watch.at(z, time, h) if watches else []
+        found = _switched(now, before, True)
+        if not found and not regular_step and not last:
+            found = _switched(now, before, False)
+        if len(found) > 1 and len({event.item for event in found}) + len({event.what for event in found}) > 2:
+            raise NotDifferentiable(
+                "two events come at the same time",
+                item=_name(mbs, found[1]),
+                time=time,
+                advice="change the start a little, so that one comes first",
+            )
+        if size > 0:
+            ratios[i] = h / size if found or last or h == size else 0.0  # repeated and recovered steps take b as it is
+            if ratios[i] not in (0.0, 1.0) and not scheme.newmark:
+                b_now = a_now + ratios[i] * (b_now - a_now)
+        a[i], b[i] = a_now, b_now
+        a_now = states[i, 2 * n : 3 * n]
+        b_now, size = own.algorithmic(a[i], b[i], a_now), h
+        if found:
+            if m > 0 and implicit:
+                raise NotDifferentiable(
+                    "events in systems with constraints are not available",
+                    item=_name(mbs, found[0]),
+                    time=time,
+                    advice=f"replace constraints by minimal coordinates, or {_INSTEAD}",
+                )
+            events[i] = found[0]
+            a_now = accelerations(derivatives, states[i], time, h)
+            b_now, size = a_now, 0.0
+        before = watch.at(states[i], time, h) if watches else []
+    return Steps(sizes, regular, a, b, ratios, events)
+
+
+def _switched(now: list[Any], before: list[Any], beyond_noise: bool) -> list[Event]:
+    """Return events at the end of a step."""
+    return [
+        Event(k, item, what)
+        for k, ((value, kink, noise, item, what), old) in enumerate(zip(now, before, strict=True))
+        if (value * old[0] < 0 if kink else value < (-noise if beyond_noise else 0.0))
+    ]
+
+
+def _name(mbs: Any, event: Event) -> str:
+    name = describe(mbs, _core.ObjectIndex(event.item)) if event.item >= 0 else "system"
+    return f"event '{event.what}' of {name}"
+
+
+def only_states_of_items(times: FloatArray, states: FloatArray, h: float, derivatives: Any, mbs: Any) -> bool:
+    """Return whether residuals of equal steps depend on states of items alone, such as turns of a spring.
+
+    These do not vary. Values of data coordinates, such as the place where friction sticks, do.
+    """
+    n, _, _, nd = derivatives.sizes
+    data = slice(states.shape[1] - nd, None)
+    ends = states[1:].copy()
+    ends[:, data] = states[:-1, data]
+    still = ends.copy()
+    still[:, 2 * n : 3 * n] = 0.0
+    residuals = derivatives.residuals(ends, times[1:], h)
+    terms = np.abs(derivatives.residuals(still, times[1:], h))[:, :n].max(axis=1, initial=0.0)
+    unbalanced = np.abs(residuals)[:, :n].max(axis=1, initial=0.0) > _BALANCED * np.maximum(terms, 1e-9)
+    if np.any(unbalanced):
+        i = int(np.argmax(unbalanced))
+        _check_balance(derivatives, ends[i], float(times[i + 1]), h, mbs)
+    ends[:, data] *= 1 + _OF_DATA
+    return bool(np.all(derivatives.residuals(ends, times[1:], h) == residuals))
+
+
+def _check_balance(derivatives: Any, z: FloatArray, time: float, h: float, mbs: Any) -> None:
+    """Refuse a step that was not solved with the data coordinates of its start."""
+    n = derivatives.sizes[0]
+    residual = np.abs(derivatives.residual(z, time, h))[:n]
+    still = z.copy()
+    still[2 * n : 3 * n] = 0.0
+    terms = np.abs(derivatives.residual(still, time, h))[:n].max(initial=0.0)
+    if residual.max(initial=0.0) > _BALANCED * max(terms, 1e-9):
+        raise NotDifferentiable(
+            "its history, such as of contact or friction, has changed within the step",
+            item=_item_with_history(mbs),
+            time=time,
+            advice="set simulationSettings.events.ofItems = True, or " + _INSTEAD,
+        )
+
+
+def _item_with_history(mbs: Any) -> str:
+    """Return the name of the first object with data coordinates."""
+    data = mbs.systemData
+    for number in range(data.NumberOfObjects()):
+        for value in mbs.GetObject(number).values():
+            for each in value if isinstance(value, (list, tuple)) else [value]:
+                if isinstance(each, _core.NodeIndex) and data.GetNodeLTGData(int(each)):
+                    return describe(mbs, _core.ObjectIndex(number))
+    return "time integration"
+
+
+def accelerations(derivatives: Any, z: FloatArray, time: float, h: float) -> FloatArray:
+    """Return accelerations of the equations of motion without constraints."""
+    n = derivatives.sizes[0]
+    still = z.copy()
+    still[2 * n : 3 * n] = 0.0
+    return np.asarray(
+        _over_mass(derivatives, still, time, h, np.asarray(derivatives.residual(still, time, h))[None])[0]
+    )
+
+
+def _over_mass(derivatives: Any, z: FloatArray, time: float, h: float, right: FloatArray) -> FloatArray:
+    """Return - M^-1 of ODE2 equations in rows."""
+    n = derivatives.sizes[0]
+    derivatives.linearize(z, time, h)
+    failed = derivatives.factorize((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0))
+    if failed >= 0:
+        raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
+    padded = np.zeros((len(right), right.shape[1]))
+    padded[:, :n] = right[:, :n]
+    return -np.asarray(derivatives.solve(padded))[:, :n]
+
+
+@dataclass
+class Moving:
+    """A variation of a state, its time, the size of the step before, and tracked data coordinates; or derivatives."""
+
+    state: Variation
+    t: FloatArray
+    h: FloatArray
+    data: FloatArray
+
+    @staticmethod
+    def of(state: Variation, data: int) -> Moving:
+        rows = len(state.q)
+        return Moving(state, np.zeros(rows), np.zeros(rows), np.zeros((rows, data)))
+
+    def plus(self, factors: FloatArray, other: Moving) -> Moving:
+        """Return the sum with an outer product: each row gets its factor times the single row of the other."""
+        state = Variation(
+            *(
+                getattr(self.state, each.name) + factors[:, None] * getattr(other.state, each.name)
+                for each in fields(Variation)
+            )
+        )
+        return Moving(state, self.t + factors * other.t[0], self.h + factors * other.h[0], self.data)
+
+    def dot(self, other: Moving) -> FloatArray:
+        """Return products of all rows with a single row."""
+        total = self.t * other.t[0] + self.h * other.h[0]
+        for each in fields(Variation):
+            total = total + getattr(self.state, each.name) @ getattr(other.state, each.name)[0]
+        return np.asarray(total)
+
+
+class Walk:
+    """Linearized steps of a motion."""
+
+    def __init__(
+        self,
+        parameters: Parameters,
+        times: FloatArray,
+        states: FloatArray,
+        scheme: Scheme,
+        steps: Steps,
+        typical: FloatArray,
+        end_time: int | None,
+    ) -> None:
+        self.parameters, self.times, self.states = parameters, times, states
+        self.scheme, self.steps, self.typical, self.end_time = scheme, steps, typical, end_time
+        self.derivatives = parameters.base.derivatives
+        self.n, self.n1, self.m, self.nd = self.derivatives.sizes
+        self.count = 3 * self.n + 2 * self.n1 + self.m
+        self.schemes: dict[float, Scheme] = {scheme.h: scheme}
+        self.tracked = self._tracked()
+
+    # ---- single steps ------------------------------------------------------------------------------------------------
+
+    def scheme_of(self, h: float) -> Scheme:
+        if h not in self.schemes:
+            self.schemes[h] = replace(self.scheme, h=h)
+        return self.schemes[h]
+
+    def data(self, step: int) -> FloatArray:
+        return np.asarray(self.states[step][self.count :])
+
+    def end(self, step: int) -> FloatArray:
+        """Return the state at the end, with the data of the step."""
+        return with_data(self.states[step], self.data(step - 1)) if self.nd else np.asarray(self.states[step])
+
+    def linear_step(self, i: int, transposed: bool) -> LinearStep:
+        h, time = float(self.steps.sizes[i]), float(self.times[i])
+        z = self.end(i)
+        self.derivatives.linearize(z, time, h)
+        n = self.n
+        step = LinearStep(
+            self.scheme_of(h),
+            self.derivatives,
+            self.states[i - 1][n : 2 * n],
+            self.steps.a[i],
+            self.steps.b[i],
+            self.states[i][2 * n : 3 * n],
+        )
+        failed = step.factorize(transposed)
+        if failed >= 0:
+            raise NotDifferentiable(
+                "the matrix of the step is singular",
+                item=_core.testing.describe_row(self.parameters.base.mbs, failed),
+                time=time,
+            )
+        return step
+
+    def residual_rates(self, i: int) -> tuple[FloatArray, FloatArray]:
+        """Return derivatives of the residual of a step with respect to time, and to the size of the step."""
+        z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+        scale = self.steps.regular * _SMALL
+        by_time = derivative(lambda e: self.derivatives.residual(z, time + e, h), scale)
+        by_size = derivative(lambda e: self.derivatives.residual(z, time, h + e), _SMALL * h)
+        return by_time, by_size
+
+    def by_data(self, i: int) -> FloatArray:
+        """Return derivatives of the residual of a step with respect to tracked data coordinates, in rows."""
+        rates = np.zeros((len(self.tracked), self.n + self.n1 + self.m))
+        z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+        for row, entry in enumerate(self.tracked):
+            rates[row] = self._along_data(lambda at: self.derivatives.residual(at, time, h), z, entry)
+        return rates
+
+    def _along_data(self, function: Any, z: FloatArray, entry: int) -> FloatArray:
+        value = z[self.count + entry]
+        if value == 0:
+            return np.zeros_like(np.asarray(function(z)))  # a state, such as sticking
+
+        def moved(e: float) -> FloatArray:
+            at = z.copy()
+            at[self.count + entry] += e
+            return np.asarray(function(at))
+
+        return np.asarray(derivative(moved, _OF_DATA * abs(value)))
+
+    def _tracked(self) -> list[int]:
+        """Return data coordinates whose values, and not only their signs, matter."""
+        if self.nd == 0:
+            return []
+        found: set[int] = set()
+        for i in range(1, len(self.times)):
+            z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+            residual = np.asarray(self.derivatives.residual(z, time, h))
+            for entry in set(range(self.nd)) - found:
+                if z[self.count + entry] != 0:
+                    moved = z.copy()
+                    moved[self.count + entry] *= 1 + _OF_DATA
+                    if np.any(np.asarray(self.derivatives.residual(moved, time, h)) != residual):
+                        found.add(entry)
+        grows = bool(found)
+        while grows:
+            grows = False
+            for i in range(1, len(self.times)):
+                z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+                after = np.asarray(self.derivatives.switch_over(z, time, h))
+                for entry in set(range(self.nd)) - found:
+                    if z[self.count + entry] == 0:
+                        continue
+                    moved = z.copy()
+                    moved[self.count + entry] *= 1 + _OF_DATA
+                    changed = np.asarray(self.derivatives.switch_over(moved, time, h)) != after
+                    if any(changed[k] for k in found):
+                        found.add(entry)
+                        grows = True
+        return sorted(found)
+
+    # ---- events ------------------------------------------------------------------------------------------------------
+
+    def _moved(self, z: FloatArray, entry: int, e: float) -> FloatArray:
+        at = z.copy()
+        if entry < self.n:
+            increment = np.zeros(self.n)
+            increment[entry] = e
+            at[: self.n] = self.derivatives.compose(z[: self.n], increment)
+        else:
+            at[entry] += e
+        return at
+
+    def _plus(self, z: FloatArray, entry: int, e: float) -> FloatArray:
+        at = z.copy()
+        at[entry] += e
+        return at
+
+    def _without_corner(self, function: Any, step: float, i: int) -> float:
+        """Return the derivative of a switch, with steps that do not reach over a corner, such as of a magnitude."""
+        coarse = float(derivative(function, step))
+        for _ in range(4):
+            fine = float(derivative(function, 0.1 * step))
+            noise = 1e-9 * max(abs(function(step)), abs(function(-step))) / step
+            if abs(fine - coarse) <= 1e-6 * abs(fine) + noise:
+                return coarse
+            step *= 0.03
+            coarse = float(derivative(function, step))
+        raise NotDifferentiable(
+            "its switch has a corner",
+            item=_name(self.parameters.base.mbs, self.steps.events[i]),
+            time=float(self.times[i]),
+            advice=_INSTEAD,
+        )
+
+    def switch_gradient(self, i: int) -> tuple[FloatArray, float, FloatArray, FloatArray]:
+        """Return derivatives of the switch of an event by the state, time, tracked data, and parameters."""
+        number, z, time, h = self.steps.events[i].number, self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+
+        def value(at: FloatArray, when: float = time) -> float:
+            return float(self.derivatives.switches(at, when, h)[number][0])
+
+        by_state = np.array(
+            [
+                self._without_corner(lambda e, k=k: value(self._moved(z, k, e)), float(self.typical[k]), i)
+                for k in range(self.count)
+            ]
+        )
+        by_time = float(derivative(lambda e: value(z, time + e), self.steps.regular * _SMALL))
+        by_data = np.zeros(len(self.tracked))
+        for row, entry in enumerate(self.tracked):
+            at = float(z[self.count + entry])
+            if at != 0:
+                by_data[row] = self._without_corner(
+                    lambda e, k=self.count + entry: value(self._plus(z, k, e)),
+                    _OF_DATA * abs(at),
+                    i,
+                )
+        by_parameters = np.zeros(len(self.parameters.all))
+        for group in self.parameters.groups:
+            evaluate = weighted(lambda v: v.derivatives.switches(self.parameters.shifted(v, z), time, h)[number][0])
+            total = float(evaluate(group))
+            if total == 0:
+                continue
+            k = self._concerned(group, self.steps.events[i].item)
+            by_parameters[k] = total / self.parameters.steps[k]
+        return by_state, by_time, by_data, by_parameters
+
+    def _concerned(self, group: Any, item: int) -> int:
+        """Return the parameter of a group that acts on an object; its parameters have no common equations."""
+        if len(group.members) == 1:
+            return int(group.members[0])
+        own = self.parameters._structure.of_object(item)
+        found = [k for k in group.members if own & set(np.asarray(self.parameters.rows[k]).tolist())]
+        if len(found) != 1:
+            raise NotDifferentiable(
+                "a parameter moves the event, and it is not clear which one",
+                item=describe(self.parameters.base.mbs, _core.ObjectIndex(item)),
+                advice="differentiate by one parameter at a time",
+            )
+        return int(found[0])
+
+    def data_gradient(self, i: int) -> tuple[FloatArray, FloatArray, FloatArray] | None:
+        """Return derivatives of tracked data after a step by the state, by tracked data before, and by parameters."""
+        if not self.tracked:
+            return None
+        z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+        tracked = np.array(self.tracked)
+        before, after = z[self.count :][tracked], self.data(i)[tracked]
+        if np.all(before == after):
+            return None
+        event = self.steps.events.get(i)
+        by_switch = self.switch_gradient(i)[0] if event is not None else np.zeros(self.count)
+
+        def data(at: FloatArray) -> FloatArray:
+            return np.asarray(self.derivatives.switch_over(at, time, h))[tracked]
+
+        by_state = np.zeros((len(tracked), self.count))
+        for k in range(self.count):
+            size = float(self.typical[k]) * _SMALL
+            side = -np.sign(by_switch[k])
+            formula = CENTRAL if side == 0 else FORWARD  # on the side where the item has switched
+            by_state[:, k] = self._smooth(
+                {
+                    multiple * (side or 1.0): data(self._moved(z, k, multiple * (side or 1.0) * size))
+                    for multiple in formula
+                },
+                {multiple * (side or 1.0): weight * (side or 1.0) for multiple, weight in formula.items()},
+                size,
+                after,
+                time,
+            )
+        by_data = np.array([self._along_data(data, z, entry) for entry in self.tracked]).T
+        by_parameters = np.zeros((len(tracked), len(self.parameters.all)))
+
+        def at_variant(variant: Variant) -> FloatArray:
+            return np.asarray(variant.derivatives.switch_over(self.parameters.shifted(variant, z), time, h))[tracked]
+
+        for group in self.parameters.groups:
+            values = {multiple: at_variant(group.variants[multiple]) for multiple in group.formula}
+            total = self._smooth(values, group.formula, 1.0, after, time)
+            if np.any(total != 0):
+                k = self._concerned(group, event.item if event is not None else -1)
+                by_parameters[:, k] = total / self.parameters.steps[k]
+        return by_state, by_data, by_parameters
+
+    def _smooth(
+        self, values: dict[Any, FloatArray], formula: dict[Any, float], size: float, middle: FloatArray, time: float
+    ) -> FloatArray:
+        """Return differences, and refuse those across a change of the state of the item."""
+        total = sum(weight * values[multiple] for multiple, weight in formula.items())
+        slope = np.asarray(total)
+        for multiple, value in values.items():
+            off = np.abs(value - middle - float(multiple) * slope)
+            if np.any(off > 0.1 * np.abs(float(multiple) * slope) + 1e-9 * (np.abs(middle) + np.abs(value)) + 1e-300):
+                raise NotDifferentiable(
+                    "data coordinates change without an event, or at a corner",
+                    item="time integration",
+                    time=time,
+                    advice=_INSTEAD,
+                )
+        return slope / size
+
+    # ---- forwards ----------------------------------------------------------------------------------------------------
+
+    def _start(self, i: int, change: Moving) -> Variation:
+        """Return the variation at the start of a step of fixed size, with algorithmic accelerations moved to it."""
+        ratio, s = float(self.steps.ratios[i]), change.state
+        if ratio in (0.0, 1.0) and not np.any(change.h):
+            return s
+        if ratio == 0.0 or self.scheme.newmark:
+            return s
+        slope = self._b_slope(i)
+        b = (1 - ratio) * s.a + ratio * s.b - np.outer(change.h * ratio, slope)
+        return replace(s, b=b)
+
+    def _b_slope(self, i: int) -> FloatArray:
+        """Return the derivative of moved algorithmic accelerations by the size of a step."""
+        ratio = float(self.steps.ratios[i])
+        if ratio == 0.0 or self.scheme.newmark:
+            return np.zeros(self.n)
+        return np.asarray((self.steps.b[i] - self.steps.a[i]) / self.steps.sizes[i])
+
+    def response_to_size(self, step: LinearStep, i: int, rates: tuple[FloatArray, FloatArray]) -> Moving:
+        """Return the variation of the end by the size of the step."""
+        start = Variation.zeros(1, self.n, self.n1, self.m)
+        start.b[0] = self._b_slope(i)
+        before, n, n1 = self.states[i - 1], self.n, self.n1
+        state = step.forward_by_size(
+            start,
+            (rates[0] + rates[1])[None],
+            before[n : 2 * n],
+            self.steps.a[i],
+            self.steps.b[i],
+            self.states[i][2 * n : 3 * n],
+            before[3 * n + n1 : 3 * n + 2 * n1],
+            self.states[i][3 * n + n1 : 3 * n + 2 * n1],
+        )
+        found = Moving.of(state, self.nd and len(self.tracked))
+        found.t[0] = found.h[0] = 1.0
+        return found
+
+    def forward(self, change: Moving) -> Iterator[tuple[int, Moving]]:
+        """Yield variations at the ends of all steps; those of a start come first."""
+        yield 0, change
+        end_time = self.end_time
+        for i in range(1, len(self.times)):
+            last = i == len(self.times) - 1
+            sized = i in self.steps.events or end_time is not None or (last and self.ends_at_end(i))
+            fixed, size = self.fixed_and_size(i, change, sized)
+            by = np.zeros_like(change.t)
+            if size is None:
+                pass
+            elif i in self.steps.events:
+                by_state, by_time, by_data, by_parameters = self.switch_gradient(i)
+                rate = self._switch_rate(i, by_state, by_time, size)
+                by = -(fixed.state.z @ by_state + fixed.t * by_time + change.data @ by_data + by_parameters) / rate
+            elif last and self.ends_at_end(i):
+                by = -change.t
+                if end_time is not None:
+                    by[end_time] += 1.0
+            elif end_time is not None:
+                by[end_time] = self._part(i)
+            change = fixed.plus(by, size) if size is not None else fixed
+            gradient = self.data_gradient(i)
+            if gradient is not None:
+                self._check_zero_data(i, change.data)
+                change.data = change.state.z @ gradient[0].T + change.data @ gradient[1].T + gradient[2].T
+            yield i, change
+            if i in self.steps.events:
+                change = self.renewed(i, change)
+
+    def ends_at_end(self, i: int) -> bool:
+        """Return whether the last step ends at the end of the solution, whenever it begins."""
+        return bool(self.steps.events) or not self.steps.is_regular(i)
+
+    def fixed_and_size(self, i: int, change: Moving, sized: bool) -> tuple[Moving, Moving | None]:
+        """Return the variation at the end of a step of fixed size, and, if wanted, that by the size of the step."""
+        step, parameters = self.linear_step(i, False), self.parameters
+        z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+        rates = self.residual_rates(i)
+        right = parameters.rates(parameters.residual_at(z, time, h)) + np.outer(change.t, rates[0])
+        if self.tracked:
+            right += change.data @ self.by_data(i)
+        state = step.forward(self._start(i, change), right)
+        fixed = Moving(state, change.t.copy(), np.zeros_like(change.t), change.data)
+        return fixed, self.response_to_size(step, i, rates) if sized else None
+
+    def size_alone(self, i: int) -> Moving:
+        """Return the variation at the end of a step by its size."""
+        return self.response_to_size(self.linear_step(i, False), i, self.residual_rates(i))
+
+    def _part(self, i: int) -> float:
+        """Return the derivative of the size of a step by the end, of which it is a constant part."""
+        return float(self.steps.sizes[i]) / float(self.times[-1] - self.times[0])
+
+    def _check_zero_data(self, i: int, change: FloatArray) -> None:
+        before = self.data(i - 1)[self.tracked]
+        if np.any((before == 0) & np.any(change != 0, axis=0)):
+            raise NotDifferentiable("data coordinates pass zero", item="time integration", time=float(self.times[i]))
+
+    def _switch_rate(self, i: int, by_state: FloatArray, by_time: float, size: Moving) -> float:
+        rate = float(size.state.z[0] @ by_state) + by_time
+        terms = float(np.abs(size.state.z[0] * by_state).sum()) + abs(by_time)
+        if abs(rate) <= _GRAZES * max(terms, 1e-300):
+            raise NotDifferentiable(
+                f"its switch grazes zero (rate {rate:.1e})",
+                item=_name(self.parameters.base.mbs, self.steps.events[i]),
+                time=float(self.times[i]),
+                advice="derivatives do not exist there",
+            )
+        return rate
+
+    def renewed(self, i: int, change: Moving) -> Moving:
+        """Return the variation after an event: accelerations follow from positions, velocities and data."""
+        z = self._after(i)
+        right = self._acceleration_rates(i, z, change)
+        a = _over_mass(self.derivatives, z, float(self.times[i]), float(self.steps.sizes[i]), right)
+        return replace(change, state=replace(change.state, a=a, b=a.copy()))
+
+    def _after(self, i: int) -> FloatArray:
+        z, n = np.array(self.states[i]), self.n
+        z[2 * n : 3 * n] = self.steps.a[i + 1] if i + 1 < len(self.times) else 0.0
+        return z
+
+    def _acceleration_rates(self, i: int, z: FloatArray, change: Moving) -> FloatArray:
+        d, time, h, s = self.derivatives, float(self.times[i]), float(self.steps.sizes[i]), change.state
+        by_time = derivative(lambda e: d.residual(z, time + e, h), self.steps.regular * _SMALL)
+        rates = self.parameters.rates(self.parameters.residual_at(z, time, h)) + np.outer(change.t, by_time)
+        if self.tracked:
+            by_data = [self._along_data(lambda at: d.residual(at, time, h), z, entry) for entry in self.tracked]
+            rates += change.data @ np.array(by_data)
+        d.linearize(z, time, h)
+        padded = np.hstack((s.q, s.y, np.zeros((len(s.q), self.m))))
+        return np.asarray(rates + d.product("K", padded) + d.product("D", s.v))
+
+    # ---- backwards ---------------------------------------------------------------------------------------------------
+
+    def backward(self, bar: Moving, matrix: FloatArray, add_seeds: Any) -> Moving:
+        """Return derivatives with respect to the start; add those with respect to parameters to the matrix."""
+        end_time = self.end_time
+        for i in range(len(self.times) - 1, 0, -1):
+            last = i == len(self.times) - 1
+            if i in self.steps.events and not last:
+                self.renew_back(i, bar, matrix)
+            add_seeds(i, bar, matrix)
+            gradient = self.data_gradient(i)
+            if gradient is not None:
+                self._add_state(bar, bar.data @ gradient[0])
+                matrix += bar.data @ gradient[2]
+                bar.data = bar.data @ gradient[1]
+            event, ends = i in self.steps.events, last and self.ends_at_end(i)
+            follows = end_time is not None
+            of_start = np.zeros_like(bar.t)
+            if event or ends or follows:
+                size = self.size_alone(i)
+                by_size = bar.dot(size)
+                if event:
+                    by_state, by_time, by_data, by_parameters = self.switch_gradient(i)
+                    factor = -by_size / self._switch_rate(i, by_state, by_time, size)
+                    self._add_state(bar, np.outer(factor, by_state))
+                    bar.t = bar.t + factor * by_time
+                    if self.tracked:
+                        bar.data = bar.data + np.outer(factor, by_data)
+                    matrix += np.outer(factor, by_parameters)
+                elif ends:
+                    of_start = -by_size
+                    if end_time is not None:
+                        matrix[:, end_time] += by_size
+                else:
+                    matrix[:, end_time] += by_size * self._part(i)
+            bar = self.step_back(i, bar, matrix)
+            bar.t = bar.t + of_start
+        return bar
+
+    def step_back(self, i: int, bar: Moving, matrix: FloatArray) -> Moving:
+        """Return derivatives with respect to the start of a step of fixed size."""
+        parameters, rates = self.parameters, self.residual_rates(i)
+        z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
+        start, w = self.linear_step(i, True).backward(bar.state)
+        matrix -= parameters.weighted_rates(parameters.residual_at(z, time, h), w)
+        t = bar.t - w @ rates[0]
+        data = bar.data - w @ self.by_data(i).T if self.tracked else bar.data
+        size_before = np.zeros_like(t)
+        ratio = float(self.steps.ratios[i])
+        if ratio != 0.0 and not self.scheme.newmark:
+            size_before = -(start.b @ self._b_slope(i)) * ratio
+            start = replace(start, a=start.a + (1 - ratio) * start.b, b=ratio * start.b)
+        return Moving(start, t, size_before, data)
+
+    def _add_state(self, bar: Moving, z: FloatArray) -> None:
+        for row, values in enumerate(z):
+            bar.state.add(row, values)
+
+    def renew_back(self, i: int, bar: Moving, matrix: FloatArray) -> None:
+        z, time, h, n = self._after(i), float(self.times[i]), float(self.steps.sizes[i]), self.n
+        d, s = self.derivatives, bar.state
+        d.linearize(z, time, h)
+        if d.factorize((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0), transposed=True) >= 0:
+            raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
+        padded = np.zeros((len(s.q), n + self.n1 + self.m))
+        padded[:, :n] = s.a + s.b
+        w = np.zeros_like(padded)
+        w[:, :n] = np.asarray(d.solve(padded))[:, :n]
+        by_k = d.product("K", w, transposed=True)
+        bar.state = replace(
+            s,
+            q=s.q - by_k[:, :n],
+            v=s.v - d.product("D", w, transposed=True),
+            y=s.y - by_k[:, n : n + self.n1],
+            a=np.zeros_like(s.a),
+            b=np.zeros_like(s.b),
+        )
+        by_time = derivative(lambda e: d.residual(z, time + e, h), self.steps.regular * _SMALL)
+        bar.t = bar.t - w @ by_time
+        if self.tracked:
+            by_data = [self._along_data(lambda at: d.residual(at, time, h), z, entry) for entry in self.tracked]
+            bar.data = bar.data - w @ np.array(by_data).T
+        matrix -= self.parameters.weighted_rates(self.parameters.residual_at(z, time, h), w)
