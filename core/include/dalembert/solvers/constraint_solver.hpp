@@ -42,6 +42,12 @@ class ConstraintSolver {
   // not change the numbers of regular models. `treats` = false disables it.
   void prepare(System& system, const State& state, const Conditions& conditions, const RedundantConstraintsSettings& settings,
                bool treats, Matrix kind);
+  // Takes over the metric and the rank of another solver at the same state, for another kind of matrix.
+  void prepare(const ConstraintSolver& known, Matrix kind) {
+    *this = known;
+    kind_ = kind;
+    slots_.clear();
+  }
   void forget() { *this = ConstraintSolver(); }
   bool is_prepared() const { return prepared_; }
   bool active() const { return active_; }

@@ -47,6 +47,7 @@ class NewtonSolver : public Solver {
   }
   void examine_constraints_anew() override;
   const std::vector<double>* told_multipliers() override;
+  void prepare_constraints(const ConstraintSolver& known);
   void multipliers_renewed() { idle_ = Idle::none; }  // multipliers have minimum norm
   // Factorizes `jacobian_`. Returns false, with flags set, if it is singular.
   bool factorize();

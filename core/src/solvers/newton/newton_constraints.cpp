@@ -30,6 +30,15 @@ std::unique_ptr<LinearSolver> NewtonSolver::new_linear_solver() const {
   conv.jacobianUpdateRequested = true;
 }
 
+// The state is that of the initial accelerations, which have just been computed.
+void NewtonSolver::prepare_constraints(const ConstraintSolver& known) {
+  if (constraints_.is_prepared() || !known.is_prepared()) return;
+  constraints_.prepare(known, ConstraintSolver::Matrix::motion);
+  if (!constraints_.active() || !linear_) return;
+  linear_ = new_linear_solver();
+  conv.jacobianUpdateRequested = true;
+}
+
 void NewtonSolver::examine_constraints_anew() {
   if (!constraints_.is_prepared()) return;
   told_multipliers();

@@ -150,6 +150,7 @@ bool SecondOrderSolver::find_accelerations(ConstrainedMotion& motion, int singul
          std::to_string(singular) + " (" + system().describe_row(singular) + ")");
     return false;
   }
+  prepare_constraints(motion.constraints());
   State& now = current();
   InitialAccelerations found = initial_accelerations(motion, system(), now, conditions_);
   if (!found.decided) warn_of_undecided_start();
