@@ -17,7 +17,7 @@ from codegen.views.rst import c_declaration
 from dalembert import compiled
 from dalembert._core import testing
 from dalembert.testing.scenes import ITEMS
-from dalembert.testing.tangent import random_state
+from dalembert.testing.tangents import random_state
 from dalembert.testing.user_functions import as_c_function
 from dalembert.testing.variants import ALL_VARIANTS, Variant
 

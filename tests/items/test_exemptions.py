@@ -14,7 +14,7 @@ from dalembert.testing.momentum import BETWEEN, check_balance
 from dalembert.testing.output_rates import check_rates_of_outputs
 from dalembert.testing.repeated_solves import joins
 from dalembert.testing.scenes import ITEMS
-from dalembert.testing.tangent import check_tangent
+from dalembert.testing.tangents import check_tangent
 from dalembert.testing.variants import ALL_VARIANTS, Variant
 from dalembert.testing.virtual_work import (
     ALL_CONSTRAINTS,

@@ -9,7 +9,7 @@ import pytest
 
 import dalembert as exu
 from dalembert._core import testing
-from dalembert.testing.tangent import WEIGHTS, differences
+from dalembert.testing.tangents import WEIGHTS, differences
 
 FACTORS, LENGTH, STIFFNESS, DAMPING = [0.3, -0.7], 1.2, 500.0, 20.0
 AT, VELOCITY = np.array([[0.0, 0, 0], [2.0, 0.5, 0.3]]), np.array([[0.2, -0.1, 0.4], [0.7, 0.3, -0.2]])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dalembert._core import testing
-from dalembert.testing.tangent import random_state
+from dalembert.testing.tangents import random_state
 from dalembert.testing.variants import ALL_VARIANTS, Variant
 
 

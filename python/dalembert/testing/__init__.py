@@ -13,28 +13,31 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 from dalembert import _core
 
 MODULES = (
     *("examples", "invariance", "mass", "momentum", "output_rates", "outputs", "parameters_act", "refused_changes"),
-    *("repeated_solves", "sensors", "switching", "tangent", "virtual_work"),
+    *("repeated_solves", "sensors", "switching", "tangents", "virtual_work"),
 )
-pytest.register_assert_rewrite(*(f"dalembert.testing.{module}" for module in MODULES))
 
 try:
-    import codegen  # noqa: F401
-except ModuleNotFoundError:  # not in the repository: that of the wheel
-    from dalembert._tools.item_packages import home
+    import pytest
+except ModuleNotFoundError:
+    pass  # functions of the core do not need it
+else:
+    pytest.register_assert_rewrite(*(f"dalembert.testing.{module}" for module in MODULES))
 
-    sys.path.append(str(home()))
+    try:
+        import codegen  # noqa: F401
+    except ModuleNotFoundError:  # not in the repository: that of the wheel
+        from dalembert._tools.item_packages import home
 
+        sys.path.append(str(home()))
 
-@pytest.fixture(autouse=True)
-def in_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Change to an empty folder, because solvers write files into the working folder."""
-    monkeypatch.chdir(tmp_path)
+    @pytest.fixture(autouse=True)
+    def in_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """Change to an empty folder, because solvers write files into the working folder."""
+        monkeypatch.chdir(tmp_path)
 
 
 def _is_of_items(test: Callable[..., Any]) -> bool:

@@ -11,7 +11,7 @@ import pytest
 import dalembert as exu
 from dalembert._core import testing
 from dalembert.testing.scenes import BODIES, ITEMS, of_one_coordinate, on_one_frame
-from dalembert.testing.tangent import random_state
+from dalembert.testing.tangents import random_state
 from dalembert.testing.variants import Variant, variants_about
 from dalembert.utilities import InertiaCuboid
 

@@ -10,7 +10,7 @@ import pytest
 from dalembert._core import testing
 from dalembert.testing.exemptions import GLOBAL_MARKER, NO_MOMENT
 from dalembert.testing.scenes import ITEMS, Scene, is_ground, of_one_coordinate, rests
-from dalembert.testing.tangent import random_state
+from dalembert.testing.tangents import random_state
 from dalembert.testing.variants import ALL_VARIANTS, Variant
 
 BETWEEN = [

@@ -15,7 +15,7 @@ from dalembert.testing.exemptions import (
     WITH_COORDINATES,
 )
 from dalembert.testing.scenes import ITEMS, Scene
-from dalembert.testing.tangent import moved, random_state
+from dalembert.testing.tangents import moved, random_state
 from dalembert.testing.variants import ALL_VARIANTS, Variant
 
 ALL_CONSTRAINTS = [
