@@ -19,7 +19,7 @@ from dalembert._studies.difference_formulas import STEP, derivative
 from dalembert._studies.differentiable_outputs import COMPUTED, Context, Output, Sample, entries_read
 from dalembert._studies.explicit_steps import TABLEAUS, ExplicitWalk, refuse_for_stages
 from dalembert._studies.generalized_alpha import LinearStep, Variation
-from dalembert._studies.moving_steps import Moving, Steps, Walk, find_steps, only_states_of_items, with_data
+from dalembert._studies.moving_steps import Moving, Walk
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import (
     Motion,
@@ -31,6 +31,7 @@ from dalembert._studies.recorded_motion import (
     refuse_unit_lengths,
     silent,
 )
+from dalembert._studies.recorded_steps import Steps, find_steps, only_states_of_items, with_data
 from dalembert._studies.start_derivatives import Start
 from dalembert._tools.missing_names import nearest
 
@@ -474,7 +475,7 @@ class _Integration:
         )
 
     def _steps(self, rate_level: bool, end_time: int | None) -> tuple[Steps | None, Context]:
-        """Return steps whose sizes differ or that have data coordinates or a moving end; None if there are none."""
+        """Return the recorded steps if their sizes differ, data coordinates vary, or the end moves; otherwise None."""
         problem, motion = self.problem, self.motion
         derivatives = _core.testing.SystemDerivatives(problem.mbs, rate_level=rate_level)
         watches = problem.settings.events.ofItems and _has_switches(derivatives, motion)

@@ -20,7 +20,7 @@ from dalembert._core import DynamicSolverType
 from dalembert._studies.design_parameters import describe
 from dalembert._studies.difference_formulas import derivative
 from dalembert._studies.generalized_alpha import Variation
-from dalembert._studies.moving_steps import _SMALL, Moving, Walk
+from dalembert._studies.moving_steps import SMALL, Moving, Walk
 from dalembert._studies.not_differentiable import NotDifferentiable
 
 _SAME_END = 1e-8  # of a step that is computed again
@@ -153,7 +153,7 @@ class ExplicitWalk(Walk):
             )
 
     def _by_time(self, z: FloatArray, time: float, h: float) -> FloatArray:
-        return np.asarray(derivative(lambda e: self.derivatives.residual(z, time + e, h), _SMALL * h))
+        return np.asarray(derivative(lambda e: self.derivatives.residual(z, time + e, h), SMALL * h))
 
     def _by_data(self, z: FloatArray, time: float, h: float) -> FloatArray:
         rates = [self._along_data(lambda at: self.derivatives.residual(at, time, h), z, each) for each in self.tracked]

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -27,215 +27,11 @@ from dalembert._checks import FloatArray
 from dalembert._studies.design_parameters import Parameters, Variant, describe, weighted
 from dalembert._studies.difference_formulas import CENTRAL, FORWARD, derivative
 from dalembert._studies.generalized_alpha import LinearStep, Scheme, Variation
-from dalembert._studies.not_differentiable import NotDifferentiable
+from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
+from dalembert._studies.recorded_steps import OF_DATA, OF_MASS, Steps, name_of, over_mass, with_data
 
-_SAME_SIZE = 1e-9  # relative
-_BALANCED = 1e-6  # residual of a step, relative to its terms
 _GRAZES = 1e-8  # rate of a switch, relative to its terms
-_OF_DATA = 1e-3  # relative steps of data coordinates
-_SMALL = 1e-3  # relative to the usual steps: changes of data must not switch
-_INSTEAD = "use processing.ComputeSensitivities, which takes differences of whole solutions"
-
-
-class Event(NamedTuple):
-    """number: of the switch; item: the object, or -1."""
-
-    number: int
-    item: int
-    what: str
-
-
-class Steps(NamedTuple):
-    """Sizes of all steps (index 0 is not used), and what starts them.
-
-    a, b: accelerations at the start of each step; ratio: size relative to that of the step before, by which b has been
-    moved; 0 after an event, and in the first step.
-    """
-
-    sizes: FloatArray
-    regular: float
-    a: FloatArray
-    b: FloatArray
-    ratios: FloatArray
-    events: dict[int, Event]
-
-    @property
-    def moves(self) -> bool:
-        return bool(self.events)
-
-    @property
-    def equal(self) -> bool:
-        return bool(np.all(self.sizes[1:-1] == self.regular))
-
-    def is_regular(self, step: int) -> bool:
-        return bool(self.sizes[step] == self.regular)
-
-
-class Switches:
-    """Switches of items at states."""
-
-    def __init__(self, derivatives: Any) -> None:
-        self.derivatives = derivatives
-
-    def at(self, z: FloatArray, time: float, h: float) -> list[tuple[float, bool, float, int, str]]:
-        return list(self.derivatives.switches(z, time, h))
-
-    def value(self, number: int, z: FloatArray, time: float, h: float) -> float:
-        return float(self.derivatives.switches(z, time, h)[number][0])
-
-
-def with_data(z: FloatArray, data: FloatArray) -> FloatArray:
-    """Return a state with other data coordinates, which are its last ones."""
-    made = z.copy()
-    made[len(z) - len(data) :] = data
-    return made
-
-
-def find_steps(
-    times: FloatArray,
-    states: FloatArray,
-    scheme: Scheme,
-    regular: float,
-    derivatives: Any,
-    mbs: Any,
-    *,
-    watches: bool,
-    implicit: bool = True,
-) -> Steps:
-    """Find events, and the accelerations after them; refuse steps that are not explained by them."""
-    n, _, m, nd = derivatives.sizes
-    count = len(times)
-    sizes = np.diff(times, prepend=times[0])
-    sizes[np.abs(sizes - regular) < _SAME_SIZE * regular] = regular
-    a, b, ratios = np.zeros((count, n)), np.zeros((count, n)), np.zeros(count)
-    events: dict[int, Event] = {}
-    before: list[Any] = []
-    a_now, b_now, size = states[0, 2 * n : 3 * n], states[0, 2 * n : 3 * n], 0.0
-    watch = Switches(derivatives)
-    for i in range(1, count):
-        h, time = float(sizes[i]), float(times[i])
-        own = scheme if h == scheme.h else replace(scheme, h=h)
-        data = states[i - 1, len(states[i]) - nd :]
-        z = with_data(states[i], data) if nd else states[i]
-        _check_balance(derivatives, z, time, h, mbs)
-        if not before and watches:
-            before = watch.at(states[i - 1], float(times[i - 1]), h)
-        regular_step, last = h == regular, i == count - 1
-        now = watch.at(z, time, h) if watches else []
-        found = _switched(now, before, True)
-        if not found and not regular_step and not last:
-            found = _switched(now, before, False)
-        if len(found) > 1 and len({event.item for event in found}) + len({event.what for event in found}) > 2:
-            raise NotDifferentiable(
-                "two events come at the same time",
-                item=_name(mbs, found[1]),
-                time=time,
-                advice="change the start a little, so that one comes first",
-            )
-        if size > 0:
-            ratios[i] = h / size if found or last or h == size else 0.0  # repeated and recovered steps take b as it is
-            if ratios[i] not in (0.0, 1.0) and not scheme.newmark:
-                b_now = a_now + ratios[i] * (b_now - a_now)
-        a[i], b[i] = a_now, b_now
-        a_now = states[i, 2 * n : 3 * n]
-        b_now, size = own.algorithmic(a[i], b[i], a_now), h
-        if found:
-            if m > 0 and implicit:
-                raise NotDifferentiable(
-                    "events in systems with constraints are not available",
-                    item=_name(mbs, found[0]),
-                    time=time,
-                    advice=f"replace constraints by minimal coordinates, or {_INSTEAD}",
-                )
-            events[i] = found[0]
-            a_now = accelerations(derivatives, states[i], time, h)
-            b_now, size = a_now, 0.0
-        before = watch.at(states[i], time, h) if watches else []
-    return Steps(sizes, regular, a, b, ratios, events)
-
-
-def _switched(now: list[Any], before: list[Any], beyond_noise: bool) -> list[Event]:
-    """Return events at the end of a step."""
-    return [
-        Event(k, item, what)
-        for k, ((value, kink, noise, item, what), old) in enumerate(zip(now, before, strict=True))
-        if (value * old[0] < 0 if kink else value < (-noise if beyond_noise else 0.0))
-    ]
-
-
-def _name(mbs: Any, event: Event) -> str:
-    name = describe(mbs, _core.ObjectIndex(event.item)) if event.item >= 0 else "system"
-    return f"event '{event.what}' of {name}"
-
-
-def only_states_of_items(times: FloatArray, states: FloatArray, h: float, derivatives: Any, mbs: Any) -> bool:
-    """Return whether residuals of equal steps depend on states of items alone, such as turns of a spring.
-
-    These do not vary. Values of data coordinates, such as the place where friction sticks, do.
-    """
-    n, _, _, nd = derivatives.sizes
-    data = slice(states.shape[1] - nd, None)
-    ends = states[1:].copy()
-    ends[:, data] = states[:-1, data]
-    still = ends.copy()
-    still[:, 2 * n : 3 * n] = 0.0
-    residuals = derivatives.residuals(ends, times[1:], h)
-    terms = np.abs(derivatives.residuals(still, times[1:], h))[:, :n].max(axis=1, initial=0.0)
-    unbalanced = np.abs(residuals)[:, :n].max(axis=1, initial=0.0) > _BALANCED * np.maximum(terms, 1e-9)
-    if np.any(unbalanced):
-        i = int(np.argmax(unbalanced))
-        _check_balance(derivatives, ends[i], float(times[i + 1]), h, mbs)
-    ends[:, data] *= 1 + _OF_DATA
-    return bool(np.all(derivatives.residuals(ends, times[1:], h) == residuals))
-
-
-def _check_balance(derivatives: Any, z: FloatArray, time: float, h: float, mbs: Any) -> None:
-    """Refuse a step that was not solved with the data coordinates of its start."""
-    n = derivatives.sizes[0]
-    residual = np.abs(derivatives.residual(z, time, h))[:n]
-    still = z.copy()
-    still[2 * n : 3 * n] = 0.0
-    terms = np.abs(derivatives.residual(still, time, h))[:n].max(initial=0.0)
-    if residual.max(initial=0.0) > _BALANCED * max(terms, 1e-9):
-        raise NotDifferentiable(
-            "its history, such as of contact or friction, has changed within the step",
-            item=_item_with_history(mbs),
-            time=time,
-            advice="set simulationSettings.events.ofItems = True, or " + _INSTEAD,
-        )
-
-
-def _item_with_history(mbs: Any) -> str:
-    """Return the name of the first object with data coordinates."""
-    data = mbs.systemData
-    for number in range(data.NumberOfObjects()):
-        for value in mbs.GetObject(number).values():
-            for each in value if isinstance(value, (list, tuple)) else [value]:
-                if isinstance(each, _core.NodeIndex) and data.GetNodeLTGData(int(each)):
-                    return describe(mbs, _core.ObjectIndex(number))
-    return "time integration"
-
-
-def accelerations(derivatives: Any, z: FloatArray, time: float, h: float) -> FloatArray:
-    """Return accelerations of the equations of motion without constraints."""
-    n = derivatives.sizes[0]
-    still = z.copy()
-    still[2 * n : 3 * n] = 0.0
-    return np.asarray(
-        _over_mass(derivatives, still, time, h, np.asarray(derivatives.residual(still, time, h))[None])[0]
-    )
-
-
-def _over_mass(derivatives: Any, z: FloatArray, time: float, h: float, right: FloatArray) -> FloatArray:
-    """Return - M^-1 of ODE2 equations in rows."""
-    n = derivatives.sizes[0]
-    derivatives.linearize(z, time, h)
-    failed = derivatives.factorize((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0))
-    if failed >= 0:
-        raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
-    padded = np.zeros((len(right), right.shape[1]))
-    padded[:, :n] = right[:, :n]
-    return -np.asarray(derivatives.solve(padded))[:, :n]
+SMALL = 1e-3  # relative to the usual steps: changes of data must not switch
 
 
 @dataclass
@@ -330,30 +126,28 @@ class Walk:
     def residual_rates(self, i: int) -> tuple[FloatArray, FloatArray]:
         """Return derivatives of the residual of a step with respect to time, and to the size of the step."""
         z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
-        scale = self.steps.regular * _SMALL
+        scale = self.steps.regular * SMALL
         by_time = derivative(lambda e: self.derivatives.residual(z, time + e, h), scale)
-        by_size = derivative(lambda e: self.derivatives.residual(z, time, h + e), _SMALL * h)
+        by_size = derivative(lambda e: self.derivatives.residual(z, time, h + e), SMALL * h)
         return by_time, by_size
 
     def by_data(self, i: int) -> FloatArray:
         """Return derivatives of the residual of a step with respect to tracked data coordinates, in rows."""
-        rates = np.zeros((len(self.tracked), self.n + self.n1 + self.m))
-        z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
-        for row, entry in enumerate(self.tracked):
-            rates[row] = self._along_data(lambda at: self.derivatives.residual(at, time, h), z, entry)
-        return rates
+        return self._by_data_at(i, self.end(i))
+
+    def _by_data_at(self, i: int, z: FloatArray) -> FloatArray:
+        time, h = float(self.times[i]), float(self.steps.sizes[i])
+        return np.array(
+            [self._along_data(lambda at: self.derivatives.residual(at, time, h), z, entry) for entry in self.tracked]
+        )
 
     def _along_data(self, function: Any, z: FloatArray, entry: int) -> FloatArray:
         value = z[self.count + entry]
         if value == 0:
             return np.zeros_like(np.asarray(function(z)))  # a state, such as sticking
 
-        def moved(e: float) -> FloatArray:
-            at = z.copy()
-            at[self.count + entry] += e
-            return np.asarray(function(at))
-
-        return np.asarray(derivative(moved, _OF_DATA * abs(value)))
+        entry += self.count
+        return np.asarray(derivative(lambda e: np.asarray(function(self._plus(z, entry, e))), OF_DATA * abs(value)))
 
     def _tracked(self) -> list[int]:
         """Return data coordinates whose values, and not only their signs, matter."""
@@ -366,7 +160,7 @@ class Walk:
             for entry in set(range(self.nd)) - found:
                 if z[self.count + entry] != 0:
                     moved = z.copy()
-                    moved[self.count + entry] *= 1 + _OF_DATA
+                    moved[self.count + entry] *= 1 + OF_DATA
                     if np.any(np.asarray(self.derivatives.residual(moved, time, h)) != residual):
                         found.add(entry)
         grows = bool(found)
@@ -379,7 +173,7 @@ class Walk:
                     if z[self.count + entry] == 0:
                         continue
                     moved = z.copy()
-                    moved[self.count + entry] *= 1 + _OF_DATA
+                    moved[self.count + entry] *= 1 + OF_DATA
                     changed = np.asarray(self.derivatives.switch_over(moved, time, h)) != after
                     if any(changed[k] for k in found):
                         found.add(entry)
@@ -415,9 +209,9 @@ class Walk:
             coarse = float(derivative(function, step))
         raise NotDifferentiable(
             "its switch has a corner",
-            item=_name(self.parameters.base.mbs, self.steps.events[i]),
+            item=name_of(self.parameters.base.mbs, self.steps.events[i]),
             time=float(self.times[i]),
-            advice=_INSTEAD,
+            advice=INSTEAD,
         )
 
     def switch_gradient(self, i: int) -> tuple[FloatArray, float, FloatArray, FloatArray]:
@@ -433,14 +227,14 @@ class Walk:
                 for k in range(self.count)
             ]
         )
-        by_time = float(derivative(lambda e: value(z, time + e), self.steps.regular * _SMALL))
+        by_time = float(derivative(lambda e: value(z, time + e), self.steps.regular * SMALL))
         by_data = np.zeros(len(self.tracked))
         for row, entry in enumerate(self.tracked):
             at = float(z[self.count + entry])
             if at != 0:
                 by_data[row] = self._without_corner(
                     lambda e, k=self.count + entry: value(self._plus(z, k, e)),
-                    _OF_DATA * abs(at),
+                    OF_DATA * abs(at),
                     i,
                 )
         by_parameters = np.zeros(len(self.parameters.all))
@@ -484,7 +278,7 @@ class Walk:
 
         by_state = np.zeros((len(tracked), self.count))
         for k in range(self.count):
-            size = float(self.typical[k]) * _SMALL
+            size = float(self.typical[k]) * SMALL
             side = -np.sign(by_switch[k])
             formula = CENTRAL if side == 0 else FORWARD  # on the side where the item has switched
             by_state[:, k] = self._smooth(
@@ -524,7 +318,7 @@ class Walk:
                     "data coordinates change without an event, or at a corner",
                     item="time integration",
                     time=time,
-                    advice=_INSTEAD,
+                    advice=INSTEAD,
                 )
         return slope / size
 
@@ -632,7 +426,7 @@ class Walk:
         if abs(rate) <= _GRAZES * max(terms, 1e-300):
             raise NotDifferentiable(
                 f"its switch grazes zero (rate {rate:.1e})",
-                item=_name(self.parameters.base.mbs, self.steps.events[i]),
+                item=name_of(self.parameters.base.mbs, self.steps.events[i]),
                 time=float(self.times[i]),
                 advice="derivatives do not exist there",
             )
@@ -642,7 +436,7 @@ class Walk:
         """Return the variation after an event: accelerations follow from positions, velocities and data."""
         z = self._after(i)
         right = self._acceleration_rates(i, z, change)
-        a = _over_mass(self.derivatives, z, float(self.times[i]), float(self.steps.sizes[i]), right)
+        a = over_mass(self.derivatives, z, float(self.times[i]), float(self.steps.sizes[i]), right)
         return replace(change, state=replace(change.state, a=a, b=a.copy()))
 
     def _after(self, i: int) -> FloatArray:
@@ -652,11 +446,10 @@ class Walk:
 
     def _acceleration_rates(self, i: int, z: FloatArray, change: Moving) -> FloatArray:
         d, time, h, s = self.derivatives, float(self.times[i]), float(self.steps.sizes[i]), change.state
-        by_time = derivative(lambda e: d.residual(z, time + e, h), self.steps.regular * _SMALL)
+        by_time = derivative(lambda e: d.residual(z, time + e, h), self.steps.regular * SMALL)
         rates = self.parameters.rates(self.parameters.residual_at(z, time, h)) + np.outer(change.t, by_time)
         if self.tracked:
-            by_data = [self._along_data(lambda at: d.residual(at, time, h), z, entry) for entry in self.tracked]
-            rates += change.data @ np.array(by_data)
+            rates += change.data @ self._by_data_at(i, z)
         d.linearize(z, time, h)
         padded = np.hstack((s.q, s.y, np.zeros((len(s.q), self.m))))
         return np.asarray(rates + d.product("K", padded) + d.product("D", s.v))
@@ -723,7 +516,7 @@ class Walk:
         z, time, h, n = self._after(i), float(self.times[i]), float(self.steps.sizes[i]), self.n
         d, s = self.derivatives, bar.state
         d.linearize(z, time, h)
-        if d.factorize((0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0), transposed=True) >= 0:
+        if d.factorize(OF_MASS, transposed=True) >= 0:
             raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
         padded = np.zeros((len(s.q), n + self.n1 + self.m))
         padded[:, :n] = s.a + s.b
@@ -738,9 +531,8 @@ class Walk:
             a=np.zeros_like(s.a),
             b=np.zeros_like(s.b),
         )
-        by_time = derivative(lambda e: d.residual(z, time + e, h), self.steps.regular * _SMALL)
+        by_time = derivative(lambda e: d.residual(z, time + e, h), self.steps.regular * SMALL)
         bar.t = bar.t - w @ by_time
         if self.tracked:
-            by_data = [self._along_data(lambda at: d.residual(at, time, h), z, entry) for entry in self.tracked]
-            bar.data = bar.data - w @ np.array(by_data).T
+            bar.data = bar.data - w @ self._by_data_at(i, z).T
         matrix -= self.parameters.weighted_rates(self.parameters.residual_at(z, time, h), w)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+INSTEAD = "use processing.ComputeSensitivities, which takes differences of whole solutions"  # advice
+
 
 class NotDifferentiable(ValueError):
     """A derivative that does not exist, or that is not available; item, parameter, time, reason and advice say why.

@@ -16,10 +16,9 @@ from dalembert._studies.design_parameters import describe
 from dalembert._studies.difference_formulas import derivative
 from dalembert._studies.explicit_steps import TABLEAUS
 from dalembert._studies.generalized_alpha import Scheme
-from dalembert._studies.moving_steps import Steps
-from dalembert._studies.not_differentiable import NotDifferentiable
+from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
+from dalembert._studies.recorded_steps import Steps
 
-_INSTEAD = "use processing.ComputeSensitivities, which takes differences of whole solutions"
 _NEWTON = {"relativeTolerance": 1e-12, "absoluteTolerance": 1e-13}
 _SYSTEM_FUNCTIONS = (
     "PreStep",
@@ -50,10 +49,10 @@ def refuse_system(mbs: MainSystem) -> None:
             raise NotDifferentiable(
                 "functions that are called in steps may change the state unseen",
                 item=f"mbs.{name}UserFunction",
-                advice=f"remove it, or {_INSTEAD}",
+                advice=f"remove it, or {INSTEAD}",
             )
     if mbs.GetDictionary().get("generalContactList"):
-        raise NotDifferentiable("contacts switch within steps", item="GeneralContact", advice=_INSTEAD)
+        raise NotDifferentiable("contacts switch within steps", item="GeneralContact", advice=INSTEAD)
     data = mbs.systemData
     kinds = (
         ("Node", _core.NodeIndex),
@@ -71,7 +70,7 @@ def refuse_system(mbs: MainSystem) -> None:
                     raise NotDifferentiable(
                         f"{name} is a function without derivative",
                         item=describe(mbs, item),
-                        advice=f"write it with dalembert.symbolic, or {_INSTEAD}",
+                        advice=f"write it with dalembert.symbolic, or {INSTEAD}",
                     )
 
 
@@ -109,7 +108,7 @@ def refuse_settings(settings: SimulationSettings, solverType: Any) -> None:
             "only generalized alpha, the trapezoidal rule and explicit Runge-Kutta methods of up to 7 stages are "
             "available",
             item=str(solverType),
-            advice=_INSTEAD,
+            advice=INSTEAD,
         )
     time = settings.timeIntegration
     if solverType in TABLEAUS:
@@ -304,5 +303,5 @@ def check_tangent(derivatives: Any, z: FloatArray, time: float, h: float, steps:
         "the Jacobian is not the derivative of these equations, as with mass matrices and Jacobians of user functions",
         item=_core.testing.describe_row(mbs, bad[0]),
         time=time,
-        advice=_INSTEAD,
+        advice=INSTEAD,
     )

@@ -21,7 +21,7 @@ from dalembert.testing.user_functions import functions_of
 
 
 def output_of(read: Callable[..., Any], *arguments: Any) -> Any:
-    """Return an output; None for an energy of forces or masses that a user function defines."""
+    """Return the output variable of the object; return None if a user function defines the energy asked for."""
     try:
         return read(*arguments)
     except exu.ModelError as error:

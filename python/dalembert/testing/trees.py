@@ -84,7 +84,7 @@ def lists(links: list[Link]) -> dict[str, Any]:
 
 
 def in_python(links: list[Link], gravity: Any) -> KinematicTree33:
-    """The same tree by spatial vectors in Python."""
+    """A kinematic tree whose dynamics are computed with spatial vectors in Python."""
 
     def about_origin(link: Link) -> np.ndarray:
         c = np.asarray(link.com, dtype=float)

@@ -32,7 +32,7 @@ SHAPES = {"Position", "Orientation", "Coordinate", "BodyMass"}  # of what marker
 
 @dataclass(frozen=True)
 class Variant:
-    """Which model: items on markers (class names) on carriers (body, node)."""
+    """A choice of classes for a test model: the item, its markers, and their carriers (body and node)."""
 
     item: str
     pairs: Pair = ()

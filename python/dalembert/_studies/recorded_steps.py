@@ -1,0 +1,204 @@
+"""The steps of a recorded motion: their sizes, the events at their ends, and the accelerations after these."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from dalembert import _core
+from dalembert._checks import FloatArray
+from dalembert._studies.design_parameters import describe
+from dalembert._studies.generalized_alpha import Scheme
+from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
+
+_SAME_SIZE = 1e-9  # relative
+_BALANCED = 1e-6  # residual of a step, relative to its terms
+OF_DATA = 1e-3  # relative steps of data coordinates
+OF_MASS = (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0)  # weights of derivatives in the matrix of the accelerations
+
+
+class Event(NamedTuple):
+    """number: of the switch; item: the object, or -1."""
+
+    number: int
+    item: int
+    what: str
+
+
+class Steps(NamedTuple):
+    """Sizes of all steps (index 0 is not used), and what starts them.
+
+    a, b: accelerations at the start of each step; ratio: size relative to that of the step before, by which b has been
+    moved; 0 after an event, and in the first step.
+    """
+
+    sizes: FloatArray
+    regular: float
+    a: FloatArray
+    b: FloatArray
+    ratios: FloatArray
+    events: dict[int, Event]
+
+    @property
+    def moves(self) -> bool:
+        return bool(self.events)
+
+    @property
+    def equal(self) -> bool:
+        return bool(np.all(self.sizes[1:-1] == self.regular))
+
+    def is_regular(self, step: int) -> bool:
+        return bool(self.sizes[step] == self.regular)
+
+
+def with_data(z: FloatArray, data: FloatArray) -> FloatArray:
+    """Return a state with other data coordinates, which are its last ones."""
+    made = z.copy()
+    made[len(z) - len(data) :] = data
+    return made
+
+
+def find_steps(
+    times: FloatArray,
+    states: FloatArray,
+    scheme: Scheme,
+    regular: float,
+    derivatives: Any,
+    mbs: Any,
+    *,
+    watches: bool,
+    implicit: bool = True,
+) -> Steps:
+    """Find events, and the accelerations after them; refuse steps that are not explained by them."""
+    n, _, m, nd = derivatives.sizes
+    count = len(times)
+    sizes = np.diff(times, prepend=times[0])
+    sizes[np.abs(sizes - regular) < _SAME_SIZE * regular] = regular
+    a, b, ratios = np.zeros((count, n)), np.zeros((count, n)), np.zeros(count)
+    events: dict[int, Event] = {}
+    before: list[Any] = []
+    a_now, b_now, size = states[0, 2 * n : 3 * n], states[0, 2 * n : 3 * n], 0.0
+    for i in range(1, count):
+        h, time = float(sizes[i]), float(times[i])
+        own = scheme if h == scheme.h else replace(scheme, h=h)
+        data = states[i - 1, len(states[i]) - nd :]
+        z = with_data(states[i], data) if nd else states[i]
+        _check_balance(derivatives, z, time, h, mbs)
+        if not before and watches:
+            before = list(derivatives.switches(states[i - 1], float(times[i - 1]), h))
+        regular_step, last = h == regular, i == count - 1
+        now = list(derivatives.switches(z, time, h)) if watches else []
+        found = _switched(now, before, True)
+        if not found and not regular_step and not last:
+            found = _switched(now, before, False)
+        if len(found) > 1 and len({event.item for event in found}) + len({event.what for event in found}) > 2:
+            raise NotDifferentiable(
+                "two events come at the same time",
+                item=name_of(mbs, found[1]),
+                time=time,
+                advice="change the start a little, so that one comes first",
+            )
+        if size > 0:
+            ratios[i] = h / size if found or last or h == size else 0.0  # repeated and recovered steps take b as it is
+            if ratios[i] not in (0.0, 1.0) and not scheme.newmark:
+                b_now = a_now + ratios[i] * (b_now - a_now)
+        a[i], b[i] = a_now, b_now
+        a_now = states[i, 2 * n : 3 * n]
+        b_now, size = own.algorithmic(a[i], b[i], a_now), h
+        if found:
+            if m > 0 and implicit:
+                raise NotDifferentiable(
+                    "events in systems with constraints are not available",
+                    item=name_of(mbs, found[0]),
+                    time=time,
+                    advice=f"replace constraints by minimal coordinates, or {INSTEAD}",
+                )
+            events[i] = found[0]
+            a_now = accelerations(derivatives, states[i], time, h)
+            b_now, size = a_now, 0.0
+        before = list(derivatives.switches(states[i], time, h)) if watches else []
+    return Steps(sizes, regular, a, b, ratios, events)
+
+
+def _switched(now: list[Any], before: list[Any], beyond_noise: bool) -> list[Event]:
+    """Return events at the end of a step."""
+    return [
+        Event(k, item, what)
+        for k, ((value, kink, noise, item, what), old) in enumerate(zip(now, before, strict=True))
+        if (value * old[0] < 0 if kink else value < (-noise if beyond_noise else 0.0))
+    ]
+
+
+def name_of(mbs: Any, event: Event) -> str:
+    name = describe(mbs, _core.ObjectIndex(event.item)) if event.item >= 0 else "system"
+    return f"event '{event.what}' of {name}"
+
+
+def only_states_of_items(times: FloatArray, states: FloatArray, h: float, derivatives: Any, mbs: Any) -> bool:
+    """Return whether residuals of equal steps depend on states of items alone, such as turns of a spring.
+
+    These do not vary. Values of data coordinates, such as the place where friction sticks, do.
+    """
+    n, _, _, nd = derivatives.sizes
+    data = slice(states.shape[1] - nd, None)
+    ends = states[1:].copy()
+    ends[:, data] = states[:-1, data]
+    still = ends.copy()
+    still[:, 2 * n : 3 * n] = 0.0
+    residuals = derivatives.residuals(ends, times[1:], h)
+    terms = np.abs(derivatives.residuals(still, times[1:], h))[:, :n].max(axis=1, initial=0.0)
+    unbalanced = np.abs(residuals)[:, :n].max(axis=1, initial=0.0) > _BALANCED * np.maximum(terms, 1e-9)
+    if np.any(unbalanced):
+        i = int(np.argmax(unbalanced))
+        _check_balance(derivatives, ends[i], float(times[i + 1]), h, mbs)
+    ends[:, data] *= 1 + OF_DATA
+    return bool(np.all(derivatives.residuals(ends, times[1:], h) == residuals))
+
+
+def _check_balance(derivatives: Any, z: FloatArray, time: float, h: float, mbs: Any) -> None:
+    """Refuse a step that was not solved with the data coordinates of its start."""
+    n = derivatives.sizes[0]
+    residual = np.abs(derivatives.residual(z, time, h))[:n]
+    still = z.copy()
+    still[2 * n : 3 * n] = 0.0
+    terms = np.abs(derivatives.residual(still, time, h))[:n].max(initial=0.0)
+    if residual.max(initial=0.0) > _BALANCED * max(terms, 1e-9):
+        raise NotDifferentiable(
+            "its history, such as of contact or friction, has changed within the step",
+            item=_item_with_history(mbs),
+            time=time,
+            advice="set simulationSettings.events.ofItems = True, or " + INSTEAD,
+        )
+
+
+def _item_with_history(mbs: Any) -> str:
+    """Return the name of the first object with data coordinates."""
+    data = mbs.systemData
+    for number in range(data.NumberOfObjects()):
+        for value in mbs.GetObject(number).values():
+            for each in value if isinstance(value, (list, tuple)) else [value]:
+                if isinstance(each, _core.NodeIndex) and data.GetNodeLTGData(int(each)):
+                    return describe(mbs, _core.ObjectIndex(number))
+    return "time integration"
+
+
+def accelerations(derivatives: Any, z: FloatArray, time: float, h: float) -> FloatArray:
+    """Return accelerations of the equations of motion without constraints."""
+    n = derivatives.sizes[0]
+    still = z.copy()
+    still[2 * n : 3 * n] = 0.0
+    return np.asarray(over_mass(derivatives, still, time, h, np.asarray(derivatives.residual(still, time, h))[None])[0])
+
+
+def over_mass(derivatives: Any, z: FloatArray, time: float, h: float, right: FloatArray) -> FloatArray:
+    """Return - M^-1 of ODE2 equations in rows."""
+    n = derivatives.sizes[0]
+    derivatives.linearize(z, time, h)
+    failed = derivatives.factorize(OF_MASS)
+    if failed >= 0:
+        raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
+    padded = np.zeros((len(right), right.shape[1]))
+    padded[:, :n] = right[:, :n]
+    return -np.asarray(derivatives.solve(padded))[:, :n]
