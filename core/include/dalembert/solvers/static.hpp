@@ -62,7 +62,7 @@ class StaticSolver : public NewtonSolver {
     int directions = 0;
     std::vector<double> direction;  // one of them, in ODE2 coordinates; empty if there is none
   };
-  Instability find_instability() const;
+  Instability find_instability();
   void look_for_instability();
 
   // ---- arc-length continuation (arc_length.cpp) --------------------------------------------------------------------

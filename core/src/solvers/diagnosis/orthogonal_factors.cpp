@@ -90,4 +90,25 @@ std::vector<double> OrthogonalFactors::null_vector(std::span<const double> of_de
   return vector;
 }
 
+// C^T C = R^T R for the independent columns.
+std::vector<double> OrthogonalFactors::solve_normal_equations(std::span<const double> b) const {
+  std::vector<double> y(b.begin(), b.end());
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    double& value = y[at(order_[k])];
+    if (rows_[k].empty()) {
+      value = 0;
+      continue;
+    }
+    value /= rows_[k].front().value;
+    for (const auto& [position, entry] : std::span(rows_[k]).subspan(1)) y[at(order_[at(position)])] -= entry * value;
+  }
+  for (std::size_t k = rows_.size(); k-- > 0;) {
+    if (rows_[k].empty()) continue;
+    double& value = y[at(order_[k])];
+    for (const auto& [position, entry] : std::span(rows_[k]).subspan(1)) value -= entry * y[at(order_[at(position)])];
+    value /= rows_[k].front().value;
+  }
+  return y;
+}
+
 }  // namespace dalembert

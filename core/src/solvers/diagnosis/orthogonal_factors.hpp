@@ -26,6 +26,8 @@ class OrthogonalFactors {
   double smallest_pivot() const { return smallest_pivot_; }         // smallest squared remainder of the others; 0 without any
   // The null vector with these entries for the dependent columns, by column.
   std::vector<double> null_vector(std::span<const double> of_dependent) const;
+  // Solves C^T C y = b for the independent columns; the others get zero.
+  std::vector<double> solve_normal_equations(std::span<const double> b) const;
 
  private:
   void rotate_in(Vector row);

@@ -2,8 +2,9 @@
 //
 // Sylvester's law of inertia: K = L D L^T has as many negative eigenvalues as D has negative entries. Constraints G
 // enter as stiff springs, K + b G^T G, which for large b has as many negative eigenvalues as K has in the null space of
-// G (Debreu's lemma), also with redundant constraints. A negative pivot alone may be round-off of large springs: its
-// direction is projected onto the null space, and the curvature of the projection decides.
+// G (Debreu's lemma), also with redundant constraints. A negative pivot alone may be round-off of large springs, or belong
+// to a constraint that is weak in the scaled coordinates: its direction is projected onto the null space, and the
+// curvature of the projection decides.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,6 +15,7 @@
 
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/static.hpp"
+#include "diagnosis/orthogonal_factors.hpp"
 
 namespace dalembert {
 
@@ -88,22 +90,42 @@ static Problem problem_of(const Pattern& pattern, std::span<const double> matrix
   return p;
 }
 
-// Projects x onto the null space of the constraint Jacobian, by the method of multipliers.
-static Vector projected(const Problem& p, const Vector& x) {
-  constexpr double penalty = 1e8;
-  constexpr int sweeps = 8;
-  if (p.G.nonZeros() == 0) return x;
-  Sparse one(p.K.rows(), p.K.cols());
-  one.setIdentity();
-  const Sparse GT = p.G.transpose();
-  Eigen::SimplicialLDLT<Sparse> factors(one + penalty * GT * p.G);
-  Vector y = x, multipliers = Vector::Zero(p.G.rows());
-  for (int sweep = 0; sweep < sweeps && factors.info() == Eigen::Success; ++sweep) {
-    y = factors.solve(x - GT * multipliers);
-    multipliers += penalty * (p.G * y);
+// Projects vectors onto the null space of the constraint Jacobian.
+class Projection {
+ public:
+  Projection(const Sparse& G, std::span<const int> dependent) : columns_(columns(G, dependent)), factors_(columns_, static_cast<int>(G.cols()), 0) {}
+
+  // Two sweeps remove the round-off of weak constraints.
+  void apply(Vector& x) const {
+    for (int sweep = 0; sweep < 2; ++sweep) {
+      std::vector<double> along(columns_.size(), 0.0);
+      for (std::size_t k = 0; k < columns_.size(); ++k)
+        for (const auto& [row, value] : columns_[k]) along[k] += value * x[row];
+      const std::vector<double> part = factors_.solve_normal_equations(along);
+      for (std::size_t k = 0; k < columns_.size(); ++k)
+        for (const auto& [row, value] : columns_[k]) x[row] -= value * part[k];
+    }
   }
-  return y;
-}
+
+ private:
+  // Columns of dependent equations stay empty.
+  static std::vector<OrthogonalFactors::Vector> columns(const Sparse& G, std::span<const int> dependent) {
+    std::vector<OrthogonalFactors::Vector> columns(static_cast<std::size_t>(G.rows()));
+    std::vector<double> squares(columns.size(), 0.0);
+    for (int j = 0; j < G.outerSize(); ++j)
+      for (Sparse::InnerIterator e(G, j); e; ++e) squares[static_cast<std::size_t>(e.row())] += e.value() * e.value();
+    for (int j = 0; j < G.outerSize(); ++j)
+      for (Sparse::InnerIterator e(G, j); e; ++e) {
+        const auto k = static_cast<std::size_t>(e.row());
+        if (e.value() != 0) columns[k].push_back({j, e.value() / std::sqrt(squares[k])});
+      }
+    for (const int k : dependent) columns[static_cast<std::size_t>(k)].clear();
+    return columns;
+  }
+
+  std::vector<OrthogonalFactors::Vector> columns_;  // of unit length
+  OrthogonalFactors factors_;
+};
 
 struct Found {
   int directions = 0;
@@ -112,7 +134,7 @@ struct Found {
 
 // Counts directions with negative stiffness, and returns one of them. The result is empty for forces without a
 // potential.
-static Found find(const Pattern& pattern, std::span<const double> matrix, const Sizes& sizes) {
+static Found find(const Pattern& pattern, std::span<const double> matrix, const Sizes& sizes, std::span<const int> dependent) {
   const Problem p = problem_of(pattern, matrix, sizes);
   if (!p.has_potential || !p.K.coeffs().allFinite() || !p.G.coeffs().allFinite()) return {};
   Sparse shift(p.K.rows(), p.K.cols());
@@ -122,31 +144,33 @@ static Found find(const Pattern& pattern, std::span<const double> matrix, const 
   const Eigen::SimplicialLDLT<Sparse> factors(all);
   if (factors.info() != Eigen::Success) return {};
   const Vector& pivots = factors.vectorD();
+  if (!(pivots.array() < 0).any()) return {};
+  const Projection projection(p.G, dependent);
   Found found;
   for (Eigen::Index k = 0; k < pivots.size(); ++k) {
     if (!(pivots[k] < 0)) continue;
-    ++found.directions;
-    if (!found.direction.empty()) continue;
     Vector x = Vector::Unit(pivots.size(), k);
     factors.matrixU().solveInPlace(x);
-    x = projected(p, factors.permutationPinv() * x);
+    x = factors.permutationPinv() * x;
+    projection.apply(x);
     const double curvature = x.dot(p.K * x), terms = x.cwiseAbs().dot(p.K.cwiseAbs() * x.cwiseAbs());
     if (!(curvature < -rounding * terms)) continue;
+    if (++found.directions > 1) continue;
     const Vector own = p.scale.cwiseProduct(x);
     found.direction.assign(own.data(), own.data() + own.size());
   }
-  if (found.direction.empty()) found.directions = 0;
   return found;
 }
 
 }  // namespace stability_of_equilibria
 
 // Uses the matrix of the equilibrium, including loads.
-StaticSolver::Instability StaticSolver::find_instability() const {
+StaticSolver::Instability StaticSolver::find_instability() {
   if (sizes_.ode1 > 0) return {};
   for (int k = 0; k < sizes_.ae; ++k)
     if (!system().constrains_motion(k)) return {};
-  auto found = stability_of_equilibria::find(pattern(), jacobian_, sizes_);
+  if (!rank_known_) find_rank();
+  auto found = stability_of_equilibria::find(pattern(), jacobian_, sizes_, rank_.dependent());
   return {found.directions, std::move(found.direction)};
 }
 

@@ -52,17 +52,24 @@ std::vector<double> softest_direction(std::size_t ode2, std::size_t total, const
   return x;
 }
 
+// Inactive equations have positive diagonal entries.
+int active_equations(const Sizes& sizes, const Pattern& pattern, std::span<const double> matrix) {
+  int count = sizes.ae;
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) { count -= row == column && row >= sizes.first_ae() && matrix[slot] > 0; });
+  return count;
+}
+
 }  // namespace
 
 void StaticSolver::look_back() {
   look_for_motion();
   if (sizes_.ode2 > 0 && it.newtonJacobiCount > 0) {
     const std::vector<double> last = jacobian_;  // users may request this matrix
-    // Each multiplier adds a negative eigenvalue. Small systems are always counted. Large systems are examined only if the softest direction
+    // Each active equation adds a negative eigenvalue. Small systems are always counted. Large systems are examined only if the softest direction
     // is unstable; this check needs no factorization.
     const auto may_be_unstable = [this] {
       const auto ode2 = static_cast<std::size_t>(sizes_.ode2), total = static_cast<std::size_t>(sizes_.total());
-      if (total <= always_counted) return !linear_ || negative_eigenvalues(*linear_, pattern(), jacobian_) != sizes_.ae;
+      if (total <= always_counted) return !linear_ || negative_eigenvalues(*linear_, pattern(), jacobian_) != active_equations(sizes_, pattern(), jacobian_);
       return factorized_ && stiffness_along(softest_direction(ode2, total, [this](std::span<double> x) { linear_->solve(x); }), pattern(), jacobian_).sum < 0;
     };
     if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) warn_of_free_motion(rows);
