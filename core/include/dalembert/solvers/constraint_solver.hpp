@@ -36,7 +36,7 @@ class ConstraintSolver {
   // Kind of matrix: time steps, accelerations at a state, or static equilibria. Static iterates violate constraints more.
   enum class Matrix { motion, accelerations, statics };
   // Misfits below this size, relative to the mechanism, are not reported.
-  static constexpr double silent_misfit = 1e-11;
+  static constexpr double silent_misfit = 1e-10;
 
   // Computes the metric at a state. The solver becomes active if constraints are redundant, or nearly redundant. It does
   // not change the numbers of regular models. `treats` = false disables it.
