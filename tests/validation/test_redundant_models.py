@@ -351,6 +351,35 @@ def test_weak_constraints_are_told_from_redundant_ones() -> None:
     assert set(map(tuple, counts["removableEquations"].values())) == {(3, 5)}
 
 
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.ESDIRK43])
+def test_gears_whose_inertias_differ_by_decades(solver: Any) -> None:
+    """Gears on a tree of pairs, with two further pairs that mesh: all turn together, with the acceleration r.tau / (r^2.J).
+
+    The weakest combination of constraints has a strength of 2e-10 in their metric. Where the regularization is not small
+    against it, velocities are wrong by a third; where it is, by 1e-5.
+    """
+    inertia = np.array([4.5e-4, 8.7e-5, 4.8e-4, 1.3, 3.6e-3, 6900, 160, 1e4, 1.7e-3])
+    radius = np.array([1.1, 2.5, 0.1, -5.5, -5.7, -3.4, 0.17, -4.3, 6.7])
+    torque = inertia * np.array([2.4, -0.29, -0.48, 0.056, -0.83, -0.023, -1.0, -0.55, 0.98])
+    mbs = new_system()
+    nodes, markers = [], []
+    for inertia_of, torque_of in zip(inertia, torque, strict=True):
+        nodes.append(mbs.AddNode(exu.Node1D(referenceCoordinates=[0])))
+        mbs.AddObject(exu.ObjectRotationalMass1D(nodeNumber=nodes[-1], physicsInertia=inertia_of))
+        markers.append(mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=nodes[-1], coordinate=0)))
+        mbs.AddLoad(exu.LoadCoordinate(markerNumber=markers[-1], load=torque_of))
+    for a, b in [(1, 0), (2, 0), (3, 1), (4, 2), (5, 2), (6, 0), (7, 4), (8, 2), (7, 8), (7, 6)]:
+        mbs.AddObject(
+            exu.ObjectConnectorCoordinate(markerNumbers=[markers[b], markers[a]], factorValue1=radius[b] / radius[a])
+        )
+    mbs.Assemble()
+    end = 0.05
+    assert mbs.SolveDynamic(settings(end, 20), solverType=solver)
+    velocities = np.array([mbs.GetNodeOutput(node, Variable.Coordinates_t) for node in nodes]).ravel()
+    right = radius * (radius @ torque) / (radius**2 @ inertia) * end
+    np.testing.assert_allclose(velocities, right, rtol=1e-4)
+
+
 def test_counts_that_are_not_certain_say_so() -> None:
     """A misaligned hinge adds constraints that are weak with the square of its angle; an error names it, and the
     joints."""

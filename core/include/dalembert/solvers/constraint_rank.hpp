@@ -37,6 +37,8 @@ class ConstraintRank {
   int equations_examined() const { return static_cast<int>(rows_.size()); }
   // Smallest squared remainder of an independent column. The count is certain if it is far above the tolerance.
   double weakest() const { return weakest_; }
+  // The same in units of the constraint metric, in which masses differ.
+  double strength() const { return strength_; }
   bool certain() const { return certain_; }
   bool allows_for_gaps() const { return allows_for_gaps_; }  // gaps have increased the tolerance
   std::vector<Item> items(const System& system) const;
@@ -63,7 +65,7 @@ class ConstraintRank {
   // Orthonormal vectors, in multipliers times roots_, one after the other.
   mutable std::vector<double> null_space_;
   mutable bool whole_null_space_ = true;
-  double weakest_ = 0;
+  double weakest_ = 0, strength_ = 1;
   bool certain_ = true, allows_for_gaps_ = false;
 };
 

@@ -95,7 +95,7 @@ class ConstraintSolver {
 
   bool prepared_ = false, active_ = false, fit_ = true;
   Matrix kind_ = Matrix::motion;
-  double eps_ = 0, largest_gap_ = 0;
+  double eps_ = 0, regular_eps_ = 0, largest_gap_ = 0;
   int first_ae_ = 0;
   std::vector<int> rows_;           // equations with a metric
   std::vector<int> dependent_;      // redundant equations, for the order of elimination

@@ -12,6 +12,8 @@ namespace {
 // The round-off of P is u s_max / eps: 1e-10 gives ten times the noise in multipliers. 1e-8 is too large to pass a flat
 // position of 400 loops.
 constexpr double regular_eps = 1e-9;
+// Masses that differ by orders of magnitude make constraints weak in the metric. Multipliers of these must not be lost in eps.
+constexpr double eps_per_strength = 1e-4, smallest_eps = 1e-12;
 // A gap g turns a redundant constraint into one of the strength (g / arm)^2, which has to be at most 1e-6 eps for
 // positions. Misfit passes suffice for rates.
 constexpr double eps_per_squared_gap = 1e7, eps_of_rates_per_squared_gap = 1e4;
@@ -53,7 +55,7 @@ void ConstraintSolver::prepare(System& system, const State& state, const Conditi
     if (row >= first_ae_ && column < system.sizes().ode2 && part[slot] != 0) of_velocities_[static_cast<std::size_t>(row - first_ae_)] = 1;
   });
   entries_.assign(metric_.size(), 0.0);
-  eps_ = regular_eps;
+  eps_ = regular_eps_ = std::clamp(eps_per_strength * rank.strength(), smallest_eps, regular_eps);
 }
 
 bool ConstraintSolver::activate() {
@@ -79,7 +81,7 @@ void ConstraintSolver::choose(double gap, bool of_rates) {
   const bool moves = kind_ != Matrix::statics;
   const double most = moves ? std::max(largest_gap_, gap) : gap;
   fit_ = !((kind_ == Matrix::motion ? largest_gap_ : most) > fitting_gap);
-  eps_ = std::clamp((of_rates ? eps_of_rates_per_squared_gap : eps_per_squared_gap) * most * most, regular_eps, !moves ? largest_static_eps : of_rates ? largest_eps_of_rates : largest_eps);
+  eps_ = std::clamp((of_rates ? eps_of_rates_per_squared_gap : eps_per_squared_gap) * most * most, regular_eps_, !moves ? largest_static_eps : of_rates ? largest_eps_of_rates : largest_eps);
 }
 
 LinearSolverOptions ConstraintSolver::options(LinearSolverOptions options) const {

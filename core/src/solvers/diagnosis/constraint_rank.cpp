@@ -50,6 +50,9 @@ ConstraintRank::ConstraintRank(System& system, const State& state, const Conditi
   }
   OrthogonalFactors factors(columns, system.sizes().ode2, tolerance);
   weakest_ = factors.smallest_pivot();
+  std::vector<double> strengths;
+  for (std::size_t i = 0; i < rows_.size(); ++i) strengths.push_back(lengths_[i] * lengths_[i] / (roots_[i] * roots_[i]));
+  strength_ = factors.smallest_pivot(strengths);
   certain_ = factors.dependent().empty() || weakest_ > certain_multiple * tolerance;
   for (const int i : factors.dependent()) dependent_.push_back(rows_[static_cast<std::size_t>(i)]);
   std::ranges::sort(dependent_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
@@ -76,6 +77,13 @@ void OrthogonalFactors::rotate_in(Vector row) {
     pivot.swap(pivot_);
     row.swap(other_);
   }
+}
+
+double OrthogonalFactors::smallest_pivot(std::span<const double> factors) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    if (!rows_[k].empty()) least = std::min(least, factors[at(order_[k])] * rows_[k].front().value * rows_[k].front().value);
+  return least;
 }
 
 std::vector<double> OrthogonalFactors::null_vector(std::span<const double> of_dependent) const {

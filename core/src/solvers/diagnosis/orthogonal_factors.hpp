@@ -24,6 +24,8 @@ class OrthogonalFactors {
 
   const std::vector<int>& dependent() const { return dependent_; }  // columns, in order of elimination
   double smallest_pivot() const { return smallest_pivot_; }         // smallest squared remainder of the others; 0 without any
+  // The same with each squared remainder multiplied by the factor of its column.
+  double smallest_pivot(std::span<const double> factors) const;
   // The null vector with these entries for the dependent columns, by column.
   std::vector<double> null_vector(std::span<const double> of_dependent) const;
   // Solves C^T C y = b for the independent columns; the others get zero.
