@@ -140,6 +140,9 @@ void register_vectors(py::module_& module) {
   vector("forces", [](const Sizes& n) { return n.ode2; }, &System::forces, "Q of M a = Q, without constraint forces.");
   vector("rates", [](const Sizes& n) { return n.ode1; }, &System::rates, "Right-hand side of the ODE1 equations.");
   vector("gaps", [](const Sizes& n) { return n.ae; }, &System::gaps, "Algebraic equations alone.");
+  module.def(
+      "switch_over", [](MainSystem& main, EvaluationState& s) { checked(main, s, "switch_over").switch_over(s.state, s.conditions); },
+      py::arg("mbs"), py::arg("state"), "Set the data coordinates of items with events, such as contacts, to those of the state.");
 }
 
 void register_matrices(py::module_& module) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dalembert/system/traced_equations.hpp"
+#include "steppers/velocity_lead.hpp"
 
 namespace dalembert {
 
@@ -122,7 +123,7 @@ void Lockstep::take_step(const Lanes& lanes) {
     if (!lane.here) return;
     lane.solver->accept_newton();
     lane.solver->conv.discontinuousIterationSuccessful = true;
-    lane.here = !lane.solver->watches_velocities() || !lane.solver->accelerations_alternate() || lane.solver->closes_gaps_of_start();
+    lane.here = !lane.solver->lead_->watches() || !lane.solver->lead_->accelerations_alternate() || lane.solver->lead_->closes_gaps_of_start();
     lane.solver->step_succeeded();
   });
 }

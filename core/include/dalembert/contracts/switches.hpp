@@ -1,6 +1,6 @@
 // Items that switch: contact that opens or closes, friction that sticks or slides, stops. Their data coordinates
 // define the state, which is valid until a function of the state changes its sign. Solvers may end a step there
-// (Solver::end_with_event), or detect it afterwards, by `update`.
+// (EventControl::end_step), or detect it afterwards, by `update`.
 #pragma once
 
 #include "dalembert/contracts/context.hpp"

@@ -51,7 +51,7 @@ class DiagonallyImplicitSolver : public Solver {
     masses_.examine_anew();
   }
   KnownDerivatives complete_ends() override { return {true, true}; }
-  const std::vector<double>* told_multipliers() override;
+  const std::vector<double>* minimum_norm_multipliers() override;
 
  private:
   using Vector = std::vector<double>;
@@ -96,14 +96,14 @@ class DiagonallyImplicitSolver : public Solver {
   struct Smallest {
     ConstrainedMotion motion;
     bool ready = false;
-    Vector q, lambda, told;
+    Vector q, lambda, reported;
   } smallest_;
   bool masses_ready_ = false, warned_of_masses_ = false;
   bool lie_ = false, interferes_ = false, fresh_ = false;
   bool after_jump_ = false;       // true at the start, and after events
   double factorized_for_ = 0;   // gamma h of the factors; zero if there are none
   double rate_ = 1;             // contraction of the error per iteration
-  int untold_ = 0;              // number of stages with one iteration since the last estimate
+  int unassessed_stages_ = 0;              // number of stages with one iteration since the last estimate
   double slowest_ = 0;          // the largest one of the last step
   // Residuals of accelerations, which reveal changes of the system between steps.
   double misfit_at_end_ = 0, misfit_at_start_ = 0;

@@ -38,7 +38,7 @@ class ExplicitSolver : public Solver {
  protected:
   void save_start_of_step() override;
   std::vector<double> restart_numbers() const override { 
-    return {growth_limit_, static_cast<double>(stiff_signs_), static_cast<double>(calm_signs_), static_cast<double>(told_stiff_)};
+    return {growth_limit_, static_cast<double>(stiff_signs_), static_cast<double>(calm_signs_), static_cast<double>(warned_of_stiffness_)};
   }
   void forget() override;
   void pattern_revised() override { prepare_motion(); }
@@ -138,7 +138,7 @@ class ExplicitSolver : public Solver {
   bool sums_known_ = false;     // sums of squares after this step:
   double sum_of_v_ = 0, sum_of_a_ = 0;
   int stiff_signs_ = 0, calm_signs_ = 0;  // in the last steps
-  bool told_stiff_ = false;
+  bool warned_of_stiffness_ = false;
   bool watches_switches_ = false;  // switches of items affect error estimates
   double growth_limit_ = 0;         // limit for the sum of squares of velocities ...
   std::optional<Vibration> fastest_;  // at the start, computed on demand

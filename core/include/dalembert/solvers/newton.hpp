@@ -46,7 +46,7 @@ class NewtonSolver : public Solver {
     else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
   void examine_constraints_anew() override;
-  const std::vector<double>* told_multipliers() override;
+  const std::vector<double>* minimum_norm_multipliers() override;
   void prepare_constraints(const ConstraintSolver& known);
   void multipliers_renewed() { idle_ = Idle::none; }  // multipliers have minimum norm
   // Factorizes `jacobian_`. Returns false, with flags set, if it is singular.

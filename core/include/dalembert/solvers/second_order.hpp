@@ -7,7 +7,7 @@
 //   groups (2022), for the kinematic relations of Lie-group nodes.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -16,9 +16,12 @@
 namespace dalembert {
 
 class Trace;
+class VelocityLead;
 
 class SecondOrderSolver : public NewtonSolver {
  public:
+  SecondOrderSolver();
+  ~SecondOrderSolver() override;
   std::string name() const override { return "implicit second order time integration"; }
 
   void pre_initialize() override;
@@ -49,12 +52,7 @@ class SecondOrderSolver : public NewtonSolver {
   void reset_to_start_of_step() override;
   void save_start_of_step() override;
   std::span<const double> restart_values() const override { return algorithmic_; }
-  std::vector<double> restart_numbers() const override {
-    return {belong_to_.accelerations, belong_to_.velocities, static_cast<double>(belong_to_.begins), static_cast<double>(renewed_after_),
-            static_cast<double>(lead_.active), lead_.largest_speed, lead_.largest_energy, static_cast<double>(lead_.steps),
-            static_cast<double>(lead_.coarse), lead_.coarse_since, static_cast<double>(lead_.not_led), lead_.not_led_since};
-  }
-  void continue_lead();
+  std::vector<double> restart_numbers() const override;
   void forget() override;
   KnownDerivatives complete_ends() override {
     return {it.currentStepIndex > 1 || settings().timeIntegration.generalizedAlpha.computeInitialAccelerations, it.currentStepIndex > 1};
@@ -72,6 +70,7 @@ class SecondOrderSolver : public NewtonSolver {
 
  private:
   friend class Lockstep;
+  friend class VelocityLead;
   // ---- steps together with solvers of the same model (lockstep/lockstep.hpp) ---------------------------------------
   std::string_view lockstep_obstacle() const;  // reason against solving side by side; empty if there is none
   // Stores the residual with its norm, and the Jacobian, in two parts, for the vectors q, v, a and lambda of the state.
@@ -84,29 +83,6 @@ class SecondOrderSolver : public NewtonSolver {
   bool give_up_at_round_off();
   double change_of_accelerations(std::size_t i, double step_size) const;
   void end_swings();
-
-  // ---- velocities across constraints (velocity_lead.cpp) --------------------------------------------------------------
-  bool watches_velocities() const { return sizes_.ae > 0 && !conditions_.rate_level && !it.automaticStepSize; }
-  void watch_velocities();
-  bool velocities_oscillate();
-  bool accelerations_alternate();
-  bool closes_gaps_of_start();
-  void lead_and_judge();
-  void count_doubt(StepCount& steps, double& since) const;
-  double lead_velocities(double step_size, double next, bool smooth);
-  std::vector<double> velocities_across(double step_size, bool as_driven);
-  std::vector<double> rates_with_lead(double factor, std::span<const double> change);
-  std::vector<double> rates_at(const State& state);
-  // Returns false if the linear solver has been replaced since the last factorization, because constraints were
-  // examined anew.
-  bool has_factors() const { return linear_->statistics().factorizations > 0; }
-  std::span<const double> move_across(std::span<const double> rates);
-  double step_energy(std::span<const double> v) const;
-  // Constraint equations that are prescribed in time, and those that constrain velocities.
-  struct RowKinds {
-    std::vector<char> driven, of_velocities;
-  };
-  const RowKinds& row_kinds();
 
   // Computes accelerations and multipliers of the state; returns false, with a warning, if there are none. The motion
   // has its factors at this state, unless an unknown has no pivot.
@@ -151,25 +127,7 @@ class SecondOrderSolver : public NewtonSolver {
   StepCount off_constraints_known_ = -1;  // ... which has this index
   bool renews_ = false;             // accelerations are computed anew before the step is repeated
   StepCount renewed_after_ = -2;    // index of a step
-  RowKinds row_kinds_;              // empty: unknown
-  // Lead of equal steps: it is used from the first step on in which velocities oscillate.
-  struct Lead {
-    bool active = false;
-    double largest_speed = 0;           // so far
-    double largest_energy = 0;          // since the lead is used
-    StepCount steps = 0;                // with lead
-    StepCount coarse = 0, not_led = 0;  // steps with a warning, and the time of the first one
-    double coarse_since = 0, not_led_since = 0;
-    std::optional<bool> begins_open;    // initial values contradict the constraints
-    double step_size = 0;               // of the last steps
-    double negligible_speed = 0;        // for this size
-    int equal_steps = 0;                // in succession
-    int steps_to_wait = 0;              // until velocities across constraints are evaluated again
-    std::vector<double> accelerations, change;  // algorithmic ones at the end of the last step, and their change in it
-    std::vector<double> across;         // velocities across constraints in the last step; empty: unknown
-    std::uint64_t constraints_renewed = 0;
-  };
-  Lead lead_;
+  std::unique_ptr<VelocityLead> lead_;
 };
 
 // Accelerations and multipliers of given positions and velocities.

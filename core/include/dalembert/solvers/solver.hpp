@@ -26,14 +26,15 @@
 
 namespace dalembert {
 
-struct EventLook;
-class EventWatch;
-struct WatchedValue;
 class ConstrainedMotion;
 class ConstraintSolver;
+class Continuation;
+class Diagnostics;
+class EventControl;
 class Model;
-class StepInterpolation;
-struct RestartData;
+class OutputWriter;
+class SingularPositions;
+class SolverPart;
 
 // Environment of a system while it is solved.
 struct SolverEnvironment {
@@ -112,8 +113,6 @@ class Solver {
   void say(int level, std::string_view text);
   void write_solution_header();
   void write_coordinates();
-  void write_sensors();
-  void write_restart();
 
   // Text of the error; empty after success.
   std::string error_string() const;
@@ -151,35 +150,14 @@ class Solver {
   virtual void pattern_revised() {}
   void save_all_but_motion();  // q, v and a are left to the caller
   // ---- restart -----------------------------------------------------------------------------------------------------
-  bool continues() const { return continuation_ != nullptr; }
+  bool continues() const;
   // Data in addition to the state, such as algorithmic accelerations.
   virtual std::span<const double> restart_values() const { return {}; }
   virtual std::vector<double> restart_numbers() const { return {}; }
   const std::vector<double>& continued_values() const;
   double continued_number(std::size_t i) const;
-  // ---- singular positions (singular_positions.cpp) ------------------------------------------------------------------
-  // Whether constraints are nearly redundant in this step, in contrast to the start.
-  bool near_singular_position();
-  double growth_of_multipliers(const State& state);
-  bool has_weak_constraints();
-  void compare_constraints_with(const State& state);  // sets the reference for near_singular_position
-  // Whether a step is accepted although its estimated error, in units of the tolerances, is above them.
-  bool passes_singular_position(double error);
-  void warn_of_rest();
-  void passing_singular_position();  // counts the step and prints a message
-  // Whether too many successive steps were in a singular position. Writes the diagnosis.
-  bool stays_in_singular_position();
-  void diagnose_singular_position();
-  // Changes the diagnosis of a failed solution if its reason is a singular position, and lists the items.
-  void name_singular_position();
-  State moved_along_velocities(const State& at, double part);
-  std::vector<std::string> items_in_singular_position();
-  std::vector<std::string> advice_on_singular_position() const;
   // Whether steps enforce position constraints, not their derivatives.
   virtual bool keeps_positions() const { return false; }
-  // Whether a failed step near a singular position is repeated with a slightly different size. Limited to a few times.
-  bool steps_aside();
-  StepCount singular_position_step_ = -2;  // last step in a singular position
   // Largest ratio of successive steps. Implicit methods correct errors of accelerations and velocities, including round-off.
   static constexpr double largest_growth = 2;
   // Recomputes forces and accelerations after a jump of the state.
@@ -194,50 +172,29 @@ class Solver {
   double same_time() const { return std::min(1e-10, 1e-3 * it.currentStepSize); }
   // Minimum-norm multipliers of the current state, if the solver continues with other ones. Null: those of the state have
   // minimum norm after this call.
-  virtual const std::vector<double>* told_multipliers() { return nullptr; }
-  void keep_told_multipliers();  // writes them to the state
-  // Whether multipliers are read only while a `Told` object exists.
+  virtual const std::vector<double>* minimum_norm_multipliers() { return nullptr; }
+  void keep_minimum_norm_multipliers();  // writes them to the state
+  // Whether multipliers are read only while a `ReportedMultipliers` object exists.
   bool multipliers_may_wait() const { return multipliers_may_wait_; }
   // The current state has minimum-norm multipliers during the lifetime of this object.
-  class Told {
+  class ReportedMultipliers {
    public:
-    explicit Told(Solver& solver);
-    ~Told();
-    Told(const Told&) = delete;
-    Told& operator=(const Told&) = delete;
+    explicit ReportedMultipliers(Solver& solver);
+    ~ReportedMultipliers();
+    ReportedMultipliers(const ReportedMultipliers&) = delete;
+    ReportedMultipliers& operator=(const ReportedMultipliers&) = delete;
 
    private:
     Solver& solver_;
-    const std::vector<double>* told_;
+    const std::vector<double>* reported_;
     std::vector<double> own_;
   };
   // Whether a user function replaces a part of the step.
   virtual bool has_replaced_parts() const { return false; }
   virtual StepFactors step_factors() const;
   void warn(std::string_view text);
-  std::string describe_switch(const Switch& at) const;
   // Number in the format of the console.
   std::string number(double value) const;
-  // ---- diagnosis ---------------------------------------------------------------------------------------------------
-  Diagnosis& diagnose(FailureReason reason);
-  // Lists unconstrained motions and linearly dependent equations.
-  void diagnose_singular_matrix(const Pattern& pattern, std::span<const double> values);
-  void diagnose_open_gaps();  // gaps that projections could not close
-  // Whether joints with this misfit were consistent at the start of the solution, or at a state.
-  bool has_left_constraints(std::span<const double> misfit);
-  bool have_fitted(const State& at, std::span<const double> misfit);
-  void diagnose_contradiction(std::span<const double> misfit);
-  void warn_of_contradiction(std::span<const double> misfit);  // once
-  void warn_of_undecided_start();  // once
-  void warn_of_free_motion(std::span<const int> rows);
-  void warn_of_instability(int directions, std::span<const int> rows);
-  void warn_of_velocities(std::span<const int> rows, double largest_force);  // for static solutions
-  // Lists the equations with the largest residuals.
-  void diagnose(FailureReason reason, std::span<const double> residual);
-  // Lists numbers that are not finite, with their items, in the current state or otherwise in `residual`.
-  void diagnose_not_finite(std::span<const double> residual = {});
-  // Adds the largest of the numbers, with the items of their rows; the list stays short and begins with the largest.
-  void add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const;
   // Whether the step that has been solved is the last one.
   bool ends_here() const { return path_ends_ ? *path_ends_ : it.currentTime >= it.endTime - 1e-6 * it.lastStepSize; }
   // True if output times may decrease.
@@ -248,8 +205,6 @@ class Solver {
   // Whether a step of minimum size is accepted although its error is above the tolerances. Warns; diagnoses too many of them.
   bool hold_at_minimum();
   virtual void diagnose_error_control();
-  std::string told_contradiction_;  // text of the warning of inconsistent constraints
-  bool warned_of_undecided_start_ = false, warned_of_actions_ = false, warned_of_rest_ = false;
   double largest_misfit_ = 0;
   void find_rank() { find_rank(current()); }
   void find_rank(const State& at);
@@ -268,48 +223,21 @@ class Solver {
   bool stop_ = false;
   double initial_residual_ = 0;
   StepController steps_{it};
+  std::unique_ptr<OutputWriter> writer_;
+  std::unique_ptr<Continuation> continuation_;
+  std::unique_ptr<EventControl> events_;
+  std::unique_ptr<Diagnostics> diagnostics_;
+  std::unique_ptr<SingularPositions> singular_;
 
  private:
   friend class Lockstep;
+  friend class SolverPart;
+  friend class SingularPositions;
+  friend class EventControl;
+  friend class Continuation;
+  friend class Diagnostics;
+  friend class OutputWriter;
   void choose_linear_solver();
-  void check_constraints();  // warns of initial values that violate constraints, or refuses them
-  std::string constraints_that_close_at_start();
-  // ---- restart (continuation.cpp) ----------------------------------------------------------------------------------
-  void read_continuation();
-  void take_continuation();
-  void continue_steps();
-  RestartData restart_data();
-  void take_counts(std::span<const double> run);
-  // ---- output at requested times -----------------------------------------------------------------------------------
-  void write_requested();
-  void write_solution_row();
-  void record_sensors(double time);
-  double requested(double time, double period) const;
-  template <class Write>
-  void write_between(double period, Write&& write);
-  // ---- events (events.cpp) -----------------------------------------------------------------------------------------
-  void begin_to_watch_events();
-  void warn_of_missing_switches(bool located);
-  void settle_switches();
-  void switch_over();
-  const std::vector<WatchedValue>& event_values() { return event_values(switches_); }
-  const std::vector<WatchedValue>& event_values(std::vector<Switch>& of_items);
-  bool locates_switches() const { return iterates_without_ != System::Updates::all; }
-  bool let_user_act(int event, int direction);
-  std::vector<double> gaps_and_rates();
-  void end_velocities_against_constraints(bool keeps_positions);
-  void warn_of_actions_against_constraints(int singular_row);
-  void diagnose_chatter(int event);
-  std::string describe_event(int event) const;
-  double look_into_step(double& before);
-  bool solve_again(double step_size);
-  bool end_with_event();
-  bool event_reached() const;
-  void act_on_events();
-  void end_as_scheduled();  // shortens a step to a scheduled time
-  void act_as_scheduled();
-  bool step_was_cut() const;  // to a size without information for the next step
-  void advise_on_weak_constraints();
   LockingAngles angles_;
   Rebounds rebounds_;
   bool watches_rebounds_ = false;
@@ -329,11 +257,6 @@ class Solver {
   void announce_step();
   void announce_discontinuous_iteration();
   void announce_increase();
-  bool starts_finite();
-  void time_is_over();
-  std::vector<NamedValue> not_finite(const State& state) const;
-  std::vector<std::string> sources_of_not_finite();
-  std::string describe_data(int index) const;
   void call_pre_step();
   void look_for_switched_joints();
   void joints_are_examined();
@@ -343,52 +266,26 @@ class Solver {
   bool steps_end_silently() const;
   bool asks_for_multipliers_in_steps() const;
   void return_to_start_of_step();
-  void write_end_of_step();
-  void print_progress(bool to_console, bool to_file);
   void wait_for_real_time();
   void summarize();
-  void warn_of_files_written_twice();
-  template <class File>
-  void close(File& file);
-  void announce_end();
-  void close_files();
-  void announce_solution();
   void leave();
   void abandon();
-  std::string unwritten_text() const;
   std::string position_text() const;
-  RunDescription run_description() const;
 
   LinearSolverType linear_type_ = LinearSolverType::EXUdense;
   System* system_ = nullptr;
   const SimulationSettings* settings_ = nullptr;
   const SolverEnvironment* environment_ = &no_environment();
-  SolutionFile solution_file_;
-  SensorRecorder sensors_;
-  OutputFile information_file_;
-  std::unique_ptr<RestartData> continuation_;  // null without a restart
-  std::unique_ptr<StepInterpolation> between_;
-  std::unique_ptr<EventWatch> watch_;  // null without events
-  std::unique_ptr<EventLook> look_;    // null without events
-  std::vector<Switch> switches_;       // switches of items at the last evaluated state
-  System::Updates iterates_without_ = System::Updates::all;  // items whose switches are events
-  std::exception_ptr unwritten_;  // the first FileError of the run
   // The clock is read every (look_mask_ + 1)-th step, that is every few milliseconds.
   std::uint32_t steps_taken_ = 0, look_mask_ = 0;
   double last_look_ = 0;
-  double last_restart_ = 0;
-  StepCount aside_step_ = -2;
-  State compared_with_;     // reference state, until usual_growth_ is computed
-  double usual_growth_ = 0;
-  int times_aside_ = 0, passing_steps_ = 0;
   bool end_reached_ = false;
   std::uint64_t renewed_constraints_ = 0;  // revision of the last check of constraints
   std::vector<char> equations_off_;        // inactive equations; empty if unknown
   bool warned_minimum_ = false;
-  std::string closing_at_start_;  // gaps that cause errors of the first steps
   bool step_completed_ = false;  // the state is the end of an accepted step
   bool silent_ = false;  // no output at the ends of steps
-  bool multipliers_may_wait_ = false, start_is_told_ = false;
+  bool multipliers_may_wait_ = false, start_has_minimum_norm_ = false;
 };
 
 }  // namespace dalembert

@@ -3,6 +3,8 @@
 // Velocities determine the branch and do not jump. Accelerations and multipliers are noisy in a singular position, and the
 // noise increases as steps become smaller. It dominates error estimates, and a step that ends exactly there has no unique
 // continuation. Steps therefore remain large.
+#include "constraints/singular_positions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,9 +13,8 @@
 
 #include "constraints/constraint_states.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
-#include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/large_vectors.hpp"
-#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -32,20 +33,31 @@ constexpr double not_to_be_trusted = 1000;
 
 // The inverse strength of the weakest constraint, by geometry alone: a constraint between light bodies is not weak. Zero if
 // constraints are evidently independent, infinite in a singular position.
-double Solver::growth_of_multipliers(const State& state) {
+double SingularPositions::growth_of_multipliers(const State& state) {
   const Conditions conditions = at_level(conditions_, false);
-  const ConstraintRank rank(*system_, state, conditions, constraint_metric(*system_, state, conditions, 0, Inertia::lengths), no_tolerance);
+  const ConstraintRank rank(system(), state, conditions, constraint_metric(system(), state, conditions, 0, Inertia::lengths), no_tolerance);
   if (rank.count() > 0) return std::numeric_limits<double>::infinity();
   return rank.weakest() > 0 ? 1 / rank.weakest() : 0;
 }
 
-void Solver::compare_constraints_with(const State& state) {
+void SingularPositions::begin() {
+  last_step_ = aside_step_ = -2;
+  passing_steps_ = 0;
+  warned_of_rest_ = warned_of_undecided_start_ = false;
+}
+
+void SingularPositions::resume(StepCount last_step, int passing_steps) {
+  last_step_ = last_step;
+  passing_steps_ = passing_steps;
+}
+
+void SingularPositions::compare_with(const State& state) {
   compared_with_ = sizes_.ae > 0 ? state : State();
   usual_growth_ = 0;
 }
 
-[[gnu::noinline]] bool Solver::near_singular_position() {
-  if (sizes_.ae == 0 || constraint_rank().count() > 0) return false;
+[[gnu::noinline]] bool SingularPositions::is_near() {
+  if (sizes_.ae == 0 || solver_.constraint_rank().count() > 0) return false;
   if (usual_growth_ == 0) {
     const double growth = growth_of_multipliers(compared_with_);
     usual_growth_ = growth < singular_growth ? std::max(growth, smallest_growth) : growth_beside_start;
@@ -54,11 +66,11 @@ void Solver::compare_constraints_with(const State& state) {
   return growth_of_multipliers(current()) > weaker_by * usual_growth_;
 }
 
-[[gnu::noinline]] bool Solver::has_weak_constraints() {
+[[gnu::noinline]] bool SingularPositions::has_weak_constraints() {
   return sizes_.ae > 0 && growth_of_multipliers(current()) > weaker_by * smallest_growth;
 }
 
-[[gnu::noinline]] bool Solver::passes_singular_position(double error) {
+[[gnu::noinline]] bool SingularPositions::passes(double error) {
   if (sizes_.ae == 0 || !(error <= most_noise)) return false;
   const State &now = current(), &start = start_of_step();
   double turn = 0, speed = 0;
@@ -67,41 +79,41 @@ void Solver::compare_constraints_with(const State& state) {
     speed += start.v[i] * start.v[i];
   }
   const bool turns = !(turn <= largest_relative_turn * largest_relative_turn * speed);
-  if ((turns && warned_of_rest_) || !near_singular_position()) return false;
+  if ((turns && warned_of_rest_) || !is_near()) return false;
   if (turns) {
     warn_of_rest();
     return false;
   }
-  passing_singular_position();
+  count_step();
   if (error > not_to_be_trusted) ++it.stepsAboveTolerance;
   return true;
 }
 
-[[gnu::noinline]] bool Solver::steps_aside() {
+[[gnu::noinline]] bool SingularPositions::steps_aside() {
   constexpr int most_times = 6;
   if (std::exchange(aside_step_, it.currentStepIndex) != it.currentStepIndex) times_aside_ = 0;
-  return times_aside_ < most_times && near_singular_position() && ++times_aside_ > 0;
+  return times_aside_ < most_times && is_near() && ++times_aside_ > 0;
 }
 
-[[gnu::noinline]] bool Solver::stays_in_singular_position() {
+[[gnu::noinline]] bool SingularPositions::stays() {
   constexpr int most_steps = 1000;
   if (passing_steps_ < most_steps) return false;
   passing_steps_ = 0;
-  diagnose_singular_position();
+  report();
   return true;
 }
 
-void Solver::diagnose_singular_position() {
-  diagnose(FailureReason::singular_position).advice = advice_on_singular_position();
+void SingularPositions::report() {
+  solver_.diagnostics_->diagnose(FailureReason::singular_position).advice = advice();
 }
 
-std::vector<std::string> Solver::advice_on_singular_position() const {
-  std::vector<std::string> advice = {"use larger steps, which lead beyond it: larger tolerances, or equal steps (timeIntegration.automaticStepSize=False)"};
-  if (!keeps_positions())
-    advice.emplace_back("keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can go");
-  advice.emplace_back("where the motion starts there, start further from this position, or faster: forces that turn slow velocities within 1e-3 of the size "
+std::vector<std::string> SingularPositions::advice() const {
+  std::vector<std::string> list = {"use larger steps, which lead beyond it: larger tolerances, or equal steps (timeIntegration.automaticStepSize=False)"};
+  if (!solver_.keeps_positions())
+    list.emplace_back("keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can go");
+  list.emplace_back("where the motion starts there, start further from this position, or faster: forces that turn slow velocities within 1e-3 of the size "
                       "of the model decide by round-off how it goes on");
-  return advice;
+  return list;
 }
 
 namespace {
@@ -113,41 +125,40 @@ constexpr int most_equations = 1000;  // the diagnosis of larger models would ta
 
 }  // namespace
 
-// The state moved by this part of the size of the model, and projected onto the constraints if possible.
-State Solver::moved_along_velocities(const State& at, double part) {
+State SingularPositions::moved_along_velocities(const State& at, double part) {
   State moved = at;
-  const double speed = relative_size(*system_, at.v);
+  const double speed = relative_size(system(), at.v);
   if (!(speed > at_rest)) return moved;
   std::vector<double> step = at.v;
   const double factor = part / speed;
   for (double& x : step) x *= factor;
-  move_positions(*system_, step, moved.q);
+  move_positions(system(), step, moved.q);
   ConstrainedMotion motion;
-  prepare(motion);
+  solver_.prepare(motion);
   const Conditions conditions = at_level(conditions_, false);
-  motion.begin_step(*system_, at, conditions);
+  motion.begin_step(system(), at, conditions);
   State projected = moved;
-  const bool succeeds = motion.factorize(*system_, moved, conditions) == LinearSolver::success && motion.project(*system_, projected, conditions);
+  const bool succeeds = motion.factorize(system(), moved, conditions) == LinearSolver::success && motion.project(system(), projected, conditions);
   return succeeds ? projected : moved;
 }
 
-std::vector<std::string> Solver::items_in_singular_position() {
+std::vector<std::string> SingularPositions::items() {
   Conditions conditions = conditions_;
   conditions.rate_level = false;
   const auto rank_at = [&](const State& state) {
-    return ConstraintRank(*system_, state, conditions, constraint_metric(*system_, state, conditions, settings_->redundantConstraints.momentLength),
+    return ConstraintRank(system(), state, conditions, constraint_metric(system(), state, conditions, settings().redundantConstraints.momentLength),
                           close_to_position * close_to_position);
   };
   const ConstraintRank here = rank_at(current());
   if (here.count() == 0) return {};
   const State away = moved_along_velocities(current(), away_from_position);
   const ConstraintRank there = rank_at(away);
-  system_->reactions_are_known(here.equations());
+  system().reactions_are_known(here.equations());
   if (!(there.count() < here.count())) return {};
   // Items with the same number of redundant equations elsewhere are listed only if there are no others.
-  const std::vector<ConstraintRank::Item> always = there.items(*system_);
+  const std::vector<ConstraintRank::Item> always = there.items(system());
   std::vector<std::string> more, all;
-  for (const ConstraintRank::Item& item : here.items(*system_)) {
+  for (const ConstraintRank::Item& item : here.items(system())) {
     const auto same = std::ranges::find(always, item.object, &ConstraintRank::Item::object);
     all.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " follow from others in this position");
     if (same == always.end() || same->removable < item.removable) more.push_back(all.back());
@@ -155,45 +166,45 @@ std::vector<std::string> Solver::items_in_singular_position() {
   return more.empty() ? all : more;
 }
 
-[[gnu::noinline]] void Solver::name_singular_position() {
+[[gnu::noinline]] void SingularPositions::name_in_diagnosis() {
   const FailureReason reason = diagnosis_.reason;
   const bool may_be = reason == FailureReason::newton || reason == FailureReason::open_constraints || reason == FailureReason::error_control;
-  if (is_static() || sizes_.ae == 0 || sizes_.ae > most_equations || !settings_->redundantConstraints.treat) return;
+  if (is_static() || sizes_.ae == 0 || sizes_.ae > most_equations || !settings().redundantConstraints.treat) return;
   if (!may_be && reason != FailureReason::singular_position && reason != FailureReason::round_off) return;
-  std::vector<std::string> items = items_in_singular_position();
-  if (items.empty()) return;
-  shorten(items);
-  diagnosis_.dependent = std::move(items);
+  std::vector<std::string> named = items();
+  if (named.empty()) return;
+  shorten(named);
+  diagnosis_.dependent = std::move(named);
   if (!may_be) return;
   diagnosis_.reason = FailureReason::singular_position;
-  diagnosis_.advice = advice_on_singular_position();
+  diagnosis_.advice = advice();
 }
 
 // Velocities that vanish do not determine the branch.
-[[gnu::noinline]] void Solver::warn_of_rest() {
+[[gnu::noinline]] void SingularPositions::warn_of_rest() {
   warned_of_rest_ = true;
-  std::vector<std::string> items = sizes_.ae <= most_equations ? items_in_singular_position() : std::vector<std::string>();
-  system_->reactions_are_known({});
-  warn(name() + ": the motion comes nearly to rest beside a singular position, where the mechanism could go on in more ways than one" + position_text() +
+  std::vector<std::string> named = sizes_.ae <= most_equations ? items() : std::vector<std::string>();
+  system().reactions_are_known({});
+  warn(name() + ": the motion comes nearly to rest beside a singular position, where the mechanism could go on in more ways than one" + solver_.position_text() +
        "; which one it takes may follow from errors within the tolerances. Compare with smaller ones, or with equal steps of half the size" +
-       (items.empty() ? "" : ":" + indented(std::move(items))));
+       (named.empty() ? "" : ":" + indented(std::move(named))));
 }
 
-[[gnu::noinline]] void Solver::warn_of_undecided_start() {
+[[gnu::noinline]] void SingularPositions::warn_of_undecided_start() {
   if (std::exchange(warned_of_undecided_start_, true)) return;
   warn(name() + ": the motion starts in a singular position, where the mechanism could go on in more ways than one; "
-       "which one it takes could not be told, and the accelerations and reactions at the start are those of the way that its velocities point to, or the "
+       "the velocities do not decide which. Accelerations and reactions at the start follow the velocities, or are the "
        "smallest that constraints allow. Start a little beside this position, or with smaller forces and stiffness");
 }
 
-[[gnu::noinline]] void Solver::passing_singular_position() {
-  const StepCount last = std::exchange(singular_position_step_, it.currentStepIndex);
+[[gnu::noinline]] void SingularPositions::count_step() {
+  const StepCount last = std::exchange(last_step_, it.currentStepIndex);
   if (last == it.currentStepIndex) return;
   constexpr StepCount few = 10;
   passing_steps_ = last + few < it.currentStepIndex ? 1 : passing_steps_ + 1;
   ++it.singularPositionSteps;
   if (verbose(1) && last + 1 != it.currentStepIndex)
-    say(1, "  passing a singular position, where the mechanism could go on in more ways than one" + position_text() + "\n");
+    say(1, "  passing a singular position, where the mechanism could go on in more ways than one" + solver_.position_text() + "\n");
 }
 
 }  // namespace dalembert

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -16,8 +17,8 @@
 #include "dalembert/model/model.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/open_constraints.hpp"
-#include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/system_term.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -153,12 +154,12 @@ void EventWatch::take_numbers(std::span<const double> numbers, const std::string
 // ---- steps -------------------------------------------------------------------------------------------------------------
 
 // Returns the values of user events, then of item events; the reference is valid until the next call.
-const std::vector<WatchedValue>& Solver::event_values(std::vector<Switch>& of_items) {
+const std::vector<WatchedValue>& EventControl::event_values(std::vector<Switch>& of_items) {
   std::vector<WatchedValue>& values = look_->values;
   values.clear();
   if (hooks().events) {
     const TimedPart time(timer, timer.python);
-    const Told told(*this);
+    const Solver::ReportedMultipliers reported(solver_);
     for (const EventValue& value : hooks().events(current().time)) values.push_back({value});
   }
   std::optional<std::size_t>& users = watch_->users;
@@ -169,40 +170,41 @@ const std::vector<WatchedValue>& Solver::event_values(std::vector<Switch>& of_it
   }
   if (!locates_switches()) return values;
   of_items.clear();
-  system_->find_switches(current(), conditions_, of_items);
+  system().find_switches(current(), conditions_, of_items);
   for (const Switch& at : of_items) values.push_back({{at.value, at.kink ? 0 : -1}, !at.kink, at.noise});
   return values;
 }
 
-void Solver::warn_of_missing_switches(bool located) {
-  const bool wanted = settings_->events.ofItems;
+void EventControl::warn_of_missing_switches(bool located) {
+  const bool wanted = settings().events.ofItems;
   if (located || !(wanted || hooks().item_event_action)) return;
   const std::string who = hooks().item_event_action ? "mbs.ItemEventActionUserFunction" : "events.ofItems";
   warn(who + " has no effect: " + (!wanted ? "events of items are not looked for (simulationSettings.events.ofItems=False)"
                                   : is_static() ? "static solvers have no events" : "no item of this model has events of its own"));
 }
 
-void Solver::begin_to_watch_events() {
+void EventControl::begin() {
   watch_.reset();
-  const bool locates = settings_->events.ofItems && !is_static() && system_->has_switches();
+  warned_of_actions_ = false;
+  const bool locates = settings().events.ofItems && !is_static() && system().has_switches();
   warn_of_missing_switches(locates);
   iterates_without_ = locates ? System::Updates::without_switches : System::Updates::all;
   if (!hooks().events && !hooks().schedule && !locates) return;
   watch_ = std::make_unique<EventWatch>();
   look_ = std::make_unique<EventLook>();
-  system_->forget_switches();
+  system().forget_switches();
   const auto wrong = [](const WatchedValue& value) { return value.holds && value.value < 0; };
   // Data coordinates differ from the initial state.
-  if (locates && !continues() && std::ranges::any_of(event_values(), wrong)) {
+  if (locates && !solver_.continues() && std::ranges::any_of(event_values(), wrong)) {
     settle_switches();
-    renew_accelerations();
+    solver_.renew_accelerations();
   }
   watch_->begin(event_values());
   if (!hooks().schedule) return;
   hooks().schedule->begin(current(), is_static());
-  if (continues()) return;
+  if (solver_.continues()) return;
   hooks().schedule->act(current());
-  renew_accelerations();  // the stored accelerations may belong to loads of the previous solution
+  solver_.renew_accelerations();  // the stored accelerations may belong to loads of the previous solution
 }
 
 // ---- scheduled times
@@ -214,51 +216,51 @@ double round_off_of(double time) { return 8 * std::numeric_limits<double>::epsil
 
 }  // namespace
 
-void Solver::end_as_scheduled() {
+void EventControl::end_as_scheduled() {
   if (!watch_) throw ModelError(ErrorKind::state, name() + ": sampled controllers act while solver.SolveSteps(...) solves the steps, not in single parts of it");
   constexpr double last_stretch = 1e-6;  // part of a step; the remainder is not a step of its own
   const double end = hooks().schedule->next(), start = start_of_step().time;
   if (end > it.endTime || it.currentTime < end - std::max(round_off_of(end), last_stretch * it.currentStepSize)) return;
   if (std::abs(it.currentTime - end) > round_off_of(end)) {
     watch_->unscheduled_step_size = std::max(watch_->unscheduled_step_size, it.currentStepSize);
-    steps_.use(conditions_.step_size = end - start);
+    steps_.use(solver_.conditions_.step_size = end - start);
   }
   it.currentTime = current().time = end;
 }
 
 // Scheduled actions change forces, so accelerations jump.
-void Solver::act_as_scheduled() {
+void EventControl::act_as_scheduled() {
   steps_.use(std::max(it.currentStepSize, std::exchange(watch_->unscheduled_step_size, 0.0)));
-  if (hooks().schedule->act(current()) || step_was_cut()) renew_accelerations();
+  if (hooks().schedule->act(current()) || step_was_cut()) solver_.renew_accelerations();
 }
 
-bool Solver::step_was_cut() const { return !it.automaticStepSize && it.currentStepSize > largest_growth * conditions_.step_size; }
+bool EventControl::step_was_cut() const { return !it.automaticStepSize && it.currentStepSize > Solver::largest_growth * conditions_.step_size; }
 
 // ---- switches of items ---------------------------------------------------------------------------------------------------
 
 // An item that switches may cause others to switch.
-void Solver::settle_switches() {
+void EventControl::settle_switches() {
   const auto unsettled = [](const WatchedValue& value) { return value.holds && value.value < -value.noise; };
   int rounds = 0;
   do switch_over();
   while (++rounds < most_rounds && std::ranges::any_of(event_values(), unsettled));
-  if (system_->searches()) search();
+  if (system().searches()) solver_.search();
 }
 
 // Sets the states of all items at the end of a step.
-[[gnu::noinline]] void Solver::switch_over() {
-  if (locates_switches()) system_->switch_over(current(), conditions_);
+[[gnu::noinline]] void EventControl::switch_over() {
+  if (locates_switches()) system().switch_over(current(), conditions_);
 }
 
 // Repeats the step that has just been solved with another size. Returns false if it fails.
-bool Solver::solve_again(double step_size) {
-  reset_to_start_of_step();
+bool EventControl::solve_again(double step_size) {
+  solver_.reset_to_start_of_step();
   current().data = start_of_step().data;
-  if (system_->searches()) system_->restore_history();
+  if (system().searches()) system().restore_history();
   it.currentTime = current().time = start_of_step().time;
   steps_.use(step_size);
   ++it.eventSolutions;
-  return try_step();
+  return solver_.try_step();
 }
 
 namespace {
@@ -274,11 +276,11 @@ std::span<const double> places_to_look(bool after_event) {
 
 // Returns the part of the step at which a function has changed its sign, on the Hermite polynomial; negative if there
 // is no such function. `seen` receives the values at the previous sample, `before` its part of the step.
-double Solver::look_into_step(double& before) {
+double EventControl::look_into_step(double& before) {
   const State& end = look_->end;
   EventWatch& seen = look_->seen;
   StepInterpolation& between = look_->between;
-  between.prepare(*system_, start_of_step(), end, false, false);
+  between.prepare(system(), start_of_step(), end, false, false);
   const double start = start_of_step().time, h = end.time - start;
   const auto values_at = [&](double part) -> const std::vector<WatchedValue>& {
     if (part == 1) current() = end;
@@ -316,7 +318,7 @@ double Solver::look_into_step(double& before) {
 }
 
 // Locates the first event in a solved step and ends the step on its far side. Returns false if a repeated step fails.
-bool Solver::end_with_event() {
+bool EventControl::end_step() {
   if (!hooks().events && !locates_switches()) return true;
   EventWatch& watch = *watch_;
   watch.events.clear();
@@ -375,7 +377,7 @@ bool Solver::end_with_event() {
   return true;
 }
 
-bool Solver::event_reached() const {
+bool EventControl::reached() const {
   return !watch_->events.empty() || (hooks().schedule && it.currentTime >= hooks().schedule->next());
 }
 
@@ -391,7 +393,7 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
 }  // namespace
 
 // Calls the user's actions at the end of a written step, and restarts from the resulting state.
-[[gnu::noinline]] void Solver::act_on_events() {
+[[gnu::noinline]] void EventControl::act() {
   EventWatch& watch = *watch_;
   const double time = current().time;
   if (hooks().schedule && time >= hooks().schedule->next()) act_as_scheduled();
@@ -404,16 +406,16 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
   std::vector<Switch> at_end;  // switches of the events, with their states at the event
   const std::vector<WatchedValue> before = settles ? event_values(at_end) : std::vector<WatchedValue>();
   for (const EventWatch::Event& event : watch.events) {
-    if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + position_text() + "\n");
+    if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + solver_.position_text() + "\n");
     if (!let_user_act(event.number, event.direction)) stop_ = output.simulationStoppedByUserFunction = true;
   }
   const bool changed = acts || locates_switches();
   if (changed) {
     conv.jacobianUpdateRequested = true;
-    if (system_->searches()) search();
+    if (system().searches()) solver_.search();
     if (acts) {
-      joints_are_examined();
-      examine_constraints_anew();
+      solver_.joints_are_examined();
+      solver_.examine_constraints_anew();
     }
     if (acts && gaps_and_rates() != gaps) end_velocities_against_constraints(current().q == positions);
     if (settles && jumps(event_values(), before)) {
@@ -421,17 +423,17 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
       settle_switches();
     }
   }
-  if (changed || step_was_cut()) renew_accelerations();
+  if (changed || step_was_cut()) solver_.renew_accelerations();
   if (repeated >= 0) diagnose_chatter(repeated);
   watch.events_over(event_values());
 }
 
 // Returns false if the solver has to stop.
-bool Solver::let_user_act(int event, int direction) {
+bool EventControl::let_user_act(int event, int direction) {
   const bool of_user = event < static_cast<int>(*watch_->users);
   if (of_user ? !hooks().event_action : !hooks().item_event_action) return true;
   const TimedPart part(timer, timer.python);
-  const Told told(*this);
+  const Solver::ReportedMultipliers reported(solver_);
   bool goes_on = true;
   if (of_user) {
     goes_on = hooks().event_action(current().time, event, direction);
@@ -443,51 +445,51 @@ bool Solver::let_user_act(int event, int direction) {
   return goes_on;
 }
 
-std::vector<double> Solver::gaps_and_rates() {
+std::vector<double> EventControl::gaps_and_rates() {
   const auto n = static_cast<std::size_t>(sizes_.ae);
   std::vector<double> gaps(2 * n);
   if (n == 0) return gaps;
   const State still = without_multipliers(current());
-  for (const bool of_rates : {false, true}) system_->gaps(still, at_level(conditions_, of_rates), std::span(gaps).subspan(of_rates ? n : 0, n));
+  for (const bool of_rates : {false, true}) system().gaps(still, at_level(conditions_, of_rates), std::span(gaps).subspan(of_rates ? n : 0, n));
   return gaps;
 }
 
 // Removes velocities across constraints after an action, like a plastic impact: the change is minimal in the metric of
 // the mass matrix.
-[[gnu::noinline]] void Solver::end_velocities_against_constraints(bool keeps_positions) {
-  if (sizes_.ae == 0 || is_static() || !enforces_constraints()) return;
+[[gnu::noinline]] void EventControl::end_velocities_against_constraints(bool keeps_positions) {
+  if (sizes_.ae == 0 || is_static() || !solver_.enforces_constraints()) return;
   State moved = current();
-  ConstrainedMotion own, *motion = motion_under_constraints();
+  ConstrainedMotion own, *motion = solver_.motion_under_constraints();
   if (motion == nullptr) {
-    prepare(own);
+    solver_.prepare(own);
     motion = &own;
   } else {
     motion->examine_anew();  // actions may have switched constraints
   }
-  const int row = motion->factorize(*system_, moved, conditions_);
-  if (row == LinearSolver::success && motion->project(*system_, moved, conditions_)) {
+  const int row = motion->factorize(system(), moved, conditions_);
+  if (row == LinearSolver::success && motion->project(system(), moved, conditions_)) {
     std::ranges::copy(moved.v, current().v.begin());  // in place: other objects refer to these vectors
     if (!keeps_positions) std::ranges::copy(moved.q, current().q.begin());
   }
   warn_of_actions_against_constraints(row);
 }
 
-std::string Solver::describe_event(int event) const {
+std::string EventControl::describe_event(int event) const {
   const auto users = static_cast<int>(*watch_->users);
   if (event < users) return "event " + std::to_string(event) + " of mbs.EventsUserFunction";
   return describe_switch(switches_[static_cast<std::size_t>(event - users)]);
 }
 
-std::string Solver::describe_switch(const Switch& at) const {
+std::string EventControl::describe_switch(const Switch& at) const {
   if (at.owner != nullptr) return std::string("event '") + at.what + "' of " + at.owner->name_of_part(at.part);
-  const std::string item = environment_->model == nullptr ? "object " + std::to_string(at.item) : environment_->model->describe(ItemKind::object, at.item);
+  const std::string item = model() == nullptr ? "object " + std::to_string(at.item) : model()->describe(ItemKind::object, at.item);
   return std::string("event '") + at.what + "' of " + item;
 }
 
-[[gnu::noinline]] void Solver::diagnose_chatter(int event) {
+[[gnu::noinline]] void EventControl::diagnose_chatter(int event) {
   conv.stepReductionFailed = true;
   const std::string what = describe_event(event) + " has come " + std::to_string(most_in_a_row) + " times, each within " + (event < static_cast<int>(*watch_->users) ? "a step" : "two steps") + " of the one before: ";
-  Diagnosis& d = diagnose(FailureReason::event_chatter);
+  Diagnosis& d = solver_.diagnostics_->diagnose(FailureReason::event_chatter);
   if (event < static_cast<int>(*watch_->users)) {
     d.advice = {what + "let its action end what repeats ever faster, for example bring the body to rest below a small velocity",
                 "check that the action does not leave the value of the event function at zero"};
@@ -495,6 +497,35 @@ std::string Solver::describe_switch(const Switch& at) const {
     d.advice = {what + "give the item damping that ends what repeats, or less stiffness",
                 "use smaller steps (timeIntegration.numberOfSteps), or settle many changes at once, in the step that they lie in (events.ofItems=False)"};
   }
+}
+
+// Called after actions of an event and the projection onto the constraints.
+[[gnu::noinline]] void EventControl::warn_of_actions_against_constraints(int singular_row) {
+  const auto& s = settings().initialConditions;
+  if (!s.checkConstraints || warned_of_actions_) return;
+  const auto open = open_constraints(system(), current(), conditions_, {s.positionTolerance, s.velocityTolerance, true});
+  if (open.empty()) return;
+  warned_of_actions_ = true;
+  std::string text = name() + ": the action of an event contradicts " + listed(open, system()) + "\n  That cannot be mended at once";
+  if (singular_row != LinearSolver::success)
+    text += ", as mass matrix and constraints are singular at unknown " + std::to_string(singular_row) + " (" + system().describe_row(singular_row) + ")";
+  warn(text + ", and leads to large velocities and forces in the next step: let the action leave positions and velocities that fulfil all constraints.");
+}
+
+// ---- restart -----------------------------------------------------------------------------------------------------------
+
+std::vector<double> EventControl::restart_numbers() const {
+  std::vector<double> numbers = watch_ ? watch_->numbers() : std::vector<double>();
+  if (hooks().schedule) std::ranges::copy(hooks().schedule->numbers(), std::back_inserter(numbers));
+  return numbers;
+}
+
+void EventControl::resume(std::span<const double> numbers, const std::string& file) {
+  if (!watch_ && !numbers.empty()) watch_ = std::make_unique<EventWatch>();
+  if (!watch_) return;
+  const std::size_t all = numbers.size(), of_events = hooks().schedule ? std::min(all, EventWatch::numbers_per_function * watch_->count()) : all;
+  watch_->take_numbers(numbers.first(of_events), file);
+  if (hooks().schedule) hooks().schedule->take_numbers(numbers.subspan(of_events));
 }
 
 }  // namespace dalembert

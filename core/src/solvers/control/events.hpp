@@ -1,12 +1,14 @@
-// Event functions: changes of sign within a step.
+// Events: steps that end where a user function changes its sign, where an item switches, or at a scheduled time.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "control/solver_part.hpp"
 #include "dalembert/solvers/hooks.hpp"
 #include "observers/dense_output.hpp"
 
@@ -67,6 +69,51 @@ struct EventLook {
   State end;
   EventWatch seen;  // the watch after the step, if it is accepted
   StepInterpolation between;
+};
+
+class EventControl : public SolverPart {
+ public:
+  explicit EventControl(Solver& solver) : SolverPart(solver) {}
+
+  void begin();  // a solution
+  bool any() const { return watch_ != nullptr; }
+  bool locates_switches() const { return iterates_without_ != System::Updates::all; }
+  // Items whose switches are events are left out of discontinuous iterations.
+  System::Updates iterates_without() const { return iterates_without_; }
+
+  void end_as_scheduled();  // shortens a step to a scheduled time
+  // Locates the first event in a solved step and ends the step on its far side. Returns false if a repeated step fails.
+  bool end_step();
+  void switch_over();  // sets the states of all items at the end of a step
+  bool reached() const;
+  // Calls the user's actions at the end of a written step, and restarts from the resulting state.
+  void act();
+  std::string describe_switch(const Switch& at) const;
+
+  std::vector<double> restart_numbers() const;
+  void resume(std::span<const double> numbers, const std::string& file);
+
+ private:
+  const std::vector<WatchedValue>& event_values() { return event_values(switches_); }
+  const std::vector<WatchedValue>& event_values(std::vector<Switch>& of_items);
+  void warn_of_missing_switches(bool located);
+  void settle_switches();
+  double look_into_step(double& before);
+  bool solve_again(double step_size);
+  void act_as_scheduled();
+  bool step_was_cut() const;  // to a size without information for the next step
+  bool let_user_act(int event, int direction);
+  std::vector<double> gaps_and_rates();
+  void end_velocities_against_constraints(bool keeps_positions);
+  void warn_of_actions_against_constraints(int singular_row);
+  void diagnose_chatter(int event);
+  std::string describe_event(int event) const;
+
+  std::unique_ptr<EventWatch> watch_;  // null without events
+  std::unique_ptr<EventLook> look_;    // null without events
+  std::vector<Switch> switches_;       // switches of items at the last evaluated state
+  System::Updates iterates_without_ = System::Updates::all;
+  bool warned_of_actions_ = false;
 };
 
 }  // namespace dalembert

@@ -67,9 +67,9 @@ bool acts(const Idle& setting, const SimulationSettings& settings) {
 
 bool is_new(const std::string& path) {
   static std::mutex mutex;
-  static std::set<std::string> told;
+  static std::set<std::string> known;
   const std::scoped_lock lock(mutex);
-  return told.insert(path).second;
+  return known.insert(path).second;
 }
 
 }  // namespace

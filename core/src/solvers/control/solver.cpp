@@ -9,11 +9,15 @@
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
-#include "dalembert/output/restart_file.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/system/large_vectors.hpp"
 #include "diagnosis/finite.hpp"
 #include "control/settings_checks.hpp"
+#include "constraints/singular_positions.hpp"
+#include "control/events.hpp"
+#include "control/continuation.hpp"
+#include "observers/output_writer.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -37,6 +41,14 @@ const SolverEnvironment& no_environment() {
   static const SolverEnvironment none;
   return none;
 }
+
+Solver::Solver()
+    : writer_(std::make_unique<OutputWriter>(*this)),
+      continuation_(std::make_unique<Continuation>(*this)),
+      events_(std::make_unique<EventControl>(*this)),
+      diagnostics_(std::make_unique<Diagnostics>(*this)),
+      singular_(std::make_unique<SingularPositions>(*this)) {}
+Solver::~Solver() = default;
 
 void Solver::attach(System& system, const SimulationSettings& settings, const SolverEnvironment& environment) {
   system_ = &system;
@@ -77,10 +89,10 @@ bool Solver::initialize() {
   doubts_.clear();
   rebounds_ = Rebounds();
   stop_ = silent_ = false;
-  unwritten_ = nullptr;
+  writer_->forget_error();
   output.cpuStartTime = output.cpuLastTimePrinted = output.cpuSolverStartTime = SolverTimer::now();
   pre_initialize();
-  read_continuation();
+  continuation_->read();
   initialize_output();
   if (!check_system()) return false;
   system_->reactions_are_unknown();
@@ -88,14 +100,14 @@ bool Solver::initialize() {
   tell_settings_without_effect(*settings_, hooks().warn);
   if (!is_static() && !(settings_->timeIntegration.automaticStepSize && controls_step_size())) warn_of_unused_tolerances(*settings_, hooks().warn);
   initialize_data();
-  if (!starts_finite()) return false;
+  if (!diagnostics_->starts_finite()) return false;
   angles_.begin(*system_, environment_->model, hooks().locking_turns);
   initial_conditions();
   if (!is_static()) current().sign = start_of_step().sign = MultiplierSign::motion;
-  if (!continues()) check_constraints();
+  if (!continues()) diagnostics_->check_constraints();
   post_initialize();
   if (!diagnosis_.failed() && !all_finite(current())) {
-    diagnose_not_finite();
+    diagnostics_->diagnose_not_finite();
     current() = system_->state(ConfigurationType::Initial);
   }
   output.initializationSuccessful = !diagnosis_.failed();
@@ -148,11 +160,9 @@ void Solver::initialize_data() {
   rank_known_ = announced_rank_ = false;
   conv = SolverConvergenceData();
   it = SolverIterationData();
-  singular_position_step_ = aside_step_ = -2;
-  passing_steps_ = 0;
-  warned_minimum_ = warned_of_undecided_start_ = warned_of_actions_ = warned_of_rest_ = false;
-  told_contradiction_.clear();
-  closing_at_start_.clear();
+  singular_->begin();
+  warned_minimum_ = false;
+  diagnostics_->begin();
   largest_misfit_ = 0;
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
@@ -217,11 +227,11 @@ void Solver::initial_conditions() {
   first.y_t.resize(static_cast<std::size_t>(sizes_.ode1));
   current() = first;
   start_of_step() = first;
-  compare_constraints_with(first);
+  singular_->compare_with(first);
   output.lastSolutionWritten = output.lastSensorsWritten = output.lastImageRecorded = it.startTime;
-  last_restart_ = it.startTime;
+  continuation_->begin(it.startTime);
   write_solution_header();
-  if (continues()) take_continuation();
+  if (continues()) continuation_->take();
 }
 
 [[gnu::noinline]] void Solver::start_steps() {
@@ -236,10 +246,10 @@ void Solver::initial_conditions() {
   silent_ = steps_end_silently();
   end_reached_ = false;
   step_completed_ = true;
-  begin_to_watch_events();
-  watches_rebounds_ = !is_static() && !it.automaticStepSize && !locates_switches() && system_->has_switches() && !system_->searches();
+  events_->begin();
+  watches_rebounds_ = !is_static() && !it.automaticStepSize && !events_->locates_switches() && system_->has_switches() && !system_->searches();
   multipliers_may_wait_ = !asks_for_multipliers_in_steps();
-  if (continues()) return continue_steps();
+  if (continues()) return continuation_->resume();
   finish_step(settings_->solutionSettings.writeInitialValues);
   ++it.currentStepIndex;
 }
@@ -255,8 +265,8 @@ void Solver::initial_conditions() {
     start_of_step() = current();
     while (next_step()) {
       // The start of the last step remains visible.
-      start_is_told_ = multipliers_may_wait_ && it.endTime - it.currentTime < 1.5 * it.currentStepSize;
-      if (start_is_told_) told_multipliers();
+      start_has_minimum_norm_ = multipliers_may_wait_ && it.endTime - it.currentTime < 1.5 * it.currentStepSize;
+      if (start_has_minimum_norm_) minimum_norm_multipliers();
       save_start_of_step();
       take_step();
     }
@@ -273,16 +283,16 @@ void Solver::initial_conditions() {
 [[gnu::noinline]] void Solver::return_to_start_of_step() {
   if (!step_completed_) current() = start_of_step();
   try {
-    keep_told_multipliers();
+    keep_minimum_norm_multipliers();
     if (!step_completed_) start_of_step().lambda = current().lambda;
   } catch (...) {  // NOLINT(bugprone-empty-catch)
   }
 }
 
-void Solver::keep_told_multipliers() {
-  const std::vector<double>* told = told_multipliers();
-  if (told != nullptr) std::ranges::copy(*told, current().lambda.begin());
-  const bool start_waits = told != nullptr || (multipliers_may_wait_ && !start_is_told_);
+void Solver::keep_minimum_norm_multipliers() {
+  const std::vector<double>* smallest = minimum_norm_multipliers();
+  if (smallest != nullptr) std::ranges::copy(*smallest, current().lambda.begin());
+  const bool start_waits = smallest != nullptr || (multipliers_may_wait_ && !start_has_minimum_norm_);
   multipliers_may_wait_ = false;
   if (!start_waits || !step_completed_ || it.currentStepIndex < 2 || !constraint_solver().active()) return;
   ConstrainedMotion motion;
@@ -292,7 +302,7 @@ void Solver::keep_told_multipliers() {
 
 void Solver::take_step() {
   while (!conv.stepReductionFailed) {
-    if (try_step() && (!watch_ || end_with_event())) return step_succeeded();
+    if (try_step() && (!events_->any() || events_->end_step())) return step_succeeded();
     step_failed();
   }
 }
@@ -317,7 +327,7 @@ bool Solver::next_step() {
 
 void Solver::end_steps() {
   silent_ = false;
-  keep_told_multipliers();
+  keep_minimum_norm_multipliers();
   output.finishedSuccessfully = !conv.stepReductionFailed && !output.simulationTimeout;
   if (output.finishedSuccessfully) look_back();
 }
@@ -349,11 +359,11 @@ void Solver::begin_step() {
   const bool may_be_reduced = !beyond_repair && (it.adaptiveStep || it.automaticStepSize);
   if (!may_be_reduced || !reduce_step_size()) {
     conv.stepReductionFailed = true;
-    if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});
-    name_singular_position();
-    if (!closing_at_start_.empty()) diagnosis_.advice.insert(diagnosis_.advice.begin(), closing_at_start_);
+    if (!diagnosis_.failed()) diagnostics_->diagnose(FailureReason::discontinuous, {});
+    singular_->name_in_diagnosis();
+    if (!diagnostics_->closing_at_start().empty()) diagnosis_.advice.insert(diagnosis_.advice.begin(), diagnostics_->closing_at_start());
     angles_.advise(*system_, diagnosis_.advice);
-    advise_on_weak_constraints();
+    diagnostics_->advise_on_weak_constraints();
     return;
   }
   steps_.count_rejection();
@@ -366,17 +376,17 @@ void Solver::begin_step() {
 void Solver::step_succeeded() {
   step_completed_ = true;
   if (it.automaticStepSize) [[unlikely]] steps_.count_accepted(conditions_.step_size);
-  if (watch_) [[unlikely]] switch_over();
+  if (events_->any()) [[unlikely]] events_->switch_over();
   if (angles_.any() && !is_static()) angles_.watch(*system_, it);
   if (watches_rebounds_ && (it.discontinuousIteration > 1 || conv.discontinuousIterationError > 0)) [[unlikely]] rebounds_.watch(*system_, conditions_, it);
   if (!silent_) finish_step(true);
-  if (watch_ && event_reached()) [[unlikely]] act_on_events();
+  if (events_->any() && events_->reached()) [[unlikely]] events_->act();
   if (steps_.is_recovered()) {
     const double before = it.currentStepSize;
     increase_step_size();
     if (it.currentStepSize > before && it.currentTime != it.endTime && verbose(1)) announce_increase();
   }
-  if (!silent_ && settings_->solutionSettings.writeRestartFile) write_restart();
+  if (!silent_ && settings_->solutionSettings.writeRestartFile) continuation_->write();
   ++it.currentStepIndex;
   end_reached_ = ends_here();
 }
@@ -406,9 +416,9 @@ void Solver::initialize_step() {
 }
 
 [[gnu::noinline]] void Solver::call_pre_step() {
-  if (hooks().schedule) end_as_scheduled();
+  if (hooks().schedule) events_->end_as_scheduled();
   const TimedPart time(timer, timer.python);
-  const Told told(*this);
+  const ReportedMultipliers reported(*this);
   if (hooks().pre_step(it.currentTime)) return;
   say(1, "PreStepUserFunction returned False: the solver stops after this step\n");
   stop_ = output.simulationStoppedByUserFunction = true;
@@ -436,7 +446,7 @@ StepFactors Solver::step_factors() const {
     warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
          "; the error becomes larger than the tolerances");
     warned_minimum_ = true;
-    if (it.currentStepIndex <= 1) closing_at_start_ = constraints_that_close_at_start();
+    if (it.currentStepIndex <= 1) diagnostics_->look_for_gaps_at_start();
   }
   const bool holds = steps_.hold_above_tolerance();
   if (!holds) diagnose_error_control();
@@ -444,7 +454,7 @@ StepFactors Solver::step_factors() const {
 }
 
 void Solver::diagnose_error_control() {
-  diagnose(FailureReason::error_control).advice = {
+  diagnostics_->diagnose(FailureReason::error_control).advice = {
       "look for what jumps: contact, friction, user functions that are not continuous",
       "allow larger errors (timeIntegration.relativeTolerance, absoluteTolerance), or smaller steps (timeIntegration.minimumStepSize)"};
 }
@@ -484,7 +494,7 @@ void Solver::accept_newton() {
     }
     accept_newton();
     if (!std::isfinite(conv.discontinuousIterationError) || !all_finite(current().data)) [[unlikely]] {
-      diagnose_not_finite();
+      diagnostics_->diagnose_not_finite();
       return false;
     }
     if (conv.discontinuousIterationError <= discontinuous.iterationTolerance) {
@@ -499,7 +509,7 @@ void Solver::accept_newton() {
       conv.discontinuousIterationSuccessful = true;
       ++it.unsettledSteps;
     } else {
-      diagnose(FailureReason::discontinuous, {});
+      diagnostics_->diagnose(FailureReason::discontinuous, {});
       return false;
     }
   }
@@ -528,7 +538,7 @@ double Solver::post_newton() {
   }
   if (system_->has_discontinuities(conditions_)) {
     const TimedPart time(timer, timer.postNewton);
-    const Discontinuity verdict = system_->post_newton(current(), conditions_, iterates_without_);
+    const Discontinuity verdict = system_->post_newton(current(), conditions_, events_->iterates_without());
     error += verdict.error;
     if (verdict.recommended_step_size >= 0 &&
         (it.recommendedStepSize == -1 || verdict.recommended_step_size < it.recommendedStepSize)) {
@@ -551,7 +561,7 @@ bool Solver::time_to_look() { return (steps_taken_++ & look_mask_) == 0; }
 
 void Solver::show(bool record_image) {
   hooks().show(record_image, [this](const std::function<void()>& take) {
-    const Told told(*this);
+    const ReportedMultipliers reported(*this);
     take();
   });
 }
@@ -568,12 +578,12 @@ void Solver::show(bool record_image) {
     show(false);
   }
   if (hooks().timeout >= 0 && now - output.cpuSolverStartTime > hooks().timeout) {
-    time_is_over();
+    diagnostics_->time_is_over();
   }
   const double delay = now - output.cpuSolverStartTime > 3600 ? 30 : 2;
   if (now - output.cpuLastTimePrinted >= delay) {
     output.cpuLastTimePrinted = now;
-    print_progress(output.verboseMode == 1, output.verboseModeFile == 1);
+    writer_->print_progress(output.verboseMode == 1, output.verboseModeFile == 1);
   }
 }
 

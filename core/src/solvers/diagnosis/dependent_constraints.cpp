@@ -4,6 +4,7 @@
 #include "constraints/constraint_states.hpp"
 #include "dalembert/solvers/constraint_solver.hpp"
 #include "dalembert/solvers/solver.hpp"
+#include "constraints/singular_positions.hpp"
 
 namespace dalembert {
 
@@ -25,7 +26,7 @@ constexpr double near_position = 1e-3;  // relative to the size of the model
     bool leaves = rank_.count() == 0;
     // In a singular position, more equations depend on each other than near it.
     if (rank_.count() > 0 && !is_static()) {
-      ConstraintRank near = rank_at(moved_along_velocities(at, near_position));
+      ConstraintRank near = rank_at(singular_->moved_along_velocities(at, near_position));
       if (near.count() < rank_.count()) {
         rank_ = std::move(near);
         // The first step, and a motion from rest, need the regularization.

@@ -16,6 +16,7 @@
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/static.hpp"
 #include "diagnosis/orthogonal_factors.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -183,7 +184,7 @@ void StaticSolver::look_for_instability() {
   std::vector<int> rows;
   for (std::size_t i = 0; i < found.direction.size(); ++i)
     if (std::abs(found.direction[i]) >= large_share * largest) rows.push_back(static_cast<int>(i));
-  warn_of_instability(found.directions, rows);
+  diagnostics_->warn_of_instability(found.directions, rows);
 }
 
 }  // namespace dalembert

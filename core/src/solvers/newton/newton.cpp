@@ -10,6 +10,7 @@
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "diagnosis/finite.hpp"
 #include "diagnosis/matrix_text.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -123,7 +124,7 @@ double NewtonSolver::evaluate_residual() {
 }
 
 void NewtonSolver::solve_as_regular() {
-  if (conv.newtonConverged) told_multipliers();
+  if (conv.newtonConverged) minimum_norm_multipliers();
   constraints_.deactivate();
   misfit_.clear();
   idle_ = Idle::none;
@@ -372,12 +373,12 @@ void NewtonSolver::restart() {
 
 [[gnu::noinline]] void NewtonSolver::report_failure() {
   const bool lost = !all_finite(jacobian_) || loop_.lost;
-  const bool has_left = !lost && !told_contradiction_.empty() && !misfit_.empty() && has_left_constraints(misfit_);
+  const bool has_left = !lost && !diagnostics_->contradiction_text().empty() && !misfit_.empty() && diagnostics_->has_left_constraints(misfit_);
   const bool apart = !lost && !conditions_.rate_level && !misfit_.empty() && constraints_.largest(misfit_) > settings().redundantConstraints.largestMisfit;
-  if (contradiction_ || has_left || apart) return diagnose_contradiction(misfit_);
+  if (contradiction_ || has_left || apart) return diagnostics_->diagnose_contradiction(misfit_);
   if (lost) report_not_finite();
-  else if (conv.linearSolverFailed) diagnose_singular_matrix(*pattern_, jacobian_);
-  else diagnose(FailureReason::newton, unscaled_residual());
+  else if (conv.linearSolverFailed) diagnostics_->diagnose_singular_matrix(*pattern_, jacobian_);
+  else diagnostics_->diagnose(FailureReason::newton, unscaled_residual());
   if (lost || conv.linearSolverFailed) return;
   if ((output.stepInformation & step_information::step_reductions) || verbose(2)) {
     say(1, "  Newton (step " + std::to_string(it.currentStepIndex) + ", t = " + number(it.currentTime) +
@@ -401,7 +402,7 @@ void NewtonSolver::report_not_finite() {
     for_each_entry(*pattern_, [&](int row, int, std::size_t slot) { rows[row] += 0 * jacobian_[slot]; });
     current() = start_of_step();
   }
-  diagnose_not_finite(rows);
+  diagnostics_->diagnose_not_finite(rows);
 }
 
 [[gnu::noinline]] void NewtonSolver::announce_matrices() {

@@ -6,6 +6,7 @@
 
 #include "constraints/constraint_states.hpp"
 #include "dalembert/solvers/newton.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -41,7 +42,7 @@ void NewtonSolver::prepare_constraints(const ConstraintSolver& known) {
 
 void NewtonSolver::examine_constraints_anew() {
   if (!constraints_.is_prepared()) return;
-  told_multipliers();
+  minimum_norm_multipliers();
   constraints_.forget();
   rank_known_ = false;
 }
@@ -99,7 +100,7 @@ double NewtonSolver::residual_without_misfit() {
 
 // Multipliers start at zero in each step, so that the removal of their null-space part does not change the motion. It is
 // done when they are read, with the constraint forces of the current state if those of the factors differ.
-const std::vector<double>* NewtonSolver::told_multipliers() {
+const std::vector<double>* NewtonSolver::minimum_norm_multipliers() {
   const Idle idle = std::exchange(idle_, Idle::none);
   if (idle == Idle::none) return nullptr;
   if (idle == Idle::at_factors) {
@@ -125,7 +126,7 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
     return false;
   }
   contradiction_ = false;
-  if (misfit > silent_misfit && !conditions_.rate_level) warn_of_contradiction(misfit_);
+  if (misfit > silent_misfit && !conditions_.rate_level) diagnostics_->warn_of_contradiction(misfit_);
   largest_misfit_ = std::max(largest_misfit_, misfit);
   // Rows of velocity constraints differ from constraint forces, and static stiffness may be nearly singular: in these cases,
   // the factors cannot compute minimum-norm multipliers.
@@ -134,7 +135,7 @@ const std::vector<double>* NewtonSolver::told_multipliers() {
     find_rank();
     if (!constraints_.active()) return true;
   }
-  if (!multipliers_may_wait() && !conditions_.rate_level) told_multipliers();
+  if (!multipliers_may_wait() && !conditions_.rate_level) minimum_norm_multipliers();
   return true;
 }
 

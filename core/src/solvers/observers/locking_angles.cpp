@@ -16,7 +16,7 @@ constexpr double close_to_lock = 0.2;  // rad, distance of the second angle from
 constexpr double largest_turn = 0.3;   // rad, change of the other angles in a step
 constexpr double no_turn = 1e-6;       // rad: motion about a single axis, or about two axes as in a gimbal
 constexpr double at_lock = 1e-6;       // rad, accuracy of Newton's method at gimbal lock
-constexpr std::size_t most_told = 3;
+constexpr std::size_t most_listed = 3;
 
 // Position of the second angle: the nearest multiple of half a turn, and the distance from it.
 struct Place {
@@ -95,13 +95,13 @@ std::vector<std::string> LockingAngles::doubts_of_equilibrium(System& system) co
 std::vector<std::string> LockingAngles::doubts(bool has_error_control) const {
   std::vector<std::string> doubts;
   const std::string steps = has_error_control ? "smaller tolerances" : "more steps there, error control (exu.DynamicSolverType.DOPRI5)";
-  const std::size_t told = std::min(locks_.size(), most_told), others = locks_.size() - told;
-  for (const Lock& lock : std::span(locks_).first(told)) {
+  const std::size_t listed = std::min(locks_.size(), most_listed), others = locks_.size() - listed;
+  for (const Lock& lock : std::span(locks_).first(listed)) {
     const auto angles = std::ranges::find(angles_, lock.first, &Angles::first);
     if (angles == angles_.end()) continue;  // the solution continues another model
     doubts.push_back(text_of(*angles, lock.second_angle) + " at time " + format_number(lock.time) + "; " + std::to_string(lock.steps) +
                       (lock.steps == 1 ? " step was" : " steps were") + " too large for it: use " + steps + ", or " + remedy_of(angles->node));
-    if (&lock == &locks_[told - 1] && others > 0) doubts.back() += "; the same of " + std::to_string(others) + (others == 1 ? " other" : " others");
+    if (&lock == &locks_[listed - 1] && others > 0) doubts.back() += "; the same of " + std::to_string(others) + (others == 1 ? " other" : " others");
   }
   return doubts;
 }
@@ -111,7 +111,7 @@ void LockingAngles::advise(System& system, std::vector<std::string>& advice) con
   const std::vector<double>& reference = system.state(ConfigurationType::Reference).q;
   const std::size_t others = advice.size();
   for (const Angles& angles : angles_) {
-    if (advice.size() == others + most_told) break;
+    if (advice.size() == others + most_listed) break;
     const double angle = reference[angles.first + 1] + last.q[angles.first + 1];
     const auto known = std::ranges::find(locks_, angles.first, &Lock::first);
     if (known == locks_.end() && !Place(angle).is_close_to_lock()) continue;

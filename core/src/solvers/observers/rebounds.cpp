@@ -66,9 +66,9 @@ bool is_open(const Switch& at) { return at.direction > 0; }
 
 std::vector<std::string> Rebounds::doubts(const std::function<std::string(const Switch&)>& describe) const {
   std::vector<std::string> doubts;
-  std::size_t told = 0;
+  std::size_t listed = 0;
   for (const Rebound& rebound : rebounds_) {
-    if (rebound.largest < std::log(noticeable_gain) || told++ >= most_rebounds) continue;
+    if (rebound.largest < std::log(noticeable_gain) || listed++ >= most_rebounds) continue;
     doubts.push_back(describe(rebound.what) + ": bodies leave contact " + format_number(std::exp(rebound.largest), 3) +
                       " times as fast as they came, at time " + format_number(rebound.time, 4) + " after " + std::to_string(std::max<StepCount>(rebound.steps, 1)) +
                       (rebound.steps > 1 ? " steps" : " step") + " in contact: steps are too large for its stiffness and add energy. Use more than " +

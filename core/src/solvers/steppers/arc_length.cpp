@@ -9,6 +9,7 @@
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/solvers/static.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -177,7 +178,7 @@ bool StaticSolver::discontinuous_iteration() {
   prepare_next_step(crossing, length);
   if (it.currentStepIndex >= static_cast<StepCount>(s.arcLength.maximumSteps)) {
     conv.stepReductionFailed = true;
-    diagnose(FailureReason::path_length).advice = {
+    diagnostics_->diagnose(FailureReason::path_length).advice = {
         "allow more steps (staticSolver.arcLength.maximumSteps), or longer ones (staticSolver.numberOfLoadSteps, arcLength.largestStep)",
         "end the path where the load has fallen (staticSolver.arcLength.lowestLoadFactor)"};
   }

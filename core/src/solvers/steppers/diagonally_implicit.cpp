@@ -9,6 +9,8 @@
 #include "steppers/combination.hpp"
 #include "diagnosis/finite.hpp"
 #include "steppers/rotation_increments.hpp"
+#include "constraints/singular_positions.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -106,7 +108,7 @@ void DiagonallyImplicitSolver::prepare_factors() {
   smallest_ = {};
   factorized_for_ = slowest_ = 0;
   rate_ = 1;
-  untold_ = 0;
+  unassessed_stages_ = 0;
 }
 
 // Discards the factors, which depend on pivots of earlier matrices.
@@ -134,16 +136,16 @@ ConstrainedMotion* DiagonallyImplicitSolver::motion_under_constraints() {
 
 // Stages add increments of minimum-norm multipliers. The component of their sum in the null space rotates with the
 // bodies, and is removed here.
-const std::vector<double>* DiagonallyImplicitSolver::told_multipliers() {
+const std::vector<double>* DiagonallyImplicitSolver::minimum_norm_multipliers() {
   const State& now = current();
   if (!motion_.constraints().active()) return nullptr;
   if (!smallest_.ready) prepare(smallest_.motion);
   if (!std::exchange(smallest_.ready, true) || smallest_.q != now.q || smallest_.lambda != now.lambda) {
     smallest_.q = now.q;
-    smallest_.lambda = smallest_.told = now.lambda;
-    smallest_.motion.make_smallest(motion_.constraints(), system(), now, conditions_, smallest_.told);
+    smallest_.lambda = smallest_.reported = now.lambda;
+    smallest_.motion.make_smallest(motion_.constraints(), system(), now, conditions_, smallest_.reported);
   }
-  return &smallest_.told;
+  return &smallest_.reported;
 }
 
 // Computes accelerations, rates and multipliers of the current state.
@@ -159,7 +161,7 @@ void DiagonallyImplicitSolver::find_accelerations() {
       system().right_hand_sides(at, conditions_, a, y_t);
       masses_.accelerations(system(), at, conditions_, a, lambda);
     };
-    if (it.currentStepIndex <= 1 && !masses_.follow_motion(system(), state, conditions_, state.a, state.lambda, find)) warn_of_undecided_start();
+    if (it.currentStepIndex <= 1 && !masses_.follow_motion(system(), state, conditions_, state.a, state.lambda, find)) singular_->warn_of_undecided_start();
   } else if (!find_accelerations_without_masses() && !std::exchange(warned_of_masses_, true)) {
     warn(name() + ": accelerations at the start are set to zero: mass matrix and constraints are singular at unknown " + std::to_string(row) + " (" +
          system().describe_row(row) + ")");
@@ -378,7 +380,7 @@ bool DiagonallyImplicitSolver::factorize(bool constraints_follow_motion) {
   factorized_for_ = conv.linearSolverFailed ? 0 : g;
   slowest_ = 0;
   rate_ = 1;
-  untold_ = 0;
+  unassessed_stages_ = 0;
   fresh_ = true;
   return !conv.linearSolverFailed;
 }
@@ -387,7 +389,7 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::iterate(int stage, i
   State& now = current();
   const double enough = it.automaticStepSize ? part_of_tolerance : 1;
   double last = 0;
-  const int steps = untold_ / static_cast<int>(stages - 1);
+  const int steps = unassessed_stages_ / static_cast<int>(stages - 1);
   const double known_rate = steps > 0 ? std::pow(std::max(rate_, least_rate), std::pow(forgetting, steps)) : rate_;
   for (int k = 1; k <= most; ++k) {
     evaluate_residual();
@@ -407,11 +409,11 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::iterate(int stage, i
     const double ratio = k > 1 ? size / last : 0;
     if (k > 1) {
       rate_ = std::max(0.3 * rate_, ratio);
-      untold_ = 0;
+      unassessed_stages_ = 0;
       if (size > enough * still_good * still_good) slowest_ = std::max(slowest_, ratio);
     }
     if (size * std::min(1.0, k > 1 ? rate_ : known_rate) <= enough) {
-      untold_ += k == 1;
+      unassessed_stages_ += k == 1;
       return Outcome::solved;
     }
     if (k > 2 && ratio > still_good && at_round_off()) {
@@ -459,16 +461,16 @@ double DiagonallyImplicitSolver::weight(double value, double before) const {
   factorized_for_ = 0;
   if (outcome == Outcome::singular) {
     conv.stopNewton = true;
-    if (all_finite(motion_.matrix())) diagnose_singular_matrix(motion_.pattern(), motion_.matrix());
+    if (all_finite(motion_.matrix())) diagnostics_->diagnose_singular_matrix(motion_.pattern(), motion_.matrix());
     else outcome = Outcome::lost;
   }
   if (outcome == Outcome::lost) {
     conv.linearSolverFailed = false;
-    diagnose_not_finite(x_);
+    diagnostics_->diagnose_not_finite(x_);
   }
   if (outcome == Outcome::slow) {
     system().residual(current(), conditions_, x_);
-    diagnose(FailureReason::newton, x_);
+    diagnostics_->diagnose(FailureReason::newton, x_);
   }
   return false;
 }
@@ -481,14 +483,14 @@ bool DiagonallyImplicitSolver::back_onto_constraints() {
     if (!motion_.project(system(), current(), conditions_)) return leave_open_gaps();
   }
   largest_misfit_ = std::max(largest_misfit_, motion_.largest_misfit());
-  if (told_contradiction_.empty())
-    if (const std::vector<double> misfit = motion_.misfit(system(), current(), conditions_); !misfit.empty()) [[unlikely]] warn_of_contradiction(misfit);
+  if (diagnostics_->contradiction_text().empty())
+    if (const std::vector<double> misfit = motion_.misfit(system(), current(), conditions_); !misfit.empty()) [[unlikely]] diagnostics_->warn_of_contradiction(misfit);
   return true;
 }
 
 // Always returns false. Close to a singular configuration, steps of other sizes may end where gaps can be closed.
 [[gnu::noinline]] bool DiagonallyImplicitSolver::leave_open_gaps() {
-  diagnose_open_gaps();
+  diagnostics_->diagnose_open_gaps();
   const bool may_be_reduced = (it.adaptiveStep || it.automaticStepSize) && !steps_.at_minimum();
   if (may_be_reduced && diagnosis_.reason == FailureReason::singular_position) diagnosis_.reason = FailureReason::open_constraints;
   return false;

@@ -5,6 +5,7 @@
 
 #include "steppers/combination.hpp"
 #include "dalembert/solvers/diagonally_implicit.hpp"
+#include "constraints/singular_positions.hpp"
 
 namespace dalembert {
 
@@ -85,13 +86,13 @@ bool DiagonallyImplicitSolver::control_step_size() {
   const auto& s = settings().timeIntegration;
   const double error = it.automaticStepSizeError;
   const double wanted = s.stepSizeSafety * std::pow(1 / std::max(error, 1e-12), 1 / order_of_error);
-  const bool passes = !(error <= 1) && passes_singular_position(error);
-  if (passes && stays_in_singular_position()) return false;
+  const bool passes = !(error <= 1) && singular_->passes(error);
+  if (passes && singular_->stays()) return false;
   if (!(error <= 1) && !passes) {
     if (steps_.at_minimum()) {
       if (!hold_at_minimum()) return false;
     } else {
-      const double smaller = sizes_.ae > 0 && !(wanted > StepController::aside) && steps_aside() ? StepController::aside : wanted;
+      const double smaller = sizes_.ae > 0 && !(wanted > StepController::aside) && singular_->steps_aside() ? StepController::aside : wanted;
       steps_.reject_by_error(smaller);
       return false;
     }
@@ -108,12 +109,12 @@ bool DiagonallyImplicitSolver::reduce_step_size() {
   if (steps_.take_rejection_by_error()) return true;
   const bool may_be_singular = sizes_.ae > 0 && (diagnosis_.reason == FailureReason::newton || diagnosis_.reason == FailureReason::open_constraints);
   if (steps_.at_minimum()) {
-    if (may_be_singular && near_singular_position()) diagnose_singular_position();
+    if (may_be_singular && singular_->is_near()) singular_->report();
     return false;
   }
-  const bool beside = may_be_singular && steps_aside();
+  const bool beside = may_be_singular && singular_->steps_aside();
   // Small steps may lead to another branch.
-  if (may_be_singular && !beside && near_singular_position()) ++it.stepsAboveTolerance;
+  if (may_be_singular && !beside && singular_->is_near()) ++it.stepsAboveTolerance;
   steps_.reject(it.currentStepSize, beside ? StepController::aside : steps_.decrease());
   return true;
 }

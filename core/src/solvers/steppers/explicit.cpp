@@ -70,7 +70,7 @@ void ExplicitSolver::pre_initialize() {
   result_ = that_count(method_.b);
   second_ = that_count(method_.b_error);
   third_ = that_count(method_.b_third);
-  end_known_ = first_stage_known_ = searching_ = told_stiff_ = false;
+  end_known_ = first_stage_known_ = searching_ = warned_of_stiffness_ = false;
   stiff_signs_ = calm_signs_ = 0;
   conditions_ = {.rate_level = false, .inertia = true};
 }
@@ -125,7 +125,7 @@ void ExplicitSolver::post_initialize() {
     growth_limit_ = continued_number(0);
     stiff_signs_ = static_cast<int>(continued_number(1));
     calm_signs_ = static_cast<int>(continued_number(2));
-    told_stiff_ = continued_number(3) != 0;
+    warned_of_stiffness_ = continued_number(3) != 0;
   }
   start_of_step() = now;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "dalembert/solvers/explicit.hpp"
+#include "constraints/singular_positions.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -27,7 +29,7 @@ bool ExplicitSolver::constrained_accelerations(Vector& a, std::span<double> y_t)
       system().right_hand_sides(at, conditions_, of_a, y_rates);
       motion_.accelerations(system(), at, conditions_, of_a, of_lambda);
     };
-    if (!motion_.follow_motion(system(), now, conditions_, a, now.lambda, find)) warn_of_undecided_start();
+    if (!motion_.follow_motion(system(), now, conditions_, a, now.lambda, find)) singular_->warn_of_undecided_start();
   }
   return !searching_ || is_good(a, y_t);
 }
@@ -38,8 +40,8 @@ bool ExplicitSolver::back_onto_constraints() {
   off_constraints_ = !motion_.project(system(), now, conditions_);
   if (off_constraints_) return false;
   largest_misfit_ = std::max(largest_misfit_, motion_.largest_misfit());
-  if (told_contradiction_.empty())
-    if (const std::vector<double> misfit = motion_.misfit(system(), now, conditions_); !misfit.empty()) [[unlikely]] warn_of_contradiction(misfit);
+  if (diagnostics_->contradiction_text().empty())
+    if (const std::vector<double> misfit = motion_.misfit(system(), now, conditions_); !misfit.empty()) [[unlikely]] diagnostics_->warn_of_contradiction(misfit);
   return true;
 }
 
@@ -48,11 +50,11 @@ bool ExplicitSolver::back_onto_constraints() {
   constexpr double much_smaller = 0.25;
   conv.newtonConverged = false;
   if (it.automaticStepSize && !steps_.at_minimum()) {
-    steps_.shrink_by_error(steps_aside() ? StepController::aside : much_smaller);
+    steps_.shrink_by_error(singular_->steps_aside() ? StepController::aside : much_smaller);
     return false;
   }
   conv.stopNewton = true;
-  diagnose_open_gaps();
+  diagnostics_->diagnose_open_gaps();
   return false;
 }
 

@@ -6,6 +6,9 @@
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/explicit.hpp"
 #include "dalembert/system/switches.hpp"
+#include "constraints/singular_positions.hpp"
+#include "control/events.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -59,7 +62,7 @@ bool ExplicitSolver::control_step_size() {
   const double error = it.automaticStepSizeError == 0 ? 1e-12 : it.automaticStepSizeError;
   const double h = it.currentStepSize;
   const double optimal = h * std::pow(1 / error, 1.0 / method_.order);
-  if (optimal < h && passes_singular_position(error)) return !(conv.stopNewton = stays_in_singular_position());
+  if (optimal < h && singular_->passes(error)) return !(conv.stopNewton = singular_->stays());
   if (optimal < h && h <= it.minStepSize) {
     const bool grows = (steps_.above_tolerance() + 1) % few_steps == 0 && at_stability_limit(h);
     if (grows) diagnose_error_control();
@@ -77,7 +80,7 @@ bool ExplicitSolver::control_step_size() {
     look_for_stiffness(h);
     return true;
   }
-  if (sizes_.ae > 0 && it.currentStepSize < StepController::aside * h && steps_aside()) steps_.use(StepController::aside * h);
+  if (sizes_.ae > 0 && it.currentStepSize < StepController::aside * h && singular_->steps_aside()) steps_.use(StepController::aside * h);
   steps_.repeat_by_error();
   return false;
 }
@@ -98,7 +101,7 @@ bool ExplicitSolver::discontinuous_iteration() {
   const auto over = std::ranges::find_if(switches, [](const Switch& at) { return at.owner == nullptr && !at.kink && at.value < -at.noise; });
   if (over == switches.end()) return;
   watches_switches_ = false;
-  warn(name() + ": " + describe_switch(*over) + " lies within the step of " + format_number(conditions_.step_size, 3) + " s that ends at time " +
+  warn(name() + ": " + events_->describe_switch(*over) + " lies within the step of " + format_number(conditions_.step_size, 3) + " s that ends at time " +
        format_number(it.currentTime) + ". Items switch at the ends of steps, which estimated errors do not see: results may be off by more than the tolerances. "
        "simulationSettings.events.ofItems=True lets steps end where items switch");
 }
@@ -114,11 +117,11 @@ void ExplicitSolver::diagnose_error_control() {
   }
   const bool below_round_off = noise > 0.1;
   const bool stiff = !below_round_off && at_stability_limit(it.currentStepSize);
-  Diagnosis& d = diagnose(below_round_off ? FailureReason::round_off : stiff ? FailureReason::stiff : FailureReason::error_control);
+  Diagnosis& d = diagnostics_->diagnose(below_round_off ? FailureReason::round_off : stiff ? FailureReason::stiff : FailureReason::error_control);
   const State &now = current(), &start = start_of_step();
   const auto add_errors = [&](Vector second, const Vector& first, const Vector& old, const char* vector, int first_row) {
     for (std::size_t i = 0; i < second.size(); ++i) second[i] = std::abs(scaled_error(second[i], first[i], old[i]));
-    add_largest(d.values, second, vector, first_row);
+    diagnostics_->add_largest(d.values, second, vector, first_row);
   };
   add_errors(second_q_, now.q, start.q, "ODE2", 0);
   add_errors(second_v_, now.v, start.v, "ODE2_t", 0);

@@ -8,6 +8,7 @@
 #include "dalembert/system/large_vectors.hpp"
 #include "diagnosis/finite.hpp"
 #include "diagnosis/stability.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -97,11 +98,11 @@ Vibration ExplicitSolver::fastest_with_constraints(const State& still) {
 }
 
 void ExplicitSolver::diagnose_growth() {
-  if (find_bad_evaluation() || !all_finite(current())) return diagnose_not_finite();
-  Diagnosis& d = diagnose(FailureReason::unbounded);
-  add_largest(d.values, current().q, "ODE2", 0);
-  add_largest(d.values, current().v, "ODE2_t", 0);
-  add_largest(d.values, current().y, "ODE1", sizes_.ode2);
+  if (find_bad_evaluation() || !all_finite(current())) return diagnostics_->diagnose_not_finite();
+  Diagnosis& d = diagnostics_->diagnose(FailureReason::unbounded);
+  diagnostics_->add_largest(d.values, current().q, "ODE2", 0);
+  diagnostics_->add_largest(d.values, current().v, "ODE2_t", 0);
+  diagnostics_->add_largest(d.values, current().y, "ODE1", sizes_.ode2);
   advise_on_growth();
   d.advice.push_back("check parameters and loads of the items named above for wrong units and signs");
   d.advice.push_back("if numbers of this size are meant, raise timeIntegration.newton.maximumSolutionNorm, with which the squared norms of "
@@ -152,7 +153,7 @@ void ExplicitSolver::advise_on_growth() {
 [[gnu::noinline]] void ExplicitSolver::mass_failed(int row) {
   conv.linearSolverFailed = conv.massMatrixNotInvertible = true;
   conv.linearSolverCausingRow = row;
-  diagnose(FailureReason::mass_matrix).advice = {
+  diagnostics_->diagnose(FailureReason::mass_matrix).advice = {
       "give every coordinate of these items mass or inertia: explicit solvers divide by it",
       "use an implicit solver (exu.DynamicSolverType.GeneralizedAlpha), which needs no mass"};
 }

@@ -63,7 +63,7 @@ bool ExplicitSolver::at_stability_limit(double step_size) { return step_size * e
 
 // Called after an accepted step.
 void ExplicitSolver::look_for_stiffness(double step_size) {
-  if (told_stiff_ || (it.currentStepIndex % look_every != 0 && stiff_signs_ == 0)) return;
+  if (warned_of_stiffness_ || (it.currentStepIndex % look_every != 0 && stiff_signs_ == 0)) return;
   if (at_stability_limit(step_size)) {
     calm_signs_ = 0;
     ++stiff_signs_;
@@ -71,7 +71,7 @@ void ExplicitSolver::look_for_stiffness(double step_size) {
     stiff_signs_ = calm_signs_ = 0;
   }
   if (stiff_signs_ < sure) return;
-  told_stiff_ = true;
+  warned_of_stiffness_ = true;
   warn(name() + ": the system is stiff for this method: at time " + format_number(it.currentTime) + ", steps of " + format_number(step_size, 3) +
        " s are as large as stability allows, not accuracy. Implicit methods take larger ones: exu.DynamicSolverType.ESDIRK43, or GeneralizedAlpha "
        "with stepSizeControl.implicitSolvers=True");

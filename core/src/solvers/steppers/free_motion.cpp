@@ -9,6 +9,7 @@
 #include "dalembert/solvers/static.hpp"
 #include "constraints/dependent_equations.hpp"
 #include "steppers/nearest_modes.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -72,7 +73,7 @@ void StaticSolver::look_back() {
       if (total <= always_counted) return !linear_ || negative_eigenvalues(*linear_, pattern(), jacobian_) != active_equations(sizes_, pattern(), jacobian_);
       return factorized_ && stiffness_along(softest_direction(ode2, total, [this](std::span<double> x) { linear_->solve(x); }), pattern(), jacobian_).sum < 0;
     };
-    if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) warn_of_free_motion(rows);
+    if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) diagnostics_->warn_of_free_motion(rows);
     // Arc-length continuation passes unstable equilibria, and lists where they begin.
     else if (!path_ && may_be_unstable()) look_for_instability();
     jacobian_ = last;

@@ -10,13 +10,16 @@
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/second_order.hpp"
+#include "constraints/singular_positions.hpp"
+#include "diagnosis/diagnostics.hpp"
+#include "steppers/velocity_lead.hpp"
 
 namespace dalembert {
 
 bool SecondOrderSolver::discontinuous_iteration() {
   if (!Solver::discontinuous_iteration()) return false;
   if (it.automaticStepSize) return control_step_size();
-  if (watches_velocities()) watch_velocities();
+  if (lead_->watches()) lead_->watch();
   return true;
 }
 
@@ -61,12 +64,12 @@ double SecondOrderSolver::noise_of_estimates() {
 
 // Always returns false.
 [[gnu::noinline]] bool SecondOrderSolver::give_up_at_round_off() {
-  Diagnosis& d = diagnose(FailureReason::round_off);
+  Diagnosis& d = diagnostics_->diagnose(FailureReason::round_off);
   const auto& s = settings().timeIntegration;
   d.advice = {"ask for larger errors: with the steps that timeIntegration.absoluteTolerance=" + format_number(s.absoluteTolerance) + " and relativeTolerance=" +
                   format_number(s.relativeTolerance) + " take, round-off of positions alone is more",
               "use a method of higher order, whose steps are larger (exu.DynamicSolverType.DOP853)"};
-  if (has_weak_constraints()) {
+  if (singular_->has_weak_constraints()) {
     d.advice.insert(d.advice.begin(),
                     "use a method that constrains accelerations (exu.DynamicSolverType.ESDIRK43 or DOPRI5): this is beside a singular position, where gaps of "
                     "round-off leave much more of it in positions, and in estimates of errors");
@@ -80,11 +83,11 @@ bool SecondOrderSolver::control_step_size() {
   const auto& s = settings().timeIntegration;
   const double h = it.currentStepSize, error = it.automaticStepSizeError = estimated_error();
   const double wanted = s.stepSizeSafety * std::cbrt(1 / std::max(error, 1e-12));
-  const bool passes = !(error <= 1) && passes_singular_position(error);
-  if (passes && stays_in_singular_position()) return false;
+  const bool passes = !(error <= 1) && singular_->passes(error);
+  if (passes && singular_->stays()) return false;
   if (!(error <= 1) && !passes) {
     if (noise_of_estimates() > 1) return give_up_at_round_off();
-    if (singular_position_step_ > renewed_after_) {  // noise of accelerations persists without numerical damping
+    if (singular_->last_step() > renewed_after_) {  // noise of accelerations persists without numerical damping
       renewed_after_ = it.currentStepIndex;
       steps_.repeat_by_error();
       return !(renews_ = true);
@@ -101,7 +104,7 @@ bool SecondOrderSolver::control_step_size() {
   steps_.accept(passes ? 1 : wanted);
   if (sizes_.ae == 0) return true;
   if (conditions_.rate_level) end_swings();
-  else lead_velocities(h, it.currentStepSize, error <= 1);
+  else lead_->apply(h, it.currentStepSize, error <= 1);
   return true;
 }
 
@@ -110,10 +113,10 @@ bool SecondOrderSolver::control_step_size() {
 void SecondOrderSolver::end_swings() {
   State& now = current();
   std::vector<double> accelerations = ConstrainedMotion::gap_accelerations_without_driving(system(), now, conditions_);
-  const std::vector<char>& driven = row_kinds().driven;
+  const std::vector<char>& driven = lead_->row_kinds().driven;
   for (std::size_t k = 0; k < accelerations.size(); ++k)
     if (driven[k]) accelerations[k] = 0;
-  const std::span<const double> across = move_across(accelerations);
+  const std::span<const double> across = lead_->move_across(accelerations);
   for (std::size_t i = 0; i < now.a.size(); ++i) now.a[i] -= across[i];
 }
 

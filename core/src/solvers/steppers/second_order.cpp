@@ -1,7 +1,9 @@
 #include "dalembert/solvers/second_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "dalembert/model/errors.hpp"
@@ -11,10 +13,14 @@
 #include "dalembert/system/traced_equations.hpp"
 #include "steppers/combination.hpp"
 #include "steppers/rotation_increments.hpp"
+#include "steppers/velocity_lead.hpp"
+#include "constraints/singular_positions.hpp"
 
 namespace dalembert {
 
 namespace {
+
+constexpr std::size_t own_restart_numbers = 4;
 
 // Updates q, v and a in one loop, because most systems are small.
 void subtract_motion(const System& system, std::size_t n, const double* __restrict x, double rate, double acceleration, double* __restrict q,
@@ -61,6 +67,9 @@ void predict_motion(const System& system, std::size_t n, const Prediction& schem
 
 }  // namespace
 
+SecondOrderSolver::SecondOrderSolver() = default;
+SecondOrderSolver::~SecondOrderSolver() = default;
+
 bool SecondOrderSolver::newmark() const { return settings().timeIntegration.generalizedAlpha.useNewmark; }
 
 double SecondOrderSolver::row_scale() const { return newmark_beta * it.currentStepSize * it.currentStepSize; }
@@ -100,9 +109,7 @@ void SecondOrderSolver::initialize_data() {
   previous_q_.assign(lie_ ? n : 0, 0.0);
   belong_to_ = belong_to_at_start_ = {};
   off_constraints_known_ = -1;
-  row_kinds_ = {};
-  lead_ = {};
-  lead_.constraints_renewed = system().renewed_constraints();
+  lead_ = std::make_unique<VelocityLead>(*this);
   renews_ = false;
   renewed_after_ = -2;
 }
@@ -115,7 +122,9 @@ void SecondOrderSolver::initial_conditions() {
     algorithmic_ = continued_values();
     belong_to_ = {continued_number(0), continued_number(1), continued_number(2) != 0};
     renewed_after_ = static_cast<StepCount>(continued_number(3));
-    continue_lead();
+    std::array<double, VelocityLead::restart_size> numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = continued_number(own_restart_numbers + i);
+    lead_->resume(numbers);
     return;
   }
   std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
@@ -153,7 +162,7 @@ bool SecondOrderSolver::find_accelerations(ConstrainedMotion& motion, int singul
   prepare_constraints(motion.constraints());
   State& now = current();
   InitialAccelerations found = initial_accelerations(motion, system(), now, conditions_);
-  if (!found.decided) warn_of_undecided_start();
+  if (!found.decided) singular_->warn_of_undecided_start();
   now.a = found.a;  // in place: other objects refer to the vector
   now.lambda = found.lambda;
   multipliers_renewed();
@@ -280,11 +289,20 @@ void SecondOrderSolver::increase_step_size() {
   belong_to_ = {};
 }
 
+std::vector<double> SecondOrderSolver::restart_numbers() const {
+  std::vector<double> numbers{belong_to_.accelerations, belong_to_.velocities, static_cast<double>(belong_to_.begins), static_cast<double>(renewed_after_)};
+  std::ranges::copy(lead_->restart_numbers(), std::back_inserter(numbers));
+  return numbers;
+}
+
+void SecondOrderSolver::look_back() {
+  std::ranges::copy(lead_->doubts(), std::back_inserter(doubts_));
+  NewtonSolver::look_back();
+}
+
 void SecondOrderSolver::forget() {
   NewtonSolver::forget();
-  row_kinds_ = {};
-  lead_.equal_steps = lead_.steps_to_wait = 0;
-  lead_.across.clear();
+  lead_->forget();
 }
 
 void SecondOrderSolver::save_start_of_step() {
@@ -367,7 +385,7 @@ void SecondOrderSolver::find_velocities_off_constraints() {
   still.time = it.currentTime - it.currentStepSize;
   off_constraints_.assign(still.v.size(), 0.0);
   if (it.automaticStepSize && factorized_) {
-    std::ranges::copy(move_across(rates_at(still)), off_constraints_.begin());
+    std::ranges::copy(lead_->move_across(lead_->rates_at(still)), off_constraints_.begin());
     return;
   }
   ConstrainedMotion motion;
@@ -523,7 +541,7 @@ std::string_view SecondOrderSolver::lockstep_obstacle() const {
   const auto& s = settings();
   if (it.automaticStepSize) return "steps whose size is chosen by their error";
   if (hooks().take_part_in_steps()) return "functions of the system that are called at each step";
-  if (lead_.active) return "velocities across constraints that oscillate";
+  if (lead_->active()) return "velocities across constraints that oscillate";
   if (hooks().timeout >= 0) return "a limit of the time that solvers may take";
   if (verbose(1) || s.displayComputationTime) return "messages of the solver";
   if (has_replaced_parts() || !newton_settings.useNewtonSolver) return "parts of the solver that are replaced or left out";

@@ -7,6 +7,7 @@
 #include "steppers/arc_length.hpp"
 #include "constraints/constraint_states.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
+#include "diagnosis/diagnostics.hpp"
 
 namespace dalembert {
 
@@ -104,7 +105,7 @@ void StaticSolver::look_for_motion() {
   std::vector<int> rows;
   for (int i = 0; i < sizes_.first_ae(); ++i)
     if (std::abs(forces[static_cast<std::size_t>(i)]) > negligible_share * largest) rows.push_back(i);
-  warn_of_velocities(rows, largest);
+  diagnostics_->warn_of_velocities(rows, largest);
 }
 
 // Static multipliers have the opposite sign: applied forces + G^T lambda = 0.
