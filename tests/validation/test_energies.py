@@ -152,3 +152,35 @@ def test_the_report_shows_the_drift_of_energy() -> None:
     lost = 9 * (np.exp(-0.5) - 1)
     assert float(drift) == pytest.approx(lost, rel=2e-3)  # three digits
     assert float(share.split()[0]) == pytest.approx(-lost / 9, rel=2e-2)  # two digits
+
+
+def test_contacts_that_were_open_at_the_reference() -> None:
+    """A ball in the groove of a ring, without friction: the energy of the contact is that of its penetration, k d^2 / 2."""
+    stiffness, gap = 1e4, 0.2
+    mbs = new_system()
+    ball = mbs.CreateRigidBody(
+        inertia=InertiaCuboid(1000, [0.1] * 3), referencePosition=[1, 0, 0], initialVelocity=[2, 0.5, 1]
+    )
+    markers = [mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=body)) for body in (ball, mbs.CreateGround())]
+    data = mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=4, initialCoordinates=[gap, 0, 0, 0]))
+    contact = mbs.AddObject(
+        exu.ObjectContactSphereTorus(
+            markerNumbers=markers,
+            nodeNumber=data,
+            radiusSphere=0.1,
+            torusMajorRadius=1,
+            torusMinorRadius=0.1 + gap,
+            torusAxis=[0, 0, 1],
+            contactStiffness=stiffness,
+        )
+    )
+    mbs.Assemble()
+    start = mbs.ComputeEnergies()
+    s = settings(0.1, 1000)
+    mbs.SolveDynamic(s)
+    depth = -float(mbs.GetObjectOutput(contact, Variable.DisplacementLocal))
+    assert depth > 0.005
+    end = mbs.ComputeEnergies()
+    # The force has a kink where contact begins: errors of the quadrature, 2e-5 of the energy.
+    assert end.potential == pytest.approx(stiffness * depth**2 / 2, rel=1e-4)
+    assert end.total == pytest.approx(start.total, rel=1e-4)

@@ -122,13 +122,16 @@ class MovingSystem:
     def work(self, path: _Path) -> tuple[float, float]:
         """Return the work of forces along the path and its error."""
         points, weights = np.polynomial.legendre.leggauss(_POINTS)
-        at_rest, parts, before = np.zeros(len(path.q)), 2, np.nan
+        parts, before = 2, np.nan
         while True:
             work = size = 0.0
+            state = self.state.copy()
+            state.v = np.zeros_like(state.v)
             for part in range(parts):
                 for point, weight in zip(points, weights, strict=True):
-                    q, rate = path.at((part + (point + 1) / 2) / parts)
-                    power = self.forces(q, at_rest) * rate * weight / (2 * parts)
+                    state.q, rate = path.at((part + (point + 1) / 2) / parts)
+                    testing.switch_over(self.mbs, state)  # contacts that are open on this part of the path
+                    power = np.asarray(testing.forces(self.mbs, state)) * rate * weight / (2 * parts)
                     work += float(power.sum())
                     size += float(np.abs(power).sum())
             error = abs(work - before)
