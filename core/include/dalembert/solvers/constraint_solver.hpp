@@ -68,6 +68,10 @@ class ConstraintSolver {
   double largest_gap() const { return largest_gap_; }
   // Selects eps for an iterate with this gap.
   void choose(double gap, bool of_rates = false);
+  // Static iterates violate constraints by more than a motion does. Where joints fit at the start, dependent equations are left
+  // free instead of eps for all; they hold again at the equilibrium. If they do not, eps is used from then on.
+  bool frees_dependent() const { return frees_; }
+  void hold_dependent() { frees_ = false; }
   // False: misfits have to be subtracted.
   bool joints_fit() const { return fit_; }
 
@@ -93,7 +97,7 @@ class ConstraintSolver {
   // Solves for right-hand sides of constraints. Returns all unknowns.
   std::span<double> solve_for(LinearSolver& factors, std::span<const double> gaps);
 
-  bool prepared_ = false, active_ = false, fit_ = true;
+  bool prepared_ = false, active_ = false, fit_ = true, frees_ = false;
   Matrix kind_ = Matrix::motion;
   double eps_ = 0, regular_eps_ = 0, largest_gap_ = 0;
   int first_ae_ = 0;

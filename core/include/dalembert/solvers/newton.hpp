@@ -70,6 +70,7 @@ class NewtonSolver : public Solver {
     double best_residual = 0;
     int idle = 0;
     int iterations_to_close = 0;  // constraints, after the tolerances are met
+    double gap = 0;               // of constraints in the last static iterate
     bool restarted = false;      // modified Newton has been started again from the beginning of the step
     bool lost = false;           // the residual is not finite, or beyond all bounds
     bool one_more_step = false;  // after a restart, convergence counts only if confirmed by another iteration

@@ -310,6 +310,7 @@ void ConstrainedMotion::make_smallest(const ConstraintSolver& metric, System& sy
   replace_gradients_by_forces(system.sizes(), *pattern_, matrix_);
   if (!constraints_.is_prepared()) factors_ = make_linear_solver(*pattern_, type_, metric.options(options_));
   constraints_ = metric;
+  constraints_.hold_dependent();
   constraints_.pattern_revised();
   constraints_.choose(0);
   constraints_.regularize(*pattern_, matrix_, 1, 1, false);

@@ -23,6 +23,7 @@ constexpr double largest_eps = 1e-6, largest_eps_of_rates = 1e-3, largest_static
 constexpr double misfit_factors[] = {0, 6, -8, 3};
 // Newton's method leaves gaps up to this size in joints that fit.
 constexpr double fitting_gap = 1e-11;
+constexpr double eps_of_free = 1e3;  // of equations that are left free
 constexpr int most_refinements = 12;  // joints that fit need 2 to 4
 constexpr double refined = 1e-12;
 // If the removed null-space part is larger than this, relative to the rest, its round-off requires another pass.
@@ -43,6 +44,8 @@ void ConstraintSolver::prepare(System& system, const State& state, const Conditi
   const ConstraintRank rank(system, state, conditions, metric);
   active_ = rank.count() > 0 || !rank.certain();
   dependent_ = rank.dependent();
+  frees_ = kind == Matrix::statics && !dependent_.empty() && rank.certain() &&
+           metric.largest(gaps_of_positions(system, state, conditions)) <= fitting_gap;
   metric_ = metric.weights;
   units_ = metric.units;
   for (std::size_t k = 0; k < metric_.size(); ++k)
@@ -78,6 +81,10 @@ double ConstraintSolver::largest_of_all(std::span<const double> gaps) const {
 }
 
 void ConstraintSolver::choose(double gap, bool of_rates) {
+  if (frees_) {
+    fit_ = true;
+    return;
+  }
   const bool moves = kind_ != Matrix::statics;
   const double most = moves ? std::max(largest_gap_, gap) : gap;
   fit_ = !((kind_ == Matrix::motion ? largest_gap_ : most) > fitting_gap);
@@ -94,12 +101,16 @@ LinearSolverOptions ConstraintSolver::options(LinearSolverOptions options) const
 void ConstraintSolver::regularize(const Pattern& pattern, std::span<double> values, double scale, double rate, bool all_rates) {
   if (slots_.empty())
     for (const int k : rows_) slots_.push_back(pattern.slot(first_ae_ + k, first_ae_ + k));
+  std::vector<char> is_free(metric_.size(), 0);
+  if (frees_)
+    for (const int k : dependent_) is_free[static_cast<std::size_t>(k)] = 1;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto k = static_cast<std::size_t>(rows_[i]);
     double& value = values[static_cast<std::size_t>(slots_[i])];
     entries_[k] = 0;
     if (value != 0) continue;  // an inactive equation defines its multiplier
-    value = entries_[k] = -eps_ * scale * metric_[k] * (all_rates || of_velocities_[k] ? rate : 1);
+    const double eps = !frees_ ? eps_ : is_free[k] ? eps_of_free : 0;
+    value = entries_[k] = -eps * scale * metric_[k] * (all_rates || of_velocities_[k] ? rate : 1);
   }
 }
 

@@ -49,13 +49,19 @@ void NewtonSolver::examine_constraints_anew() {
 
 double NewtonSolver::gap_of_positions() { return constraints_.largest(gaps_of_positions(system(), current(), conditions_)); }
 
-// If static iterates violate constraints, eps is large, and a correction closes only a part of the gaps.
+// If static iterates violate constraints, eps is large, and a correction closes only a part of the gaps. Dependent equations
+// that were left free, and whose gaps do not close together with the others, are held from then on.
 bool NewtonSolver::leaves_constraints_open() {
   constexpr double closed = 1e-10, nearly_closed = 1e-8;  // relative to the size of the mechanism
   constexpr int most_iterations = 3;
   if (!is_static()) return false;
   const auto gaps = std::span<const double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
-  if (!(constraints_.largest(gaps) > (loop_.iterations_to_close < most_iterations ? closed : nearly_closed))) return false;
+  const double gap = constraints_.largest(gaps), before = std::exchange(loop_.gap, gap);
+  if (!(gap > (loop_.iterations_to_close < most_iterations ? closed : nearly_closed))) return false;
+  if (constraints_.frees_dependent() && it.newtonSteps > most_iterations && gap > 0.5 * before) {
+    constraints_.hold_dependent();
+    conv.jacobianUpdateRequested = true;
+  }
   loop_.iterations_to_close += conv.residual <= newton_settings.relativeTolerance * loop_.initial_residual;
   return true;
 }
