@@ -13,6 +13,7 @@ import numpy as np
 
 from dalembert._checks import check_integer, shape_error
 from dalembert._io.output_paths import CreateDirectoryForFile, OutputFilePath
+from dalembert._tools.user_interface import UIWindowSuppressed
 
 __all__ = [
     "ClearWorkspace",
@@ -26,6 +27,7 @@ __all__ = [
     "ScalarMult",
     "SmartRound2String",
     "Tilde2Vec",
+    "UIWindowSuppressed",
     "VAdd",
     "VMult",
     "VSub",
