@@ -106,3 +106,13 @@ def test_simulations_are_stopped_and_views_restored() -> None:
         assert container.renderer.GetState()["zoom"] == 3.0
     finally:
         del exu.sys["renderState"]
+
+
+@pytest.mark.parametrize("module", ["basicUtilities", "advancedUtilities"])
+def test_names_that_release_1_13_has_moved(module: str) -> None:
+    """They are in these modules there, and in utilities before."""
+    package = getattr(exu, module)
+    for name in package._IN_UTILITIES:
+        assert getattr(package, name) is getattr(exu.utilities, name)
+    with pytest.raises(AttributeError, match="has no attribute 'LoadSolution'"):
+        package.LoadSolution  # noqa: B018
