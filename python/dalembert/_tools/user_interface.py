@@ -16,6 +16,10 @@ class UserInterface:
     """Switches of windows; True: functions that would open one continue without it."""
 
     __slots__ = ("suppressDialogs", "suppressPlots", "suppressRenderer", "suppressSolutionViewer")
+    suppressDialogs: bool
+    suppressPlots: bool
+    suppressRenderer: bool
+    suppressSolutionViewer: bool
 
     def __init__(self) -> None:
         self.SuppressAll(False)
