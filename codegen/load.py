@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
+from codegen.load_left_out import load_left_out
 from codegen.load_planned import load_planned
 from codegen.load_scene import read_scene
 from codegen.load_settings import load_enum, load_settings
@@ -54,8 +55,9 @@ def load(root: Path) -> Specs:
     items = with_examples(items, {path.stem: path.read_text("utf-8") for path in sorted(root.glob("examples/*.py"))})
     settings = _each(root, ["settings"], lambda path, content: load_settings(path, content, enums))
     planned = [one for file in _each(root, ["interface"], load_planned) for one in file]
+    left_out = [one for file in _each(root, ["left_out"], load_left_out) for one in file]
     check_references(items, (), enums, root, {})
-    return Specs(tuple(items), tuple(enums.values()), tuple(settings), tuple(planned))
+    return Specs(tuple(items), tuple(enums.values()), tuple(settings), tuple(planned), tuple(left_out))
 
 
 def known_specs(root: Path) -> tuple[list[Item], Groups, dict[str, Enum]]:
@@ -136,7 +138,7 @@ def _words(raw: Mapping[str, Any], key: str) -> Any:
 
 
 def _check_folders(specs: Path) -> None:
-    known = (*FOLDERS, "groups", "enums", "settings", "interface")
+    known = (*FOLDERS, "groups", "enums", "settings", "interface", "left_out")
     for entry in sorted(specs.iterdir()):
         if entry.name not in known and not entry.name.startswith("."):
             raise SpecError(f"specs/{entry.name}: not a folder of specs; {nearest(entry.name, known)}")

@@ -158,6 +158,18 @@ class Planned:
 
 
 @dataclass(frozen=True)
+class LeftOut:
+    """Names of the interface that are left out, what they are for, and what there is instead."""
+
+    purpose: str
+    instead: str
+    names: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        check_documented(self.instead, "instead")
+
+
+@dataclass(frozen=True)
 class Specs:
     """Everything under specs/."""
 
@@ -165,6 +177,7 @@ class Specs:
     enums: tuple[Enum, ...]
     settings: tuple[Settings, ...]
     planned: tuple[Planned, ...] = ()
+    left_out: tuple[LeftOut, ...] = ()
 
 
 def parameter_type(name: str, enums: Mapping[str, Enum]) -> ParameterType:

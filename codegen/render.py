@@ -111,7 +111,10 @@ def _python_files(specs: Specs) -> dict[str, str]:
         ),
         "python/dalembert/model.schema.json": fill("model_schema.json.j2", specs=specs),
         "python/dalembert/_planned_table.py": fill(
-            "planned_table.py.j2", items=[item for item in specs.items if not item.ready], planned=specs.planned
+            "planned_table.py.j2",
+            items=[item for item in specs.items if not item.ready],
+            planned=specs.planned,
+            left_out=specs.left_out,
         ),
     }
 
@@ -120,7 +123,7 @@ def _docs_files(specs: Specs) -> dict[str, str]:
     files = {"docs/enums.rst": fill("enums.rst.j2", enums=specs.enums)}
     folders: Mapping[str, list[Item]] = {folder: [i for i in specs.items if i.folder == folder] for folder in FOLDERS}
     files["docs/items/index.rst"] = fill("items_index.rst.j2", folders=folders)
-    files["docs/planned.rst"] = fill("planned.rst.j2", folders=folders, planned=specs.planned)
+    files["docs/planned.rst"] = fill("planned.rst.j2", folders=folders, planned=specs.planned, left_out=specs.left_out)
     for folder, items in folders.items():
         files[f"docs/items/{folder}/index.rst"] = fill("folder_index.rst.j2", folder=folder, items=items)
     for item in specs.items:

@@ -7,7 +7,7 @@ from textwrap import indent
 from typing import Any
 
 from codegen.model import BODY_FOLDERS, Argument, Item, Parameter, Transformation, UserFunction
-from codegen.model_settings import Enum, Planned
+from codegen.model_settings import Enum, LeftOut, Planned
 from codegen.views.cpp import one_line
 
 # Types of attributes, by storage, if narrower than those of assignments.
@@ -140,6 +140,10 @@ def aliases(item: Item) -> list[tuple[str, str]]:
     """Short names, and short names of the visualization class, with the classes that they stand for."""
     pairs = [(short, item.name) for short in item.short_names if short != item.name]
     return pairs + [(f"V{short}", f"V{target}") for short, target in pairs]
+
+
+def left_out_entry(name: str, row: LeftOut) -> str:
+    return f"{name!r}: {row.instead!r}"
 
 
 def planned_entry(planned: Planned) -> str:

@@ -21,6 +21,7 @@ except ImportError as _error:
     ) from _error
 from dalembert import _planned
 from dalembert._tools import completion as _completion, missing_names as _missing_names
+from dalembert._tools import user_interface as _user_interface  # noqa: F401  importing it reads the environment
 from dalembert._core import *
 from dalembert._planned import (
     SolverFileData as SolverFileData,

@@ -19,6 +19,7 @@ from dalembert._core_solvers import *
 from dalembert._core_system_data import *
 from dalembert._pictures import renderer as renderer
 from dalembert._pictures import shortcuts as shortcuts
+from dalembert._tools.user_interface import UserInterface
 
 symbolic = _core_symbolic
 testing = _core_testing
@@ -80,6 +81,8 @@ class Renderer(_NotMade):
     RedrawAndGetImage = renderer.RedrawAndGetImage
     GetState = renderer.GetState
     SetState = renderer.SetState
+    RestoreSavedState = renderer.RestoreSavedState
+    StopSimulation = renderer.StopSimulation
     GetMouseCoordinates = renderer.GetMouseCoordinates
     GetItemSelection = renderer.GetItemSelection
     ResetState = renderer.ResetState
@@ -290,6 +293,8 @@ class Special(_NotMade):
     def solver(self) -> SpecialSolver: ...
     @property
     def exceptions(self) -> SpecialExceptions: ...
+    @property
+    def userInterface(self) -> UserInterface: ...
     def InfoStat(self, writeOutput: bool = True) -> list[int]: ...
 
 class Experimental(_NotMade):

@@ -1,5 +1,11 @@
 """Energies, type checks of arguments, sweeps and steps for excitation, sparse matrices and HDF5 storage."""
 
+from __future__ import annotations
+
+import sys
+from importlib import import_module
+from typing import Any
+
 from dalembert._io.hdf5 import ConvertDictToScipySparse, ConvertScipySparseToDict, LoadDictFromHDF5, SaveDictToHDF5
 from dalembert._solving.item_derivatives import ItemODE2Coordinates, NumericalJacobian
 from dalembert._solving.item_energies import CreateLoadEnergySensor, LoadPotentialEnergy, SystemEnergy
@@ -26,6 +32,7 @@ from dalembert._tools.argument_types import (
 )
 from dalembert._tools.excitation import FrequencySweep, SmoothStep, SmoothStepDerivative, SweepCos, SweepSin
 from dalembert._tools.matrices import FillInSubMatrix, IndexFromValue, RoundMatrix
+from dalembert._tools.missing_names import missing_in
 from dalembert._tools.symbolic_functions import ConvertFunctionToSymbolic, CreateSymbolicUserFunction
 from dalembert._tools.variables import FindNodeIndex, FindObjectIndex, PlotLineCode
 
@@ -72,3 +79,13 @@ __all__ = [
     "SweepSin",
     "SystemEnergy",
 ]
+
+
+# Names that are here in release 1.13, and in utilities before.
+_IN_UTILITIES = ("CloseTCPIPconnection", "CreateTCPIPconnection", "TCPIPdata", "TCPIPsendReceive")
+
+
+def __getattr__(name: str) -> Any:
+    if name in _IN_UTILITIES:
+        return getattr(import_module("dalembert.utilities"), name)
+    raise missing_in(sys.modules[__name__], name)

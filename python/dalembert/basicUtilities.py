@@ -7,12 +7,15 @@ import math
 import sys
 import warnings
 from collections.abc import Callable, Sequence
+from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from dalembert._checks import check_integer, shape_error
 from dalembert._io.output_paths import CreateDirectoryForFile, OutputFilePath
+from dalembert._tools.missing_names import missing_in
+from dalembert._tools.user_interface import UIWindowSuppressed
 
 __all__ = [
     "ClearWorkspace",
@@ -26,6 +29,7 @@ __all__ = [
     "ScalarMult",
     "SmartRound2String",
     "Tilde2Vec",
+    "UIWindowSuppressed",
     "VAdd",
     "VMult",
     "VSub",
@@ -214,3 +218,31 @@ def LobattoIntegrate(functionOfX: Callable[[float], Any], integrationOrder: int,
     """
     rule = (lobattoIntegrationPoints, lobattoIntegrationWeights)
     return _integrate("LobattoIntegrate", functionOfX, integrationOrder, (a, b), rule)
+
+
+# Names that are here in release 1.13, and in utilities before.
+_IN_UTILITIES = (
+    "AddSensorRecorder",
+    "AnimateSolution",
+    "BinaryReadArrayIndex",
+    "BinaryReadIndex",
+    "BinaryReadReal",
+    "BinaryReadRealVector",
+    "BinaryReadString",
+    "GetJointArgs",
+    "GetOtherMarker",
+    "HighlightItem",
+    "LoadBinarySolutionFile",
+    "LoadSolutionFile",
+    "NumpyInt8ArrayToString",
+    "RecoverSolutionFile",
+    "SetSolutionState",
+    "ShowOnlyObjects",
+    "UFsensorRecord",
+)
+
+
+def __getattr__(name: str) -> Any:
+    if name in _IN_UTILITIES:
+        return getattr(import_module("dalembert.utilities"), name)
+    raise missing_in(sys.modules[__name__], name)

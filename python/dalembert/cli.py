@@ -412,6 +412,42 @@ def _slider_crank(endTime: float) -> tuple[Any, list[Any], Any]:
         return SC, sensors, LoadSolutionFile(f"{folder}/solution.txt", verbose=False)
 
 
+def _plot(arguments: argparse.Namespace) -> int:
+    """Plot columns of files over time."""
+    import matplotlib.pyplot as plt
+
+    from dalembert._plots.sensor_curves import columns_of_file
+    from dalembert.plot import PlotSensor
+
+    try:
+        chosen = None if arguments.columns is None else [int(number) for number in arguments.columns.split(",")]
+    except ValueError:
+        print(f"dalembert plot: --columns: expected numbers as 0,1; received {arguments.columns}", file=sys.stderr)
+        return 2
+    try:
+        pairs = []
+        for name in arguments.file:
+            pairs += [(name, column) for column in (chosen or range(columns_of_file("dalembert plot", name)))]
+        files, columns = zip(*pairs, strict=True)
+        labels = [f"{name}, {column}" for name, column in pairs]
+        scale = {"logScaleY": True} if arguments.log_y else {}
+        named = {"title": arguments.title, "fileName": arguments.save, "labels": labels, **scale}
+        PlotSensor(None, list(files), list(columns), **named)
+    except (OSError, ValueError) as error:
+        print(f"dalembert plot: {error}", file=sys.stderr)
+        return 1
+    if not arguments.save:
+        plt.show()
+    return 0
+
+
+def _dialogs(arguments: argparse.Namespace) -> int:
+    """Say what there is instead of dialogs."""
+    text = "there are no dialogs; the page of a model has its settings (SC.renderer.Start()), and so has help(settings)"
+    print(f"dalembert dialogs: {text}", file=sys.stderr)
+    return 2
+
+
 def _demo(arguments: argparse.Namespace) -> int:
     """Simulate a slider-crank; write a picture of it with plots of its motion, and show the motion in the browser."""
     import webbrowser
@@ -492,6 +528,18 @@ def _parser() -> argparse.ArgumentParser:
     demo.set_defaults(function=_demo)
 
     from dalembert import resultsMonitor
+
+    plot = commands.add_parser("plot", help="plot files of sensors or solutions")
+    plot.add_argument("file", nargs="+", help="a file of a sensor or a solution")
+    plot.add_argument("-c", "--columns", help="columns as I,J; 0 is the first one after time (default: all)")
+    plot.add_argument("--log-y", action="store_true", help="logarithmic y-axis")
+    plot.add_argument("--title", default="", help="title of the plot")
+    plot.add_argument("--save", default="", help="file for the plot, such as plot.png or plot.pdf")
+    plot.set_defaults(function=_plot)
+
+    dialogs = commands.add_parser("dialogs", help="left out: there are no dialogs; says where settings are found")
+    dialogs.add_argument("what", nargs="?", help="ignored")
+    dialogs.set_defaults(function=_dialogs)
 
     monitor = commands.add_parser("monitor", help="show a file of a sensor, a solution or a study while it is written")
     resultsMonitor.add_arguments(monitor)

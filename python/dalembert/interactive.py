@@ -14,6 +14,7 @@ from dalembert._core import ConfigurationType, OutputVariableType, Print
 from dalembert._io.output_paths import OutputFilePath
 from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution, check_solution_of
 from dalembert._tools import dialog_items
+from dalembert._tools.user_interface import UIWindowSuppressed
 
 _noticed: set[str] = set()
 
@@ -76,8 +77,12 @@ class InteractiveDialog:
         checkRenderEngineStopFlag: bool = True,
         userOnChange: Callable[[Any, Any], Any] | None = None,
         useSysVariables: bool = False,
+        windowSize: Any = None,
     ) -> None:
-        """Store the arguments, initialize the solver and, if runOnStart is set, run; period in s."""
+        """Store the arguments, initialize the solver and, if runOnStart is set, run; period in s.
+
+        fontSize and windowSize have no effect: the browser sets them.
+        """
         check_given(InteractiveDialog.__init__, locals().items())
         here = "InteractiveDialog:"
         check_type(f"{here} mbs", mbs, _core.MainSystem)
@@ -123,7 +128,7 @@ class InteractiveDialog:
 
     def _has_readers(self) -> bool:
         """Return whether a viewer is open and its messages are received."""
-        if not self.SC.renderer.IsActive():
+        if not self.SC.renderer.IsActive() or UIWindowSuppressed("Dialogs", "InteractiveDialog"):
             return False
         from dalembert._live import viewer
 
@@ -294,13 +299,14 @@ def SolutionViewer(
     fontSize: int = 12,
     title: str = "",
     checkRenderEngineStopFlag: bool = True,
+    windowSize: Any = None,
 ) -> None:
     """Browse a solution (from LoadSolutionFile), or that of the last simulation if solution is None.
 
     Notebooks play it in the cell; on a display, the browser plays it, otherwise the open live viewer. If there is
     no viewer, the first row becomes the visualization state. `rowIncrement` skips rows,
     `timeout` is the time (s) between shown rows, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2
-    again and again. ValueError if there is no solution.
+    again and again. fontSize and windowSize have no effect. ValueError if there is no solution.
     """
     check_given(SolutionViewer, locals().items())
     check_type("SolutionViewer: mainSystem", mainSystem, _core.MainSystem)
@@ -314,7 +320,8 @@ def SolutionViewer(
     from dalembert._pictures.showing import show_solution
 
     rows = {**data, "data": np.asarray(data["data"], float)[::rowIncrement]}
-    if not show_solution(mainSystem, rows, timeout, title, runOnStart, runMode):
+    suppressed = UIWindowSuppressed("SolutionViewer")
+    if suppressed or not show_solution(mainSystem, rows, timeout, title, runOnStart, runMode):
         SetSolutionState(mainSystem, data, 0, ConfigurationType.Visualization)
         _notice_once(title or "SolutionViewer")
 

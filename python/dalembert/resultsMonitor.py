@@ -249,18 +249,41 @@ def _range(text: str) -> tuple[int, int]:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the monitor to a parser."""
     parser.add_argument("file", help="of a sensor, a solution, or a study")
-    parser.add_argument("-xcols", type=_columns, default=[0], help="columns on the x-axes: 0,1")
-    parser.add_argument("-ycols", type=_columns, default=[1], help="columns on the y-axes: 2,3")
-    parser.add_argument("-logx", action="store_true", help="logarithmic x-axes")
-    parser.add_argument("-logy", action="store_true", help="logarithmic y-axes")
-    parser.add_argument("-colorVariations", action="store_true", help="a curve for each variation of other parameters")
-    parser.add_argument("-variations", type=_range, default=None, help="first one and the one after the last: 0,2")
-    parser.add_argument("-addMarker", action="store_true", help="mark the last point")
-    parser.add_argument("-sizex", type=float, default=5, help="width of a plot in inches")
-    parser.add_argument("-sizey", type=float, default=5, help="height in inches")
-    parser.add_argument("-update", type=float, default=1, help="seconds between two looks at the file")
-    parser.add_argument("-color", default="b", help="of the line in a window, as matplotlib names it")
-    parser.add_argument("-style", default="-", help="of the line in a window, as matplotlib names it")
+    parser.add_argument(
+        "-xcols", "-x", "--x-cols", dest="xcols", type=_columns, default=[0], help="columns on the x-axes: 0,1"
+    )
+    parser.add_argument(
+        "-ycols", "-y", "--y-cols", dest="ycols", type=_columns, default=[1], help="columns on the y-axes: 2,3"
+    )
+    parser.add_argument("-logx", "--log-x", dest="logx", action="store_true", help="logarithmic x-axes")
+    parser.add_argument("-logy", "--log-y", dest="logy", action="store_true", help="logarithmic y-axes")
+    parser.add_argument(
+        "-colorVariations",
+        "--color-variations",
+        dest="colorVariations",
+        action="store_true",
+        help="a curve for each variation of other parameters",
+    )
+    parser.add_argument(
+        "-variations",
+        "--variations",
+        dest="variations",
+        type=_range,
+        default=None,
+        help="first one and the one after the last: 0,2",
+    )
+    parser.add_argument("-addMarker", "--marker", dest="addMarker", action="store_true", help="mark the last point")
+    parser.add_argument("-sizex", "--size-x", dest="sizex", type=float, default=5, help="width of a plot in inches")
+    parser.add_argument("-sizey", "--size-y", dest="sizey", type=float, default=5, help="height in inches")
+    parser.add_argument(
+        "-update", "-u", "--update", dest="update", type=float, default=1, help="seconds between two looks at the file"
+    )
+    parser.add_argument(
+        "-color", "--color", dest="color", default="b", help="of the line in a window, as matplotlib names it"
+    )
+    parser.add_argument(
+        "-style", "--style", dest="style", default="-", help="of the line in a window, as matplotlib names it"
+    )
     parser.add_argument(
         "-browser", action="store_true", help="show it in the browser, although a window could be opened"
     )

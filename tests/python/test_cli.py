@@ -4,6 +4,7 @@ import multiprocessing
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 from dalembert import cli
@@ -321,3 +322,20 @@ def test_suspicious_models_are_reported(tmp_path):
     for text in ("contradict a constraint", "5 of", "redundant", "radius of gyration", "gravity in mm/s^2", "'forgotten'",
                  "'lost'", "'deaf'", "'loop' (ConnectorSpringDamper) joins a place with itself"):  # fmt: skip
         assert text in checked.stdout, checked.stdout + checked.stderr
+
+
+def test_plots_of_files(tmp_path):
+    time = np.linspace(0, 1, 11)
+    np.savetxt(tmp_path / "a.txt", np.column_stack([time, time**2, -time]), delimiter=",")
+    result = run("plot", "a.txt", "a.txt", "--columns", "1", "--save", "plots/a.png", "--title", "fall", cwd=tmp_path)
+    assert result.returncode == 0, result.stderr
+    assert (tmp_path / "plots/a.png").read_bytes()[1:4] == b"PNG"
+    result = run("plot", "b.txt", cwd=tmp_path)
+    assert result.returncode == 1 and "b.txt" in result.stderr
+    result = run("plot", "a.txt", "-c", "x", cwd=tmp_path)
+    assert (result.returncode, result.stderr) == (2, "dalembert plot: --columns: expected numbers as 0,1; received x\n")
+
+
+def test_dialogs_are_refused():
+    result = run("dialogs", "sim")
+    assert result.returncode == 2 and "there are no dialogs; the page of a model has its settings" in result.stderr

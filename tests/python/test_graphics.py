@@ -169,6 +169,47 @@ def test_elements():
     np.testing.assert_allclose(gr.BoundingBox(frame)[1], 2, atol=0.05)
 
 
+def test_curved_lines():
+    """Parabolas pass through their three points, and have the length of y = x^2."""
+    line = gr.Lines([[0, 0, 0], [0.5, 0.25, 0], [1, 1, 0], [2, 1, 0], [3, 1, 0]], shape="quadratic")
+    points = line["data"].reshape(-1, 3)
+    assert line["type"] == "Line" and len(points) == 33
+    np.testing.assert_allclose(points[[0, 8, 16, 24, 32], :2], [[0, 0], [0.5, 0.25], [1, 1], [2, 1], [3, 1]])
+    length = np.linalg.norm(np.diff(points[:17], axis=0), axis=1).sum()
+    assert length == pytest.approx(np.sqrt(5) / 2 + np.arcsinh(2) / 4, rel=1e-3)  # 16 chords
+
+
+def test_many_spheres():
+    centers = np.array([[0.0, 0, 0], [5, 0, 0], [0, 7, 0]])
+    g = gr.Spheres(centers, [1, 2, 0.5], [RED, [0, 1, 0, 1], RED], nTiles=32)
+    volumes, at = [], np.reshape(g["points"], (-1, 3))
+    for each in np.split(np.reshape(g["triangles"], (-1, 3)), 3):
+        volumes.append(np.linalg.det(at[each] - at[each[0, 0]]).sum() / 6)
+    np.testing.assert_allclose(volumes, 4 / 3 * np.pi * np.array([1, 8, 0.125]), rtol=0.01)  # chords of 64 tiles
+    assert gr.InconsistentTriangles(g) == 0
+    assert np.reshape(g["colors"], (-1, 4))[len(at) // 3].tolist() == [0, 1, 0, 1]
+    same = {"type": "Spheres", "points": centers.ravel(), "radii": [1, 2, 0.5], "colors": RED, "resolution": 32}
+    np.testing.assert_array_equal(gr.SpheresToTriangleList(same)["points"], g["points"])
+    assert gr.SpheresToTriangleList(g) is g
+
+
+def test_curved_triangles_become_flat_ones():
+    corners = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    g = {
+        "type": "TriangleList",
+        "points": np.ravel(corners),
+        "colors": np.tile(RED, 6),
+        "triangles": [],
+        "triangles6": [0, 1, 2, 3, 4, 5],
+        "edges3": [0, 1, 3],
+    }
+    flat = gr.Triangles6ToTriangles(g)
+    each = np.array(corners, float)[np.reshape(flat["triangles"], (-1, 3))]
+    np.testing.assert_allclose(np.cross(each[:, 1] - each[:, 0], each[:, 2] - each[:, 0]), np.tile([0, 0, 1.0], (4, 1)))
+    assert flat["edges"].tolist() == [0, 3, 3, 1]
+    assert "triangles6" not in flat and gr.Triangles6ToTriangles(flat) is flat
+
+
 @pytest.mark.parametrize("g", [gr.Sphere(P), gr.Lines([P, AXIS]), gr.Text(P), gr.Circle(P)])
 def test_transform_moves_points(g):
     key = {"TriangleList": "points", "Line": "data"}.get(g["type"], "position")
@@ -458,6 +499,10 @@ def test_bearing_rings_are_closed_and_leave_room_for_the_balls():
         (lambda: gr.ToothedRack(0.1, 0, 0.1, 0.2, 0.1), "ToothedRack: nTeeth: expected an integer, 1 or more"),
         (lambda: gr.ToothedRack(-0.1, 3, 0.1, 0.2, 0.1), "ToothedRack: module: expected a positive number"),
         (lambda: gr.Lines([[0, 0]]), "pList: expected a list of points with 3 coordinates each"),
+        (lambda: gr.Lines([P, P], shape="quadratic"), "pList: expected an odd number of points, 3 or more"),
+        (lambda: gr.Lines([P, P], shape="round"), "shape: expected 'linear' or 'quadratic', received 'round'"),
+        (lambda: gr.Spheres([P, P], [1, 2, 3]), "radii: expected one radius, or 2, that are not negative"),
+        (lambda: gr.Spheres([P], 1, [1, 0, 0]), "colors: expected 4 RGBA values, or those of 1 points"),
         (lambda: gr.ToPointsAndTrigs(gr.Text()), "expected 'TriangleList', received 'Text'"),
         (lambda: gr.FromPointsAndTrigs(np.eye(3), [[0, 1, 2]], [1, 2]), "color: expected 4 RGBA values"),
         (

@@ -85,6 +85,14 @@ def test_velocities_and_accelerations_are_the_derivatives():
     assert np.abs(np.diff(s, axis=0)).max() < 5 * step  # no jumps
 
 
+def test_accelerations_that_jump():
+    """1 m/s^2 for 1 s and -1 m/s^2 for 1 s: 1 m, and no velocity at the end."""
+    profile = BasicProfileLinearAcceleration([0], 0.0, [(0, [1]), (1, [1]), (1, [-1]), (2, [-1])])
+    np.testing.assert_allclose(np.ravel(profile.Evaluate(2.0))[:2], [1, 0], atol=1e-14)
+    np.testing.assert_allclose(np.ravel(profile.Evaluate(0.999))[2], 1)
+    np.testing.assert_allclose(np.ravel(profile.Evaluate(1.001))[2], -1)
+
+
 def test_linear_accelerations():
     """Against the integral of the piecewise polynomial."""
     times, accelerations = np.array([0, 0.4, 1.0]), np.array([[0.0, 1.0], [3, -2], [-1, 0]])
@@ -131,7 +139,7 @@ def test_invalid_trajectories_are_rejected():
         ValueError, match="ProfileConstantAcceleration: coordinates: expected a vector with 3 components"
     ):
         trajectory.Add(ProfileConstantAcceleration([1, 2, 3], 1))
-    with pytest.raises(ValueError, match="expected times that start with zero and grow, received"):
-        ProfileLinearAccelerationsList([(0, [1]), (0, [2])])
+    with pytest.raises(ValueError, match="expected times that start with zero and do not decrease, received"):
+        ProfileLinearAccelerationsList([(0, [1]), (-1, [2])])
     with pytest.raises(ValueError, match="expected at least two pairs of time and accelerations"):
         ProfileLinearAccelerationsList([(0, [1])])

@@ -102,6 +102,15 @@ def test_processes_give_the_same(tmp_path: Path) -> None:
     np.testing.assert_array_equal(table[:, 0], range(6))
 
 
+def test_hosts_of_dispy_are_replaced_by_processes() -> None:
+    """Examples for dispy name a host without a port, and go on without a cluster in Exudyn 1.11."""
+    from dalembert._studies.execution import _has_cluster
+
+    with pytest.warns(UserWarning, match="expected the address of a Dask scheduler, such as 'vm:8786', received 'vm'"):
+        assert not _has_cluster(["vm"])
+    assert _has_cluster(["tcp://vm:8786"]) and _has_cluster(["one", "two"]) and not _has_cluster([])
+
+
 def test_cluster() -> None:
     sets = [{"a": 1, "b": 2}, {"a": 0.5, "b": 1}]
     with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster, Client(cluster) as client:

@@ -305,3 +305,19 @@ def test_the_command_opens_a_browser_and_ends_with_its_page(monkeypatch: pytest.
     assert [message["state"] for message in got] == ["1 rows", "2 rows"]
     (plot,) = got[1]["plots"]
     assert plot["curves"] == [{"name": "", "x": [0, 1], "y": [1, None]}] and plot["logy"] and not plot["logx"]
+
+
+def test_options_by_the_names_of_1_13() -> None:
+    """Both releases' names of an option mean the same."""
+    import argparse
+
+    from dalembert import resultsMonitor
+
+    parser = argparse.ArgumentParser()
+    resultsMonitor.add_arguments(parser)
+    old = (
+        "a.txt -xcols 1 -ycols 2,3 -logx -logy -colorVariations -variations 0,2 -addMarker -sizex 3 -sizey 4 -update 2"
+    )
+    new = "a.txt -x 1 --y-cols 2,3 --log-x --log-y --color-variations --variations 0,2 --marker --size-x 3 --size-y 4 -u 2"
+    assert vars(parser.parse_args(old.split())) == vars(parser.parse_args(new.split()))
+    assert parser.parse_args(["a.txt", "--color", "r"]).color == "r"

@@ -363,3 +363,14 @@ def test_drawn_links():
     base.AddLink(RobotLink(1, [0, 0, 0], np.eye(3)))
     ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
     assert int(base.CreateRedundantCoordinateMBS(mbs, ground)["baseObject"]) == 1
+
+
+def test_transformations_of_parts():
+    """Parts take exu.HT, a matrix, or None for the unit matrix."""
+    HT = exu.HT(translation=[1, 2, 3])
+    for make in (robotics.RobotTool, robotics.RobotBase):
+        np.testing.assert_array_equal(make(HT=HT).HT, np.array(HT))
+        np.testing.assert_array_equal(make().HT, np.eye(4))
+        np.testing.assert_array_equal(make(HT=None).HT, np.eye(4))
+    link = RobotLink(1, [0, 0, 0], np.eye(3), localHT=None, preHT=HT)
+    np.testing.assert_array_equal([link.localHT, link.preHT], [np.eye(4), np.array(HT)])

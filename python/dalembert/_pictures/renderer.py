@@ -76,10 +76,31 @@ def Start(self: Any, verbose: int = 0) -> bool:
 
 
 def Stop(self: Any) -> None:
-    """Close all pages."""
+    """Close all pages; exu.sys['renderState'] gets the state of the main view, see RestoreSavedState."""
     viewer = _viewer(self)
     if viewer is not None:
+        _core.sys["renderState"] = GetState(self)
         viewer.stop()
+
+
+def RestoreSavedState(self: Any, viewID: int = 0) -> bool:
+    """Set the view to that of exu.sys['renderState'], from the Stop of a viewer before; return whether there is one."""
+    _view_number("RestoreSavedState", viewID)
+    saved = _core.sys.get("renderState")
+    if saved is None:
+        return False
+    SetState(self, saved, viewID=viewID)
+    return True
+
+
+def StopSimulation(self: Any, forceQuit: bool = True) -> None:
+    """Let running solvers of all systems end soon, as closing the viewer does.
+
+    forceQuit has no effect: solvers that start later run.
+    """
+    container = self._container
+    for i in range(0 if container is None else container.NumberOfSystems()):
+        container.GetSystem(i).SetRenderEngineStopFlag(True)
 
 
 def IsActive(self: Any) -> bool:
@@ -292,6 +313,8 @@ METHODS: tuple[Callable[..., Any], ...] = (
     RedrawAndGetImage,
     GetState,
     SetState,
+    RestoreSavedState,
+    StopSimulation,
     GetMouseCoordinates,
     GetItemSelection,
     ResetState,

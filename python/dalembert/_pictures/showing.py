@@ -10,6 +10,8 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from dalembert._tools.user_interface import UIWindowSuppressed, user_interface
+
 
 def show_solution(
     mbs: Any,
@@ -60,6 +62,8 @@ def in_notebook() -> bool:
 
 def where_pages_open() -> str:
     """Return "browser", "notebook", "address" (it is printed, and somebody else opens it) or "nowhere"."""
+    if UIWindowSuppressed("Renderer"):
+        return "nowhere"
     if os.environ.get("DALEMBERT_VIEWER") == "on":
         return "address"
     if in_notebook() and os.environ.get("DALEMBERT_VIEWER") != "off":
@@ -73,7 +77,7 @@ def where_pages_open() -> str:
 def _silent() -> bool:
     """Return whether opening windows is disabled: in tests, if CI is set, or by the user."""
     environment = os.environ
-    off = environment.get("DALEMBERT_VIEWER") == "off"
+    off = environment.get("DALEMBERT_VIEWER") == "off" or user_interface.suppressRenderer
     return off or bool(environment.get("CI")) or "PYTEST_CURRENT_TEST" in environment
 
 

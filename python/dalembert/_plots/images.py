@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_array, shape_error
 from dalembert._io.files import file_to_read, file_to_write, numbers_of, refuse_line, replacing
+from dalembert._tools.user_interface import UIWindowSuppressed
 
 Image = dict[str, list[Any]]
 
@@ -101,6 +102,8 @@ def _plot_spatial(
 
 def show_figure(plt: Any, figure: Any) -> None:
     """Show a figure where there are windows; do nothing where figures are just saved."""
+    if UIWindowSuppressed("Plots"):
+        return
     if plt.get_backend().lower() not in ("agg", "cairo", "pdf", "pgf", "ps", "svg", "template"):
         figure.show()
 

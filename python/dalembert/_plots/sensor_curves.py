@@ -135,6 +135,11 @@ def _file_information(where: str, fileName: str, comments: str, delimiter: str) 
     return name, variable, _file_data(fileName, header, comments, delimiter)
 
 
+def columns_of_file(where: str, fileName: str) -> int:
+    """Return the number of columns of a sensor or solution file, without that of time."""
+    return int(_file_information(where, fileName, "#", ",")[-1].shape[1]) - 1
+
+
 def _file_data(fileName: str, header: Mapping[str, Any], comments: str, delimiter: str) -> FloatArray:
     """Return the rows of a file; files of solvers must be complete and agree with the header."""
     known = header.get("type") in ("sensor", "solution")

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray, shape_error
+from dalembert._checks import FloatArray, as_vector, shape_error
 from dalembert._core import (
     LoadIndex,
     MarkerIndex,
@@ -19,6 +19,7 @@ from dalembert._core import (
     ObjectType,
     OutputVariableType,
     SensorIndex,
+    testing,
 )
 
 _ENERGIES = ("KineticEnergy", "PotentialEnergy")
@@ -224,13 +225,44 @@ def _mass_matrix(mbs: Any, coordinates: list[int], energy: Callable[[], float]) 
     return M
 
 
+def _current_state(mbs: Any) -> Any:
+    data, state = mbs.systemData, testing.State(mbs)
+    state.q, state.v, state.a = (
+        data.GetODE2Coordinates(),
+        data.GetODE2Coordinates_t(),
+        data.GetODE2Coordinates_tt(),
+    )
+    state.y, state.lam, state.data = data.GetODE1Coordinates(), data.GetAECoordinates(), data.GetDataCoordinates()
+    state.t = data.GetTime()
+    return state
+
+
+def _constraint_jacobian(mbs: Any, itemIndex: Any, coordinates: list[int]) -> FloatArray:
+    """Return the rows of the system's Jacobian that are the equations of a constraint."""
+    data = mbs.systemData
+    first = data.ODE2Size() + data.ODE1Size()
+    equations = {first + int(i): k for k, i in enumerate(data.GetObjectLTGAE(itemIndex))}
+    places = {i: k for k, i in enumerate(coordinates)}
+    G = np.zeros((len(equations), len(coordinates)))
+    for row, column, value in zip(*testing.tangent_entries(mbs, _current_state(mbs)), strict=True):
+        if row in equations and column in places:
+            G[equations[row], places[column]] += value
+    return G
+
+
 def ComputeItem(
-    mbs: Any, itemIndex: Any, what: ComputeItemType | None = None, localPosition: Any = (0.0, 0.0, 0.0)
+    mbs: Any,
+    itemIndex: Any,
+    what: ComputeItemType | None = None,
+    localPosition: Any = (0.0, 0.0, 0.0),
+    vector: Any = None,
 ) -> Any:
-    """Return a Jacobian or the mass matrix of an item in the current state, or the kinematics of a marker.
+    """Return Jacobians, the mass matrix, or equations of an item in the current state, or the kinematics of a marker.
 
     Columns belong to the coordinates of the item, see exu.advancedUtilities.ItemODE2Coordinates. what=None: a list of
-    what is available for the item; other members of ComputeItemType raise ValueError.
+    what is available for the item; other members of ComputeItemType raise ValueError. ReactionForces is the transposed
+    ConstraintJacobian times the Lagrange multipliers. vector: force and torque, six numbers, for
+    JacobianTTimesVectorDerivative, the derivative of their forces on the coordinates of the item by these.
     """
     kind = _kind_of("ComputeItem", itemIndex)
     if kind in ("Load", "Sensor"):
@@ -259,6 +291,25 @@ def ComputeItem(
             return False
         return True
 
+    def forces() -> FloatArray:
+        acting = as_vector("mbs.ComputeItem(...): vector", vector, 6)
+        found = acting[:3] @ _columns(mbs, coordinates, lambda: output(V.Velocity))
+        if turns:
+            found = found + acting[3:] @ _columns(mbs, coordinates, lambda: output(V.AngularVelocity))
+        return np.asarray(found)
+
+    def derivative() -> FloatArray:
+        from dalembert._solving.item_derivatives import NumericalJacobian
+
+        return NumericalJacobian(mbs, forces, coordinates)
+
+    def mass_weighted() -> FloatArray:
+        content = mbs.GetObject(itemIndex)
+        center = content.get("physicsCenterOfMass", (0.0, 0.0, 0.0))
+        center = [*center, 0.0][:3]
+        at_center = lambda: mbs.GetObjectOutputBody(itemIndex, V.Velocity, center)  # noqa: E731
+        return float(content["physicsMass"]) * _columns(mbs, coordinates, at_center)
+
     facts = _facts_of(mbs, kind, itemIndex)
     moves = "Connector" not in facts["types"] and has(V.Velocity)
     turns = moves and has(V.AngularVelocity) and (kind != "Marker" or "Orientation" in facts["types"])
@@ -275,6 +326,22 @@ def ComputeItem(
         available[ComputeItemType.MassMatrix] = lambda: _mass_matrix(
             mbs, coordinates, lambda: mbs.GetObjectOutput(itemIndex, V.KineticEnergy)
         )
+    if moves:
+        available[ComputeItemType.JacobianTTimesVectorDerivative] = derivative
+    if kind == "Object" and {"physicsMass", "physicsCenterOfMass"} & mbs.GetObject(itemIndex).keys() and moves:
+        available[ComputeItemType.MassWeightedPositionJacobian] = mass_weighted
+    if kind == "Object" and "Constraint" in facts["types"]:
+        equations = [int(i) for i in mbs.systemData.GetObjectLTGAE(itemIndex)]
+        multipliers = np.array(mbs.systemData.GetAECoordinates())[equations]
+        available[ComputeItemType.AlgebraicEquations] = lambda: testing.gaps(mbs, _current_state(mbs))[equations]
+        available[ComputeItemType.ConstraintJacobian] = lambda: _constraint_jacobian(mbs, itemIndex, coordinates)
+        available[ComputeItemType.ReactionForces] = lambda: (
+            _constraint_jacobian(mbs, itemIndex, coordinates).T @ multipliers
+        )
+    if kind == "Marker" and "coordinate" in mbs.GetMarker(itemIndex) and "Node" in facts["types"]:
+        row = np.zeros((1, len(coordinates)))
+        row[0, mbs.GetMarker(itemIndex)["coordinate"]] = 1
+        available[ComputeItemType.CoordinateJacobian] = row.copy
     if what is None:
         return list(available)
     return _chosen("ComputeItem", what, available, kind, itemIndex)

@@ -320,11 +320,27 @@ def _client_of(cluster: Any, stack: ExitStack) -> Any:
     return stack.enter_context(Client(address))
 
 
-def _installed(module: str, purpose: str) -> bool:
+def _installed(module: str, purpose: str, level: int = 6) -> bool:
     try:
         __import__(module)
     except ImportError:
-        warnings.warn(f"{purpose} needs the package {module}; processes of this machine are used instead", stacklevel=6)
+        warnings.warn(
+            f"{purpose} needs the package {module}; processes of this machine are used instead", stacklevel=level
+        )
+        return False
+    return True
+
+
+def _has_cluster(hosts: Sequence[str]) -> bool:
+    """Return whether hosts are those of a Dask cluster; a warning says if processes of this machine are used instead.
+
+    A single name without a port is a host of dispy, which Exudyn 1.11 uses.
+    """
+    if len(hosts) == 0 or not _installed("dask.distributed", "clusterHostNames", 7):
+        return False
+    if len(hosts) == 1 and ":" not in str(hosts[0]):
+        text = f"expected the address of a Dask scheduler, such as '{hosts[0]}:8786', received {hosts[0]!r}"
+        warnings.warn(f"clusterHostNames: {text}; processes of this machine are used instead", stacklevel=6)
         return False
     return True
 
@@ -349,7 +365,7 @@ def _choose(
             n = number_of_threads(threads)
             return _in_threads(function, sets, n), f"threads, numberOfThreads={n}"
     client = _is_client(cluster)
-    if client or (parallel and len(cluster) > 0 and _installed("dask.distributed", "clusterHostNames")):
+    if client or (parallel and _has_cluster(cluster)):
         return _on_cluster(function, sets, cluster), "dask"
     if parallel and use_mpi and _installed("mpi4py.futures", "useMPI"):
         return _with_mpi(function, sets), "mpi4py"
@@ -469,7 +485,7 @@ def kept_workers(
             kept = stack.enter_context(MPIPoolExecutor())
         elif kept and _is_client(clusterHostNames):
             kept = clusterHostNames
-        elif kept and len(clusterHostNames) > 0 and _installed("dask.distributed", "clusterHostNames"):
+        elif kept and _has_cluster(clusterHostNames):
             kept = _client_of(clusterHostNames, stack)
         elif kept is True or kept in ("processes", "threads"):
             pool = ThreadPoolExecutor if kept == "threads" else ProcessPoolExecutor

@@ -22,6 +22,19 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return f". Did you mean '{close[0]}'?" if close else ""
 
 
+def left_out(name: str) -> str:
+    """Return '; left out here, instead: ...' for a name of the interface, module.function or Class.member; else ''."""
+    from dalembert._planned_table import LEFT_OUT
+
+    words = name.split(".")
+    for i in range(len(words), 0, -1):
+        tried = ".".join(words[:i])
+        for entry in (f"{tried}.*", tried if i == len(words) else ""):
+            if entry in LEFT_OUT:
+                return f"; left out here, instead: {LEFT_OUT[entry]}"
+    return ""
+
+
 def missing(text: str, hint: str, name: str, owner: object) -> AttributeError:
     """Return the error of a missing attribute. If there is a hint, Python must not add its own."""
     return AttributeError(text + hint, name=name, obj=None if hint else owner)
@@ -56,7 +69,8 @@ def _belongs_to(cls: type, name: str) -> str:
 def _explaining(cls: type) -> Callable[[Any, str], NoReturn]:
     def __getattr__(self: Any, name: str) -> NoReturn:
         text = f"'{cls.__name__}' object has no attribute '{name}'"
-        hint = "" if name.startswith("_") else _belongs_to(cls, name) or nearest(name, dir(cls))
+        found = "" if name.startswith("_") else left_out(f"{cls.__name__}.{name}") or _belongs_to(cls, name)
+        hint = "" if name.startswith("_") else found or nearest(name, dir(cls))
         raise missing(text, hint, name, self)
 
     return __getattr__
@@ -128,6 +142,8 @@ def _names_in(module: ModuleType) -> list[str]:
 def _hint(module: ModuleType, name: str) -> str:
     if not name or name.startswith("_"):
         return ""
+    if found := left_out(f"{module.__name__.removeprefix('dalembert.')}.{name}"):
+        return found
     if hasattr(MainSystem, name):
         return f"; it is a method of a system: mbs.{name}(...)"
     if hasattr(_core, name) and module.__name__ != "dalembert":

@@ -30,6 +30,7 @@ from dalembert.graphics._operations import (
     Move,
     ToPointsAndTrigs,
     Transform,
+    Triangles6ToTriangles,
 )
 from dalembert.graphics._parameters import describe as _describe
 from dalembert.graphics._revolution import Arrow, Basis, Frame, SolidOfRevolution
@@ -42,6 +43,8 @@ from dalembert.graphics._solids import (
     Quad,
     RigidLink,
     Sphere,
+    Spheres,
+    SpheresToTriangleList,
     Torus,
     Tube,
 )
@@ -79,11 +82,14 @@ __all__ = [
     "SolidExtrusion",
     "SolidOfRevolution",
     "Sphere",
+    "Spheres",
+    "SpheresToTriangleList",
     "Text",
     "ToPointsAndTrigs",
     "ToothedRack",
     "Torus",
     "Transform",
+    "Triangles6ToTriangles",
     "Tube",
     "color",
     "colorList",

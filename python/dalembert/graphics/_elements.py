@@ -2,21 +2,38 @@
 
 from __future__ import annotations
 
+import numpy as np
 import numpy.typing as npt
 
 from dalembert._calls import checked
 from dalembert._checks import as_color, as_points, as_vector, shape_error
 from dalembert.graphics._mesh import GraphicsData
 
+PIECES = 16  # straight lines of a curved segment
+
 
 @checked
-def Lines(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0]) -> GraphicsData:
-    """Return a line through a list of 3D points."""
-    return {
-        "type": "Line",
-        "color": as_color("Lines: color", color).copy(),
-        "data": as_points("Lines: pList", pList).flatten(),
-    }
+def Lines(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0], shape: str = "linear") -> GraphicsData:
+    """Return a line through a list of 3D points.
+
+    shape='quadratic': parabolas through start, middle and end of each segment; ends are the starts of the next ones.
+    """
+    points = as_points("Lines: pList", pList)
+    if shape == "quadratic":
+        if len(points) < 3 or len(points) % 2 == 0:
+            raise shape_error(
+                "Lines: pList", "an odd number of points, 3 or more: start, middle, end, ...", len(points)
+            )
+        s = np.linspace(0.0, 1.0, PIECES + 1)[1:, None]
+        start, middle, end = points[:-2:2], points[1::2], points[2::2]
+        arcs = [
+            (1 - s) * (1 - 2 * s) * a + 4 * s * (1 - s) * b + s * (2 * s - 1) * c
+            for a, b, c in zip(start, middle, end, strict=True)
+        ]
+        points = np.vstack([points[:1], *arcs])
+    elif shape != "linear":
+        raise shape_error("Lines: shape", "'linear' or 'quadratic'", shape)
+    return {"type": "Line", "color": as_color("Lines: color", color).copy(), "data": points.flatten()}
 
 
 @checked

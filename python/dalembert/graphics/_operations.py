@@ -146,6 +146,30 @@ def Move(g: GraphicsData, pOff: npt.ArrayLike, Aoff: npt.ArrayLike | None = None
 
 
 @checked
+def Triangles6ToTriangles(graphicsData: GraphicsData) -> GraphicsData:
+    """Return a TriangleList whose curved triangles and edges are replaced by flat triangles and straight edges.
+
+    'triangles6' has six points for each triangle, the corners and the middles of the sides 0-1, 1-2 and 2-0, which
+    make four triangles; 'edges3' has the ends and the middle of each edge. Other dictionaries are returned as they are.
+    """
+    curved = {"triangles6": 6, "edges3": 3}
+    if graphicsData.get("type") != "TriangleList" or not curved.keys() & graphicsData.keys():
+        return graphicsData
+    count = len(place_of("Triangles6ToTriangles", graphicsData))
+
+    def rows(key: str, size: int) -> IntArray:
+        where = f"Triangles6ToTriangles: graphicsData['{key}']"
+        return as_point_numbers(where, graphicsData.get(key, ()), size, count)
+
+    found = {key: value for key, value in graphicsData.items() if key not in curved}
+    parts = rows("triangles6", 6)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2, 3, 4, 5]]
+    found["triangles"] = np.concatenate([rows("triangles", 3).ravel(), parts.ravel()])
+    if "edges3" in graphicsData:
+        found["edges"] = np.concatenate([rows("edges", 2).ravel(), rows("edges3", 3)[:, [0, 2, 2, 1]].ravel()])
+    return found
+
+
+@checked
 def MergeTriangleLists(g1: GraphicsData, g2: GraphicsData) -> GraphicsData:
     """Return one TriangleList of two; colors and normals are kept if both have them, the edge colour is the first."""
     parts: dict[str, list[npt.NDArray[Any]]] = {

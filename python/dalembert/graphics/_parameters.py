@@ -80,6 +80,13 @@ _OWN: dict[str, dict[str, str]] = {
         "fontSize": "size of letters; 0: that of the settings",
         "offset": "shift to the right and up, in sizes of letters",
     },
+    "Lines": {"shape": "'linear': straight lines; 'quadratic': parabolas"},
+    "Spheres": {
+        "points": "list of centre points (m)",
+        "radii": "a radius, or one for each point (m)",
+        "colors": "a color, or one for each point",
+        "nTiles": "number of tiles along a meridian",
+    },
     "Sphere": {
         "nTiles": "number of tiles along a meridian; the equator has twice as many",
         "addEdges": "number of circles that are drawn on a full sphere; True stands for 3",

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from dalembert._calls import checked
 from dalembert._checks import (
     FloatArray,
+    as_array,
     as_color,
     as_number,
     as_points,
@@ -152,6 +153,44 @@ def _cuboid_corner_edges(faces: Sequence[int]) -> list[list[int]]:
                 seen.add(frozenset((a, b)))
                 edges.append([6 * n + i, 6 * n + i - i % 3 + (i + 1) % 3])
     return edges
+
+
+@checked
+def Spheres(
+    points: npt.ArrayLike,
+    radii: npt.ArrayLike = 0.1,
+    colors: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0],
+    nTiles: int = -1,
+) -> GraphicsData:
+    """Return the triangles of many spheres; radii and colors are one for all or one per point.
+
+    nTiles is the number of tiles along a meridian, -1 for 8.
+    """
+    centers = as_points("Spheres: points", points)
+    count = len(centers)
+    sizes = np.ravel(as_array("Spheres: radii", radii, "numbers"))
+    shades = np.ravel(as_array("Spheres: colors", colors, "RGBA values"))
+    if len(sizes) not in (1, count) or (sizes < 0).any():
+        raise shape_error("Spheres: radii", f"one radius, or {count}, that are not negative", radii)
+    if len(shades) not in (4, 4 * count):
+        raise shape_error("Spheres: colors", f"4 RGBA values, or those of {count} points", colors)
+    unit = Sphere(radius=1.0, nTiles=8 if nTiles == -1 else nTiles)
+    directions = np.reshape(unit["points"], (-1, 3))
+    places = centers[:, None, :] + np.broadcast_to(sizes, count)[:, None, None] * directions
+    each = np.broadcast_to(shades.reshape(-1, 4), (count, 4)).repeat(len(directions), axis=0)
+    corners = np.reshape(unit["triangles"], (-1, 3))
+    triangles = (np.arange(count)[:, None, None] * len(directions) + corners).reshape(-1, 3)
+    return triangle_list("Spheres", places.reshape(-1, 3), triangles, each, np.tile(directions, (count, 1)))
+
+
+@checked
+def SpheresToTriangleList(graphicsData: GraphicsData) -> GraphicsData:
+    """Return a dictionary of the type Spheres, with points, radii and colors, as triangles; others as they are."""
+    if graphicsData.get("type") != "Spheres":
+        return graphicsData
+    points = np.reshape(graphicsData.get("points", ()), (-1, 3))
+    given = {key: graphicsData[key] for key in ("radii", "colors") if key in graphicsData}
+    return Spheres(points, nTiles=int(graphicsData.get("resolution", -1)), **given)
 
 
 @checked

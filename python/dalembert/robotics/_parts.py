@@ -28,6 +28,11 @@ REGULAR_VELOCITY = 1e-2  # rad/s or m/s: below it dry friction is proportional t
 PREVIOUS_LINK = -2  # as parent: the link that was added before
 
 
+def _transformation(name: str, HT: npt.ArrayLike | None) -> FloatArray:
+    """Return a copy of a homogeneous transformation, such as exu.HT or a 4x4 matrix; None is the unit matrix."""
+    return HT0() if HT is None else as_transformation(name, HT).copy()
+
+
 def is_revolute(jointType: str) -> bool:
     """Whether a joint turns; else it slides."""
     return jointType[0] == "R"
@@ -85,10 +90,10 @@ class RobotLink:
         mass: float,
         COM: npt.ArrayLike,
         inertia: npt.ArrayLike,
-        localHT: npt.ArrayLike = HT0(),
+        localHT: npt.ArrayLike | None = None,
         jointType: str = "Rz",
         parent: int | str = PREVIOUS_LINK,
-        preHT: npt.ArrayLike = HT0(),
+        preHT: npt.ArrayLike | None = None,
         PDcontrol: Sequence[float | None] | None = (None, None),
         visualization: VRobotLink | None = None,
         name: str = "",
@@ -109,8 +114,8 @@ class RobotLink:
         self.mass = mass
         self.COM = as_vector("RobotLink: COM", COM, 3).copy()
         self.inertia = as_matrix("RobotLink: inertia", inertia, (3, 3)).copy()
-        self.localHT = as_transformation("RobotLink: localHT", localHT).copy()
-        self.preHT = as_transformation("RobotLink: preHT", preHT).copy()
+        self.localHT = _transformation("RobotLink: localHT", localHT)
+        self.preHT = _transformation("RobotLink: preHT", preHT)
         self.jointType = jointType
         self.parent = parent
         self.visualization = deepcopy(visualization) if visualization is not None else VRobotLink()
@@ -186,8 +191,8 @@ class VRobotBase:
 class RobotTool:
     """The tool: HT leads from the frame of the last link to it."""
 
-    def __init__(self, HT: npt.ArrayLike = HT0(), visualization: VRobotTool | None = None) -> None:
-        self.HT = as_transformation("RobotTool: HT", HT).copy()
+    def __init__(self, HT: npt.ArrayLike | None = None, visualization: VRobotTool | None = None) -> None:
+        self.HT = _transformation("RobotTool: HT", HT)
         self.visualization = visualization if visualization is not None else VRobotTool()
 
     def __repr__(self) -> str:
@@ -197,8 +202,8 @@ class RobotTool:
 class RobotBase:
     """The base: HT leads from the global frame to it."""
 
-    def __init__(self, HT: npt.ArrayLike = HT0(), visualization: VRobotBase | None = None) -> None:
-        self.HT = as_transformation("RobotBase: HT", HT).copy()
+    def __init__(self, HT: npt.ArrayLike | None = None, visualization: VRobotBase | None = None) -> None:
+        self.HT = _transformation("RobotBase: HT", HT)
         self.visualization = visualization if visualization is not None else VRobotBase()
 
     def __repr__(self) -> str:

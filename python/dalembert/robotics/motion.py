@@ -154,8 +154,8 @@ class BasicProfileLinearAcceleration(_Inspectable):
         if len(self.accelerationList) < 2:
             raise shape_error(where, "at least two pairs of time and accelerations", self.accelerationList)
         times = np.array([time for time, _ in self.accelerationList], dtype=float)
-        if times[0] != 0.0 or (np.diff(times) <= 0).any():
-            raise shape_error(where, "times that start with zero and grow", times.tolist())
+        if times[0] != 0.0 or (np.diff(times) < 0).any():
+            raise shape_error(where, "times that start with zero and do not decrease", times.tolist())
         self._times = times
         self._accelerations = np.array([as_vector(where, values, n) for _, values in self.accelerationList])
         self.coordinateSets, self.coordinateSets_t = self.coordinateSets[:1], self.coordinateSets_t[:1]
@@ -169,7 +169,8 @@ class BasicProfileLinearAcceleration(_Inspectable):
     def _within(self, i: int, t: float) -> list[FloatArray]:
         """Return coordinates, velocities and accelerations at a time after point i."""
         a0, a1 = self._accelerations[i : i + 2]
-        jerk = (a1 - a0) / (self._times[i + 1] - self._times[i])
+        duration = self._times[i + 1] - self._times[i]
+        jerk = (a1 - a0) / duration if duration > 0 else np.zeros_like(a0)  # a jump
         s0, v0 = self.coordinateSets[i], self.coordinateSets_t[i]
         return [
             s0 + t * (v0 + t * (a0 / 2 + t * jerk / 6)),
@@ -226,7 +227,8 @@ class ProfileConstantAcceleration:
 class ProfileLinearAccelerationsList:
     """Follows accelerations that are linear in time between the points of a list; no limits count.
 
-    accelerationList has pairs of time (s, from the start of the profile, the first one zero) and accelerations.
+    accelerationList has pairs of time (s, from the start of the profile, the first one zero) and accelerations; two
+    pairs of one time are a jump.
     """
 
     def __init__(self, accelerationList: Sequence[tuple[float, npt.ArrayLike]]) -> None:
