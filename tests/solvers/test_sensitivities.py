@@ -344,6 +344,21 @@ def test_outputs_of_equilibria_need_a_static_solution() -> None:
         oscillator().ComputeSensitivities({"k": ("spring", "stiffness")}, {"X": output}, solverType="static")
 
 
+def test_names_of_frequencies_are_those_of_parameters() -> None:
+    def solve(parameters: Any, omega: Any) -> None:
+        outputs = {"X": exu.Function(lambda x: 2 * x, outputs=[exu.FrequencyResponse("force", "x", omega)])}
+        oscillator().ComputeSensitivities(parameters, outputs, solverType="static")
+
+    with pytest.raises(ValueError, match="output 'X': received 'omega', but the parameters are w"):
+        solve({"w": exu.DesignParameter(3.0)}, "omega")
+    with pytest.raises(ValueError, match="parameter 'w': a DesignParameter without targets, which no output reads"):
+        solve({"w": exu.DesignParameter(3.0)}, 2.0)
+    with pytest.raises(ValueError, match="omega: parameter 'w' is -3, but expected 0 or more"):
+        solve({"w": exu.DesignParameter(-3.0)}, "w")
+    with pytest.raises(ValueError, match="a circular frequency in rad/s, or a name"):
+        solve({"w": exu.DesignParameter(3.0)}, None)
+
+
 def test_initial_values_that_systems_were_given_are_used() -> None:
     mbs = oscillator()
     other = oscillator()

@@ -34,21 +34,21 @@ class DesignParameter:
 
     value: the number.
     targets: a dictionary with (item, parameter) or (item, parameter, entry) as keys, and as values functions of the
-        number, or factors.
+        number, or factors. Without it, only outputs depend on the number, such as the frequency of a FrequencyResponse.
     """
 
     __module__ = "dalembert"
 
-    def __init__(self, value: float, targets: Mapping[Any, Callable[[float], float] | float]) -> None:
+    def __init__(self, value: float, targets: Mapping[Any, Callable[[float], float] | float] | None = None) -> None:
         if isinstance(value, bool) or not isinstance(value, (int, float, np.number)) or not np.isfinite(value):
             raise shape_error("DesignParameter: value", "a finite number", value)
-        if not isinstance(targets, Mapping) or not targets:
+        if targets is not None and (not isinstance(targets, Mapping) or not targets):
             raise shape_error(
                 "DesignParameter: targets",
                 "a dictionary, such as {('bar', 'length'): 1.0, ('mass', 'physicsMass'): lambda x: 7850*x}",
                 targets,
             )
-        self.value, self.targets = float(value), dict(targets)
+        self.value, self.targets = float(value), dict(targets or {})
 
 
 class _Target(NamedTuple):
@@ -127,8 +127,13 @@ class Parameter:
         """Return a typical size: the value, the largest entry of its vector, or a length of the model."""
         if self.value != 0:
             return abs(self.value)
-        largest = max(float(np.max(np.abs(target.current(mbs)), initial=0.0)) for target in self.targets)
+        largest = max((float(np.max(np.abs(target.current(mbs)), initial=0.0)) for target in self.targets), default=0.0)
         return largest if largest > 0 else min(1.0, float(testing.extent(mbs)))
+
+    @property
+    def changes_model(self) -> bool:
+        """Whether equations or the initial state depend on it; the end time, and numbers of outputs alone, do not."""
+        return bool(self.targets)
 
     def set(self, mbs: Any, x: float) -> None:
         for target in self.targets:
@@ -136,7 +141,7 @@ class Parameter:
 
     def choose_formula(self, trial: Any) -> None:
         """Find the side to which the parameter may be varied, and check that it stands for what the model has."""
-        if self.is_end_time:
+        if not self.changes_model:
             return
         now = [np.array(target.current(trial), dtype=float) for target in self.targets]
         with _named(self.name, self.targets[0], trial):
@@ -417,7 +422,7 @@ class Parameters:
         moved = z.copy()
         moved[:count] += 1e-2 * np.cos(np.arange(count)) * (1e-2 + np.abs(z[:count]).max(initial=0.0))
         for parameter, rows in zip(self.all, self.rows, strict=True):
-            if rows is None or parameter.is_end_time:
+            if rows is None or not parameter.changes_model:
                 continue
             parameter.set(trial, parameter.value)
             before = np.asarray(derivatives.residual(moved, time, 1.0))
@@ -446,7 +451,7 @@ class Parameters:
         """Yield parameters without common equations or sensors, and with the same formula, together."""
         open_groups: list[tuple[list[int], set[int], set[int]]] = []
         for k, (parameter, rows, sensors) in enumerate(zip(self.all, self.rows, self.sensors, strict=True)):
-            if parameter.is_end_time:  # it changes no equation
+            if not parameter.changes_model:
                 continue
             if rows is None or sensors is None or not self._together:
                 yield [k]

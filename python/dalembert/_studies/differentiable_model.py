@@ -64,7 +64,7 @@ class DifferentiableModel:
 
     def _refuses(self, parameter: Parameter, sign: float) -> bool:
         trial = copy.copy(self._mbs)
-        if parameter.is_end_time:
+        if not parameter.changes_model:  # an end time, or a frequency
             return True
         try:
             parameter.set(trial, sign * max(1.0, abs(parameter.value)))
@@ -237,4 +237,4 @@ def _moved(given: Any, value: float) -> Any:
     """Return what stands for a parameter at another value."""
     from dalembert._studies.design_parameters import DesignParameter
 
-    return DesignParameter(value, given.targets) if isinstance(given, DesignParameter) else given
+    return DesignParameter(value, given.targets or None) if isinstance(given, DesignParameter) else given

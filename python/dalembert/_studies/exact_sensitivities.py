@@ -184,8 +184,25 @@ class Problem:
             consistent,
         )
         self.parameters = [Parameter(self.mbs, name, given, settings) for name, given in parameters.items()]
+        self._check_names()
         data = mbs.systemData
         self.n, self.n1, self.m = data.ODE2Size(), data.ODE1Size(), data.AEsize()
+
+    def _check_names(self) -> None:
+        """Refuse names of parameters in outputs that do not exist, and parameters that nothing depends on."""
+        known = [parameter.name for parameter in self.parameters]
+        for name, output in self.outputs.items():
+            for read in output.parameters - set(known):
+                raise ValueError(
+                    f"output '{name}': received '{read}', but the parameters are "
+                    f"{', '.join(known)}{nearest(read, known)}"
+                )
+        read_names = frozenset().union(*(output.parameters for output in self.outputs.values()))
+        for parameter in self.parameters:
+            if not parameter.changes_model and not parameter.is_end_time and parameter.name not in read_names:
+                raise ValueError(
+                    f"parameter '{parameter.name}': a DesignParameter without targets, which no output reads"
+                )
 
     def solve(self, method: Method, histories: bool = False) -> Sensitivities:
         if self.static:
