@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tracemalloc
 import warnings
 from collections.abc import Callable
 from typing import Any
@@ -48,6 +49,7 @@ from dalembert.itemInterface import (
     SensorNode,
     VObjectGround,
 )
+from dalembert.processing import ComputeSensitivities, Minimize
 from dalembert.utilities import (
     CreateSymbolicUserFunction,
     InertiaCuboid,
@@ -446,6 +448,41 @@ def test_model_as_a_function() -> None:
     assert problem.Check([55.0, 0.7]) == ""
 
 
+def test_studies_take_exact_derivatives() -> None:
+    problem = identification()
+    exact = problem.Sensitivities(problem.x0)
+    sets, reference, table, slopes = ComputeSensitivities(problem, {"d": (0.5, 1e-3, 2), "k": 50.0}, showProgress=False)
+    assert len(sets) == 5 and sets[0] == {"d": 0.5, "k": 50.0}
+    np.testing.assert_array_equal(reference, exact.values["x"])
+    np.testing.assert_array_equal(slopes, exact.matrix.T[::-1])
+    assert table["d"].shape == (4, 8) and table["k"].shape == (0, 8)
+    np.testing.assert_allclose((table["d"][2] - table["d"][1]) / 1e-3, slopes[0], rtol=1e-4)
+    _, _, _, one = ComputeSensitivities(problem, {"d": 0.5}, scaledByReference=True, showProgress=False)
+    np.testing.assert_array_equal(one[0], 0.5 * slopes[0])
+    with pytest.raises(ValueError, match="received parameters \\['k', 'd', 'D'\\], but expected \\['k', 'd'\\]"):
+        ComputeSensitivities(problem, {"D": 0.5}, showProgress=False)
+
+
+@pytest.mark.parametrize("method", ["L-BFGS-B", "SLSQP"])
+def test_minimize_takes_exact_gradients(method: str) -> None:
+    wanted = identification().Values([62.0, 0.9])["x"]
+    outputs = {"cost": exu.Function(lambda x: 1e6 * float(np.sum((x - wanted) ** 2)), outputs=[exu.At("x", TIMES)])}
+    parameters = {"k": ("spring", "stiffness"), "d": ("spring", "damping")}
+    problem = exu.DifferentiableModel(oscillator(), parameters, outputs, settings())
+    bounds, options = {"k": (40.0, 90.0), "d": (0.0, 3.0)}, {"ftol": 1e-15, "gtol": 1e-10}
+    if method == "SLSQP":
+        options.pop("gtol")
+    best, value, *_ = Minimize(problem, bounds, method=method, tol=None, options=options, showProgress=False)
+    assert value < 1e-8
+    assert best["k"] == pytest.approx(62.0, rel=1e-6) and best["d"] == pytest.approx(0.9, rel=1e-5)
+    best, *_ = Minimize(
+        problem, {"k": (40.0, 60.0), "d": (0.0, 3.0)}, method=method, showProgress=False, tol=None, options=options
+    )
+    assert best["k"] == 60.0  # a bound
+    with pytest.raises(TypeError, match="expected a number"):
+        Minimize(identification(), bounds, method=method, showProgress=False)
+
+
 def test_check_reports_what_disagrees() -> None:
     problem = identification()
     exact = problem.Sensitivities
@@ -524,6 +561,67 @@ def test_results_are_the_same_again() -> None:
         mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": "p"}, settings()).matrix for _ in range(2)
     )
     assert first.tobytes() == second.tobytes()
+
+
+# ---- states in a file -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("method", ["forward", "adjoint"])
+@pytest.mark.parametrize("name", ["constraint", "history", "explicit", "end"])
+def test_states_in_a_file_give_the_same_bits(name: str, method: Any) -> None:
+    mass = {"m": ("mass", "physicsMass")}
+    given: dict[str, Any] = {
+        "constraint": (pendulum(), mass, settings(0.5, 600)),
+        "history": (rubbing(), mass, with_events()),
+        "explicit": (oscillator(), mass, settings(), exu.DynamicSolverType.RK44),
+        "end": (oscillator(), {**mass, "end": "timeIntegration.endTime"}, settings()),
+    }
+    mbs, parameters, *options = given[name]
+    outputs = {
+        "x": exu.At("p" if name == "constraint" else "x"),
+        "E": exu.Integral("p" if name == "constraint" else "x"),
+    }
+    first, second, third = (
+        mbs.ComputeSensitivities(parameters, outputs, *options, method=method, maximumMemory=memory)
+        for memory in (None, 1, 5000)
+    )
+    assert first.matrix.tobytes() == second.matrix.tobytes() == third.matrix.tobytes()
+    assert first.values == second.values == third.values
+
+
+def test_memory_is_limited() -> None:
+    # A state has 240 numbers: 1000 steps take 1.92 MB, and are written in blocks of at most 256 rows.
+    size, steps = 60, 1000
+    mbs = new_system()
+    nodes = [mbs.AddNode(NodePoint(referenceCoordinates=[i, 0, 0])) for i in range(size // 3)]
+    mbs.AddObject(
+        ObjectGenericODE2(
+            nodeNumbers=nodes, massMatrix=np.eye(size), stiffnessMatrix=10 * np.eye(size), forceVector=np.ones(size),
+            name="matrices",
+        )
+    )  # fmt: skip
+    mbs.AddSensor(SensorNode(nodeNumber=nodes[0], outputVariableType=Variable.Position, name="p"))
+    mbs.Assemble()
+
+    def peak(count: int, memory: float | None) -> float:
+        tracemalloc.start()
+        try:
+            given = {"f": ("matrices", "forceVector", 0)}
+            mbs.ComputeSensitivities(given, {"x": "p"}, settings(1.0, count), method="adjoint", maximumMemory=memory)
+            return tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+
+    peak(10, None)
+    growth = peak(steps, 1e5) - peak(500, 1e5)
+    assert peak(steps, None) - peak(500, None) > 500 * 8 * 240
+    assert growth < 0.1 * 500 * 8 * 240  # times of steps alone
+
+
+@pytest.mark.parametrize("memory", [0, -1e6, "much", [1e6]])
+def test_wrong_memory(memory: Any) -> None:
+    with pytest.raises((ValueError, TypeError), match="maximumMemory"):
+        oscillator().ComputeSensitivities({"k": ("spring", "stiffness")}, {"x": "x"}, settings(), maximumMemory=memory)
 
 
 # ---- what is refused --------------------------------------------------------------------------------------------------

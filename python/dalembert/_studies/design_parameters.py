@@ -393,11 +393,11 @@ class Parameters:
         """together: parameters without common equations are varied at the same time."""
         self.all, self._together = list(parameters), together
         self._options = options
-        self._structure = Structure(base)
+        self.structure = Structure(base)
         size = base.systemData.SystemSize()
         self.rows: list[Rows] = []  # by parameter: equations
         self.sensors: list[set[int] | None] = []  # ... and sensors
-        self.reads = {sensor: self._structure.of_sensor(sensor) for sensor in sensors}
+        self.reads = {sensor: self.structure.of_sensor(sensor) for sensor in sensors}
         for parameter in self.all:
             affected = self._affected(parameter)
             self.rows.append(None if affected is None else np.array(sorted(affected), dtype=int))
@@ -441,7 +441,7 @@ class Parameters:
     def _affected(self, parameter: Parameter) -> set[int] | None:
         found: set[int] = set()
         for target in parameter.targets:
-            part = self._structure.affected_by(target.item, target.parameter)
+            part = self.structure.affected_by(target.item, target.parameter)
             if part is None:
                 return None
             found |= part

@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 
 from dalembert import _core
-from dalembert._checks import FloatArray, shape_error
+from dalembert._checks import FloatArray, as_number, shape_error
 from dalembert._core import DynamicSolverType, MainSystem, SimulationSettings
 from dalembert._solving.quiet import assemble_if_needed, given_or_default
 from dalembert._studies.design_parameters import Parameter, Parameters
@@ -33,6 +33,7 @@ from dalembert._studies.recorded_motion import (
 )
 from dalembert._studies.recorded_steps import Steps, find_steps, only_states_of_items, with_data
 from dalembert._studies.start_derivatives import Start
+from dalembert._studies.stored_rows import Rows
 from dalembert._tools.missing_names import nearest
 
 Method = Literal["auto", "forward", "adjoint"]
@@ -104,6 +105,7 @@ def ComputeSensitivities(
     *,
     consistentStart: bool = False,
     storeHistories: bool = False,
+    maximumMemory: float | None = None,
     autoAssemble: bool = True,
 ) -> Sensitivities:
     """Solve the system and return derivatives of outputs with respect to parameters.
@@ -124,13 +126,14 @@ def ComputeSensitivities(
     consistentStart: initial values follow constraints that parameters change; otherwise they stay as they are, with a
     warning.
     storeHistories: also derivatives of sensors that outputs read, after each step (forward method).
+    maximumMemory: bytes that the states of all steps may take in memory; more of them are kept in a temporary file.
 
     The model is copied and does not change. What cannot be differentiated raises NotDifferentiable. Newton's method is
     solved to round-off, whatever tolerances are set.
     """
     assemble_if_needed("ComputeSensitivities", mbs, autoAssemble)
     settings = given_or_default("ComputeSensitivities", simulationSettings)
-    problem = Problem(mbs, parameters, outputs, settings, solverType, consistentStart)
+    problem = Problem(mbs, parameters, outputs, settings, solverType, consistentStart, maximumMemory)
     if method not in _METHODS:
         raise ValueError(
             f"ComputeSensitivities: method: received {method!r}, but expected one of {', '.join(_METHODS)}"
@@ -167,12 +170,16 @@ class Problem:
         settings: SimulationSettings,
         solverType: Any,
         consistent: bool,
+        maximumMemory: float | None = None,
     ) -> None:
         if not isinstance(parameters, Mapping) or not parameters:
             raise shape_error(
                 "ComputeSensitivities: parameters", "a dictionary, such as {'k': ('spring', 'stiffness')}", parameters
             )
         self.outputs = read_outputs(outputs)
+        if maximumMemory is not None and not as_number("ComputeSensitivities: maximumMemory", maximumMemory) > 0:
+            raise shape_error("ComputeSensitivities: maximumMemory", "a number of bytes above 0", maximumMemory)
+        self.memory = np.inf if maximumMemory is None else float(maximumMemory)
         self.static = solverType == "static"
         if not self.static:
             refuse_settings(settings, solverType)
@@ -215,7 +222,7 @@ class Problem:
 class Samples:
     """Values and gradients of everything that outputs read."""
 
-    def __init__(self, problem: Problem, context: Context, states: FloatArray) -> None:
+    def __init__(self, problem: Problem, context: Context, states: Rows) -> None:
         self.context, self.states, self.problem = context, states, problem
         self.wanted: dict[Sample, None] = {}
         for name, output in problem.outputs.items():
@@ -245,7 +252,7 @@ class Samples:
             else:
                 self.values[sample] = z[sample.source[1] : sample.source[1] + 1]
         self.entries = {s: entries_read(parameters.base.mbs, s, parameters.reads[s]) for s in self.sensors}
-        self.steps = typical_steps(self.problem, self.states)
+        self.steps = typical_steps(self.problem, self.states.largest)
         for sensor in self.sensors:
             self._check_entries(sensor)
         self.rows: dict[str, slice] = {}
@@ -361,7 +368,7 @@ class Samples:
             entries, gradient = self.gradient(sample)
             explicit = self.explicit(sample)
             for row, weights in self.seeds[sample]:
-                z = np.zeros(self.states.shape[1])
+                z = np.zeros(self.states.width)
                 z[entries] = weights @ gradient
                 bar.add(row, z)
                 matrix[row] += weights @ explicit
@@ -387,10 +394,10 @@ class Samples:
         return found
 
 
-def typical_steps(problem: Problem, states: FloatArray) -> FloatArray:
-    """Return steps of differences for entries of the state."""
+def typical_steps(problem: Problem, largest: FloatArray) -> FloatArray:
+    """Return steps of differences for entries of the state, of which the largest values are known."""
     extent = min(1.0, float(_core.testing.extent(problem.mbs)))
-    size = np.maximum(np.abs(states).max(axis=0, initial=0.0), extent)
+    size = np.maximum(np.abs(largest), extent)
     size[: problem.n] = extent
     return np.asarray(STEP * size)
 
@@ -409,7 +416,7 @@ class _Integration:
         self.problem = problem
         begin = clock.perf_counter()
         solved = copy.copy(problem.mbs)
-        self.motion: Motion = record(solved, problem.settings, problem.solverType)
+        self.motion: Motion = record(solved, problem.settings, problem.solverType, problem.memory)
         self.seconds = clock.perf_counter() - begin
 
     def solve(self, method: Method, histories: bool) -> Sensitivities:
@@ -496,11 +503,10 @@ class _Integration:
         problem, motion = self.problem, self.motion
         derivatives = _core.testing.SystemDerivatives(problem.mbs, rate_level=rate_level)
         watches = problem.settings.events.ofItems and _has_switches(derivatives, motion)
-        equal = np.all(motion.algorithmic[0] == motion.states[0, 2 * problem.n : 3 * problem.n])
         explicit = problem.solverType in TABLEAUS
         if explicit:
             refuse_for_stages(derivatives, problem.mbs)
-        plain = not watches and end_time is None and equal and not explicit
+        plain = not watches and end_time is None and motion.algorithmic is not None
         if plain and (
             not derivatives.sizes[3]
             or only_states_of_items(motion.times, motion.states, motion.scheme.h, derivatives, problem.mbs)
@@ -515,6 +521,7 @@ class _Integration:
             derivatives,
             problem.mbs,
             watches=bool(watches),
+            memory=problem.memory / 6,
             implicit=not explicit,
         )
         events = tuple((step, event.item) for step, event in sorted(steps.events.items()))
@@ -563,7 +570,7 @@ class _Integration:
             derivatives,
             before[n : 2 * n],
             before[2 * n : 3 * n],
-            motion.algorithmic[i - 1],
+            motion.algorithmic[i - 1] if motion.algorithmic is not None else before[2 * n : 3 * n],
             z[2 * n : 3 * n],
         )
         failed = step.factorize(transposed)

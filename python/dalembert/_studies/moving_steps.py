@@ -29,6 +29,7 @@ from dalembert._studies.difference_formulas import CENTRAL, FORWARD, derivative
 from dalembert._studies.generalized_alpha import LinearStep, Scheme, Variation
 from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
 from dalembert._studies.recorded_steps import OF_DATA, OF_MASS, Steps, name_of, over_mass, with_data
+from dalembert._studies.stored_rows import Rows
 
 _GRAZES = 1e-8  # rate of a switch, relative to its terms
 SMALL = 1e-3  # relative to the usual steps: changes of data must not switch
@@ -73,7 +74,7 @@ class Walk:
         self,
         parameters: Parameters,
         times: FloatArray,
-        states: FloatArray,
+        states: Rows,
         scheme: Scheme,
         steps: Steps,
         typical: FloatArray,
@@ -251,7 +252,7 @@ class Walk:
         """Return the parameter of a group that acts on an object; its parameters have no common equations."""
         if len(group.members) == 1:
             return int(group.members[0])
-        own = self.parameters._structure.of_object(item)
+        own = self.parameters.structure.of_object(item)
         found = [k for k in group.members if own & set(np.asarray(self.parameters.rows[k]).tolist())]
         if len(found) != 1:
             raise NotDifferentiable(

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -125,7 +126,7 @@ def response_derivatives(
 
         rates = parameters.scalar_rates(lambda variant, moved=moved: moved(variant, parameters.shifted(variant, z)))  # type: ignore[misc]
         if column is not None:
-            rates[column] += derivative(lambda e, moved=moved: moved(base, z, e), STEP * (omega or 1.0))
+            rates[column] += derivative(partial(moved, base, z), STEP * (omega or 1.0))
         for k, change in enumerate(changes):
             size = float(np.abs(change[:n]).max(initial=0.0))
             if size > 0:

@@ -29,6 +29,7 @@ from dalembert._studies.generalized_alpha import Variation
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import refuse_redundant
 from dalembert._studies.response_derivatives import response_derivatives
+from dalembert._studies.stored_rows import Rows
 
 _WHOLE = (1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0)  # factors of K alone
 _MOST_RANKED = 1000  # unknowns of matrices whose condition is computed
@@ -48,7 +49,7 @@ def solve_static(problem: Problem, method: Any) -> Sensitivities:
     seconds = clock.perf_counter() - begin
     begin = clock.perf_counter()
     z, time = _equilibrium(problem, solved)
-    samples = Samples(problem, Context(problem.mbs, np.array([time]), True), z[None])
+    samples = Samples(problem, Context(problem.mbs, np.array([time]), True), Rows.of(z))
     wanted: dict[str, list[Any]] = {kind: [] for kind in COMPUTED}
     for sample in samples.wanted:
         if not isinstance(sample.source, int) and sample.source[0] in COMPUTED:
@@ -82,7 +83,7 @@ def solve_static(problem: Problem, method: Any) -> Sensitivities:
     if wanted["eigenvalue"]:
         add("eigenvalue", eigenvalue_derivatives(parameters, z, time, u, sorted(wanted["eigenvalue"])))
     if wanted["response"]:
-        steps = typical_steps(problem, z[None])
+        steps = typical_steps(problem, z)
         add("response", response_derivatives(parameters, z, time, u, steps, wanted["response"]))
     samples.read(parameters, computed)
     matrix = np.zeros((samples.size, len(parameters.all)))
