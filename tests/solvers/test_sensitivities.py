@@ -47,6 +47,7 @@ from dalembert.itemInterface import (
     SensorBody,
     SensorMarker,
     SensorNode,
+    SpringDamper,
     VObjectGround,
 )
 from dalembert.processing import ComputeSensitivities, Minimize
@@ -555,6 +556,39 @@ def test_model_does_not_change() -> None:
     assert before == after
 
 
+@pytest.mark.parametrize("method", ["forward", "adjoint"])
+def test_model_does_not_change_whatever_happens(method: Any) -> None:
+    mass: dict[str, Any] = {"m": ("mass", "physicsMass")}
+    mbs = pendulum()
+    mbs.SolveDynamic(settings(0.1, 10))
+    before = contents(mbs)
+
+    def call(parameters: Any = mass, outputs: Any = None, **options: Any) -> Any:
+        return mbs.ComputeSensitivities(parameters, outputs or {"x": "p"}, settings(), method=method, **options)
+
+    def failing(x: Any) -> float:
+        raise RuntimeError("no value")
+
+    call({**mass, "x0": ("node", "referenceCoordinates", 1)}, consistentStart=True, maximumMemory=1000)
+    calls: list[tuple[type, Any]] = [
+        (ValueError, lambda: call({"m": ("mass", "physicsMas")})),
+        (exu.NotDifferentiable, lambda: call({"m": ("mass", "name")})),
+        (exu.NotDifferentiable, lambda: call(solverType=exu.DynamicSolverType.ESDIRK43)),
+        (exu.NotDifferentiable, lambda: call(solverType=exu.DynamicSolverType.RK44)),
+        (exu.NotDifferentiable, lambda: call(outputs={"w": exu.Eigenvalue(0)})),
+        (exu.SolverError, lambda: call(solverType="static")),
+        (RuntimeError, lambda: call(outputs={"x": exu.Integral("p", failing)})),
+    ]
+    for error, function in calls:
+        with pytest.raises(error):
+            function()
+    model = exu.DifferentiableModel(mbs, mass, {"x": "p"}, settings(), method=method)
+    model.ValueAndGradient([3.0])
+    with pytest.raises(ValueError, match="physicsMass"):
+        model.Values([-3.0])
+    assert contents(mbs) == before
+
+
 def test_results_are_the_same_again() -> None:
     mbs = pendulum()
     first, second = (
@@ -775,6 +809,27 @@ def test_events_that_are_refused() -> None:
         falling(0.05).ComputeSensitivities(parameters, {"t": exu.EventTime("stop 0", 3)}, with_events(0.4, 80))
 
 
+def thrown(touch: float) -> Any:
+    """A mass that gravity slows down at a distance of 0.2 m, where it reaches a spring with a small speed."""
+    mbs, weight = falling(0.2), 20.0
+    mbs.SetNodeParameter("node 0", "initialVelocities", [-np.sqrt(weight * 0.2 + touch**2)])
+    mbs.SetLoadParameter(0, "load", weight)
+    mbs.Assemble()
+    return mbs
+
+
+def test_events_that_graze_are_refused() -> None:
+    # The mass of 2 kg touches at (v - w)/10 with v^2 = 4 + w^2: dt/d(-v) = (v/w - 1)/10, while rounding errors of the
+    # place, 1e-16 m, are those of w^2/20.
+    parameters, outputs = {"v": ("node 0", "initialVelocities", 0)}, {"t": exu.EventTime("stop 0")}
+    for speed in (1e-2, 1e-4):
+        found = thrown(speed).ComputeSensitivities(parameters, outputs, with_events(0.3, 30))
+        assert found.Derivative("t", "v") == pytest.approx((np.sqrt(4 + speed**2) / speed - 1) / 10, rel=1e-6)
+    refused = refusal(thrown(3e-7), parameters, outputs, with_events(0.3, 30))
+    assert refused.item == "event 'contact' of object 1 'stop 0' (ContactCoordinate)"
+    assert refused.reason.startswith("its switch grazes zero (rate -") and refused.time == pytest.approx(0.2, rel=1e-5)
+
+
 def hardening(c3: float = 2e3) -> Any:
     mbs = oscillator()
     number, spring = exu.symbolic.Real("c3", c3), mbs.GetObjectNumber("spring")
@@ -873,6 +928,58 @@ def test_redundant_constraints_are_refused() -> None:
     found = refusal(mbs, {"m": ("mass", "physicsMass")}, {"x": "p"})
     assert "1 constraint equations follow from others" in found.reason
     assert "rod" in found.item
+
+
+def snapping(place: float) -> Any:
+    """The top of two bars, at rest under a load across: its stiffness vanishes at a limit point."""
+    mbs = new_system()
+    node = mbs.AddNode(NodePoint(referenceCoordinates=[0, 0.3, 0], initialCoordinates=[0, place - 0.3, 0], name="top"))
+    body = mbs.AddObject(MassPoint(physicsMass=1, nodeNumber=node, name="mass"))
+    ends = [MarkerBodyPosition(bodyNumber=mbs.AddObject(ObjectGround(referencePosition=[x, 0, 0]))) for x in (-1, 1)]
+    middle = mbs.AddMarker(MarkerBodyPosition(bodyNumber=body))
+    full = np.hypot(1, 0.3)
+    for i, end in enumerate(ends):
+        markers = [mbs.AddMarker(end), middle]
+        mbs.AddObject(SpringDamper(markerNumbers=markers, referenceLength=full, stiffness=100, name=f"bar {i}"))
+    mbs.AddObject(CoordinateSpringDamper(markerNumbers=[ground_coordinate(mbs), mbs.AddMarker(
+        MarkerNodeCoordinate(nodeNumber=node, coordinate=2))], stiffness=50))  # fmt: skip
+    load = 200 * place * (1 - full / np.hypot(1, place))
+    mbs.AddLoad(LoadForceVector(markerNumber=middle, loadVector=[0, load, 0], name="force"))
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Position, name="p"))
+    mbs.Assemble()
+    return mbs
+
+
+def test_limit_points_are_refused() -> None:
+    # F = 2 k y (1 - l/sqrt(1 + y^2)), which is largest where (1 + y^2)^(3/2) = l.
+    full = np.hypot(1, 0.3)
+    limit = np.sqrt(full ** (2 / 3) - 1)
+    parameters, outputs = {"F": ("force", "loadVector", 1)}, {"y": exu.At("p", component=1)}
+    for place in (0.29, limit + 0.01):
+        found = snapping(place).ComputeSensitivities(parameters, outputs, solverType="static")
+        assert found.values["y"] == pytest.approx(place, rel=1e-9)
+        slope = 200 * (1 - full / np.hypot(1, place) ** 3)
+        assert found.Derivative("y", "F") == pytest.approx(1 / slope, rel=1e-6)
+    refused = refusal(snapping(limit), parameters, outputs, solverType="static")
+    assert refused.reason.startswith("the stiffness matrix is singular: a limit point")
+    assert refused.item.startswith("node 0 'top'")
+
+
+def test_inactive_connectors_have_no_influence() -> None:
+    mbs = oscillator()
+    mbs.SetObjectParameter("spring", "activeConnector", False)
+    mbs.Assemble()
+    given = {"k": ("spring", "stiffness"), "F": ("force", "load")}
+    for method in ("forward", "adjoint"):
+        found = mbs.ComputeSensitivities(given, {"x": "x"}, settings(), method=method)  # x = F t^2/(2 m)
+        assert found.Derivative("x", "k") == 0.0
+        assert found.Derivative("x", "F") == pytest.approx(0.04, rel=1e-9)
+
+
+def test_integers_are_refused() -> None:
+    mbs = rubbing()
+    found = refusal(mbs, {"n": (mbs.GetNode(1)["name"], "numberOfDataCoordinates")}, with_settings=with_events())
+    assert found.reason == "numberOfDataCoordinates is an integer: 3" and found.parameter == "n"
 
 
 def test_singular_equilibrium_is_refused() -> None:

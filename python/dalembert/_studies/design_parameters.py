@@ -430,7 +430,9 @@ class Parameters:
             change = np.abs(derivatives.residual(moved, time, 1.0) - before)
             changed = np.flatnonzero(change > _ROUND_OFF * np.abs(before).max(initial=0.0))
             parameter.set(trial, parameter.value)
-            others = np.setdiff1d(changed, rows)
+            own = np.zeros(self.size, dtype=bool)
+            own[rows] = True
+            others = changed[~own[changed]]
             if len(others):
                 raise NotDifferentiable(
                     f"it acts on equations of other items, such as {testing.describe_row(trial, int(others[0]))}",

@@ -18,7 +18,7 @@ from dalembert._studies.design_parameters import Parameter, Parameters
 from dalembert._studies.difference_formulas import STEP, derivative
 from dalembert._studies.differentiable_outputs import COMPUTED, Context, Output, Sample, entries_read
 from dalembert._studies.explicit_steps import TABLEAUS, ExplicitWalk, refuse_for_stages
-from dalembert._studies.generalized_alpha import LinearStep, Variation
+from dalembert._studies.generalized_alpha import LinearStep, Turns, Variation, turns_of_steps
 from dalembert._studies.moving_steps import Moving, Walk
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import (
@@ -559,20 +559,17 @@ class _Integration:
         samples.moving_seeds(0, bar, matrix, walk)
         return matrix + _products(bar.state, start)
 
-    def _linear_step(self, derivatives: Any, i: int, transposed: bool) -> LinearStep:
-        """Return the step to state i, with factors."""
+    def _turns(self, states: FloatArray, first: int) -> Turns:
+        """Return what steps between some states do to rotations; first: number of the first of these states."""
         motion, n = self.motion, self.problem.n
-        z, time = motion.states[i], float(motion.times[i])
-        before = motion.states[i - 1]
-        derivatives.linearize(z, time, motion.scheme.h)
-        step = LinearStep(
-            motion.scheme,
-            derivatives,
-            before[n : 2 * n],
-            before[2 * n : 3 * n],
-            motion.algorithmic[i - 1] if motion.algorithmic is not None else before[2 * n : 3 * n],
-            z[2 * n : 3 * n],
-        )
+        assert motion.algorithmic is not None
+        v, a, a_end = states[:-1, n : 2 * n], states[:-1, 2 * n : 3 * n], states[1:, 2 * n : 3 * n]
+        return turns_of_steps(motion.scheme, v, a, motion.algorithmic[first : first + len(v)], a_end)
+
+    def _linear_step(self, derivatives: Any, z: FloatArray, time: float, turns: Turns, transposed: bool) -> LinearStep:
+        """Return the step to a state, with factors."""
+        derivatives.linearize(z, time, self.motion.scheme.h)
+        step = LinearStep(self.motion.scheme, derivatives, turns)
         failed = step.factorize(transposed)
         if failed >= 0:
             raise NotDifferentiable(
@@ -588,16 +585,16 @@ class _Integration:
         samples.add_variations(0, change, matrix)
         histories: dict[int, list[FloatArray]] = {sensor: [] for sensor in samples.sensors}
         block = max(1, min(_BLOCK, _BLOCK_NUMBERS // (parameters.size * len(parameters.all))))
-        rates = np.zeros((0, 0, 0))
         for i in range(len(motion.times)):
             time = float(motion.times[i])
             if i > 0:
-                if (i - 1) % block == 0:
-                    rates = parameters.rates_of(
-                        motion.states[i : i + block], motion.times[i : i + block], motion.scheme.h
-                    )
-                step = self._linear_step(parameters.base.derivatives, i, False)
-                change = step.forward(change, rates[(i - 1) % block])
+                k = (i - 1) % block
+                if k == 0:
+                    states = motion.states[i - 1 : i + block]
+                    turns = self._turns(states, i - 1)
+                    rates = parameters.rates_of(states[1:], motion.times[i : i + block], motion.scheme.h)
+                step = self._linear_step(parameters.base.derivatives, states[k + 1], time, turns.of_step(k), False)
+                change = step.forward(change, rates[k])
                 samples.add_variations(i, change, matrix)
             for sensor in samples.sensors if kept is not None else ():
                 sample = Sample(i, sensor)
@@ -619,13 +616,15 @@ class _Integration:
         block = max(1, min(_BLOCK, _BLOCK_NUMBERS // (parameters.size * samples.size)))
         for end in range(samples_end, 0, -block):
             begin = max(end - block, 0)
+            states, times = motion.states[begin : end + 1], motion.times[begin : end + 1]
+            turns = self._turns(states, begin)
             weights = np.zeros((end - begin, samples.size, parameters.size))
-            for i in range(end, begin, -1):
-                samples.add_seeds(i, bar, matrix)
-                step = self._linear_step(parameters.base.derivatives, i, True)
-                bar, weights[i - begin - 1] = step.backward(bar)
-            part = slice(begin + 1, end + 1)
-            matrix -= parameters.weighted_rates_of(motion.states[part], motion.times[part], motion.scheme.h, weights)
+            for k in range(end - begin, 0, -1):
+                samples.add_seeds(begin + k, bar, matrix)
+                turn = turns.of_step(k - 1)
+                step = self._linear_step(parameters.base.derivatives, states[k], float(times[k]), turn, True)
+                bar, weights[k - 1] = step.backward(bar)
+            matrix -= parameters.weighted_rates_of(states[1:], times[1:], motion.scheme.h, weights)
         samples.add_seeds(0, bar, matrix)
         return matrix + _products(bar, start)
 

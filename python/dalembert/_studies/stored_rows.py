@@ -56,9 +56,10 @@ class Rows:
         if not isinstance(key, slice):
             return self[key : key + 1 or self._count][0]
         begin, end, _ = key.indices(self._count)
-        if self._file is None:
-            return np.array(self._kept[begin:end]).reshape(-1, self.width)
         found = np.empty((max(end - begin, 0), self.width))
+        if self._file is None:
+            found[:] = self._kept[begin:end] if found.size else 0.0
+            return found
         if found.size:
             self._file.seek(8 * self.width * begin)
             self._file.readinto(found.data.cast("B"))
