@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tracemalloc
 import warnings
 from collections.abc import Callable
 from typing import Any
@@ -46,8 +47,10 @@ from dalembert.itemInterface import (
     SensorBody,
     SensorMarker,
     SensorNode,
+    SpringDamper,
     VObjectGround,
 )
+from dalembert.processing import ComputeSensitivities, Minimize
 from dalembert.utilities import (
     CreateSymbolicUserFunction,
     InertiaCuboid,
@@ -344,6 +347,21 @@ def test_outputs_of_equilibria_need_a_static_solution() -> None:
         oscillator().ComputeSensitivities({"k": ("spring", "stiffness")}, {"X": output}, solverType="static")
 
 
+def test_names_of_frequencies_are_those_of_parameters() -> None:
+    def solve(parameters: Any, omega: Any) -> None:
+        outputs = {"X": exu.Function(lambda x: 2 * x, outputs=[exu.FrequencyResponse("force", "x", omega)])}
+        oscillator().ComputeSensitivities(parameters, outputs, solverType="static")
+
+    with pytest.raises(ValueError, match="output 'X': received 'omega', but the parameters are w"):
+        solve({"w": exu.DesignParameter(3.0)}, "omega")
+    with pytest.raises(ValueError, match="parameter 'w': a DesignParameter without targets, which no output reads"):
+        solve({"w": exu.DesignParameter(3.0)}, 2.0)
+    with pytest.raises(ValueError, match="omega: parameter 'w' is -3, but expected 0 or more"):
+        solve({"w": exu.DesignParameter(-3.0)}, "w")
+    with pytest.raises(ValueError, match="a circular frequency in rad/s, or a name"):
+        solve({"w": exu.DesignParameter(3.0)}, None)
+
+
 def test_initial_values_that_systems_were_given_are_used() -> None:
     mbs = oscillator()
     other = oscillator()
@@ -431,6 +449,41 @@ def test_model_as_a_function() -> None:
     assert problem.Check([55.0, 0.7]) == ""
 
 
+def test_studies_take_exact_derivatives() -> None:
+    problem = identification()
+    exact = problem.Sensitivities(problem.x0)
+    sets, reference, table, slopes = ComputeSensitivities(problem, {"d": (0.5, 1e-3, 2), "k": 50.0}, showProgress=False)
+    assert len(sets) == 5 and sets[0] == {"d": 0.5, "k": 50.0}
+    np.testing.assert_array_equal(reference, exact.values["x"])
+    np.testing.assert_array_equal(slopes, exact.matrix.T[::-1])
+    assert table["d"].shape == (4, 8) and table["k"].shape == (0, 8)
+    np.testing.assert_allclose((table["d"][2] - table["d"][1]) / 1e-3, slopes[0], rtol=1e-4)
+    _, _, _, one = ComputeSensitivities(problem, {"d": 0.5}, scaledByReference=True, showProgress=False)
+    np.testing.assert_array_equal(one[0], 0.5 * slopes[0])
+    with pytest.raises(ValueError, match="received parameters \\['k', 'd', 'D'\\], but expected \\['k', 'd'\\]"):
+        ComputeSensitivities(problem, {"D": 0.5}, showProgress=False)
+
+
+@pytest.mark.parametrize("method", ["L-BFGS-B", "SLSQP"])
+def test_minimize_takes_exact_gradients(method: str) -> None:
+    wanted = identification().Values([62.0, 0.9])["x"]
+    outputs = {"cost": exu.Function(lambda x: 1e6 * float(np.sum((x - wanted) ** 2)), outputs=[exu.At("x", TIMES)])}
+    parameters = {"k": ("spring", "stiffness"), "d": ("spring", "damping")}
+    problem = exu.DifferentiableModel(oscillator(), parameters, outputs, settings())
+    bounds, options = {"k": (40.0, 90.0), "d": (0.0, 3.0)}, {"ftol": 1e-15, "gtol": 1e-10}
+    if method == "SLSQP":
+        options.pop("gtol")
+    best, value, *_ = Minimize(problem, bounds, method=method, tol=None, options=options, showProgress=False)
+    assert value < 1e-8
+    assert best["k"] == pytest.approx(62.0, rel=1e-6) and best["d"] == pytest.approx(0.9, rel=1e-5)
+    best, *_ = Minimize(
+        problem, {"k": (40.0, 60.0), "d": (0.0, 3.0)}, method=method, showProgress=False, tol=None, options=options
+    )
+    assert best["k"] == 60.0  # a bound
+    with pytest.raises(TypeError, match="expected a number"):
+        Minimize(identification(), bounds, method=method, showProgress=False)
+
+
 def test_check_reports_what_disagrees() -> None:
     problem = identification()
     exact = problem.Sensitivities
@@ -503,12 +556,106 @@ def test_model_does_not_change() -> None:
     assert before == after
 
 
+@pytest.mark.parametrize("method", ["forward", "adjoint"])
+def test_model_does_not_change_whatever_happens(method: Any) -> None:
+    mass: dict[str, Any] = {"m": ("mass", "physicsMass")}
+    mbs = pendulum()
+    mbs.SolveDynamic(settings(0.1, 10))
+    before = contents(mbs)
+
+    def call(parameters: Any = mass, outputs: Any = None, **options: Any) -> Any:
+        return mbs.ComputeSensitivities(parameters, outputs or {"x": "p"}, settings(), method=method, **options)
+
+    def failing(x: Any) -> float:
+        raise RuntimeError("no value")
+
+    call({**mass, "x0": ("node", "referenceCoordinates", 1)}, consistentStart=True, maximumMemory=1000)
+    calls: list[tuple[type, Any]] = [
+        (ValueError, lambda: call({"m": ("mass", "physicsMas")})),
+        (exu.NotDifferentiable, lambda: call({"m": ("mass", "name")})),
+        (exu.NotDifferentiable, lambda: call(solverType=exu.DynamicSolverType.ESDIRK43)),
+        (exu.NotDifferentiable, lambda: call(solverType=exu.DynamicSolverType.RK44)),
+        (exu.NotDifferentiable, lambda: call(outputs={"w": exu.Eigenvalue(0)})),
+        (exu.SolverError, lambda: call(solverType="static")),
+        (RuntimeError, lambda: call(outputs={"x": exu.Integral("p", failing)})),
+    ]
+    for error, function in calls:
+        with pytest.raises(error):
+            function()
+    model = exu.DifferentiableModel(mbs, mass, {"x": "p"}, settings(), method=method)
+    model.ValueAndGradient([3.0])
+    with pytest.raises(ValueError, match="physicsMass"):
+        model.Values([-3.0])
+    assert contents(mbs) == before
+
+
 def test_results_are_the_same_again() -> None:
     mbs = pendulum()
     first, second = (
         mbs.ComputeSensitivities({"m": ("mass", "physicsMass")}, {"x": "p"}, settings()).matrix for _ in range(2)
     )
     assert first.tobytes() == second.tobytes()
+
+
+# ---- states in a file -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("method", ["forward", "adjoint"])
+@pytest.mark.parametrize("name", ["constraint", "history", "explicit", "end"])
+def test_states_in_a_file_give_the_same_bits(name: str, method: Any) -> None:
+    mass = {"m": ("mass", "physicsMass")}
+    given: dict[str, Any] = {
+        "constraint": (pendulum(), mass, settings(0.5, 600)),
+        "history": (rubbing(), mass, with_events()),
+        "explicit": (oscillator(), mass, settings(), exu.DynamicSolverType.RK44),
+        "end": (oscillator(), {**mass, "end": "timeIntegration.endTime"}, settings()),
+    }
+    mbs, parameters, *options = given[name]
+    outputs = {
+        "x": exu.At("p" if name == "constraint" else "x"),
+        "E": exu.Integral("p" if name == "constraint" else "x"),
+    }
+    first, second, third = (
+        mbs.ComputeSensitivities(parameters, outputs, *options, method=method, maximumMemory=memory)
+        for memory in (None, 1, 5000)
+    )
+    assert first.matrix.tobytes() == second.matrix.tobytes() == third.matrix.tobytes()
+    assert first.values == second.values == third.values
+
+
+def test_memory_is_limited() -> None:
+    # A state has 240 numbers: 1000 steps take 1.92 MB, and are written in blocks of at most 256 rows.
+    size, steps = 60, 1000
+    mbs = new_system()
+    nodes = [mbs.AddNode(NodePoint(referenceCoordinates=[i, 0, 0])) for i in range(size // 3)]
+    mbs.AddObject(
+        ObjectGenericODE2(
+            nodeNumbers=nodes, massMatrix=np.eye(size), stiffnessMatrix=10 * np.eye(size), forceVector=np.ones(size),
+            name="matrices",
+        )
+    )  # fmt: skip
+    mbs.AddSensor(SensorNode(nodeNumber=nodes[0], outputVariableType=Variable.Position, name="p"))
+    mbs.Assemble()
+
+    def peak(count: int, memory: float | None) -> float:
+        tracemalloc.start()
+        try:
+            given = {"f": ("matrices", "forceVector", 0)}
+            mbs.ComputeSensitivities(given, {"x": "p"}, settings(1.0, count), method="adjoint", maximumMemory=memory)
+            return tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+
+    peak(10, None)
+    growth = peak(steps, 1e5) - peak(500, 1e5)
+    assert peak(steps, None) - peak(500, None) > 500 * 8 * 240
+    assert growth < 0.1 * 500 * 8 * 240  # times of steps alone
+
+
+@pytest.mark.parametrize("memory", [0, -1e6, "much", [1e6]])
+def test_wrong_memory(memory: Any) -> None:
+    with pytest.raises((ValueError, TypeError), match="maximumMemory"):
+        oscillator().ComputeSensitivities({"k": ("spring", "stiffness")}, {"x": "x"}, settings(), maximumMemory=memory)
 
 
 # ---- what is refused --------------------------------------------------------------------------------------------------
@@ -662,6 +809,27 @@ def test_events_that_are_refused() -> None:
         falling(0.05).ComputeSensitivities(parameters, {"t": exu.EventTime("stop 0", 3)}, with_events(0.4, 80))
 
 
+def thrown(touch: float) -> Any:
+    """A mass that gravity slows down at a distance of 0.2 m, where it reaches a spring with a small speed."""
+    mbs, weight = falling(0.2), 20.0
+    mbs.SetNodeParameter("node 0", "initialVelocities", [-np.sqrt(weight * 0.2 + touch**2)])
+    mbs.SetLoadParameter(0, "load", weight)
+    mbs.Assemble()
+    return mbs
+
+
+def test_events_that_graze_are_refused() -> None:
+    # The mass of 2 kg touches at (v - w)/10 with v^2 = 4 + w^2: dt/d(-v) = (v/w - 1)/10, while rounding errors of the
+    # place, 1e-16 m, are those of w^2/20.
+    parameters, outputs = {"v": ("node 0", "initialVelocities", 0)}, {"t": exu.EventTime("stop 0")}
+    for speed in (1e-2, 1e-4):
+        found = thrown(speed).ComputeSensitivities(parameters, outputs, with_events(0.3, 30))
+        assert found.Derivative("t", "v") == pytest.approx((np.sqrt(4 + speed**2) / speed - 1) / 10, rel=1e-6)
+    refused = refusal(thrown(3e-7), parameters, outputs, with_events(0.3, 30))
+    assert refused.item == "event 'contact' of object 1 'stop 0' (ContactCoordinate)"
+    assert refused.reason.startswith("its switch grazes zero (rate -") and refused.time == pytest.approx(0.2, rel=1e-5)
+
+
 def hardening(c3: float = 2e3) -> Any:
     mbs = oscillator()
     number, spring = exu.symbolic.Real("c3", c3), mbs.GetObjectNumber("spring")
@@ -760,6 +928,58 @@ def test_redundant_constraints_are_refused() -> None:
     found = refusal(mbs, {"m": ("mass", "physicsMass")}, {"x": "p"})
     assert "1 constraint equations follow from others" in found.reason
     assert "rod" in found.item
+
+
+def snapping(place: float) -> Any:
+    """The top of two bars, at rest under a load across: its stiffness vanishes at a limit point."""
+    mbs = new_system()
+    node = mbs.AddNode(NodePoint(referenceCoordinates=[0, 0.3, 0], initialCoordinates=[0, place - 0.3, 0], name="top"))
+    body = mbs.AddObject(MassPoint(physicsMass=1, nodeNumber=node, name="mass"))
+    ends = [MarkerBodyPosition(bodyNumber=mbs.AddObject(ObjectGround(referencePosition=[x, 0, 0]))) for x in (-1, 1)]
+    middle = mbs.AddMarker(MarkerBodyPosition(bodyNumber=body))
+    full = np.hypot(1, 0.3)
+    for i, end in enumerate(ends):
+        markers = [mbs.AddMarker(end), middle]
+        mbs.AddObject(SpringDamper(markerNumbers=markers, referenceLength=full, stiffness=100, name=f"bar {i}"))
+    mbs.AddObject(CoordinateSpringDamper(markerNumbers=[ground_coordinate(mbs), mbs.AddMarker(
+        MarkerNodeCoordinate(nodeNumber=node, coordinate=2))], stiffness=50))  # fmt: skip
+    load = 200 * place * (1 - full / np.hypot(1, place))
+    mbs.AddLoad(LoadForceVector(markerNumber=middle, loadVector=[0, load, 0], name="force"))
+    mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Position, name="p"))
+    mbs.Assemble()
+    return mbs
+
+
+def test_limit_points_are_refused() -> None:
+    # F = 2 k y (1 - l/sqrt(1 + y^2)), which is largest where (1 + y^2)^(3/2) = l.
+    full = np.hypot(1, 0.3)
+    limit = np.sqrt(full ** (2 / 3) - 1)
+    parameters, outputs = {"F": ("force", "loadVector", 1)}, {"y": exu.At("p", component=1)}
+    for place in (0.29, limit + 0.01):
+        found = snapping(place).ComputeSensitivities(parameters, outputs, solverType="static")
+        assert found.values["y"] == pytest.approx(place, rel=1e-9)
+        slope = 200 * (1 - full / np.hypot(1, place) ** 3)
+        assert found.Derivative("y", "F") == pytest.approx(1 / slope, rel=1e-6)
+    refused = refusal(snapping(limit), parameters, outputs, solverType="static")
+    assert refused.reason.startswith("the stiffness matrix is singular: a limit point")
+    assert refused.item.startswith("node 0 'top'")
+
+
+def test_inactive_connectors_have_no_influence() -> None:
+    mbs = oscillator()
+    mbs.SetObjectParameter("spring", "activeConnector", False)
+    mbs.Assemble()
+    given = {"k": ("spring", "stiffness"), "F": ("force", "load")}
+    for method in ("forward", "adjoint"):
+        found = mbs.ComputeSensitivities(given, {"x": "x"}, settings(), method=method)  # x = F t^2/(2 m)
+        assert found.Derivative("x", "k") == 0.0
+        assert found.Derivative("x", "F") == pytest.approx(0.04, rel=1e-9)
+
+
+def test_integers_are_refused() -> None:
+    mbs = rubbing()
+    found = refusal(mbs, {"n": (mbs.GetNode(1)["name"], "numberOfDataCoordinates")}, with_settings=with_events())
+    assert found.reason == "numberOfDataCoordinates is an integer: 3" and found.parameter == "n"
 
 
 def test_singular_equilibrium_is_refused() -> None:

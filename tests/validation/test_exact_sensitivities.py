@@ -244,6 +244,26 @@ def test_response_at_fixed_points_of_an_absorber(side: int) -> None:
     assert abs(found.Derivative("X", "c2")) * OPTIMUM["c2"] < 1e-9 * found.values["X"]
 
 
+@pytest.mark.parametrize("side", FIXED_POINTS)
+def test_response_by_its_frequency(side: int) -> None:
+    problem = absorber_problem(FIXED_POINTS[side])
+    _, by = reference(f"P8 {side:+d}")["X"]
+    omega = exu.DesignParameter(FIXED_POINTS[side])
+    outputs = {"X": exu.FrequencyResponse("force", "x", "w")}
+    parameters = {"w": omega, "k2": ("spring2", "stiffness")}
+    found = problem.build(problem.numbers).ComputeSensitivities(parameters, outputs, solverType="static")
+    assert found.Derivative("X", "w") == pytest.approx(by["w"], rel=1e-9)
+    assert found.Derivative("X", "k2") == pytest.approx(by["k2"], rel=1e-9)
+    # A number that acts on the model and on the frequency: both parts are added.
+    both = exu.DesignParameter(omega.value, {("spring2", "stiffness"): OPTIMUM["k2"] / omega.value})
+    found = problem.build(problem.numbers).ComputeSensitivities({"w": both}, outputs, solverType="static")
+    expected = by["w"] + by["k2"] * OPTIMUM["k2"] / omega.value
+    assert found.Derivative("X", "w") == pytest.approx(expected, rel=1e-8)
+    model = exu.DifferentiableModel(problem.build(problem.numbers), parameters, outputs, solverType="static")
+    assert model.bounds[0][0] == 0.0
+    assert model.Check([omega.value + 0.5, 170.0]) == ""  # near a peak, to six digits
+
+
 def test_search_finds_the_optimal_absorber() -> None:
     # Den Hartog, Brock: at the best stiffness, both fixed points have one amplitude. The curve is level at one of them for
     # one damping each; the optimum is the mean of their squares.

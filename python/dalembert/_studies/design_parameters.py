@@ -34,21 +34,21 @@ class DesignParameter:
 
     value: the number.
     targets: a dictionary with (item, parameter) or (item, parameter, entry) as keys, and as values functions of the
-        number, or factors.
+        number, or factors. Without it, only outputs depend on the number, such as the frequency of a FrequencyResponse.
     """
 
     __module__ = "dalembert"
 
-    def __init__(self, value: float, targets: Mapping[Any, Callable[[float], float] | float]) -> None:
+    def __init__(self, value: float, targets: Mapping[Any, Callable[[float], float] | float] | None = None) -> None:
         if isinstance(value, bool) or not isinstance(value, (int, float, np.number)) or not np.isfinite(value):
             raise shape_error("DesignParameter: value", "a finite number", value)
-        if not isinstance(targets, Mapping) or not targets:
+        if targets is not None and (not isinstance(targets, Mapping) or not targets):
             raise shape_error(
                 "DesignParameter: targets",
                 "a dictionary, such as {('bar', 'length'): 1.0, ('mass', 'physicsMass'): lambda x: 7850*x}",
                 targets,
             )
-        self.value, self.targets = float(value), dict(targets)
+        self.value, self.targets = float(value), dict(targets or {})
 
 
 class _Target(NamedTuple):
@@ -127,8 +127,13 @@ class Parameter:
         """Return a typical size: the value, the largest entry of its vector, or a length of the model."""
         if self.value != 0:
             return abs(self.value)
-        largest = max(float(np.max(np.abs(target.current(mbs)), initial=0.0)) for target in self.targets)
+        largest = max((float(np.max(np.abs(target.current(mbs)), initial=0.0)) for target in self.targets), default=0.0)
         return largest if largest > 0 else min(1.0, float(testing.extent(mbs)))
+
+    @property
+    def changes_model(self) -> bool:
+        """Whether equations or the initial state depend on it; the end time, and numbers of outputs alone, do not."""
+        return bool(self.targets)
 
     def set(self, mbs: Any, x: float) -> None:
         for target in self.targets:
@@ -136,7 +141,7 @@ class Parameter:
 
     def choose_formula(self, trial: Any) -> None:
         """Find the side to which the parameter may be varied, and check that it stands for what the model has."""
-        if self.is_end_time:
+        if not self.changes_model:
             return
         now = [np.array(target.current(trial), dtype=float) for target in self.targets]
         with _named(self.name, self.targets[0], trial):
@@ -388,11 +393,11 @@ class Parameters:
         """together: parameters without common equations are varied at the same time."""
         self.all, self._together = list(parameters), together
         self._options = options
-        self._structure = Structure(base)
+        self.structure = Structure(base)
         size = base.systemData.SystemSize()
         self.rows: list[Rows] = []  # by parameter: equations
         self.sensors: list[set[int] | None] = []  # ... and sensors
-        self.reads = {sensor: self._structure.of_sensor(sensor) for sensor in sensors}
+        self.reads = {sensor: self.structure.of_sensor(sensor) for sensor in sensors}
         for parameter in self.all:
             affected = self._affected(parameter)
             self.rows.append(None if affected is None else np.array(sorted(affected), dtype=int))
@@ -417,7 +422,7 @@ class Parameters:
         moved = z.copy()
         moved[:count] += 1e-2 * np.cos(np.arange(count)) * (1e-2 + np.abs(z[:count]).max(initial=0.0))
         for parameter, rows in zip(self.all, self.rows, strict=True):
-            if rows is None or parameter.is_end_time:
+            if rows is None or not parameter.changes_model:
                 continue
             parameter.set(trial, parameter.value)
             before = np.asarray(derivatives.residual(moved, time, 1.0))
@@ -425,7 +430,9 @@ class Parameters:
             change = np.abs(derivatives.residual(moved, time, 1.0) - before)
             changed = np.flatnonzero(change > _ROUND_OFF * np.abs(before).max(initial=0.0))
             parameter.set(trial, parameter.value)
-            others = np.setdiff1d(changed, rows)
+            own = np.zeros(self.size, dtype=bool)
+            own[rows] = True
+            others = changed[~own[changed]]
             if len(others):
                 raise NotDifferentiable(
                     f"it acts on equations of other items, such as {testing.describe_row(trial, int(others[0]))}",
@@ -436,7 +443,7 @@ class Parameters:
     def _affected(self, parameter: Parameter) -> set[int] | None:
         found: set[int] = set()
         for target in parameter.targets:
-            part = self._structure.affected_by(target.item, target.parameter)
+            part = self.structure.affected_by(target.item, target.parameter)
             if part is None:
                 return None
             found |= part
@@ -446,7 +453,7 @@ class Parameters:
         """Yield parameters without common equations or sensors, and with the same formula, together."""
         open_groups: list[tuple[list[int], set[int], set[int]]] = []
         for k, (parameter, rows, sensors) in enumerate(zip(self.all, self.rows, self.sensors, strict=True)):
-            if parameter.is_end_time:  # it changes no equation
+            if not parameter.changes_model:
                 continue
             if rows is None or sensors is None or not self._together:
                 yield [k]

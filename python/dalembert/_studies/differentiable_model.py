@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -42,13 +42,14 @@ class DifferentiableModel:
         method: Method = "auto",
         *,
         consistentStart: bool = False,
+        maximumMemory: float | None = None,
     ) -> None:
         assemble_if_needed("DifferentiableModel", mbs, True)
         self._settings = copy.deepcopy(given_or_default("DifferentiableModel", simulationSettings))
-        Problem(mbs, parameters, outputs, self._settings, solverType, consistentStart)  # checks
+        self._options = solverType, consistentStart, maximumMemory
+        Problem(mbs, parameters, outputs, self._settings, *self._options)  # checks
         self._mbs = copy.copy(mbs)
         self._given, self._outputs = dict(parameters), read_outputs(outputs)
-        self._options = solverType, consistentStart
         self._method: Method = method
         self._parameters = [Parameter(self._mbs, name, each, self._settings) for name, each in parameters.items()]
         self.names = list(parameters)
@@ -64,7 +65,7 @@ class DifferentiableModel:
 
     def _refuses(self, parameter: Parameter, sign: float) -> bool:
         trial = copy.copy(self._mbs)
-        if parameter.is_end_time:
+        if not parameter.changes_model:  # an end time, or a frequency
             return True
         try:
             parameter.set(trial, sign * max(1.0, abs(parameter.value)))
@@ -97,6 +98,23 @@ class DifferentiableModel:
             problem = Problem(mbs, given, self._outputs, settings, *self._options)
             self._found, self._point = problem.solve(self._method), point.copy()
         return self._found
+
+    def __call__(self, parameterSet: Mapping[str, Any]) -> Any:
+        """Return all numbers of the outputs, or a number if there is one, for the functions of dalembert.processing.
+
+        Parameters that are not given have their present values.
+        """
+        values = self._values(self.Sensitivities(self._completed(parameterSet)))
+        return float(values[0]) if len(values) == 1 else values
+
+    def slopes(self, parameterSet: Mapping[str, Any], names: Sequence[str]) -> FloatArray:
+        """Return derivatives, a row for each of these parameters and a column for each number of the outputs."""
+        found = self.Sensitivities(self._completed(parameterSet)).matrix
+        return np.asarray(found[:, [self.names.index(name) for name in names]].T)
+
+    def _completed(self, parameterSet: Mapping[str, Any]) -> dict[str, Any]:
+        given = {name: x for name, x in parameterSet.items() if name not in ("computationIndex", "functionData")}
+        return dict(zip(self.names, self.x0.tolist(), strict=True)) | given
 
     def Values(self, x: ArrayLike | Mapping[str, float]) -> dict[str, Any]:
         """Return values of all outputs by name."""
@@ -237,4 +255,4 @@ def _moved(given: Any, value: float) -> Any:
     """Return what stands for a parameter at another value."""
     from dalembert._studies.design_parameters import DesignParameter
 
-    return DesignParameter(value, given.targets) if isinstance(given, DesignParameter) else given
+    return DesignParameter(value, given.targets or None) if isinstance(given, DesignParameter) else given

@@ -104,6 +104,7 @@ class Output(ABC):
 
     __module__ = "dalembert"
     size = 1
+    parameters: frozenset[str] = frozenset()  # names of parameters that the output itself reads
 
     @abstractmethod
     def samples(self, name: str, context: Context) -> Iterator[Sample]:
@@ -426,15 +427,18 @@ class FrequencyResponse(_Computed):
     """A frequency response: the amplitude of a value of a sensor under a harmonic load, about the static equilibrium.
 
     load: it oscillates about its value, with its value as amplitude; sensor, component: what responds.
-    omega: circular frequency in rad/s.
+    omega: circular frequency in rad/s, or the name of a parameter whose value it is.
     """
 
     __module__ = "dalembert"
 
-    def __init__(self, load: Any, sensor: Any, omega: float, component: int = 0) -> None:
-        if not np.isfinite(omega) or omega < 0:
-            raise shape_error("FrequencyResponse: omega", "a circular frequency in rad/s", omega)
-        self.load, self.sensor, self.omega, self.component = load, sensor, float(omega), component
+    def __init__(self, load: Any, sensor: Any, omega: float | str, component: int = 0) -> None:
+        if isinstance(omega, str):
+            self.parameters = frozenset({omega})
+        elif not isinstance(omega, (int, float, np.number)) or not np.isfinite(omega) or omega < 0:
+            raise shape_error("FrequencyResponse: omega", "a circular frequency in rad/s, or a name", omega)
+        self.load, self.sensor, self.component = load, sensor, component
+        self.omega = omega if isinstance(omega, str) else float(omega)
 
     def source(self, name: str, context: Context) -> Source:
         where = f"output '{name}'"
@@ -463,6 +467,7 @@ class Function(Output):
         if not all(isinstance(output, Output) for output in outputs):
             raise shape_error("Function: outputs", "a list of outputs, such as [At('tip')]", outputs)
         self.function, self.sensors, self.outputs = function, list(sensors), list(outputs)
+        self.parameters = frozenset().union(*(output.parameters for output in outputs))
 
     def _of_sensors(self, name: str, context: Context) -> list[Sample]:
         return [Sample(len(context.times) - 1, context.sensor(name, sensor)) for sensor in self.sensors]

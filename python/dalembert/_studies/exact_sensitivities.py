@@ -11,14 +11,14 @@ from typing import Any, Literal
 import numpy as np
 
 from dalembert import _core
-from dalembert._checks import FloatArray, shape_error
+from dalembert._checks import FloatArray, as_number, shape_error
 from dalembert._core import DynamicSolverType, MainSystem, SimulationSettings
 from dalembert._solving.quiet import assemble_if_needed, given_or_default
 from dalembert._studies.design_parameters import Parameter, Parameters
 from dalembert._studies.difference_formulas import STEP, derivative
 from dalembert._studies.differentiable_outputs import COMPUTED, Context, Output, Sample, entries_read
 from dalembert._studies.explicit_steps import TABLEAUS, ExplicitWalk, refuse_for_stages
-from dalembert._studies.generalized_alpha import LinearStep, Variation
+from dalembert._studies.generalized_alpha import LinearStep, Turns, Variation, turns_of_steps
 from dalembert._studies.moving_steps import Moving, Walk
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import (
@@ -33,6 +33,7 @@ from dalembert._studies.recorded_motion import (
 )
 from dalembert._studies.recorded_steps import Steps, find_steps, only_states_of_items, with_data
 from dalembert._studies.start_derivatives import Start
+from dalembert._studies.stored_rows import Rows
 from dalembert._tools.missing_names import nearest
 
 Method = Literal["auto", "forward", "adjoint"]
@@ -104,6 +105,7 @@ def ComputeSensitivities(
     *,
     consistentStart: bool = False,
     storeHistories: bool = False,
+    maximumMemory: float | None = None,
     autoAssemble: bool = True,
 ) -> Sensitivities:
     """Solve the system and return derivatives of outputs with respect to parameters.
@@ -124,13 +126,14 @@ def ComputeSensitivities(
     consistentStart: initial values follow constraints that parameters change; otherwise they stay as they are, with a
     warning.
     storeHistories: also derivatives of sensors that outputs read, after each step (forward method).
+    maximumMemory: bytes that the states of all steps may take in memory; more of them are kept in a temporary file.
 
     The model is copied and does not change. What cannot be differentiated raises NotDifferentiable. Newton's method is
     solved to round-off, whatever tolerances are set.
     """
     assemble_if_needed("ComputeSensitivities", mbs, autoAssemble)
     settings = given_or_default("ComputeSensitivities", simulationSettings)
-    problem = Problem(mbs, parameters, outputs, settings, solverType, consistentStart)
+    problem = Problem(mbs, parameters, outputs, settings, solverType, consistentStart, maximumMemory)
     if method not in _METHODS:
         raise ValueError(
             f"ComputeSensitivities: method: received {method!r}, but expected one of {', '.join(_METHODS)}"
@@ -167,12 +170,16 @@ class Problem:
         settings: SimulationSettings,
         solverType: Any,
         consistent: bool,
+        maximumMemory: float | None = None,
     ) -> None:
         if not isinstance(parameters, Mapping) or not parameters:
             raise shape_error(
                 "ComputeSensitivities: parameters", "a dictionary, such as {'k': ('spring', 'stiffness')}", parameters
             )
         self.outputs = read_outputs(outputs)
+        if maximumMemory is not None and not as_number("ComputeSensitivities: maximumMemory", maximumMemory) > 0:
+            raise shape_error("ComputeSensitivities: maximumMemory", "a number of bytes above 0", maximumMemory)
+        self.memory = np.inf if maximumMemory is None else float(maximumMemory)
         self.static = solverType == "static"
         if not self.static:
             refuse_settings(settings, solverType)
@@ -184,8 +191,25 @@ class Problem:
             consistent,
         )
         self.parameters = [Parameter(self.mbs, name, given, settings) for name, given in parameters.items()]
+        self._check_names()
         data = mbs.systemData
         self.n, self.n1, self.m = data.ODE2Size(), data.ODE1Size(), data.AEsize()
+
+    def _check_names(self) -> None:
+        """Refuse names of parameters in outputs that do not exist, and parameters that nothing depends on."""
+        known = [parameter.name for parameter in self.parameters]
+        for name, output in self.outputs.items():
+            for read in output.parameters - set(known):
+                raise ValueError(
+                    f"output '{name}': received '{read}', but the parameters are "
+                    f"{', '.join(known)}{nearest(read, known)}"
+                )
+        read_names = frozenset().union(*(output.parameters for output in self.outputs.values()))
+        for parameter in self.parameters:
+            if not parameter.changes_model and not parameter.is_end_time and parameter.name not in read_names:
+                raise ValueError(
+                    f"parameter '{parameter.name}': a DesignParameter without targets, which no output reads"
+                )
 
     def solve(self, method: Method, histories: bool = False) -> Sensitivities:
         if self.static:
@@ -198,7 +222,7 @@ class Problem:
 class Samples:
     """Values and gradients of everything that outputs read."""
 
-    def __init__(self, problem: Problem, context: Context, states: FloatArray) -> None:
+    def __init__(self, problem: Problem, context: Context, states: Rows) -> None:
         self.context, self.states, self.problem = context, states, problem
         self.wanted: dict[Sample, None] = {}
         for name, output in problem.outputs.items():
@@ -228,7 +252,7 @@ class Samples:
             else:
                 self.values[sample] = z[sample.source[1] : sample.source[1] + 1]
         self.entries = {s: entries_read(parameters.base.mbs, s, parameters.reads[s]) for s in self.sensors}
-        self.steps = typical_steps(self.problem, self.states)
+        self.steps = typical_steps(self.problem, self.states.largest)
         for sensor in self.sensors:
             self._check_entries(sensor)
         self.rows: dict[str, slice] = {}
@@ -344,7 +368,7 @@ class Samples:
             entries, gradient = self.gradient(sample)
             explicit = self.explicit(sample)
             for row, weights in self.seeds[sample]:
-                z = np.zeros(self.states.shape[1])
+                z = np.zeros(self.states.width)
                 z[entries] = weights @ gradient
                 bar.add(row, z)
                 matrix[row] += weights @ explicit
@@ -370,10 +394,10 @@ class Samples:
         return found
 
 
-def typical_steps(problem: Problem, states: FloatArray) -> FloatArray:
-    """Return steps of differences for entries of the state."""
+def typical_steps(problem: Problem, largest: FloatArray) -> FloatArray:
+    """Return steps of differences for entries of the state, of which the largest values are known."""
     extent = min(1.0, float(_core.testing.extent(problem.mbs)))
-    size = np.maximum(np.abs(states).max(axis=0, initial=0.0), extent)
+    size = np.maximum(np.abs(largest), extent)
     size[: problem.n] = extent
     return np.asarray(STEP * size)
 
@@ -392,7 +416,7 @@ class _Integration:
         self.problem = problem
         begin = clock.perf_counter()
         solved = copy.copy(problem.mbs)
-        self.motion: Motion = record(solved, problem.settings, problem.solverType)
+        self.motion: Motion = record(solved, problem.settings, problem.solverType, problem.memory)
         self.seconds = clock.perf_counter() - begin
 
     def solve(self, method: Method, histories: bool) -> Sensitivities:
@@ -479,11 +503,10 @@ class _Integration:
         problem, motion = self.problem, self.motion
         derivatives = _core.testing.SystemDerivatives(problem.mbs, rate_level=rate_level)
         watches = problem.settings.events.ofItems and _has_switches(derivatives, motion)
-        equal = np.all(motion.algorithmic[0] == motion.states[0, 2 * problem.n : 3 * problem.n])
         explicit = problem.solverType in TABLEAUS
         if explicit:
             refuse_for_stages(derivatives, problem.mbs)
-        plain = not watches and end_time is None and equal and not explicit
+        plain = not watches and end_time is None and motion.algorithmic is not None
         if plain and (
             not derivatives.sizes[3]
             or only_states_of_items(motion.times, motion.states, motion.scheme.h, derivatives, problem.mbs)
@@ -498,6 +521,7 @@ class _Integration:
             derivatives,
             problem.mbs,
             watches=bool(watches),
+            memory=problem.memory / 6,
             implicit=not explicit,
         )
         events = tuple((step, event.item) for step, event in sorted(steps.events.items()))
@@ -535,20 +559,17 @@ class _Integration:
         samples.moving_seeds(0, bar, matrix, walk)
         return matrix + _products(bar.state, start)
 
-    def _linear_step(self, derivatives: Any, i: int, transposed: bool) -> LinearStep:
-        """Return the step to state i, with factors."""
+    def _turns(self, states: FloatArray, first: int) -> Turns:
+        """Return what steps between some states do to rotations; first: number of the first of these states."""
         motion, n = self.motion, self.problem.n
-        z, time = motion.states[i], float(motion.times[i])
-        before = motion.states[i - 1]
-        derivatives.linearize(z, time, motion.scheme.h)
-        step = LinearStep(
-            motion.scheme,
-            derivatives,
-            before[n : 2 * n],
-            before[2 * n : 3 * n],
-            motion.algorithmic[i - 1],
-            z[2 * n : 3 * n],
-        )
+        assert motion.algorithmic is not None
+        v, a, a_end = states[:-1, n : 2 * n], states[:-1, 2 * n : 3 * n], states[1:, 2 * n : 3 * n]
+        return turns_of_steps(motion.scheme, v, a, motion.algorithmic[first : first + len(v)], a_end)
+
+    def _linear_step(self, derivatives: Any, z: FloatArray, time: float, turns: Turns, transposed: bool) -> LinearStep:
+        """Return the step to a state, with factors."""
+        derivatives.linearize(z, time, self.motion.scheme.h)
+        step = LinearStep(self.motion.scheme, derivatives, turns)
         failed = step.factorize(transposed)
         if failed >= 0:
             raise NotDifferentiable(
@@ -564,16 +585,16 @@ class _Integration:
         samples.add_variations(0, change, matrix)
         histories: dict[int, list[FloatArray]] = {sensor: [] for sensor in samples.sensors}
         block = max(1, min(_BLOCK, _BLOCK_NUMBERS // (parameters.size * len(parameters.all))))
-        rates = np.zeros((0, 0, 0))
         for i in range(len(motion.times)):
             time = float(motion.times[i])
             if i > 0:
-                if (i - 1) % block == 0:
-                    rates = parameters.rates_of(
-                        motion.states[i : i + block], motion.times[i : i + block], motion.scheme.h
-                    )
-                step = self._linear_step(parameters.base.derivatives, i, False)
-                change = step.forward(change, rates[(i - 1) % block])
+                k = (i - 1) % block
+                if k == 0:
+                    states = motion.states[i - 1 : i + block]
+                    turns = self._turns(states, i - 1)
+                    rates = parameters.rates_of(states[1:], motion.times[i : i + block], motion.scheme.h)
+                step = self._linear_step(parameters.base.derivatives, states[k + 1], time, turns.of_step(k), False)
+                change = step.forward(change, rates[k])
                 samples.add_variations(i, change, matrix)
             for sensor in samples.sensors if kept is not None else ():
                 sample = Sample(i, sensor)
@@ -595,13 +616,15 @@ class _Integration:
         block = max(1, min(_BLOCK, _BLOCK_NUMBERS // (parameters.size * samples.size)))
         for end in range(samples_end, 0, -block):
             begin = max(end - block, 0)
+            states, times = motion.states[begin : end + 1], motion.times[begin : end + 1]
+            turns = self._turns(states, begin)
             weights = np.zeros((end - begin, samples.size, parameters.size))
-            for i in range(end, begin, -1):
-                samples.add_seeds(i, bar, matrix)
-                step = self._linear_step(parameters.base.derivatives, i, True)
-                bar, weights[i - begin - 1] = step.backward(bar)
-            part = slice(begin + 1, end + 1)
-            matrix -= parameters.weighted_rates_of(motion.states[part], motion.times[part], motion.scheme.h, weights)
+            for k in range(end - begin, 0, -1):
+                samples.add_seeds(begin + k, bar, matrix)
+                turn = turns.of_step(k - 1)
+                step = self._linear_step(parameters.base.derivatives, states[k], float(times[k]), turn, True)
+                bar, weights[k - 1] = step.backward(bar)
+            matrix -= parameters.weighted_rates_of(states[1:], times[1:], motion.scheme.h, weights)
         samples.add_seeds(0, bar, matrix)
         return matrix + _products(bar, start)
 

@@ -19,7 +19,7 @@ to the first, give the gradient of an output (discrete adjoint).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -200,38 +200,65 @@ class _BySize:
     y_t: FloatArray
 
 
+class Turns(NamedTuple):
+    """Derivatives of rotations at the end of a step, one matrix for each rotation.
+
+    by_x: with respect to the unknown increment; by_q, by_increment, by_velocity: to rotations at the start, predicted
+    increments, and predicted velocities; by_turned: to increments that are turned by half a step.
+    """
+
+    by_x: FloatArray
+    by_q: FloatArray
+    by_increment: FloatArray
+    by_velocity: FloatArray
+    by_turned: FloatArray
+
+    def of_step(self, number: int) -> Turns:
+        return Turns(*(part[number] for part in self))
+
+
+def turns_of_steps(scheme: Scheme, v: FloatArray, a: FloatArray, b: FloatArray, a_end: FloatArray) -> Turns:
+    """Return the derivatives of rotations for several steps, whose starts (v, a, b) and ends are in rows."""
+    shape = (len(v), len(scheme.rotations), 3)
+
+    def of(x: FloatArray) -> FloatArray:
+        return x[:, scheme.rotations].reshape(-1, 3)
+
+    def steps(matrices: FloatArray) -> FloatArray:
+        return matrices.reshape(*shape, 3)
+
+    dq, x = of(scheme.increments(v, a, b)), of(a_end / scheme.c_a)
+    if scheme.simplified:
+        turn, blocks = (steps(part) for part in rotation_operators(dq + x))
+        return Turns(blocks, turn, blocks, np.zeros_like(blocks), blocks)
+    speed = of(scheme.velocities(v, a, b))
+    turn, blocks = rotation_operators(x)
+    first_turn, first_blocks = rotation_operators(dq + scheme._half_step * _cross(speed, dq))
+    by_turned = turn @ first_blocks
+    found = (
+        blocks,
+        turn @ first_turn,
+        by_turned @ (np.eye(3) + scheme._half_step * _skew(speed)),
+        by_turned @ (-scheme._half_step * _skew(dq)),
+        by_turned,
+    )
+    return Turns(*(steps(part) for part in found))
+
+
 class LinearStep:
-    """The linearized step from a state (v, a, b) to its end, where the derivatives of the equations have been computed.
+    """The linearized step from a state to its end, where the derivatives of the equations have been computed.
 
     derivatives: a SystemDerivatives at the end of the step.
     """
 
-    def __init__(
-        self, scheme: Scheme, derivatives: Any, v: FloatArray, a: FloatArray, b: FloatArray, a_end: FloatArray
-    ) -> None:
-        self.scheme, self.derivatives = scheme, derivatives
-        rotations = scheme.rotations
-        self.blocks = np.zeros((0, 3, 3))
-        if not len(rotations):
-            return
-        dq, x = scheme.increments(v, a, b)[rotations], (a_end / scheme.c_a)[rotations]
-        if scheme.simplified:
-            self.turn, self.blocks = rotation_operators(dq + x)
-            return
-        speed = scheme.velocities(v, a, b)[rotations]
-        turned = dq + scheme._half_step * _cross(speed, dq)
-        turns, blocks = rotation_operators(np.concatenate((x, turned)))
-        count = len(x)
-        self.turn, self.blocks = turns[:count], blocks[:count]
-        self.first_turn, self.first_blocks = turns[count:], blocks[count:]
-        self.by_increment = np.eye(3) + scheme._half_step * _skew(speed)
-        self.by_velocity = -scheme._half_step * _skew(dq)
+    def __init__(self, scheme: Scheme, derivatives: Any, turns: Turns) -> None:
+        self.scheme, self.derivatives, self.turns = scheme, derivatives, turns
 
     def factorize(self, transposed: bool) -> int:
         s = self.scheme
         factors = (1.0, s.c_v, s.c_a, 1.0, s.c_v, 1.0, 2 / s.h)
         found = self.derivatives.factorize(
-            factors, self.blocks if len(self.blocks) else None, s.beta * s.h**2, transposed
+            factors, self.turns.by_x if len(s.rotations) else None, s.beta * s.h**2, transposed
         )
         return int(found)
 
@@ -252,16 +279,13 @@ class LinearStep:
         if by_size is not None:
             q = q + by_size.q
         if len(r):
-            if s.simplified:
-                if by_size is not None:
-                    dq = dq + by_size.q
-                q[:, r] = self._times(self.turn, start.q[:, r]) + self._times(self.blocks, dq[:, r])
-            else:
-                turned = self._times(self.by_increment, dq[:, r]) + self._times(self.by_velocity, v[:, r])
-                if by_size is not None:
-                    turned = turned + by_size.turned[r]
-                first = self._times(self.first_turn, start.q[:, r]) + self._times(self.first_blocks, turned)
-                q[:, r] = self._times(self.turn, first)
+            q[:, r] = (
+                self._times(self.turns.by_q, start.q[:, r])
+                + self._times(self.turns.by_increment, dq[:, r])
+                + self._times(self.turns.by_velocity, v[:, r])
+            )
+            if by_size is not None:
+                q[:, r] += self._times(self.turns.by_turned, by_size.turned[r])
         y = start.y + 0.5 * s.h * start.y_t
         n, n1 = q.shape[1], y.shape[1]
         if by_size is not None:
@@ -274,7 +298,7 @@ class LinearStep:
         x, eta = u[:, :n], u[:, n : n + n1]
         moved = x.copy()
         if len(r):
-            moved[:, r] = self._times(self.blocks, x[:, r])
+            moved[:, r] = self._times(self.turns.by_x, x[:, r])
         a, y_t = s.c_a * x, 2 / s.h * eta
         if by_size is not None:
             a, y_t = a + by_size.a, y_t + by_size.y_t
@@ -316,7 +340,7 @@ class LinearStep:
         s, d, r = self.scheme, self.derivatives, self.scheme.rotations
         q = end.q.copy()
         if len(r):
-            q[:, r] = self._transposed(self.blocks, end.q[:, r])
+            q[:, r] = self._transposed(self.turns.by_x, end.q[:, r])
         of_x = q + s.c_v * end.v + s.c_a * (end.a + s.c_b * end.b)
         w = d.solve(np.hstack((of_x, end.y + 2 / s.h * end.y_t, end.lam)))
         n, n1 = end.q.shape[1], end.y.shape[1]
@@ -326,15 +350,11 @@ class LinearStep:
         y = end.y - by_k[:, n : n + n1]
         dq = q.copy()
         if len(r):
-            if s.simplified:
-                dq[:, r] = self._transposed(self.blocks, q[:, r])
-                q[:, r] = self._transposed(self.turn, q[:, r])
-            else:
-                first = self._transposed(self.turn, q[:, r])
-                turned = self._transposed(self.first_blocks, first)
-                q[:, r] = self._transposed(self.first_turn, first)
-                dq[:, r] = self._transposed(self.by_increment, turned)
-                v[:, r] += self._transposed(self.by_velocity, turned)
+            end_q = q[:, r]
+            q[:, r] = self._transposed(self.turns.by_q, end_q)
+            dq[:, r] = self._transposed(self.turns.by_increment, end_q)
+            if not s.simplified:
+                v[:, r] += self._transposed(self.turns.by_velocity, end_q)
         p_a, p_b = s.of_positions
         r_a, r_b = s.of_velocities
         m_a, m_b = s.memory

@@ -82,6 +82,12 @@ class _Objective:
             self._keep(x, value)
         return [self._known[self.inside(x).tobytes()] for x in points]
 
+    def exact_gradient(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the gradient of a DifferentiableModel; it vanishes along parameters that are held at bounds."""
+        point = self.inside(x)
+        slopes = self.function.slopes(dict(zip(self.names, point.tolist(), strict=True)), self.names)  # type: ignore[attr-defined]
+        return np.where(point == x, np.asarray(slopes)[:, 0], 0.0)
+
     def gradient(self, x: NDArray[np.float64], step: float, limits: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return differences over a step in each direction, backwards where it would leave the limits."""
         steps = np.where(x + step > limits[1], -step, step)
@@ -162,8 +168,9 @@ def Minimize(
     Evaluations run together, on these workers or by a VariedModel, if a method requests several: a generation of
     differential_evolution, and the differences for gradients, which CG, BFGS, L-BFGS-B, TNC, SLSQP, Newton-CG and
     trust-constr use; options={'eps': ...} is the step of differences. Its default of 1e-8 (scipy) is too small for most
-    solutions: use 1e-4 for parameters of the size 1. Other methods, such as Nelder-Mead,
-    Powell and COBYLA, choose each point by the value of the last one.
+    solutions: use 1e-4 for parameters of the size 1. A DifferentiableModel with one number as output gives exact
+    gradients instead. Other methods, such as Nelder-Mead, Powell and COBYLA, choose each point by the value of the last
+    one.
     """
     check_names(Minimize, kwargs, {"resultsFile", "useScipyBounds", *_WORKERS})
     check_study(Minimize, objectiveFunction, parameters)
@@ -222,7 +229,9 @@ def _follow(
     gradient: Any = None
     name = method.lower()
     makes_it = together or name == "newton-cg"  # scipy has no finite differences for it
-    if makes_it and name in _DIFFERENCES and "finite_diff_rel_step" not in options:
+    if name in _DIFFERENCES and hasattr(objective.function, "slopes"):
+        gradient = objective.exact_gradient
+    elif makes_it and name in _DIFFERENCES and "finite_diff_rel_step" not in options:
         step = options.get("eps", _DIFFERENCES[name])
         inside = limits if limits is not None else objective.bounds
         if inside is None:

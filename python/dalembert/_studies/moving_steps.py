@@ -26,11 +26,12 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._studies.design_parameters import Parameters, Variant, describe, weighted
 from dalembert._studies.difference_formulas import CENTRAL, FORWARD, derivative
-from dalembert._studies.generalized_alpha import LinearStep, Scheme, Variation
+from dalembert._studies.generalized_alpha import LinearStep, Scheme, Variation, turns_of_steps
 from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
 from dalembert._studies.recorded_steps import OF_DATA, OF_MASS, Steps, name_of, over_mass, with_data
+from dalembert._studies.stored_rows import Rows
 
-_GRAZES = 1e-8  # rate of a switch, relative to its terms
+_GRAZES = 1e-6  # rate of a switch, relative to its terms
 SMALL = 1e-3  # relative to the usual steps: changes of data must not switch
 
 
@@ -73,7 +74,7 @@ class Walk:
         self,
         parameters: Parameters,
         times: FloatArray,
-        states: FloatArray,
+        states: Rows,
         scheme: Scheme,
         steps: Steps,
         typical: FloatArray,
@@ -105,15 +106,10 @@ class Walk:
         h, time = float(self.steps.sizes[i]), float(self.times[i])
         z = self.end(i)
         self.derivatives.linearize(z, time, h)
-        n = self.n
-        step = LinearStep(
-            self.scheme_of(h),
-            self.derivatives,
-            self.states[i - 1][n : 2 * n],
-            self.steps.a[i],
-            self.steps.b[i],
-            self.states[i][2 * n : 3 * n],
-        )
+        n, scheme = self.n, self.scheme_of(h)
+        start = self.states[i - 1][n : 2 * n], self.steps.a[i], self.steps.b[i], self.states[i][2 * n : 3 * n]
+        turns = turns_of_steps(scheme, *(part[None] for part in start))
+        step = LinearStep(scheme, self.derivatives, turns.of_step(0))
         failed = step.factorize(transposed)
         if failed >= 0:
             raise NotDifferentiable(
@@ -251,7 +247,7 @@ class Walk:
         """Return the parameter of a group that acts on an object; its parameters have no common equations."""
         if len(group.members) == 1:
             return int(group.members[0])
-        own = self.parameters._structure.of_object(item)
+        own = self.parameters.structure.of_object(item)
         found = [k for k in group.members if own & set(np.asarray(self.parameters.rows[k]).tolist())]
         if len(found) != 1:
             raise NotDifferentiable(
@@ -421,8 +417,8 @@ class Walk:
             raise NotDifferentiable("data coordinates pass zero", item="time integration", time=float(self.times[i]))
 
     def _switch_rate(self, i: int, by_state: FloatArray, by_time: float, size: Moving) -> float:
-        rate = float(size.state.z[0] @ by_state) + by_time
-        terms = float(np.abs(size.state.z[0] * by_state).sum()) + abs(by_time)
+        rate, n, largest = float(size.state.z[0] @ by_state) + by_time, self.n, self.states.largest
+        terms = float(np.abs(by_state[: 2 * n]) @ largest[n : 3 * n]) + abs(by_time)  # with the largest rates of all
         if abs(rate) <= _GRAZES * max(terms, 1e-300):
             raise NotDifferentiable(
                 f"its switch grazes zero (rate {rate:.1e})",

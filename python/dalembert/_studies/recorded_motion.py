@@ -18,6 +18,7 @@ from dalembert._studies.explicit_steps import TABLEAUS
 from dalembert._studies.generalized_alpha import Scheme
 from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
 from dalembert._studies.recorded_steps import Steps
+from dalembert._studies.stored_rows import Rows
 
 _NEWTON = {"relativeTolerance": 1e-12, "absoluteTolerance": 1e-13}
 _SYSTEM_FUNCTIONS = (
@@ -36,8 +37,8 @@ class Motion(NamedTuple):
     """times (one more than steps), and states [q, v, a, y, y_t, lambda, data] in rows."""
 
     times: FloatArray
-    states: FloatArray
-    algorithmic: FloatArray  # algorithmic accelerations, in rows
+    states: Rows
+    algorithmic: Rows | None  # algorithmic accelerations, if all steps have one size
     scheme: Scheme  # of explicit methods: the size of regular steps alone
     computes_start: bool  # accelerations of the start fulfil the equations of motion
 
@@ -160,11 +161,13 @@ def refuse_redundant(used: Any) -> None:
         )
 
 
-def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any) -> Motion:
-    """Solve a system, which is a copy that may change, and return its motion."""
+def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any, memory: float) -> Motion:
+    """Solve a system, which is a copy that may change, and return its motion; memory: bytes of rows in memory."""
     data = mbs.systemData
     times: list[float] = []
-    states: list[FloatArray] = []
+    n = data.ODE2Size()
+    width = 3 * n + 2 * data.ODE1Size() + data.AEsize() + len(data.GetDataCoordinates())
+    states, b = Rows(width, memory * width / (width + n)), Rows(n, memory * n / (width + n))
     get = (
         data.GetODE2Coordinates,
         data.GetODE2Coordinates_t,
@@ -189,19 +192,17 @@ def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any) -> Mo
     if solverType in TABLEAUS:
         time = settings.timeIntegration
         h = (time.endTime - time.startTime) / int(round(time.numberOfSteps))
-        scheme = Scheme(h, 0.25, 0.5, 0.0, 0.0, True, False)
-        found = np.array(states)
-        return Motion(np.array(times), found, np.zeros((len(found), data.ODE2Size())), scheme, False)
+        return Motion(np.array(times), states, None, Scheme(h, 0.25, 0.5, 0.0, 0.0, True, False), False)
     refuse_redundant(used)
     generalized = settings.timeIntegration.generalizedAlpha
     newmark = generalized.useNewmark or solverType == _core.DynamicSolverType.TrapezoidalIndex2
     steps = int(round(settings.timeIntegration.numberOfSteps))
     step_size = (settings.timeIntegration.endTime - settings.timeIntegration.startTime) / steps
-    all_times, z = np.array(times), np.array(states)
-    equal = len(z) == steps + 1 and np.max(np.abs(np.diff(all_times) - step_size)) <= 1e-8 * step_size
+    all_times = np.array(times)
+    equal = len(times) == steps + 1 and np.max(np.abs(np.diff(all_times) - step_size)) <= 1e-8 * step_size
     if not equal and not settings.events.ofItems:
         raise NotDifferentiable(
-            f"there were {len(z) - 1} steps, some of them of other sizes, instead of {steps} equal ones",
+            f"there were {len(times) - 1} steps, some of them of other sizes, instead of {steps} equal ones",
             item="time integration",
             advice="use smaller steps, such that none has to be repeated",
         )
@@ -214,14 +215,14 @@ def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any) -> Mo
         newmark,
         generalized.lieGroupSimplifiedKinematicRelations,
     )
-    n = data.ODE2Size()
-    a = z[:, 2 * n : 3 * n]
-    b = np.zeros_like(a)
     if equal:
-        b[0] = a[0]
-        for i in range(steps):
-            b[i + 1] = scheme.algorithmic(a[i], b[i], a[i + 1])
-    return Motion(all_times, z, b, scheme, bool(generalized.computeInitialAccelerations))
+        last, made = states[0][2 * n : 3 * n], states[0][2 * n : 3 * n]
+        b.append(made)
+        for part in states.blocks(1):
+            for a in states[part][:, 2 * n : 3 * n]:
+                last, made = a, scheme.algorithmic(last, made, a)
+                b.append(made)
+    return Motion(all_times, states, b if equal else None, scheme, bool(generalized.computeInitialAccelerations))
 
 
 def _predicted(
@@ -234,36 +235,44 @@ def _predicted(
 
 def check_steps(motion: Motion, derivatives: Any, n: int, steps: Steps | None = None) -> None:
     """Refuse a motion whose steps are not those of the scheme, because the solver has corrected velocities."""
-    s, z = motion.scheme, motion.states
-    q, v, a, b = z[:-1, :n], z[:-1, n : 2 * n], z[:-1, 2 * n : 3 * n], motion.algorithmic[:-1]
-    if steps is not None:
-        a, b = steps.a[1:], steps.b[1:]
+    for part in motion.states.blocks(1):
+        _check_steps(motion, derivatives, n, steps, part)
+
+
+def _check_steps(motion: Motion, derivatives: Any, n: int, steps: Steps | None, part: slice) -> None:
+    """Check the steps that end at some states."""
+    s, z = motion.scheme, motion.states[part.start - 1 : part.stop]
+    q, v, a = z[:-1, :n], z[:-1, n : 2 * n], z[:-1, 2 * n : 3 * n]
     q_end, v_end, a_end = z[1:, :n], z[1:, n : 2 * n], z[1:, 2 * n : 3 * n]
+    furthest = motion.states.largest[:n].max(initial=0.0)
     if steps is None:
+        assert motion.algorithmic is not None
+        b = motion.algorithmic[part.start - 1 : part.stop - 1]
         expected_q, expected_v = _predicted(s, q, v, a, b, a_end)
     else:
+        a, b = steps.a[part], steps.b[part]
         expected_q, expected_v = np.empty_like(q), np.empty_like(v)
         for i in range(len(q)):
-            own = replace(s, h=float(steps.sizes[i + 1]))
+            own = replace(s, h=float(steps.sizes[part.start + i]))
             expected_q[i], expected_v[i] = _predicted(own, q[i], v[i], a[i], b[i], a_end[i])
     if len(s.rotations):
         for i in range(len(q)):
-            own = s if steps is None else replace(s, h=float(steps.sizes[i + 1]))
+            own = s if steps is None else replace(s, h=float(steps.sizes[part.start + i]))
             now = q[i]
             for increment in own.increment_of_step(v[i], a[i], b[i], a_end[i]):
                 now = derivatives.compose(now, increment)
             expected_q[i] = now
     # Round-off of a is that of increments times c_a.
     off = np.abs(expected_v - v_end).max(axis=1, initial=0.0)
-    speed = np.abs(v_end).max(axis=1, initial=0.0) + s.c_v * (np.abs(q_end).max(initial=0.0) + 1e-6) * 1e-6
+    speed = np.abs(v_end).max(axis=1, initial=0.0) + s.c_v * (furthest + 1e-6) * 1e-6
     off_q = np.abs(expected_q - q_end).max(axis=1, initial=0.0)
-    length = np.abs(q_end - q).max(axis=1, initial=0.0) + 1e-6 * np.abs(q_end).max(initial=0.0) + 1e-12
+    length = np.abs(q_end - q).max(axis=1, initial=0.0) + 1e-6 * furthest + 1e-12
     bad = np.flatnonzero((off > 1e-7 * speed) | (off_q > (1e-4 if len(s.rotations) else 1e-7) * length))
     if len(bad):
         raise NotDifferentiable(
             "the solver has changed the state besides its scheme, such as velocities across constraints that oscillate",
             item="time integration",
-            time=float(motion.times[bad[0] + 1]),
+            time=float(motion.times[part.start + bad[0]]),
             advice="use smaller steps, a smaller spectralRadius, or exu.DynamicSolverType.TrapezoidalIndex2",
         )
 

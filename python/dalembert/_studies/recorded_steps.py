@@ -12,6 +12,7 @@ from dalembert._checks import FloatArray
 from dalembert._studies.design_parameters import describe
 from dalembert._studies.generalized_alpha import Scheme
 from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
+from dalembert._studies.stored_rows import Rows
 
 _SAME_SIZE = 1e-9  # relative
 _BALANCED = 1e-6  # residual of a step, relative to its terms
@@ -36,8 +37,8 @@ class Steps(NamedTuple):
 
     sizes: FloatArray
     regular: float
-    a: FloatArray
-    b: FloatArray
+    a: Rows
+    b: Rows
     ratios: FloatArray
     events: dict[int, Event]
 
@@ -62,13 +63,14 @@ def with_data(z: FloatArray, data: FloatArray) -> FloatArray:
 
 def find_steps(
     times: FloatArray,
-    states: FloatArray,
+    states: Rows,
     scheme: Scheme,
     regular: float,
     derivatives: Any,
     mbs: Any,
     *,
     watches: bool,
+    memory: float,
     implicit: bool = True,
 ) -> Steps:
     """Find events, and the accelerations after them; refuse steps that are not explained by them."""
@@ -76,18 +78,22 @@ def find_steps(
     count = len(times)
     sizes = np.diff(times, prepend=times[0])
     sizes[np.abs(sizes - regular) < _SAME_SIZE * regular] = regular
-    a, b, ratios = np.zeros((count, n)), np.zeros((count, n)), np.zeros(count)
+    a, b, ratios = Rows(n, memory), Rows(n, memory), np.zeros(count)
+    a.append(np.zeros(n))
+    b.append(np.zeros(n))
     events: dict[int, Event] = {}
     before: list[Any] = []
-    a_now, b_now, size = states[0, 2 * n : 3 * n], states[0, 2 * n : 3 * n], 0.0
+    z_before = states[0]
+    a_now, b_now, size = z_before[2 * n : 3 * n], z_before[2 * n : 3 * n], 0.0
     for i in range(1, count):
         h, time = float(sizes[i]), float(times[i])
         own = scheme if h == scheme.h else replace(scheme, h=h)
-        data = states[i - 1, len(states[i]) - nd :]
-        z = with_data(states[i], data) if nd else states[i]
+        z_after = states[i]
+        data = z_before[len(z_before) - nd :]
+        z = with_data(z_after, data) if nd else z_after
         _check_balance(derivatives, z, time, h, mbs)
         if not before and watches:
-            before = list(derivatives.switches(states[i - 1], float(times[i - 1]), h))
+            before = list(derivatives.switches(z_before, float(times[i - 1]), h))
         regular_step, last = h == regular, i == count - 1
         now = list(derivatives.switches(z, time, h)) if watches else []
         found = _switched(now, before, True)
@@ -104,9 +110,10 @@ def find_steps(
             ratios[i] = h / size if found or last or h == size else 0.0  # repeated and recovered steps take b as it is
             if ratios[i] not in (0.0, 1.0) and not scheme.newmark:
                 b_now = a_now + ratios[i] * (b_now - a_now)
-        a[i], b[i] = a_now, b_now
-        a_now = states[i, 2 * n : 3 * n]
-        b_now, size = own.algorithmic(a[i], b[i], a_now), h
+        a.append(a_now)
+        b.append(b_now)
+        a_end = z_after[2 * n : 3 * n]
+        a_now, b_now, size = a_end, own.algorithmic(a_now, b_now, a_end), h
         if found:
             if m > 0 and implicit:
                 raise NotDifferentiable(
@@ -116,9 +123,10 @@ def find_steps(
                     advice=f"replace constraints by minimal coordinates, or {INSTEAD}",
                 )
             events[i] = found[0]
-            a_now = accelerations(derivatives, states[i], time, h)
+            a_now = accelerations(derivatives, z_after, time, h)
             b_now, size = a_now, 0.0
-        before = list(derivatives.switches(states[i], time, h)) if watches else []
+        before = list(derivatives.switches(z_after, time, h)) if watches else []
+        z_before = z_after
     return Steps(sizes, regular, a, b, ratios, events)
 
 
@@ -136,25 +144,29 @@ def name_of(mbs: Any, event: Event) -> str:
     return f"event '{event.what}' of {name}"
 
 
-def only_states_of_items(times: FloatArray, states: FloatArray, h: float, derivatives: Any, mbs: Any) -> bool:
+def only_states_of_items(times: FloatArray, states: Rows, h: float, derivatives: Any, mbs: Any) -> bool:
     """Return whether residuals of equal steps depend on states of items alone, such as turns of a spring.
 
     These do not vary. Values of data coordinates, such as the place where friction sticks, do.
     """
+    return all(_data_do_not_vary(times, states, h, derivatives, mbs, part) for part in states.blocks(1))
+
+
+def _data_do_not_vary(times: FloatArray, states: Rows, h: float, derivatives: Any, mbs: Any, part: slice) -> bool:
     n, _, _, nd = derivatives.sizes
-    data = slice(states.shape[1] - nd, None)
-    ends = states[1:].copy()
-    ends[:, data] = states[:-1, data]
+    data = slice(states.width - nd, None)
+    ends = states[part].copy()
+    ends[:, data] = states[part.start - 1 : part.stop - 1][:, data]
     still = ends.copy()
     still[:, 2 * n : 3 * n] = 0.0
-    residuals = derivatives.residuals(ends, times[1:], h)
-    terms = np.abs(derivatives.residuals(still, times[1:], h))[:, :n].max(axis=1, initial=0.0)
+    residuals = derivatives.residuals(ends, times[part], h)
+    terms = np.abs(derivatives.residuals(still, times[part], h))[:, :n].max(axis=1, initial=0.0)
     unbalanced = np.abs(residuals)[:, :n].max(axis=1, initial=0.0) > _BALANCED * np.maximum(terms, 1e-9)
     if np.any(unbalanced):
         i = int(np.argmax(unbalanced))
-        _check_balance(derivatives, ends[i], float(times[i + 1]), h, mbs)
+        _check_balance(derivatives, ends[i], float(times[part.start + i]), h, mbs)
     ends[:, data] *= 1 + OF_DATA
-    return bool(np.all(derivatives.residuals(ends, times[1:], h) == residuals))
+    return bool(np.all(derivatives.residuals(ends, times[part], h) == residuals))
 
 
 def _check_balance(derivatives: Any, z: FloatArray, time: float, h: float, mbs: Any) -> None:

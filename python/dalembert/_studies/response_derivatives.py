@@ -4,13 +4,14 @@ A load r_b exp(i w t) moves the state by X exp(i w t) about the static equilibri
 
     Z X = - r_b,   Z = K + i w D - w^2 M,   H = s^T X,   s = s_q + i w s_v - w^2 s_a.
 
-With Z^T y = s,  dH = ds^T X - y^T (dZ X + dr_b)  and  d|H| = Re(conj(H) dH)/|H|.
+With Z^T y = s,  dH = ds^T X - y^T (dZ X + dr_b)  and  d|H| = Re(conj(H) dH)/|H|. Z and s are polynomials of w.
 """
 
 from __future__ import annotations
 
 import copy
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -26,14 +27,14 @@ from dalembert._studies.not_differentiable import NotDifferentiable
 _AMPLITUDES = ("load", "loadVector")
 _ZERO = 1e-12  # amplitude, relative to its terms, that has no direction
 
-Response = tuple[int, int, int, float]
+Response = tuple[int, int, int, float | str]  # the frequency, or the name of the parameter that it is
 
 
 class _Harmonic:
     """Matrices of one model for one response."""
 
     def __init__(self, mbs: Any, response: Response, entries: Sequence[int]) -> None:
-        self.load, self.sensor, self.component, self.omega = response
+        self.load, self.sensor, self.component, _ = response
         self.derivatives, self.entries = testing.SystemDerivatives(mbs), list(entries)
         self.n, _, self.m, _ = self.derivatives.sizes
         unloaded = copy.copy(mbs)
@@ -48,9 +49,9 @@ class _Harmonic:
         unloaded.Assemble()
         self.unloaded = testing.SystemDerivatives(unloaded)
 
-    def terms(self, z: FloatArray, time: float, steps: FloatArray) -> tuple[Any, FloatArray, Any]:
-        """Return Z, r_b and s at a state."""
-        d, n, size, w = self.derivatives, self.n, self.n + self.m, self.omega
+    def terms(self, z: FloatArray, time: float, steps: FloatArray, w: float) -> tuple[Any, FloatArray, Any]:
+        """Return Z, r_b and s at a state and a circular frequency."""
+        d, n, size = self.derivatives, self.n, self.n + self.m
         d.linearize(z, time, 0.0)
         matrix = d.product("K", np.eye(size)).T.astype(complex)
         matrix[:, :n] += 1j * w * d.product("D", np.eye(n)).T
@@ -80,7 +81,11 @@ def response_derivatives(
     base, n = parameters.base, parameters.base.derivatives.sizes[0]
     found = {}
     for response in responses:
-        _, sensor, component, _ = response
+        _, sensor, component, given = response
+        column = next((k for k, parameter in enumerate(parameters.all) if parameter.name == given), None)
+        omega = float(given) if column is None else parameters.all[column].value
+        if omega < 0:
+            raise ValueError(f"FrequencyResponse: omega: parameter '{given}' is {omega:g}, but expected 0 or more")
         values = len(np.asarray(base.derivatives.sensor(sensor, z, time)))
         if not 0 <= component < values:
             raise ValueError(f"FrequencyResponse: component: received {component}, but the sensor has {values} values")
@@ -90,13 +95,15 @@ def response_derivatives(
         def terms(
             variant: Variant,
             at: FloatArray,
+            more: float = 0.0,
             known: dict[int, _Harmonic] = known,
             response: Response = response,
             entries: Sequence[int] = entries,
+            omega: float = omega,
         ) -> tuple[Any, FloatArray, Any]:
             if id(variant.mbs) not in known:
                 known[id(variant.mbs)] = _Harmonic(variant.mbs, response, entries)
-            return known[id(variant.mbs)].terms(at, time, steps)
+            return known[id(variant.mbs)].terms(at, time, steps, omega + more)
 
         matrix, load, s = terms(base, z)
         x, y = np.linalg.solve(matrix, -load), np.linalg.solve(matrix.T, s)
@@ -106,12 +113,20 @@ def response_derivatives(
         factor = total.conjugate() / abs(total)
 
         def moved(
-            variant: Variant, at: FloatArray, terms: Any = terms, x: Any = x, y: Any = y, factor: complex = factor
+            variant: Variant,
+            at: FloatArray,
+            more: float = 0.0,
+            terms: Any = terms,
+            x: Any = x,
+            y: Any = y,
+            factor: complex = factor,
         ) -> float:
-            own_matrix, own_load, own_s = terms(variant, at)
+            own_matrix, own_load, own_s = terms(variant, at, more)
             return float((factor * (own_s @ x - y @ (own_matrix @ x + own_load))).real)
 
         rates = parameters.scalar_rates(lambda variant, moved=moved: moved(variant, parameters.shifted(variant, z)))  # type: ignore[misc]
+        if column is not None:
+            rates[column] += derivative(partial(moved, base, z), STEP * (omega or 1.0))
         for k, change in enumerate(changes):
             size = float(np.abs(change[:n]).max(initial=0.0))
             if size > 0:

@@ -83,15 +83,20 @@ def ComputeSensitivities(
     addComputationIndex, parameterFunctionData: adds 'computationIndex' and 'functionData' to parameter sets.
     useMultiProcessing, showProgress, kwargs (clusterHostNames, keepFailures, numberOfThreads, restart, resultsFile,
         useMPI): see ProcessParameterList. Failed evaluations (keepFailures) are NaN.
+
+    A DifferentiableModel as parameterFunction gives exact sensitivities: no differences are taken, and with n=0, only
+    the reference is solved, so that the array of a name is empty.
     """
     check_names(ComputeSensitivities, kwargs, _ARGUMENTS)
     check_study(ComputeSensitivities, parameterFunction, parameters)
     variations = {name: _variation(name, value) for name, value in parameters.items()}
+    exact = hasattr(parameterFunction, "slopes")
+    factors = {name: [] if exact and steps == 0 else _factors(steps) for name, (_, _, steps) in variations.items()}
     sets: list[ParameterSet] = [{name: reference for name, (reference, _, _) in variations.items()}]
-    for name, (reference, step, steps) in variations.items():
+    for name, (reference, step, _) in variations.items():
         if debugMode:
-            write(f"{name}: {2 * steps or 1} variations of {reference} by {step}")
-        sets += [sets[0] | {name: _varied(reference, step, factor)} for factor in _factors(steps)]
+            write(f"{name}: {len(factors[name])} variations of {reference} by {step}")
+        sets += [sets[0] | {name: _varied(reference, step, factor)} for factor in factors[name]]
     for i, each in enumerate(sets):
         AddComputationIndexAndFunctionData(each, i, addComputationIndex, parameterFunctionData)
 
@@ -101,14 +106,17 @@ def ComputeSensitivities(
     size = max(np.size(value) for value in values)
     table = np.array([np.broadcast_to(np.atleast_1d(value), size) for value in values], dtype=float)  # failures are NaN
     sensitivity = np.zeros((len(variations), table.shape[1]))
+    if exact:
+        sensitivity[:] = parameterFunction.slopes(sets[0], list(variations))  # type: ignore[attr-defined]
     values_sorted = {}
     first = 1
     for i, (name, (reference, _, steps)) in enumerate(variations.items()):
-        after, before = (first, 0) if steps == 0 else (first + steps, first + steps - 1)
-        sensitivity[i] = (table[after] - table[before]) / (sets[after][name] - sets[before][name])
+        if not exact:
+            after, before = (first, 0) if steps == 0 else (first + steps, first + steps - 1)
+            sensitivity[i] = (table[after] - table[before]) / (sets[after][name] - sets[before][name])
         if scaledByReference:
             sensitivity[i] *= reference
-        last = first + max(2 * steps, 1)
+        last = first + len(factors[name])
         values_sorted[name] = table[first:last]
         first = last
     return [sets, values[0] if np.ndim(values[0]) else table[0], values_sorted, sensitivity]

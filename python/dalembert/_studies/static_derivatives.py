@@ -29,10 +29,12 @@ from dalembert._studies.generalized_alpha import Variation
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._studies.recorded_motion import refuse_redundant
 from dalembert._studies.response_derivatives import response_derivatives
+from dalembert._studies.stored_rows import Rows
 
 _WHOLE = (1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0)  # factors of K alone
 _MOST_RANKED = 1000  # unknowns of matrices whose condition is computed
 _SINGULAR = 1e-13
+_NEARBY = 1e-7  # a motion, relative to the size of the model
 _OPEN = 1e-6  # residual, relative to its largest terms
 
 
@@ -48,7 +50,7 @@ def solve_static(problem: Problem, method: Any) -> Sensitivities:
     seconds = clock.perf_counter() - begin
     begin = clock.perf_counter()
     z, time = _equilibrium(problem, solved)
-    samples = Samples(problem, Context(problem.mbs, np.array([time]), True), z[None])
+    samples = Samples(problem, Context(problem.mbs, np.array([time]), True), Rows.of(z))
     wanted: dict[str, list[Any]] = {kind: [] for kind in COMPUTED}
     for sample in samples.wanted:
         if not isinstance(sample.source, int) and sample.source[0] in COMPUTED:
@@ -82,7 +84,7 @@ def solve_static(problem: Problem, method: Any) -> Sensitivities:
     if wanted["eigenvalue"]:
         add("eigenvalue", eigenvalue_derivatives(parameters, z, time, u, sorted(wanted["eigenvalue"])))
     if wanted["response"]:
-        steps = typical_steps(problem, z[None])
+        steps = typical_steps(problem, z)
         add("response", response_derivatives(parameters, z, time, u, steps, wanted["response"]))
     samples.read(parameters, computed)
     matrix = np.zeros((samples.size, len(parameters.all)))
@@ -134,6 +136,20 @@ def _singular(problem: Problem, row: int | None) -> NotDifferentiable:
     )
 
 
+def _changes_nearby(problem: Problem, derivatives: Any, z: FloatArray, time: float, soft: FloatArray) -> bool:
+    """Return whether the stiffness along the softest motion is another one at a state that cannot be told apart."""
+    n = problem.n
+    step = _NEARBY * min(1.0, float(_core.testing.extent(problem.mbs))) / max(np.abs(soft[:n]).max(initial=0.0), 1e-300)
+    here = derivatives.product("K", soft[None])[0]
+    moved = z.copy()
+    moved[:n] = derivatives.compose(z[:n], step * soft[:n])
+    moved[3 * n : 3 * n + problem.m] += step * soft[n:]
+    derivatives.linearize(moved, time, 0.0)
+    change = derivatives.product("K", soft[None])[0] - here
+    derivatives.linearize(z, time, 0.0)
+    return bool(np.abs(change).max(initial=0.0) > np.abs(here).max(initial=0.0))
+
+
 def _check(problem: Problem, derivatives: Any, z: FloatArray, time: float) -> None:
     """Refuse states that are no equilibrium, and singular matrices."""
     size = problem.n + problem.m
@@ -141,13 +157,15 @@ def _check(problem: Problem, derivatives: Any, z: FloatArray, time: float) -> No
     derivatives.linearize(z, time, 0.0)
     if size <= _MOST_RANKED:
         matrix = derivatives.product("K", np.eye(size), transposed=True)
+        scale = np.ones(size)  # of columns
         for _ in range(3):  # equilibrate
             rows = np.sqrt(np.abs(matrix).max(axis=1))
             matrix = matrix / np.where(rows > 0, rows, 1.0)[:, None]
             columns = np.sqrt(np.abs(matrix).max(axis=0))
-            matrix = matrix / np.where(columns > 0, columns, 1.0)
-        left, singular, _ = np.linalg.svd(matrix)
-        if singular[-1] < _SINGULAR * singular[0]:
+            columns = np.where(columns > 0, columns, 1.0)
+            matrix, scale = matrix / columns, scale * columns
+        left, singular, right = np.linalg.svd(matrix)
+        if singular[-1] < _SINGULAR * singular[0] or _changes_nearby(problem, derivatives, z, time, right[-1] / scale):
             raise _singular(problem, int(np.argmax(np.abs(left[:, -1]))))
     total = z[: problem.n] + problem.mbs.systemData.GetODE2Coordinates(_core.ConfigurationType.Reference)
     u = np.concatenate((total, z[3 * problem.n : 3 * problem.n + problem.m]))
