@@ -19,6 +19,7 @@ _KINDS: dict[str, tuple[type, str]] = {
     **dict.fromkeys(("small_deformations", "bent", "every_body", "planar"), (bool, "true or false")),
     **dict.fromkeys(("data", "force_equations"), (int, "an integer")),
     **dict.fromkeys(("nodes", "local", "beside", "fits", "power", "pairs", "options"), (list, "a list")),
+    **dict.fromkeys(("global_outputs", "relative_outputs"), (list, "a list")),
     **dict.fromkeys(
         ("isotropic", "per_marker", "closed", "values", "exempt", "exempt_outputs", "exempt_parameters"),
         (dict, "a table { ... }"),
@@ -33,6 +34,7 @@ _ONLY: dict[str, tuple[str, ...]] = {
     "fits": ("object", "load"), "planar": ("object",), "data": ("object",), "per_marker": ("object",),
     "closed": ("object",),
     "power": ("object",), "force_equations": ("object",), "second_body": ("object",), "drawing": ("object",),
+    "global_outputs": ("object",), "relative_outputs": ("object",),
 }  # fmt: skip
 
 
@@ -82,6 +84,7 @@ def _check_rows(scene: SceneTable, rows: list[str], outputs: list[str]) -> None:
         for name in table:
             _known("parameter", name, rows, key)
     told = [("power", name.removeprefix("rate of ")) for pair in scene.power for name in pair]
+    told += [(key, name) for key in ("global_outputs", "relative_outputs") for name in getattr(scene, key)]
     told += [("second_body", scene.second_body.removeprefix("-"))] if scene.second_body else []
     told += [("closed", name) for name in scene.closed.values() if name != GAP]
     for key, name in [*told, *(("exempt_outputs", name) for name in scene.exempt_outputs)]:
@@ -140,6 +143,6 @@ _ENTRIES: dict[str, Any] = {
     "nodes": _node,
     "local": _local,
     "power": _power,
-    "fits": lambda key, entry: entry,
+    **dict.fromkeys(("fits", "global_outputs", "relative_outputs"), lambda key, entry: entry),
     "options": _table,
 }

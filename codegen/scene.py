@@ -97,6 +97,8 @@ class SceneTable:
     options: tuple[Mapping[str, Any], ...] = ({},)
     exempt: Mapping[str, str] = field(default_factory=dict)
     exempt_outputs: Mapping[str, str] = field(default_factory=dict)
+    global_outputs: tuple[str, ...] = ()
+    relative_outputs: tuple[str, ...] = ()
     exempt_parameters: Mapping[str, str] = field(default_factory=dict)
 
     @property

@@ -16,26 +16,11 @@ const std::string& own_stamp() {
   return stamp;
 }
 
-// Traced has operators only.
-Traced note(Operation operation, const Traced& a, const Traced& b) {
-  switch (operation) {
-    case Operation::add: return a + b;
-    case Operation::subtract: return a - b;
-    case Operation::multiply: return a * b;
-    case Operation::divide: return a / b;
-    case Operation::negate: return -a;
-    case Operation::square_root: return sqrt(a);
-    case Operation::sine: return sin(a);
-    case Operation::cosine: return cos(a);
-  }
-  return a;
-}
-
 constexpr CoreFunctions core_functions{
     sizeof(CoreFunctions),
     &refuse,
     [](const ItemLabel& item) { return std::string(item); },
-    &note,
+    &Traced::note,
     &instructions,
     &check_inertia,
     &judge_inertia,

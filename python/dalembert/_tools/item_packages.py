@@ -29,8 +29,9 @@ from dalembert._version import __version__
 GROUP = "dalembert.items"
 COMPILED = "_items.abi3.so"
 # Flags of the core (CMakeLists.txt) that matter for the speed of items.
-FLAGS = ("-std=c++20", "-O3", "-fno-math-errno", "-fPIC", "-fvisibility=hidden", "-fvisibility-inlines-hidden", "-w")
-GNU_FLAGS = ("-Wno-psabi", "-fno-gcse-after-reload")
+FLAGS = ("-std=c++20", "-O3", "-fno-math-errno", "-fPIC", "-fvisibility=hidden", "-fvisibility-inlines-hidden")
+WARNINGS = ("-Wall", "-Wextra")  # of the package's own sources; headers of dalembert are system headers
+GNU_FLAGS = ("-Wno-psabi", "-Wno-restrict", "-fno-gcse-after-reload")
 STRATEGY = "vector_loop:512:noalign,libcall:-1:noalign"
 X86_FLAGS = ("-march=x86-64-v2",)
 GNU_X86_FLAGS = (f"-mmemset-strategy={STRATEGY}", f"-mmemcpy-strategy={STRATEGY}")
@@ -220,7 +221,7 @@ class _Unit:
     key: str
 
     def compile(self) -> str:
-        """Compile it if it has changed; return the messages of a compiler that failed."""
+        """Compile it if it has changed; return the compiler's warnings. Its errors are raised."""
         stored = self.object.with_suffix(".key")
         if self.object.exists() and stored.exists() and stored.read_text("utf-8") == self.key:
             return ""
@@ -228,15 +229,16 @@ class _Unit:
         stored.unlink(missing_ok=True)
         done = subprocess.run(self.command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
-            return done.stderr
+            raise BuildError(_explained(done.stderr))
         stored.write_text(self.key, "utf-8")
-        return ""
+        return done.stderr
 
 
 def build(directory: Path, output: Path | None = None) -> Path:
     """Generate and compile a package in its directory; return the extension module.
 
-    The module, its stubs and its tables go to `output`; by default, next to the Python files of the package.
+    The module, its stubs and its tables go to `output`; by default, next to the Python files of the package. Warnings
+    of the compiler about the package's own sources are written to stderr.
     """
     directory = directory.resolve()
     module = module_name(directory)
@@ -253,9 +255,8 @@ def build(directory: Path, output: Path | None = None) -> Path:
     _generator(str(directory), module, str(generated))
     units = _units(directory, module, work, compiler, rebuild)
     with ThreadPoolExecutor(os.cpu_count()) as threads:
-        errors = [text for text in threads.map(_Unit.compile, units) if text]
-    if errors:
-        raise BuildError(_explained(errors[0]))
+        for text in threads.map(_Unit.compile, units):
+            sys.stderr.write(text)
     output.mkdir(parents=True, exist_ok=True)
     made = work / COMPILED
     link = [*compiler.command, "-shared", *(["-undefined", "dynamic_lookup"] if sys.platform == "darwin" else [])]
@@ -274,7 +275,9 @@ def build(directory: Path, output: Path | None = None) -> Path:
 def _units(directory: Path, module: str, work: Path, compiler: Compiler, rebuild: str) -> list[_Unit]:
     tool, place, generated = _header_tool(), home(), work / "generated"
     kernels = directory / "kernels"
-    include = [kernels, generated / "include", *(place / each for each in tool.INCLUDES)]
+    include = [f"-I{kernels}"]
+    for headers in (generated / "include", *(place / each for each in tool.INCLUDES)):
+        include += ["-isystem", str(headers)]
     own = sorted(file for folder in (kernels, generated / "include") for file in folder.rglob("*") if file.is_file())
     folders = {file.relative_to(generated / "src").parts[0] for file in (generated / "src").rglob("*/*.cpp")}
     support = [*tool.SOURCES, *(source for each in sorted(folders) for source in tool.FURTHER_SOURCES.get(each, ()))]
@@ -295,11 +298,11 @@ def _units(directory: Path, module: str, work: Path, compiler: Compiler, rebuild
     units = []
     for source in (*own_sources, *(place / each for each in (tool.SUPPORT, *support))):
         is_own = source in own_sources
-        further = of_module if source == place / tool.SUPPORT else ()
+        further = (*(WARNINGS if is_own else ("-w",)), *(of_module if source == place / tool.SUPPORT else ()))
         top = next((top for top in (generated / "src", kernels) if source.is_relative_to(top)), source.parent)
         kind = "support" if not is_own else "kernels" if top == kernels else "items"
         object_file = work / "objects" / kind / source.relative_to(top).with_suffix(".o")
-        command = (*compiler.command, *compiler.flags, *(f"-I{each}" for each in include), *further)
+        command = (*compiler.command, *compiler.flags, *include, *further)
         command = (*command, "-c", str(source), "-o", str(object_file))
         key = (of_package if is_own else of_core).copy()
         key.update("\0".join(command).encode() + source.read_bytes())

@@ -94,8 +94,6 @@ def coordinate_forces(scene: Scene, r: np.ndarray) -> np.ndarray:
     return np.array([r[i] for i in range(len(testing.State(scene.mbs).q)) if i not in turning] + forces)
 
 
-RELATIVE = {("ObjectConnectorRollingDiscPenalty", "Position")}  # to marker 0
-IN_GLOBAL_AXES = {("ObjectANCFCable", "CurvatureLocal"), ("ObjectANCFCable", "TorqueLocal")}  # it has no frame
 TURNING = {
     "RelativePosition",
     "Displacement",
@@ -131,9 +129,9 @@ def told(scene: Scene) -> dict[str, np.ndarray]:
             variable = getattr(exu.OutputVariableType, output.name)
             local = (np.array([0.3, -0.2, 0 if scene.planar else 0.1]) * (not point),) if body else ()
             get = scene.mbs.GetObjectOutputBody if body else scene.mbs.GetObjectOutput
-            name = "RelativePosition" if (item.name, output.name) in RELATIVE else output.name
+            name = "RelativePosition" if output.name in item.scene.relative_outputs else output.name
             name = "PointTransformation" if point and output.name == "HomogeneousTransformation" else name
-            name = "Director1" if (item.name, output.name) in IN_GLOBAL_AXES else name
+            name = "Director1" if output.name in item.scene.global_outputs else name
             value = output_of(get, number, variable, *local)
             if value is not None:
                 outputs[f"{int(number)} {name} {output.name}"] = np.atleast_1d(value)

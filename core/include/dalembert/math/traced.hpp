@@ -26,10 +26,11 @@ class Traced {
   Traced& operator+=(const Traced& b) { return *this = *this + b; }
   Traced& operator-=(const Traced& b) { return *this = *this - b; }
   Traced& operator*=(const Traced& b) { return *this = *this * b; }
+  // Operations of one operand have it twice.
+  static Traced note(Operation operation, const Traced& a, const Traced& b);
 
  private:
   friend class Trace;
-  static Traced note(Operation operation, const Traced& a, const Traced& b);
   bool is_constant() const { return place_ < 0; }
 
   double value_ = 0;  // value of a constant

@@ -22,7 +22,7 @@ struct CoreFunctions {
   std::size_t size;  // bytes, as the core was compiled
   decltype(&dalembert::refuse) refuse;
   std::string (*describe)(const ItemLabel& item);
-  Traced (*note)(Operation operation, const Traced& a, const Traced& b);
+  decltype(&Traced::note) note;
   decltype(&dalembert::instructions) instructions;
   decltype(&dalembert::check_inertia) check_inertia;
   decltype(&dalembert::judge_inertia) judge_inertia;
