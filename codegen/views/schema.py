@@ -16,8 +16,8 @@ _SCALARS = {"boolean": "boolean", "text": "string", "integer": "integer", "integ
 _SHAPE = {"type": "array", "items": {"type": "integer"}}
 _FUNCTION = {
     "type": "object",
-    "oneOf": [{"required": ["function"]}, {"required": ["source", "name"]}],
-    "description": "a user function by 'module:name', or its code; read only with permission",
+    "oneOf": [{"required": ["function"]}, {"required": ["source", "name"]}, {"required": ["recorded"]}],
+    "description": "a user function by 'module:name', or its code, which are read only with permission; or recorded",
 }
 _DEFINITIONS: dict[str, Any] = {
     "npz": _NPZ | {"description": "an array in the file beside, with the ending .npz"},

@@ -5,6 +5,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "console.hpp"
@@ -21,7 +22,9 @@
 #include "module.hpp"
 #include "python_callback.hpp"
 #include "python_errors.hpp"
+#include "sequence.hpp"
 #include "settings.hpp"
+#include "symbolic.hpp"
 
 namespace dalembert {
 namespace {
@@ -105,7 +108,28 @@ void each_variation(const py::sequence& values, Write&& write) {
   }
 }
 
-VariedParameter read_parameter(const MainSystem& main, const py::tuple& entry, int variations) {
+// A constant of a recorded function, of which other constants may vary as well: those that were read before.
+void read_constant(const Model& model, ItemKind kind, int number, const RecordedConstant& constant, const py::sequence& given, int variations,
+                   std::vector<VariedParameter>& parameters) {
+  VariedParameter p{kind, number, &constant.row, make_varied_values(Storage::user_function, variations)};
+  const auto same = [&](const VariedParameter& other) { return other.kind == p.kind && other.number == p.number && other.row == p.row; };
+  const auto last = std::find_if(parameters.rbegin(), parameters.rend(), same);
+  each_variation(given, [&](int k, PyObject* value) {
+    UserFunction function{constant.function};
+    if (last != parameters.rend()) last->values->write(k, &function);
+    double x = 0;
+    try {
+      x = read_real(value);
+    } catch (const Refusal& refusal) {
+      refuse(refusal.kind, {model.describe(p.kind, p.number), std::string(constant.row.name) + "." + constant.name, "", show(value), "a finite number", ""});
+    }
+    function = read_user_function(with_constant(*function.callback, constant.name, x).ptr(), constant.row);
+    p.values->keep(k, &function);
+  });
+  parameters.push_back(std::move(p));
+}
+
+void read_parameter(const MainSystem& main, const py::tuple& entry, int variations, std::vector<VariedParameter>& parameters) {
   VariedParameter p;
   const py::object index = entry[0];
   if (!read_index(index.ptr(), p.kind, p.number))
@@ -115,6 +139,11 @@ VariedParameter read_parameter(const MainSystem& main, const py::tuple& entry, i
   p.number = item_number_argument(main, p.kind, index.ptr(), method);
   const Item& item = main.model.item(p.kind, p.number);
   const std::string where = main.model.describe(p.kind, p.number), name = entry[1].cast<std::string>();
+  if (const auto constants = constants_named(main.model, p.kind, p.number, name); !constants.empty()) {
+    for (const RecordedConstant& constant : constants)
+      read_constant(main.model, p.kind, p.number, constant, py::sequence(entry[2]), variations, parameters);
+    return;
+  }
   p.row = find_row(*item.type, name);
   if (p.row == nullptr)
     refuse(ErrorKind::value, {where, "", "there is no parameter " + in_quotes(name), "", "", suggest_parameter(*item.type, name)});
@@ -127,7 +156,7 @@ VariedParameter read_parameter(const MainSystem& main, const py::tuple& entry, i
     set_member(class_of(*item.type), *p.row, value, scratch.get(), where);
     p.values->keep(k, member(scratch.get(), *p.row));
   });
-  return p;
+  parameters.push_back(std::move(p));
 }
 
 // The parameter at a dotted path, as attributes would find it.
@@ -270,7 +299,7 @@ py::dict solve(const std::shared_ptr<MainSystem>& main, const py::object& settin
                     .histories = histories, .states = states, .timeout = solver_switches().timeout};
   ensemble.make_solver = [kind] { return make_solver(kind); };
   const State initial = system.state(ConfigurationType::Initial);
-  for (const auto& entry : parameters) ensemble.parameters.push_back(read_parameter(*main, entry.cast<py::tuple>(), variations));
+  for (const auto& entry : parameters) read_parameter(*main, entry.cast<py::tuple>(), variations, ensemble.parameters);
   for (const auto& entry : varied_settings)
     ensemble.settings.push_back(read_setting(ensemble.simulation, entry.cast<py::tuple>(), variations));
   for (const auto& entry : coordinates)

@@ -1,6 +1,8 @@
 // The methods of MainSystem that add, read and change items, for all five kinds.
 #include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
@@ -13,6 +15,7 @@
 #include "python_callback.hpp"
 #include "python_errors.hpp"
 #include "sequence.hpp"
+#include "symbolic.hpp"
 
 namespace dalembert {
 
@@ -147,8 +150,9 @@ const Row& require_row(const MainSystem& main, ItemKind kind, int number, std::s
   const ItemType& type = *main.model.item(kind, number).type;
   const Row* row = find_row(type, name);
   if (row == nullptr) {
+    const std::string constant = own_constant(main.model, kind, number, name);
     refuse(ErrorKind::value, {main.model.describe(kind, number), "", "there is no parameter " + in_quotes(name), "", "",
-                              suggest_parameter(type, name)});
+                              constant.empty() ? suggest_parameter(type, name) : "Did you mean " + in_quotes(constant) + "?"});
   }
   return *row;
 }
@@ -163,6 +167,8 @@ const ItemClass::Transformation* transformation_of(const MainSystem& main, ItemK
 py::object get_parameter(const MainSystem& main, ItemKind kind, int number, const std::string& name) {
   if (const auto* transformation = transformation_of(main, kind, number, name))
     return get_transformation(*transformation, main.model.item(kind, number).record.get());
+  if (const auto constants = constants_named(main.model, kind, number, name); !constants.empty())
+    return py::float_(constant_of(*constants[0].function, constants[0].name));
   const Row& row = require_row(main, kind, number, name);
   if (row.role == Role::name) return py::str(main.model.name(kind, number));
   const Item& item = main.model.item(kind, number);
@@ -192,7 +198,21 @@ void set_parameter(MainSystem& main, ItemKind kind, int number, std::string_view
       }
     return;
   }
+  if (const auto constants = constants_named(main.model, kind, number, name); !constants.empty()) {
+    double given = 0;
+    try {
+      given = read_real(value);
+    } catch (const Refusal& refusal) {
+      refuse(refusal.kind, {main.model.describe(kind, number), std::string(name), "", show(value), "a finite number", ""});
+    }
+    for (const RecordedConstant& constant : constants)
+      set_parameter(main, kind, number, constant.row.name, with_constant(*constant.function, constant.name, given).ptr());
+    return;
+  }
   const Row& row = require_row(main, kind, number, name);
+  if (const std::string constant = own_constant(main.model, kind, number, name); !constant.empty())
+    refuse(ErrorKind::value, {main.model.describe(kind, number), std::string(name), "the law has a constant of this name, and does not read the parameter",
+                              "", "", "Use " + in_quotes(constant) + "."});
   const Item& item = main.model.item(kind, number);
   const auto where = [&] { return main.model.describe(kind, number); };
   if (row.internal) refuse(ErrorKind::value, {where(), std::string(name), "cannot be set", "", "", "It is computed by the system."});

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
@@ -138,7 +140,16 @@ py::object python_value(Shape shape, const std::vector<double>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-py::object value_of_symbol(const Symbol& symbol) { return python_value(symbol.node->shape, symbolic::evaluate(symbol.node)); }
+// The numbers that an expression has now. Those of arguments are not known while a function is recorded: a function
+// that continued with them would be recorded for these numbers only.
+std::vector<double> known_values(const Node& node) {
+  if (const symbolic::Expression* open = symbolic::open_variable(node))
+    throw py::type_error("symbolic: '" + symbolic::text(*node) + "' has no value while a function of '" + open->name +
+                         "' is recorded; use functions of exu.symbolic instead of those of math and float()");
+  return symbolic::evaluate(node);
+}
+
+py::object value_of_symbol(const Symbol& symbol) { return python_value(symbol.node->shape, known_values(symbol.node)); }
 
 Node& variable_of(Symbol& symbol, const char* method) {
   if (symbol.node->op != Op::variable)
@@ -150,6 +161,7 @@ void set_values(Symbol& symbol, const Node& value, const char* method) {
   Node& node = variable_of(symbol, method);
   if (node->shape != value->shape) throw py::value_error(std::string("symbolic: ") + method + ": the size cannot change");
   node->values = symbolic::evaluate(value);
+  node->is_open = false;
 }
 
 int component(const Node& node, py::ssize_t index) {
@@ -170,7 +182,7 @@ int component(const Node& node, const std::pair<int, int>& at) {
 // A number changes a variable for every expression that has it; an expression makes an expression.
 void set_component(Symbol& symbol, int index, py::handle value) {
   const Node entry = scalar(value);
-  if (symbol.node->op == Op::variable && symbolic::is_leaf(*entry)) {
+  if (symbol.node->op == Op::variable && symbolic::is_leaf(*entry) && !symbol.node->is_open && !entry->is_open) {
     symbol.node->values[static_cast<std::size_t>(index)] = entry->values[0];
     return;
   }
@@ -213,6 +225,15 @@ void add_in_place(Class& type, const char* name, Binary f) {
   });
 }
 
+// Of vectors and matrices; a += b of numbers makes another number in Python.
+template <class Class>
+void add_in_place_operators(Class& type) {
+  add_in_place(type, "__iadd__", binary<Op::add>);
+  add_in_place(type, "__isub__", binary<Op::subtract>);
+  add_in_place(type, "__imul__", symbolic::product);
+  add_in_place(type, "__itruediv__", quotient);
+}
+
 template <class Class>
 void add_common(Class& type) {
   add_operator(type, "__add__", binary<Op::add>);
@@ -222,10 +243,6 @@ void add_common(Class& type) {
   add_operator(type, "__mul__", symbolic::product);
   add_reflected(type, "__rmul__", symbolic::product);
   add_operator(type, "__truediv__", quotient);
-  add_in_place(type, "__iadd__", binary<Op::add>);
-  add_in_place(type, "__isub__", binary<Op::subtract>);
-  add_in_place(type, "__imul__", symbolic::product);
-  add_in_place(type, "__itruediv__", quotient);
   add_operator(type, "__eq__", binary<Op::equal>);
   add_operator(type, "__ne__", binary<Op::not_equal>);
   type.attr("__hash__") = py::none();
@@ -235,15 +252,25 @@ void add_common(Class& type) {
   type.def("__str__", [](const Symbol& a) { return symbolic::text(*a.node); });
   type.def("__repr__", [](const Symbol& a) { return symbolic::text(*a.node); });
   // Counters of the interface's origin; nothing needs counting here.
+  type.def("_Open", [](const py::object& self) {
+    variable_of(self.cast<Symbol&>(), "_Open")->is_open = true;
+    return self;
+  });
   type.attr("__newCount") = 0;
   type.attr("__deleteCount") = 0;
 }
 
 bool truth(const Real& a) {
-  if (!symbolic::is_leaf(*a.node))
+  if (!symbolic::is_leaf(*a.node) || a.node->is_open)
     throw py::type_error("symbolic: the truth of '" + symbolic::text(*a.node) + "' is not known while it is recorded; use symbolic.IfThenElse(condition, a, b)");
   return a.node->values[0] != 0;
 }
+
+constexpr std::array<std::pair<const char*, Op>, 19> methods_for_numpy{{
+    {"sin", Op::sin}, {"cos", Op::cos}, {"tan", Op::tan}, {"arcsin", Op::asin}, {"arccos", Op::acos}, {"arctan", Op::atan},
+    {"sinh", Op::sinh}, {"cosh", Op::cosh}, {"tanh", Op::tanh}, {"arcsinh", Op::asinh}, {"arccosh", Op::acosh}, {"arctanh", Op::atanh},
+    {"exp", Op::exp}, {"log", Op::log}, {"sqrt", Op::sqrt}, {"rint", Op::round}, {"fabs", Op::absolute},
+    {"__floor__", Op::floor}, {"__ceil__", Op::ceil}}};
 
 void register_real(py::module_& module) {
   py::class_<Real, Symbol> real(module, "Real", "A scalar expression.");
@@ -267,13 +294,15 @@ void register_real(py::module_& module) {
   add_operator(real, "__ge__", binary<Op::greater_equal>);
   real.def("__abs__", [](const Real& a) { return wrap(symbolic::apply(Op::absolute, a.node)); });
   real.def("__round__", [](const Real& a) { return wrap(symbolic::apply(Op::round, a.node)); });
-  real.def("__float__", [](const Real& a) { return symbolic::evaluate(a.node)[0]; });
+  real.def("__float__", [](const Real& a) { return known_values(a.node)[0]; });
   real.def("__bool__", &truth);
+  // Functions of numpy call methods of objects: np.sin(x) is x.sin(), np.floor(x) is math.floor(x).
+  for (const auto& [name, op] : methods_for_numpy) real.def(name, [op = op](const Real& a) { return wrap(symbolic::apply(op, a.node)); });
   real.def("SetValue", [](Real& a, const py::object& value) { set_values(a, scalar(value), "SetValue"); }, py::arg("value"),
            "Set a variable; all expressions that contain it follow.");
   real.def_property("value", [](const Real& a) {
              if (!symbolic::is_leaf(*a.node)) throw py::value_error("symbolic: '" + symbolic::text(*a.node) + "' is an expression; use Evaluate()");
-             return a.node->values[0];
+             return known_values(a.node)[0];
            }, [](Real& a, double value) { set_values(a, symbolic::constant(value), "value"); });
   real.def("Diff", [](const Real& a, const Real& variable) { return symbolic::Tape(a.node).derivative(*variable.node); }, py::arg("variable"),
            "The value of the derivative with respect to a variable.");
@@ -284,6 +313,7 @@ void register_vector(py::module_& module) {
   vector.def(py::init([](const py::object& values) { return Vector{{vector_of(values)}}; }), py::arg("vector"));
   vector.def(py::init([](const std::string& name, const py::object& values) { return Vector{{vector_of(values, name)}}; }), py::arg("name"), py::arg("vector"));
   add_common(vector);
+  add_in_place_operators(vector);
   vector.attr("__array_ufunc__") = py::none();  // numpy leaves operators to this class
   vector.def("NumberOfItems", [](const Vector& v) { return v.node->shape.rows; });
   vector.def("__len__", [](const Vector& v) { return v.node->shape.rows; });
@@ -301,6 +331,7 @@ void register_matrix(py::module_& module) {
   matrix.def(py::init([](const py::object& values) { return Matrix{{matrix_of(values)}}; }), py::arg("matrix"));
   matrix.def(py::init([](const std::string& name, const py::object& values) { return Matrix{{matrix_of(values, name)}}; }), py::arg("name"), py::arg("matrix"));
   add_common(matrix);
+  add_in_place_operators(matrix);
   matrix.attr("__array_ufunc__") = py::none();
   matrix.def("NumberOfRows", [](const Matrix& m) { return m.node->shape.rows; });
   matrix.def("NumberOfColumns", [](const Matrix& m) { return m.node->shape.columns; });
@@ -410,8 +441,7 @@ class SymbolicCallback final : public Callback {
   SymbolicCallback& operator=(const SymbolicCallback&) = delete;
 
   void call(double time, int item, std::span<const Argument> arguments, std::span<double> results) const override {
-    if (static_cast<int>(results.size()) != tape_->shape().size())
-      complain("it gives " + std::to_string(tape_->shape().size()) + " numbers instead of " + std::to_string(results.size()));
+    require_size(results.size());
     run(time, item, arguments, results);
   }
   std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const override {
@@ -419,20 +449,23 @@ class SymbolicCallback final : public Callback {
     run(time, item, arguments, results);
     return results;
   }
-  // A derivative that does not exist, such as that of a root at zero, is left to differences.
-  bool derivative(double time, int item, std::span<const Argument> arguments, int number, std::span<double> results) const override {
-    if (static_cast<int>(results.size()) != tape_->shape().size()) return false;
-    std::size_t input = 0;
-    while (input < arguments.size() && number >= arguments[input].size()) number -= arguments[input++].size();
+  bool has_derivatives() const override { return true; }
+  void linearize(double time, int item, std::span<const Argument> arguments, std::span<const int> numbers, std::span<double> results,
+                 std::span<double> slopes) const override {
+    require_size(results.size());
     const std::size_t before = static_cast<std::size_t>(takes_time_) + static_cast<std::size_t>(takes_item_);
-    with_inputs(time, item, arguments, [&](std::span<const double* const> inputs) { tape_->derivative(inputs, before + input, number, results); });
-    return std::ranges::all_of(results, [](double x) { return std::isfinite(x); });
+    with_inputs(time, item, arguments,
+                [&](std::span<const double* const> inputs) { tape_->linearize(inputs, before, numbers, results, slopes); });
   }
   PyObject* function() const { return function_.ptr(); }
 
  private:
   static constexpr std::size_t most = 24;
 
+  void require_size(std::size_t size) const {
+    if (static_cast<int>(size) != tape_->shape().size())
+      complain("it gives " + std::to_string(tape_->shape().size()) + " numbers instead of " + std::to_string(size));
+  }
   void run(double time, int item, std::span<const Argument> arguments, std::span<double> results) const {
     with_inputs(time, item, arguments, [&](std::span<const double* const> inputs) { tape_->evaluate(inputs, results); });
   }
@@ -523,9 +556,164 @@ SymbolicFunction with_variable(const SymbolicFunction& function, const std::stri
     for (const auto& entry : scalars) names.push_back(entry.first);
     throw py::value_error("symbolic.UserFunction: '" + function.name + "' has no variable '" + name + "'." + (names.empty() ? "" : " " + suggestion(name, names)));
   }
+  const Node variable = symbolic::variable({}, {value}, name);
+  variable->is_open = found->second->is_open;
   SymbolicFunction made = function;
-  made.tape = std::make_shared<symbolic::Tape>(function.tape->replaced(*found->second, symbolic::variable({}, {value}, name)));
+  made.tape = std::make_shared<symbolic::Tape>(function.tape->replaced(*found->second, variable));
   return made;
+}
+
+// ---- stored functions ------------------------------------------------------------------------------------------------
+
+// A function as numbers, texts and lists: operands are numbers of earlier entries of `nodes`. A constant is a number, a
+// variable a dictionary, an operation a list of its name, operands, and perhaps an index or a shape.
+py::dict stored(const SymbolicFunction& function) {
+  if (!function.tape) refuse_empty();
+  std::unordered_map<const symbolic::Expression*, int> numbers;
+  py::list nodes, arguments;
+  const auto add = [&](const Node& e) {
+    if (!numbers.emplace(e.get(), static_cast<int>(numbers.size())).second) return;
+    if (e->op == Op::constant) {
+      nodes.append(e->values[0]);
+      return;
+    }
+    if (e->op == Op::variable) {
+      py::dict variable;
+      variable["name"] = e->name;
+      variable["shape"] = py::make_tuple(e->shape.rows, e->shape.columns);
+      variable["values"] = e->values;
+      variable["open"] = e->is_open;
+      nodes.append(variable);
+      return;
+    }
+    py::list entry;
+    entry.append(std::string(e->op == Op::element ? "element" : e->op == Op::gather ? "gather" : e->op == Op::replace ? "replace" : symbolic::name_of(e->op)));
+    for (const Node& operand : e->operands) entry.append(numbers.at(operand.get()));
+    if (e->op == Op::element || e->op == Op::replace) entry.append(e->index);
+    if (e->op == Op::gather) entry.append(py::make_tuple(e->shape.rows, e->shape.columns));
+    nodes.append(entry);
+  };
+  for (const Node& argument : function.arguments) {
+    add(argument);
+    arguments.append(numbers.at(argument.get()));
+  }
+  // constants with the values of this function, which a copy by _WithVariable has changed
+  for (const Node& e : symbolic::in_order(function.result)) add(e);
+  py::dict result, constants;
+  for (const auto& [name, node] : scalars_of(function)) constants[py::str(name)] = node->values[0];
+  result["name"] = function.name;
+  result["arguments"] = arguments;
+  result["constants"] = constants;
+  result["nodes"] = nodes;
+  result["result"] = numbers.at(function.result.get());
+  return result;
+}
+
+// Reads what `stored` returns; a file may have anything in its place.
+class StoredFunction {
+ public:
+  explicit StoredFunction(const py::dict& data) : data_(data) {}
+
+  SymbolicFunction read() {
+    const auto nodes = entry<py::list>(data_, "nodes");
+    for (const py::handle node : nodes) nodes_.push_back(made(node));
+    SymbolicFunction function;
+    function.name = entry<std::string>(data_, "name");
+    for (const py::handle number : entry<py::list>(data_, "arguments")) {
+      const Node argument = operand(number);
+      if (argument->op != Op::variable) complain("an argument is not a variable");
+      function.arguments.push_back(argument);
+    }
+    function.result = operand(entry<py::object>(data_, "result"));
+    function.tape = std::make_shared<symbolic::Tape>(function.result, function.arguments);
+    for (const auto& [name, value] : entry<std::map<std::string, double>>(data_, "constants")) function = with_variable(function, name, value);
+    return function;
+  }
+
+ private:
+  [[noreturn]] static void complain(const std::string& problem) { throw py::value_error("symbolic.UserFunction: the stored function is not valid: " + problem); }
+
+  template <class T>
+  static T entry(const py::dict& data, const char* key) {
+    if (!data.contains(key)) complain("'" + std::string(key) + "' is missing");
+    return cast<T>(data[key]);
+  }
+  template <class T>
+  static T cast(const py::object& value) {
+    try {
+      if constexpr (std::is_base_of_v<py::object, T>) {
+        if (!py::isinstance<T>(value)) complain("unexpected " + show(value.ptr()));
+        return py::reinterpret_borrow<T>(value);
+      } else {
+        return value.cast<T>();
+      }
+    } catch (const py::cast_error&) {
+      complain("unexpected " + show(value.ptr()));
+    }
+  }
+  static Shape shape(const py::object& value) {
+    const auto [rows, columns] = cast<std::pair<int, int>>(value);
+    if (rows < 0 || columns < 0 || (rows == 0 && columns > 0) || rows > largest || columns > largest) complain("unexpected shape " + show(value.ptr()));
+    return {rows, columns};
+  }
+  Node operand(const py::handle& number) const {
+    const int i = cast<int>(py::reinterpret_borrow<py::object>(number));
+    if (i < 0 || i >= static_cast<int>(nodes_.size())) complain("there is no earlier node " + std::to_string(i));
+    return nodes_[static_cast<std::size_t>(i)];
+  }
+  int index(const py::handle& value, const Node& of) const {
+    const int i = cast<int>(py::reinterpret_borrow<py::object>(value));
+    if (of->shape.is_scalar() || i < 0 || i >= of->shape.size()) complain("there is no component " + std::to_string(i));
+    return i;
+  }
+
+  Node made(const py::handle& node) const {
+    if (PyFloat_Check(node.ptr()) != 0 || PyLong_Check(node.ptr()) != 0) return symbolic::constant(PyFloat_AsDouble(node.ptr()));
+    if (py::isinstance<py::dict>(node)) {
+      const auto data = py::reinterpret_borrow<py::dict>(node);
+      const Shape size = shape(entry<py::object>(data, "shape"));
+      auto values = entry<std::vector<double>>(data, "values");
+      if (static_cast<int>(values.size()) != size.size()) complain("a variable has the wrong number of values");
+      const Node variable = symbolic::variable(size, std::move(values), entry<std::string>(data, "name"));
+      variable->is_open = entry<bool>(data, "open");
+      return variable;
+    }
+    const auto parts = cast<py::list>(py::reinterpret_borrow<py::object>(node));
+    if (parts.size() < 2) complain("unexpected " + show(node.ptr()));
+    const std::string name = cast<std::string>(parts[0]);
+    const bool further = name == "element" || name == "replace" || name == "gather";
+    std::vector<Node> operands;
+    for (std::size_t i = 1; i + (further ? 1 : 0) < parts.size(); ++i) operands.push_back(operand(parts[i]));
+    const py::object last = parts[parts.size() - 1];
+    try {
+      if (name == "element" && operands.size() == 1) return symbolic::element(operands[0], index(last, operands[0]));
+      if (name == "replace" && operands.size() == 2 && operands[1]->shape.is_scalar())
+        return symbolic::replace(operands[0], index(last, operands[0]), operands[1]);
+      if (name == "gather" && std::ranges::all_of(operands, [](const Node& e) { return e->shape.is_scalar(); }) &&
+          shape(last).size() == static_cast<int>(operands.size()))
+        return symbolic::gather(shape(last), std::move(operands));
+      return symbolic::apply(name, operands);
+    } catch (const std::invalid_argument& error) {
+      complain(error.what());
+    }
+  }
+
+  static constexpr int largest = 10000;
+  const py::dict& data_;
+  std::vector<Node> nodes_;
+};
+
+// Derivatives of an expression along rates of variables, [(variable, rate), ...].
+py::object rate_along(const py::object& expression, const std::vector<std::pair<py::object, py::object>>& rates) {
+  std::unordered_map<const symbolic::Expression*, Node> given;
+  for (const auto& [variable, rate] : rates) {
+    const Symbol* symbol = as_symbol(variable);
+    if (symbol == nullptr || symbol->node->op != Op::variable) throw py::type_error("symbolic: expected a variable, but received " + show(variable.ptr()));
+    const Node along = result_of(rate);
+    if (along->shape != symbol->node->shape) throw py::value_error("symbolic: a rate has the wrong size");
+    given.emplace(symbol->node.get(), along);
+  }
+  return wrap(symbolic::rate_of(result_of(expression), given));
 }
 
 void transfer(const py::object& self, const py::object& main, const py::object& index, const std::string& name) {
@@ -569,11 +757,31 @@ void register_user_functions(py::module_& module) {
     return values;
   });
   type.def("_WithVariable", &with_variable, py::arg("name"), py::arg("value"));
+  type.def("_Stored", &stored);
+  type.def_static("_FromStored", [](const py::dict& data) { return StoredFunction(data).read(); }, py::arg("data"));
+  type.def(py::pickle(&stored, [](const py::dict& data) { return StoredFunction(data).read(); }));
+  module.def("_Rate", &rate_along, py::arg("expression"), py::arg("rates"));
   type.def("TransferUserFunction2Item", &transfer, py::arg("mainSystem"), py::arg("itemIndex"), py::arg("userFunctionName"),
            "Make it the user function of an item.");
   type.def("__str__", [](const SymbolicFunction& f) { return f.result ? symbolic::text(*f.result) : std::string("None"); });
   type.def("__repr__", [](const SymbolicFunction& f) { return "Symbolic<" + f.name + ">"; });
   module.def("_signature", &signature_of, py::arg("itemTypeName"), py::arg("userFunctionName"));
+}
+
+// The recorded function of a row; nullptr: there is none.
+const SymbolicFunction* recorded_in(const Item& item, const Row& row) {
+  if (row.storage != Storage::user_function) return nullptr;
+  const auto& function = *static_cast<const UserFunction*>(member(item.record.get(), row));
+  PyObject* const found = function ? symbolic_function(*function.callback) : nullptr;
+  return found == nullptr ? nullptr : &py::handle(found).cast<const SymbolicFunction&>();
+}
+
+// Whether a function has a constant, and does not read a variable of the program.
+bool has_own(const SymbolicFunction* function, const std::string& name) {
+  if (function == nullptr) return false;
+  const auto known = scalars_of(*function);
+  const auto found = known.find(name);
+  return found != known.end() && found->second->is_open;
 }
 
 }  // namespace
@@ -588,6 +796,48 @@ std::shared_ptr<const Callback> symbolic_callback(PyObject* value, const Row& ro
   if (scalar != function.tape->shape().is_scalar())
     throw Refusal{ErrorKind::value, scalar ? "a symbolic function that gives a scalar" : "a symbolic function that gives a vector or matrix", ""};
   return std::make_shared<SymbolicCallback>(py::reinterpret_borrow<py::object>(value), function, row);
+}
+
+std::vector<RecordedConstant> constants_named(const Model& model, ItemKind kind, int number, std::string_view name) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string_view::npos) return {};
+  const Item& item = model.item(kind, number);
+  const Row* row = find_row(*item.type, name.substr(0, dot));
+  const std::string constant(name.substr(dot + 1)), where = model.describe(kind, number);
+  const SymbolicFunction* function = row == nullptr ? nullptr : recorded_in(item, *row);
+  if (function == nullptr)
+    refuse(ErrorKind::value, {where, "", "there is no parameter " + in_quotes(name), "", "",
+                              row == nullptr ? suggest_parameter(*item.type, name.substr(0, dot))
+                                             : std::string(row->name) + " is not a recorded function with constants."});
+  const auto known = scalars_of(*function);
+  if (!known.contains(constant)) {
+    std::vector<std::string_view> names;
+    for (const auto& entry : known) names.push_back(entry.first);
+    refuse(ErrorKind::value, {where, std::string(row->name), "there is no constant " + in_quotes(constant), "", "",
+                              names.empty() ? "The function has no constants." : suggestion(constant, names)});
+  }
+  const auto callback = [&](const Row& of) { return static_cast<const UserFunction*>(member(item.record.get(), of))->callback; };
+  std::vector<RecordedConstant> found{{*row, callback(*row), constant}};
+  if (!known.at(constant)->is_open) return found;
+  for (const Row& other : item.type->rows)
+    if (&other != row && has_own(recorded_in(item, other), constant)) found.push_back({other, callback(other), constant});
+  return found;
+}
+
+std::string own_constant(const Model& model, ItemKind kind, int number, std::string_view name) {
+  const Item& item = model.item(kind, number);
+  for (const Row& row : item.type->rows) {
+    if (has_own(recorded_in(item, row), std::string(name))) return std::string(row.name) + "." + std::string(name);
+  }
+  return "";
+}
+
+double constant_of(const Callback& function, const std::string& name) {
+  return scalars_of(py::handle(symbolic_function(function)).cast<const SymbolicFunction&>()).at(name)->values[0];
+}
+
+py::object with_constant(const Callback& function, const std::string& name, double value) {
+  return py::cast(with_variable(py::handle(symbolic_function(function)).cast<const SymbolicFunction&>(), name, value));
 }
 
 PyObject* symbolic_function(const Callback& callback) {

@@ -240,6 +240,20 @@ def _new_item(given: Sequence[str]) -> int:
     return _reported("new", lambda: print("\n".join(item_packages.new(options.package, options.kind, options.name))))
 
 
+def _item_from_law(given: Sequence[str]) -> int:
+    """Write a law in Python as spec and kernel of an item in a package."""
+    from dalembert._tools import law_kernels
+
+    parser = _package_command(
+        "from-law",
+        ("package", {"type": Path, "help": "directory of the package, which is made if it does not exist"}),
+        ("law", {"help": "module:function of a law, see dalembert.laws"}),
+    )
+    options = parser.parse_args(given)
+    sys.path.insert(0, str(Path.cwd()))
+    return _reported("from-law", lambda: print("\n".join(law_kernels.from_law(options.package, options.law))))
+
+
 def _build_items(given: Sequence[str]) -> int:
     """Generate and compile the items of a package; only changed files are compiled."""
     from dalembert._tools import item_packages
@@ -302,6 +316,7 @@ def _print_schema(given: Sequence[str]) -> int:
 
 _PACKAGE_COMMANDS = {
     "new": _new_item,
+    "from-law": _item_from_law,
     "build": _build_items,
     "check": _check_items,
     "list": _list_packages,

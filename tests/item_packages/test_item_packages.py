@@ -154,6 +154,116 @@ print(mbs.GetObject(2)["objectType"], mbs.GetObjectDefaults("ConnectorPlasticSpr
     assert described.startswith("ObjectConnectorPlasticSpring: A spring between two points that yields")
 
 
+SENSED = """
+import dalembert as exu, lengths
+mbs = exu.SystemContainer().AddSystem()
+node = mbs.AddNode(exu.NodePoint(referenceCoordinates=[3, 4, 0]))
+mbs.AddObject(exu.MassPoint(nodeNumber=node, physicsMass=1))
+sensor = mbs.AddSensor(lengths.Length(nodeNumber=node, outputVariableType=exu.OutputVariableType.Position))
+mbs.Assemble()
+print(mbs.GetSensorValues(sensor))
+mbs.SetSensorParameter(sensor, "outputVariableType", exu.OutputVariableType.StressLocal)
+mbs.Assemble()
+"""
+
+
+def test_a_sensor_with_a_subject_measures(tmp_path: Path) -> None:
+    """The output variable is checked because the sensor has a subject, and the values are those of the kernel."""
+    package = tmp_path / "lengths"
+    assert cli("new", package, "sensor", "Length", cwd=tmp_path).returncode == 0
+    kernel = "kernels/sensors/length.hpp"
+    changed(package, kernel, " : NoSubject {", " {")
+    subject = """  static std::optional<SensorSubject> subject(const Parameters& p) {
+    return SensorSubject{ItemKind::node, p.nodeNumber.value, p.outputVariableType};
+  }
+
+"""
+    changed(package, kernel, "  // The values,", f"{subject}  // The values,")
+    done = cli("build", package, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    done = python(SENSED, tmp_path, package)
+    assert done.stdout.strip() == "5.0"
+    assert "an output variable of node 0" in done.stderr
+
+
+LAWS = """
+import numpy as np
+from dalembert.laws import atan2, connector, constraint, interpolate, maximum, norm, sign, where
+
+@connector("points")
+def Hertz(u, v, t, radius=1.0, stiffness=300.0):
+    length = norm(u)
+    depth = maximum(radius - length, 0.0)
+    return (-stiffness * depth**1.5 / length) * u + np.diag([1.0, 2.0, 3.0]) @ v * (depth > 0)
+
+@connector("coordinates")
+def Track(q, q_t, t, k=3.0, d=0.5):
+    bump = np.sin(k * q) + np.exp(-q * q) * np.tanh(q) + np.sqrt(1 + q**2) + 0.1 * (q % 0.7) + (q // 0.3) + round(q)
+    steps = interpolate(q, [-1, 0, 1], [2, 1, 3]) + where((q > 0) * (q < 1), q, -q) + atan2(q, 2.0) + abs(q)**1.5
+    return bump * np.cos(t) + steps + d * q_t + sign(q) + 1.5**q + (1 + q * q)**(0.1 * q) + np.arctan(q)
+
+@constraint(0, 2)
+def Rod(q0, q1, t):
+    return q1 @ q1 - 1
+
+spring = 3
+"""
+COMPARED = """
+import numpy as np
+import dalembert as exu, hertz_items
+from dalembert._core import testing
+from my_laws import Hertz, Track
+
+def numbers(make, node, body, marker):
+    mbs = exu.SystemContainer().AddSystem()
+    nodes = [mbs.AddNode(exu.NodePointGround()), mbs.AddNode(node)]
+    mbs.AddObject(body(physicsMass=2, nodeNumber=nodes[1]))
+    mbs.AddObject(make([mbs.AddMarker(marker(n)) for n in nodes]))
+    mbs.Assemble()
+    s = testing.State(mbs)
+    s.t = 0.7
+    return np.append(testing.residual(mbs, s), testing.tangent(mbs, s, cq=0.7, cv=1.3))
+
+def compare(law, item, places, node, body, marker):
+    for at in places:
+        own, other = (
+            numbers(make, node(at), body, marker) for make in (law, lambda markers: item(markerNumbers=markers))
+        )
+        np.testing.assert_allclose(other, own, rtol=0, atol=2e-14 * np.abs(own).max())
+        print(np.abs(own).max())
+
+compare(Hertz, hertz_items.Hertz, ([0.3, -0.5, 0.2], [0.1, 0.1, 1.2]),
+        lambda at: exu.NodePoint(referenceCoordinates=at, initialVelocities=[0.5, 0.1, -0.3]), exu.MassPoint,
+        lambda n: exu.MarkerNodePosition(nodeNumber=n))
+compare(Track, hertz_items.Track, (-1.3, 0.0, 0.4, 1.7),
+        lambda x: exu.Node1D(referenceCoordinates=[x], initialVelocities=[0.3]), exu.ObjectMass1D,
+        lambda n: exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=0))
+"""
+
+
+def test_items_from_laws(tmp_path: Path) -> None:
+    """The kernel has the force and the tangent of the recorded law, and its generated example passes."""
+    (tmp_path / "my_laws.py").write_text(LAWS)
+    package = tmp_path / "hertz_items"
+    for law in ("Hertz", "Track"):
+        done = cli("from-law", package, f"my_laws:{law}", cwd=tmp_path)
+        assert done.returncode == 0 and f"kernels/connectors/{law.lower()}.hpp" in done.stdout, done.stderr
+    done = cli("check", package, "-k", "example", "-q", cwd=tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+    done = python(COMPARED, tmp_path, package, tmp_path)
+    assert done.returncode == 0, done.stderr
+    sizes = [float(line) for line in done.stdout.split()]
+    assert sizes[0] > 100 and sizes[1] == 0 and min(sizes[2:]) > 1
+    for law, message in (
+        ("my_laws:Rod", "kernels can be made of laws of connector('points') and connector('coordinates')"),
+        ("my_laws:spring", "3 is not a law; decorate it"),
+        ("my_laws:Rope", "has no attribute 'Rope'; expected module:function"),
+        ("no_laws:Hertz", "No module named 'no_laws'; expected module:function"),
+    ):
+        done = cli("from-law", package, law, cwd=tmp_path)
+        assert done.returncode == 1 and message in done.stderr, done.stderr
+
+
 # ---- mistakes ----------------------------------------------------------------------------------------------------------
 def changed(package: Path, path: str, old: str, new: str) -> None:
     text = (package / path).read_text()
@@ -193,6 +303,18 @@ def test_mistakes_in_specs_and_kernels(package: Path, path: str, old: str, new: 
     done = cli("build", package, cwd=package, LANG="C.UTF-8")
     assert done.returncode == 1
     assert message.replace("‘", "'").replace("’", "'") in done.stderr.replace("‘", "'").replace("’", "'")
+
+
+def test_warnings_of_kernels(package: Path) -> None:
+    """Warnings are about the kernel alone: nothing is printed about generated sources and headers of dalembert."""
+    changed(package, KERNEL, "namespace dalembert {", "// built again\nnamespace dalembert {")
+    done = cli("build", package, cwd=package)
+    assert (done.returncode, done.stderr) == (0, "")
+    unused = "inline int f(int unread) { int x; return 1; }\nstruct ObjectConnectorPlasticSpring"
+    changed(package, KERNEL, "struct ObjectConnectorPlasticSpring", unused)
+    done = cli("build", package, cwd=package, LANG="C")
+    assert done.returncode == 0 and "kernels/connectors/plastic_spring.hpp" in done.stderr
+    assert sorted(re.findall(r"warning: (unused \w+)", done.stderr)) == ["unused parameter", "unused variable"]
 
 
 def test_a_changed_header_changes_the_stamp(package: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

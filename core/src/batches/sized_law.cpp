@@ -129,11 +129,16 @@ void LawOfBody::add_tangent(const Evaluation& evaluation, const Weights& w, Work
   } else if (moves && force_) {
     const std::span<double> force = std::span(work.force).first(n);
     call(force_, evaluation, work, force);
+    std::vector<double> values(n);
     const auto evaluate = [&](std::span<double> f) { repeat(force_, evaluation.time, work, f); };
     const auto derivative_from = [&](int first) {
-      return [&, first](int number, std::span<double> slopes) {
+      return [&, first](int number, std::span<double> slopes) -> bool {
         const std::array all{as_argument(work.q), as_argument(work.v)};
-        return force_.callback->derivative(evaluation.time, item_, std::span(all).first(static_cast<std::size_t>(order_)), first + number, slopes);
+        if (!force_.callback->has_derivatives()) return false;
+        const int moving = first + number;
+        force_.callback->linearize(evaluation.time, item_, std::span(all).first(static_cast<std::size_t>(order_)), std::span(&moving, 1),
+                                   values, slopes);
+        return std::ranges::all_of(slopes, [](double x) { return std::isfinite(x); });
       };
     };
     add_derivatives(work.q, order_ == 2 ? -w.q : w.y, force, block, evaluate, derivative_from(0));

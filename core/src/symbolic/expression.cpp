@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <stdexcept>
+#include <unordered_set>
 
 namespace dalembert::symbolic {
 namespace {
@@ -22,6 +23,10 @@ constexpr std::array infix{
     NamedOp{Op::dot, "*"},        NamedOp{Op::matrix_vector, "*"},  NamedOp{Op::vector_matrix, "*"},  NamedOp{Op::matrix_matrix, "*"},
     NamedOp{Op::less, "<"},       NamedOp{Op::less_equal, "<="},    NamedOp{Op::greater, ">"},        NamedOp{Op::greater_equal, ">="},
     NamedOp{Op::equal, "=="},     NamedOp{Op::not_equal, "!="},     NamedOp{Op::floored_modulo, "%"}, NamedOp{Op::floored_quotient, "//"}};
+
+// Names in stored expressions of what is written in another form in texts.
+constexpr std::array others{NamedOp{Op::negate, "negate"}, NamedOp{Op::norm, "norm"}, NamedOp{Op::multiply_components, "multiply_components"},
+                            NamedOp{Op::select, "select"}};
 
 std::string_view name_in(std::span<const NamedOp> names, Op op) {
   const auto found = std::ranges::find(names, op, &NamedOp::op);
@@ -72,6 +77,28 @@ std::string place(const Expression& e) {
 
 std::span<const NamedOp> functions_of_one() { return of_one; }
 std::span<const NamedOp> functions_of_two() { return of_two; }
+
+std::vector<Node> in_order(const Node& root) {
+  std::vector<Node> order, open{root};
+  std::unordered_set<const Expression*> done;
+  while (!open.empty()) {
+    const Node e = open.back();
+    const std::size_t before = open.size();
+    if (!done.contains(e.get()))
+      for (const Node& operand : e->operands)
+        if (!done.contains(operand.get())) open.push_back(operand);
+    if (open.size() > before) continue;
+    open.pop_back();
+    if (done.insert(e.get()).second) order.push_back(e);
+  }
+  return order;
+}
+
+const Expression* open_variable(const Node& root) {
+  for (const Node& e : in_order(root))
+    if (e->is_open) return e.get();
+  return nullptr;
+}
 
 bool is_leaf(const Expression& expression) { return expression.op == Op::constant || expression.op == Op::variable; }
 
@@ -132,9 +159,41 @@ Node select(const Node& condition, const Node& a, const Node& b) {
 
 Node element(const Node& a, int index) { return make(Op::element, {}, {a}, index); }
 
-Node gather(Shape shape, std::vector<Node> scalars) { return make(Op::gather, shape, std::move(scalars)); }
+// All components of one vector in their order are the vector.
+Node gather(Shape shape, std::vector<Node> scalars) {
+  const Node whole = scalars[0]->op == Op::element ? scalars[0]->operands[0] : nullptr;
+  int place = 0;
+  const bool is_whole = whole && whole->shape == shape && std::ranges::all_of(scalars, [&](const Node& scalar) {
+    return scalar->op == Op::element && scalar->operands[0] == whole && scalar->index == place++;
+  });
+  return is_whole ? whole : make(Op::gather, shape, std::move(scalars));
+}
 
 Node replace(const Node& a, int index, const Node& scalar) { return make(Op::replace, a->shape, {a, scalar}, index); }
+
+std::string_view name_of(Op op) {
+  if (op >= Op::scale && op <= Op::matrix_matrix && op != Op::norm) return "*";
+  for (const auto names : {std::span<const NamedOp>(of_one), std::span<const NamedOp>(of_two), std::span<const NamedOp>(infix), std::span<const NamedOp>(others)})
+    if (const auto name = name_in(names, op); !name.empty()) return name;
+  return "";
+}
+
+Node apply(std::string_view name, std::span<const Node> operands) {
+  const auto named = [&](std::span<const NamedOp> names) { return std::ranges::find(names, name, &NamedOp::name); };
+  if (operands.size() == 1) {
+    if (const auto found = named(of_one); found != std::span<const NamedOp>(of_one).end()) return apply(found->op, operands[0]);
+    if (name == "negate") return apply(Op::negate, operands[0]);
+    if (name == "norm") return apply(Op::norm, operands[0]);
+  } else if (operands.size() == 2) {
+    if (name == "*") return product(operands[0], operands[1]);
+    if (name == "multiply_components") return apply(Op::multiply_components, operands[0], operands[1]);
+    if (const auto found = named(of_two); found != std::span<const NamedOp>(of_two).end()) return apply(found->op, operands[0], operands[1]);
+    if (const auto found = named(infix); found != std::span<const NamedOp>(infix).end()) return apply(found->op, operands[0], operands[1]);
+  } else if (operands.size() == 3 && name == "select") {
+    return select(operands[0], operands[1], operands[2]);
+  }
+  throw std::invalid_argument("symbolic: there is no operation '" + std::string(name) + "' of " + std::to_string(operands.size()) + " operands");
+}
 
 std::string text(const Expression& e) {
   if (!e.name.empty()) return e.name;

@@ -1,6 +1,7 @@
 #include "dalembert/symbolic/tape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <unordered_map>
@@ -9,8 +10,6 @@
 
 namespace dalembert::symbolic {
 namespace {
-
-using Moving = Dual<1, double>;
 
 double value_of_one(Op op, double x) {
   switch (op) {
@@ -62,24 +61,43 @@ double slope_of_one(Op op, double x, double y) {
   }
 }
 
-Moving value_of_one(Op op, const Moving& x) {
-  Moving r(value_of_one(op, x.value));
-  r.d[0] = slope_of_one(op, x.value, r.value) * x.d[0];
+// Where nothing moves, the derivative is zero even if the slope is infinite, such as that of a root at zero.
+double times(double slope, double rate) { return rate == 0 ? 0.0 : slope * rate; }
+
+template <int N>
+Dual<N> value_of_one(Op op, const Dual<N>& x) {
+  Dual<N> r(value_of_one(op, x.value));
+  const double slope = slope_of_one(op, x.value, r.value);
+  for (int i = 0; i < N; ++i) r.d[i] = times(slope, x.d[i]);
   return r;
 }
 
+template <int N>
+bool moves(const Dual<N>& x) {
+  return std::ranges::any_of(x.d, [](double rate) { return rate != 0; });
+}
+
 double power(double x, double y) { return std::pow(x, y); }
-Moving power(const Moving& x, const Moving& y) {
-  Moving r(std::pow(x.value, y.value));
-  if (x.d[0] != 0) r.d[0] += y.value * std::pow(x.value, y.value - 1) * x.d[0];
-  if (y.d[0] != 0) r.d[0] += std::log(x.value) * r.value * y.d[0];
+template <int N>
+Dual<N> power(const Dual<N>& x, const Dual<N>& y) {
+  Dual<N> r(std::pow(x.value, y.value));
+  if (moves(x)) {
+    const double slope = y.value * std::pow(x.value, y.value - 1);
+    for (int i = 0; i < N; ++i) r.d[i] += times(slope, x.d[i]);
+  }
+  if (moves(y)) {
+    const double slope = r.value == 0 ? 0.0 : std::log(x.value) * r.value;
+    for (int i = 0; i < N; ++i) r.d[i] += times(slope, y.d[i]);
+  }
   return r;
 }
 
 double modulo(double x, double y) { return std::fmod(x, y); }
-Moving modulo(const Moving& x, const Moving& y) {
-  Moving r(std::fmod(x.value, y.value));
-  r.d[0] = x.d[0] - std::trunc(x.value / y.value) * y.d[0];
+template <int N>
+Dual<N> modulo(const Dual<N>& x, const Dual<N>& y) {
+  Dual<N> r(std::fmod(x.value, y.value));
+  const double quotient = std::trunc(x.value / y.value);
+  for (int i = 0; i < N; ++i) r.d[i] = x.d[i] - quotient * y.d[i];
   return r;
 }
 
@@ -89,12 +107,17 @@ double floored_modulo(double x, double y) {
   return r != 0 && (r < 0) != (y < 0) ? r + y : r;
 }
 double floored_quotient(double x, double y) { return std::round((x - floored_modulo(x, y)) / y); }
-Moving floored_modulo(const Moving& x, const Moving& y) {
-  Moving r(floored_modulo(x.value, y.value));
-  r.d[0] = x.d[0] - floored_quotient(x.value, y.value) * y.d[0];
+template <int N>
+Dual<N> floored_modulo(const Dual<N>& x, const Dual<N>& y) {
+  Dual<N> r(floored_modulo(x.value, y.value));
+  const double quotient = floored_quotient(x.value, y.value);
+  for (int i = 0; i < N; ++i) r.d[i] = x.d[i] - quotient * y.d[i];
   return r;
 }
-Moving floored_quotient(const Moving& x, const Moving& y) { return Moving(floored_quotient(x.value, y.value)); }
+template <int N>
+Dual<N> floored_quotient(const Dual<N>& x, const Dual<N>& y) {
+  return Dual<N>(floored_quotient(x.value, y.value));
+}
 
 template <class S>
 S value_of_two(Op op, const S& x, const S& y) {
@@ -252,13 +275,19 @@ Tape::Tape(const Node& root, std::span<const Node> inputs) : shape_(root->shape)
   result_ = recorder.record(root);
 }
 
-void Tape::evaluate(std::span<const double* const> inputs, std::span<double> results) const {
-  thread_local std::vector<double> memory;
+template <class S>
+S* Tape::loaded(std::span<const double* const> inputs) const {
+  thread_local std::vector<S> memory;
   if (memory.size() < static_cast<std::size_t>(size_)) memory.resize(static_cast<std::size_t>(size_));
-  double* x = memory.data();
+  S* x = memory.data();
   for (std::size_t i = 0; i < input_places_.size(); ++i) std::copy_n(inputs[i], input_shapes_[i].size(), x + input_places_[i]);
   for (const Constant& constant : constants_) x[constant.place] = constant.value;
   for (const Live& live : live_) std::ranges::copy(live.variable->values, x + live.place);
+  return x;
+}
+
+void Tape::evaluate(std::span<const double* const> inputs, std::span<double> results) const {
+  double* x = loaded<double>(inputs);
   run<double>(instructions_, x);
   std::copy_n(x + result_, results.size(), results.begin());
 }
@@ -269,17 +298,32 @@ std::vector<double> Tape::evaluate() const {
   return results;
 }
 
-void Tape::derivative(std::span<const double* const> inputs, std::size_t input, int number, std::span<double> results) const {
-  thread_local std::vector<Moving> x;
-  x.assign(static_cast<std::size_t>(size_), Moving(0.0));
-  for (std::size_t i = 0; i < input_places_.size(); ++i)
-    for (int k = 0; k < input_shapes_[i].size(); ++k) x[static_cast<std::size_t>(input_places_[i] + k)].value = inputs[i][k];
-  for (const Constant& constant : constants_) x[static_cast<std::size_t>(constant.place)].value = constant.value;
-  for (const Live& live : live_)
-    for (std::size_t k = 0; k < live.variable->values.size(); ++k) x[static_cast<std::size_t>(live.place) + k].value = live.variable->values[k];
-  x[static_cast<std::size_t>(input_places_[input] + number)].d[0] = 1;
-  run<Moving>(instructions_, x.data());
-  for (std::size_t k = 0; k < results.size(); ++k) results[k] = x[static_cast<std::size_t>(result_) + k].d[0];
+template <int N>
+void Tape::sweep(std::span<const double* const> inputs, std::span<const int> places, std::span<double> results, std::span<double> slopes) const {
+  Dual<N>* x = loaded<Dual<N>>(inputs);
+  for (std::size_t i = 0; i < places.size(); ++i) x[places[i]].d[i] = 1;
+  run<Dual<N>>(instructions_, x);
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const Dual<N>& result = x[static_cast<std::size_t>(result_) + k];
+    results[k] = result.value;
+    for (std::size_t i = 0; i < places.size(); ++i) slopes[i * results.size() + k] = result.d[i];
+  }
+}
+
+void Tape::linearize(std::span<const double* const> inputs, std::size_t first, std::span<const int> numbers, std::span<double> results,
+                     std::span<double> slopes) const {
+  constexpr std::size_t few = 2, most = 6;
+  std::size_t done = 0;
+  do {
+    const std::size_t count = std::min(numbers.size() - done, most);
+    std::array<int, most> places{};
+    // inputs lie side by side
+    for (std::size_t i = 0; i < count; ++i) places[i] = input_places_[first] + numbers[done + i];
+    const std::span<double> part = slopes.subspan(done * results.size());
+    const std::span<const int> moving = std::span(places).first(count);
+    count <= few ? sweep<few>(inputs, moving, results, part) : sweep<most>(inputs, moving, results, part);
+    done += count;
+  } while (done < numbers.size());
 }
 
 std::vector<Node> Tape::variables() const {
@@ -296,15 +340,11 @@ Tape Tape::replaced(const Expression& variable, const Node& by) const {
 }
 
 double Tape::derivative(const Expression& variable) const {
-  std::vector<Moving> x(static_cast<std::size_t>(size_));
-  for (const Constant& constant : constants_) x[static_cast<std::size_t>(constant.place)] = Moving(constant.value);
-  for (const Live& live : live_) {
-    for (std::size_t i = 0; i < live.variable->values.size(); ++i)
-      x[static_cast<std::size_t>(live.place) + i] = Moving(live.variable->values[i]);
-    if (live.variable.get() == &variable) x[static_cast<std::size_t>(live.place)].d[0] = 1;
-  }
-  run<Moving>(instructions_, x.data());
-  return x[static_cast<std::size_t>(result_)].d[0];
+  Dual<1>* x = loaded<Dual<1>>({});
+  for (const Live& live : live_)
+    if (live.variable.get() == &variable) x[live.place].d[0] = 1;
+  run<Dual<1>>(instructions_, x);
+  return x[result_].d[0];
 }
 
 std::vector<double> evaluate(const Node& node) { return is_leaf(*node) ? node->values : Tape(node).evaluate(); }

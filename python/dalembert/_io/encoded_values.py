@@ -5,6 +5,7 @@
 {"sparse": [[i, j, value], ...], "shape": [n, m]}   a sparse matrix
 {"tuple": [...]}, {"entries": [[key, value], ...]}, {"enumeration": "Type.Name"}   other things in lists of graphics
 {"function": "module:name"}, {"source": "def ...", "name": "..."}   a user function
+{"recorded": {...}}    a recorded user function: its operations, which are data and no code
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from dalembert import _core
 from dalembert._core import MatrixContainer
 
 LARGE = 1000  # entries; larger arrays are stored in the separate file
-_MARKS = ("array", "npz", "sparse", "tuple", "entries", "enumeration", "function", "source")
+_MARKS = ("array", "npz", "sparse", "tuple", "entries", "enumeration", "function", "source", "recorded")
 _SECTIONS: dict[str, Any] = {"BeamSection": _core.BeamSection, "BeamSectionGeometry": _core.BeamSectionGeometry}
 _INDICES = (_core.NodeIndex, _core.ObjectIndex, _core.MarkerIndex, _core.LoadIndex, _core.SensorIndex)
 
@@ -58,6 +59,8 @@ class Encoder:
             return {key: self.value(entry, "", f"{place}.{key}") for key, entry in entries.items()}
         if isinstance(value, np.ndarray):
             return self._array(value, kind, place)
+        if isinstance(value, _core.symbolic.UserFunction):
+            return {"recorded": value._Stored()}
         if callable(value):
             return self._function(value)
         if kind == "object":
@@ -203,6 +206,11 @@ class Decoder:
         exec(value["source"], scope)
         made: Callable[..., Any] = scope[value["name"]]
         return made
+
+    def _recorded(self, value: Any) -> Any:
+        if not isinstance(value["recorded"], dict):
+            raise Refused(f"received {value!r}, which is no recorded function")
+        return _core.symbolic.UserFunction._FromStored(value["recorded"])
 
     def _require_permission(self, what: str) -> None:
         if not self._allow_code:

@@ -65,9 +65,8 @@ class _Target(NamedTuple):
         return found._Variables()[self.entry] if isinstance(self.entry, str) else found
 
     def restore(self, mbs: Any, value: Any) -> None:
-        if isinstance(self.entry, str):
-            value = _get(mbs, self.kind, self.item, self.parameter)._WithVariable(self.entry, float(value))
-        getattr(mbs, f"Set{self.kind}Parameter")(self.item, self.parameter, value)
+        name = f"{self.parameter}.{self.entry}" if isinstance(self.entry, str) else self.parameter
+        getattr(mbs, f"Set{self.kind}Parameter")(self.item, name, value)
 
     def set(self, mbs: Any, x: float) -> None:
         value = float(self.map(x))

@@ -102,12 +102,12 @@ def ConvertFunctionToSymbolic(
     try:
         for name, kind in zip(names[1:], kinds, strict=True):
             if kind not in ("vector", "matrix"):
-                arguments.append(symbolic.Real(name, 0.0))
+                arguments.append(symbolic.Real(name, 0.0)._Open())
                 continue
             size = next(sizes)
             n = _coordinates_of_nodes(mbs, data) if size == NODES else size
             zeros = np.zeros(n if kind == "vector" else (n, n))
-            arguments.append((symbolic.Vector if kind == "vector" else symbolic.Matrix)(name, zeros))
+            arguments.append((symbolic.Vector if kind == "vector" else symbolic.Matrix)(name, zeros)._Open())
         returned = function(*arguments)
         if isinstance(returned, (list, tuple)):
             nested = len(returned) > 0 and isinstance(returned[0], (list, tuple))

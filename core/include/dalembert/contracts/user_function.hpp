@@ -1,5 +1,5 @@
 // A user function takes and gives doubles. Recorded functions have derivatives; those of other functions are differences.
-// Both are found argument by argument, and only for those arguments that move.
+// Both are found only for those arguments that move.
 #pragma once
 
 #include <algorithm>
@@ -47,9 +47,10 @@ class CallArguments {
     std::array<Argument, most_arguments> arguments;
     f.callback->recall(c.time, c.item, described(arguments, numbers), results);
   }
-  bool derivative(const UserFunction& f, const Context& c, const double* numbers, int number, std::span<double> results) const {
+  void linearize(const UserFunction& f, const Context& c, const double* numbers, std::span<const int> moving, std::span<double> results,
+                 std::span<double> slopes) const {
     std::array<Argument, most_arguments> arguments;
-    return f.callback->derivative(c.time, c.item, described(arguments, numbers), number, results);
+    f.callback->linearize(c.time, c.item, described(arguments, numbers), moving, results, slopes);
   }
 
   // The arguments as a callback takes them, over their own numbers (S is double) or over given ones.
@@ -82,6 +83,10 @@ class CallArguments {
   int size_ = 0, count_ = 0;
 };
 
+inline bool all_finite(std::span<const double> numbers) {
+  return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
+}
+
 template <int Results, int Capacity>
 Vec<double, Results> evaluate(const UserFunction& f, const Context& c, const CallArguments<double, Capacity>& arguments) {
   Vec<double, Results> r;
@@ -92,25 +97,34 @@ Vec<double, Results> evaluate(const UserFunction& f, const Context& c, const Cal
 template <int Results, int Capacity, int N, class T>
 Vec<Dual<N, T>, Results> evaluate(const UserFunction& f, const Context& c,
                                   const CallArguments<Dual<N, T>, Capacity>& arguments) {
-  std::array<double, Capacity> numbers{};
-  for (int i = 0; i < arguments.size(); ++i) numbers[i] = value_of(arguments[i]);
-  Vec<double, Results> at, slopes;
-  c.same_state ? arguments.recall(f, c, numbers.data(), at.x) : arguments.call(f, c, numbers.data(), at.x);
-  Vec<Dual<N, T>, Results> r;
-  for (int k = 0; k < Results; ++k) r[k] = Dual<N, T>(at[k]);
+  std::array<double, Capacity> numbers;
+  std::array<int, Capacity> moving;
+  std::size_t count = 0;
   for (int i = 0; i < arguments.size(); ++i) {
     const auto& d = arguments[i].d;
-    if (std::all_of(d.begin(), d.end(), [](const T& x) { return value_of(x) == 0; })) continue;
-    if (!arguments.derivative(f, c, numbers.data(), i, slopes.x)) {
+    numbers[i] = value_of(arguments[i]);
+    if (std::any_of(d.begin(), d.end(), [](const T& x) { return value_of(x) != 0; })) moving[count++] = i;
+  }
+  Vec<double, Results> at;
+  std::array<double, Capacity * Results> slopes;
+  const bool exact = f.callback->has_derivatives();
+  if (exact) arguments.linearize(f, c, numbers.data(), std::span(moving).first(count), at.x, std::span(slopes).first(count * Results));
+  else c.same_state ? arguments.recall(f, c, numbers.data(), at.x) : arguments.call(f, c, numbers.data(), at.x);
+  Vec<Dual<N, T>, Results> r;
+  for (int k = 0; k < Results; ++k) r[k] = Dual<N, T>(at[k]);
+  for (std::size_t m = 0; m < count; ++m) {
+    const int i = moving[m];
+    const std::span<double> slope = std::span(slopes).subspan(m * Results, Results);
+    if (!exact || !all_finite(slope)) {
       const double x = numbers[i];
       numbers[i] = x + 1e-8 * std::max(1e-2, std::abs(x));
-      arguments.call(f, c, numbers.data(), slopes.x);
+      arguments.call(f, c, numbers.data(), slope);
       const double step = numbers[i] - x;  // as rounded
       numbers[i] = x;
-      for (int k = 0; k < Results; ++k) slopes[k] = (slopes[k] - at[k]) / step;
+      for (int k = 0; k < Results; ++k) slope[k] = (slope[k] - at[k]) / step;
     }
     for (int k = 0; k < Results; ++k)
-      for (int j = 0; j < N; ++j) r[k].d[j] += slopes[k] * d[j];
+      for (int j = 0; j < N; ++j) r[k].d[j] += slope[k] * arguments[i].d[j];
   }
   return r;
 }

@@ -25,13 +25,15 @@ class Callback {
   virtual void recall(double time, int item, std::span<const Argument> arguments, std::span<double> results) const {
     call(time, item, arguments, results);
   }
-  // Derivatives of the results of `call` with respect to one number of the arguments, which are counted through.
-  // Returns false if the function has no derivative.
-  virtual bool derivative(double /*time*/, int /*item*/, std::span<const Argument> /*arguments*/, int /*number*/, std::span<double> /*results*/) const {
-    return false;
-  }
+  // The results of `call`, and their derivatives with respect to some numbers of the arguments, which are counted
+  // through: `slopes` has the results' derivatives one after the other. Those that do not exist are not finite. Only for
+  // functions that have derivatives.
+  virtual void linearize(double /*time*/, int /*item*/, std::span<const Argument> /*arguments*/, std::span<const int> /*numbers*/,
+                         std::span<double> /*results*/, std::span<double> /*slopes*/) const {}
   // Variant of `call` for a result of any length.
   virtual std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const = 0;
+  // Whether `linearize` is defined.
+  virtual bool has_derivatives() const { return false; }
 };
 
 }  // namespace dalembert

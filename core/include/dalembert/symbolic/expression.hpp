@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace dalembert::symbolic {
@@ -50,6 +51,7 @@ struct Expression {
   std::vector<double> values;  // of leaves
   std::string name;            // of variables; may be empty
   int index = 0;  // index of element and replace: row by row
+  bool is_open = false;  // variables whose value is not known while a function is recorded
 };
 
 Node constant(double value);
@@ -65,6 +67,17 @@ Node gather(Shape shape, std::vector<Node> scalars);
 Node replace(const Node& a, int index, const Node& scalar);
 
 bool is_leaf(const Expression& expression);
+// All expressions of the graph, operands first.
+std::vector<Node> in_order(const Node& root);
+// The first variable of the graph whose value is not known; nullptr: there is none.
+const Expression* open_variable(const Node& root);
+// The derivative of an expression along given rates of variables, as an expression. Other variables rest.
+Node rate_of(const Node& root, const std::unordered_map<const Expression*, Node>& rates);
+
+// Name of an operation in stored expressions. All products have the same name: shapes of operands tell them apart.
+std::string_view name_of(Op op);
+// Throws std::invalid_argument if there is no operation of this name with so many operands.
+Node apply(std::string_view name, std::span<const Node> operands);
 // "(a + (3 * sin(t)))"
 std::string text(const Expression& expression);
 

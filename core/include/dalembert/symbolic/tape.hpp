@@ -25,8 +25,10 @@ class Tape {
   // One pointer per input, to the numbers of its shape. May be called from several threads.
   void evaluate(std::span<const double* const> inputs, std::span<double> results) const;
   std::vector<double> evaluate() const;  // evaluates a tape without inputs
-  // Derivatives of all results with respect to one number of an input.
-  void derivative(std::span<const double* const> inputs, std::size_t input, int number, std::span<double> results) const;
+  // Results and their derivatives with respect to some numbers of the inputs, which are counted through from the input
+  // `first`. `slopes` has the derivatives of all results one after the other.
+  void linearize(std::span<const double* const> inputs, std::size_t first, std::span<const int> numbers, std::span<double> results,
+                 std::span<double> slopes) const;
   // The derivative of a scalar result with respect to a scalar variable that is no input.
   double derivative(const Expression& variable) const;
 
@@ -49,6 +51,12 @@ class Tape {
     double value;
   };
   class Recorder;
+
+  // All numbers in the memory of this thread, without the results of instructions.
+  template <class S>
+  S* loaded(std::span<const double* const> inputs) const;
+  template <int N>
+  void sweep(std::span<const double* const> inputs, std::span<const int> places, std::span<double> results, std::span<double> slopes) const;
 
   std::vector<Instruction> instructions_;
   std::vector<Constant> constants_;

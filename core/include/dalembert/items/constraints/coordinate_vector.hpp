@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
   }
   static bool is_multiplier(const Parameters&, int) { return true; }
   static bool forces_follow_motion(const Parameters& p) {
-    return !p.constraintUserFunction && !(p.quadraticTermMarker0.values.empty() && p.quadraticTermMarker1.values.empty());
+    if (p.constraintUserFunction) return p.jacobianUserFunction && p.jacobianUserFunction.callback->has_derivatives();
+    return !(p.quadraticTermMarker0.values.empty() && p.quadraticTermMarker1.values.empty());
   }
 
   template <class S>
@@ -108,10 +110,25 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
     return {Side{0, p.scalingMarker0, p.quadraticTermMarker0, -1}, Side{1, p.scalingMarker1, p.quadraticTermMarker1, 1}};
   }
 
-  // Values and Jacobian of the user, who is asked with numbers. Second derivatives are left out: the Jacobian is held fixed.
+  // Values and Jacobian of recorded functions have derivatives. Other functions are called with numbers: second
+  // derivatives are left out, the Jacobian is held fixed.
   template <class S>
   static void evaluate_functions(const Parameters& p, const Context& c, Exchange<S>& x) {
     const bool rate = x.rate_level || p.velocityLevel;
+    if (p.constraintUserFunction.callback->has_derivatives() && p.jacobianUserFunction.callback->has_derivatives()) {
+      const std::vector<S> gaps = linearized(p.constraintUserFunction, c, x, rate, x.equations.size());
+      const std::vector<S> gradient = linearized(p.jacobianUserFunction, c, x, p.velocityLevel, gaps.size() * columns(x));
+      auto g = gradient.begin();
+      for (std::size_t k = 0; k < gaps.size(); ++k) {
+        x.equations[k] = gaps[k];
+        for (int marker = 0; marker < 2; ++marker) {
+          if (!x.moves(marker)) continue;
+          const std::span<S> forces = x.forces(marker);
+          for (int i = 0; i < x.selected(marker); ++i) forces[i] -= *g++ * x.unknowns[k];
+        }
+      }
+      return;
+    }
     std::vector<double> gaps(x.equations.size());
     // not called for derivatives
     if constexpr (std::is_same_v<S, double>) gaps = call(p.constraintUserFunction, c, x, rate, gaps.size());
@@ -139,20 +156,51 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
     return count;
   }
   // q, v of both markers and the level, as arguments of a user function.
-  template <class S>
-  static std::vector<double> call(const UserFunction& f, const Context& c, const Exchange<S>& x, bool level, std::size_t size) {
-    std::vector<double> q, v, results(size);
+  struct Given {
+    std::vector<double> q, v;
+    double flag;
+    template <class S>
+    Given(const Exchange<S>& x, bool level) : flag(level ? 1 : 0) {
+      for_coordinates(x, [&](const S& position, const S& velocity) {
+        q.push_back(value_of(position));
+        v.push_back(value_of(velocity));
+      });
+    }
+    std::array<Argument, 3> arguments() const { return {as_argument(q), as_argument(v), Argument{&flag}}; }
+  };
+  template <class S, class Use>
+  static void for_coordinates(const Exchange<S>& x, const Use& use) {
     for (int marker = 0; marker < 2; ++marker) {
       const Coordinates<S> at(x, marker);
-      for (int i = 0; i < at.n; ++i) {
-        q.push_back(value_of(at.q[i]));
-        v.push_back(value_of(at.v[i]));
-      }
+      for (int i = 0; i < at.n; ++i) use(at.q[i], at.v[i]);
     }
-    const double flag = level ? 1 : 0;
-    const std::array arguments{as_argument(q), as_argument(v), Argument{&flag}};
-    if (c.same_state) f.callback->recall(c.time, c.item, arguments, results);
-    else f.callback->call(c.time, c.item, arguments, results);
+  }
+  template <class S>
+  static std::vector<double> call(const UserFunction& f, const Context& c, const Exchange<S>& x, bool level, std::size_t size) {
+    std::vector<double> results(size);
+    const Given given(x, level);
+    if (c.same_state) f.callback->recall(c.time, c.item, given.arguments(), results);
+    else f.callback->call(c.time, c.item, given.arguments(), results);
+    return results;
+  }
+  static std::vector<double> linearized(const UserFunction& f, const Context& c, const Exchange<double>& x, bool level, std::size_t size) {
+    return call(f, c, x, level, size);
+  }
+  template <class S>
+  static std::vector<S> linearized(const UserFunction& f, const Context& c, const Exchange<S>& x, bool level, std::size_t size) {
+    const Given given(x, level);
+    std::vector<int> numbers(given.q.size() + given.v.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    std::vector<double> values(size), slopes(size * numbers.size());
+    f.callback->linearize(c.time, c.item, given.arguments(), numbers, values, slopes);
+    std::vector<S> results(values.begin(), values.end());
+    std::size_t number = 0;
+    const auto add = [&](const S& moving) {
+      for (std::size_t k = 0; k < size; ++k) results[k] += slopes[number * size + k] * (moving - value_of(moving));
+      ++number;
+    };
+    for_coordinates(x, [&](const S& position, const S&) { add(position); });
+    for_coordinates(x, [&](const S&, const S& velocity) { add(velocity); });
     return results;
   }
 

@@ -1,0 +1,463 @@
+"""Laws in Python: functions of relative displacement, relative velocity and time become springs, loads or constraints.
+
+The decorated function is called once, with symbols instead of numbers; the operations are recorded. Items evaluate the
+record in the core, without Python, in all threads, and with exact derivatives. Arguments with a default are constants
+of the law: parameters of the item, which SetObjectParameter, variations and sensitivities can change.
+
+    @connector("points")
+    def Hertz(u, v, t, radius=1.0, stiffness=100.0):
+        length = norm(u)
+        depth = maximum(radius - length, 0.0)
+        return -stiffness * depth**1.5 * u / length
+
+    mbs.AddObject(Hertz([marker0, marker1], stiffness=500.0))
+"""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+import linecache
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import update_wrapper
+from pathlib import Path
+from types import TracebackType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from dalembert import _core
+from dalembert._tools.item_packages import item_class
+from dalembert._tools.symbolic_functions import _sizes
+
+__all__ = [
+    "Law",
+    "atan2",
+    "connector",
+    "constraint",
+    "interpolate",
+    "load",
+    "maximum",
+    "minimum",
+    "norm",
+    "sign",
+    "where",
+]
+
+_symbolic = _core.symbolic
+
+
+class _Kind(NamedTuple):
+    """An item with a user function, and which arguments of the function a law has."""
+
+    item: str
+    function: str
+    arguments: dict[str, int]  # name -> place among the arguments of the user function
+    results: tuple[str, ...]  # with three numbers each, or () for a number
+    unused: tuple[str, ...]  # parameters of the item that only the usual law reads
+
+
+_CONNECTORS = {
+    "points": _Kind(
+        "ObjectConnectorCartesianSpringDamper",
+        "springForceUserFunction",
+        {"u": 2, "v": 3, "t": 0},
+        ("force",),
+        ("stiffness", "damping"),
+    ),
+    "line": _Kind(
+        "ObjectConnectorSpringDamper",
+        "springForceUserFunction",
+        {"L": 2, "L_t": 3, "t": 0},
+        (),
+        ("stiffness", "damping", "force"),
+    ),
+    "frames": _Kind(
+        "ObjectConnectorRigidBodySpringDamper",
+        "springForceTorqueUserFunction",
+        {"u": 2, "phi": 3, "v": 4, "omega": 5, "t": 0},
+        ("force", "torque"),
+        ("stiffness", "damping", "offset"),
+    ),
+    "rotation": _Kind(
+        "ObjectConnectorTorsionalSpringDamper",
+        "springTorqueUserFunction",
+        {"phi": 2, "omega": 3, "t": 0},
+        (),
+        ("stiffness", "damping", "offset", "velocityOffset", "torque"),
+    ),
+    "coordinates": _Kind(
+        "ObjectConnectorCoordinateSpringDamper",
+        "springForceUserFunction",
+        {"q": 2, "q_t": 3, "t": 0},
+        (),
+        ("stiffness", "damping", "offset"),
+    ),
+}
+_LOADS = {
+    "force": _Kind("LoadForceVector", "loadVectorUserFunction", {"t": 0}, ("force",), ("loadVector",)),
+    "torque": _Kind("LoadTorqueVector", "loadVectorUserFunction", {"t": 0}, ("torque",), ("loadVector",)),
+    "acceleration": _Kind(
+        "LoadMassProportional", "loadVectorUserFunction", {"t": 0}, ("acceleration",), ("loadVector",)
+    ),
+    "coordinate": _Kind("LoadCoordinate", "loadUserFunction", {"t": 0}, (), ("load",)),
+}
+_CONSTRAINT = "ObjectConnectorCoordinateVector"
+_FUNCTIONS_OF_CONSTRAINT = ("constraintUserFunction", "jacobianUserFunction")
+_LEFT_OUT = (
+    "scalingMarker0",
+    "scalingMarker1",
+    "quadraticTermMarker0",
+    "quadraticTermMarker1",
+    "offset",
+    "velocityLevel",
+)
+
+
+class Law:
+    """A recorded function; a call with markers makes an item: Hertz([marker0, marker1], stiffness=500.0).
+
+    function: the decorated Python function, which also takes numbers
+    constants: names and values of its constants
+    recorded: user function of the item, or several by name
+    """
+
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        item: str,
+        recorded: dict[str, Any],
+        constants: dict[str, float],
+        fixed: dict[str, Any],
+        unused: Sequence[str],
+    ) -> None:
+        update_wrapper(self, function)
+        self.function, self.item, self.recorded, self.constants = function, item, recorded, constants
+        self._fixed, self._unused = fixed, tuple(unused)
+
+    def __call__(self, markers: Any, **parameters: Any) -> Any:
+        """Make an item on these markers; `parameters` are constants of the law and parameters of the item."""
+        cls = item_class(self.item)
+        name = self.function.__name__
+        constants = {key: parameters.pop(key) for key in self.constants if key in parameters}
+        rows = [row for row in dict(cls()) if row not in (*self._unused, *self.recorded)]
+        for key in parameters:
+            if key in self._unused or key in self.recorded:
+                raise TypeError(f"{name}(...): '{key}' of {self.item} has no effect, because the law replaces it")
+            if key not in rows:
+                near = difflib.get_close_matches(key, [*self.constants, *rows], 1)
+                raise TypeError(
+                    f"{name}(...): there is no constant or parameter '{key}'. "
+                    + (f"Did you mean '{near[0]}'?" if near else f"The constants are {_listed(self.constants)}.")
+                )
+        functions = dict(self.recorded)
+        for key, value in constants.items():
+            number = _constant(f"{name}(...): {key}", value)
+            for row, function in functions.items():
+                if key in function._Variables():
+                    functions[row] = function._WithVariable(key, number)
+        place = "markerNumber" if self.item.startswith("Load") else "markerNumbers"
+        return cls(**{place: markers}, **functions, **self._fixed, **parameters)
+
+    def __repr__(self) -> str:
+        return f"<law {self.function.__name__}({_listed(self.constants)}) of {self.item}>"
+
+
+def _listed(names: Sequence[str] | dict[str, Any]) -> str:
+    return ", ".join(names) or "none"
+
+
+def _constant(where: str, value: Any) -> float:
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.number)) or not np.isfinite(value):
+        raise TypeError(f"{where}: received {value!r}, but constants of laws are finite numbers")
+    return float(value)
+
+
+# ---- decorators ------------------------------------------------------------------------------------------------------
+def connector(kind: str) -> Callable[[Callable[..., Any]], Law]:
+    """Make a connector of a function. Its kind says which markers it connects, its arguments and its result.
+
+    points: f(u, v, t) is the force on the first marker in global axes; u and v are position and velocity of the second
+        marker relative to the first one. The second marker gets the opposite force.
+    line: f(L, L_t, t) is the tension along the line between two points; L is their distance
+    frames: f(u, phi, v, omega, t) gives force and torque on the first marker in its joint frame; phi: Tait-Bryan angles
+    rotation: f(phi, omega, t) is the torque on the first marker about the z axis of its joint frame
+    coordinates: f(q, q_t, t) is the generalized force on the first coordinate; q is the difference of two coordinates
+    """
+    return _decorator("connector", kind, _CONNECTORS)
+
+
+def load(kind: str) -> Callable[[Callable[..., Any]], Law]:
+    """Make a load of a function f(t): 'force', 'torque', 'acceleration' (a vector each), or 'coordinate' (a number)."""
+    return _decorator("load", kind, _LOADS)
+
+
+def constraint(coordinates0: int, coordinates1: int) -> Callable[[Callable[..., Any]], Law]:
+    """Make a constraint of a function g(q0, q1, t), which returns one equation g = 0, or several.
+
+    q0 and q1 are the coordinates of both markers, whose numbers are the arguments of this decorator: 1 for
+    MarkerNodeCoordinate, 0 for MarkerNodeCoordinates on a ground node. Derivatives of the equations follow from the
+    record.
+    """
+    for number in (coordinates0, coordinates1):
+        if isinstance(number, bool) or not isinstance(number, int) or number < 0:
+            raise TypeError(f"constraint(...): received {number!r}, but expected the number of coordinates of a marker")
+
+    def made(function: Callable[..., Any]) -> Law:
+        names = {"q0": 0, "q1": 0, "t": 0}
+        constants = _constants_of(function, names, _CONSTRAINT, _LEFT_OUT, "constraint")
+        with _recording():
+            return recorded_constraint(function, constants)
+
+    def recorded_constraint(function: Callable[..., Any], constants: dict[str, float]) -> Law:
+        t, item = _symbolic.Real("t", 0.0)._Open(), _symbolic.Real("itemNumber", 0.0)._Open()
+        zeros = np.zeros(coordinates0 + coordinates1)
+        if not zeros.size:
+            raise TypeError("constraint(...): there are no coordinates")
+        q, q_t = _symbolic.Vector("q", zeros)._Open(), _symbolic.Vector("q_t", zeros)._Open()
+        level = _symbolic.Real("velocityLevel", 0.0)._Open()
+        entries = np.array([*q, None], dtype=object)[:-1]
+        returned = _run(function, [entries[:coordinates0], entries[coordinates0:], t], constants)
+        equations = [_number(each) for each in _flat(function, returned, 0)]
+        rates = [_symbolic._Rate(g, [(q, q_t), (t, 1.0)]) for g in equations]
+        gaps = [_symbolic.IfThenElse(level, g_t, g) for g, g_t in zip(equations, rates, strict=True)]
+        units = np.eye(len(zeros))
+        gradient = [[_symbolic._Rate(g, [(q, unit)]) for unit in units] for g in equations]
+        arguments = [t, item, q, q_t, level]
+        recorded = {
+            name: _function(function, arguments, value)
+            for name, value in zip(
+                _FUNCTIONS_OF_CONSTRAINT, (_symbolic.Vector(gaps), _symbolic.Matrix(gradient)), strict=True
+            )
+        }
+        _require_read(function, constants, recorded["constraintUserFunction"])
+        fixed = {"scalingMarker0": np.zeros((len(equations), 1))}
+        return Law(function, _CONSTRAINT, recorded, constants, fixed, _LEFT_OUT)
+
+    return made
+
+
+def _decorator(decorator: str, kind: str, kinds: dict[str, _Kind]) -> Callable[[Callable[..., Any]], Law]:
+    if not isinstance(kind, str) or kind not in kinds:
+        given = "a function" if callable(kind) else repr(kind)
+        raise ValueError(f"{decorator}(...): received {given}, but expected one of {', '.join(map(repr, kinds))}")
+    chosen = kinds[kind]
+
+    def made(function: Callable[..., Any]) -> Law:
+        constants = _constants_of(function, chosen.arguments, chosen.item, chosen.unused, f"{decorator}({kind!r})")
+        with _recording():
+            return recorded_item(function, constants)
+
+    def recorded_item(function: Callable[..., Any], constants: dict[str, float]) -> Law:
+        arguments = _arguments(chosen)
+        own = [arguments[place] for place in chosen.arguments.values()]
+        returned = _run(function, [_entries(argument) for argument in own], constants)
+        numbers = _flat(function, returned, 3 * len(chosen.results) or 1, chosen.results)
+        result = _symbolic.Vector(numbers) if chosen.results else _number(numbers[0])
+        recorded = _function(function, arguments, result)
+        _require_read(function, constants, recorded)
+        return Law(function, chosen.item, {chosen.function: recorded}, constants, {}, chosen.unused)
+
+    return made
+
+
+# ---- recording -------------------------------------------------------------------------------------------------------
+def _constants_of(
+    function: Callable[..., Any], names: dict[str, int], item: str, unused: Sequence[str], decorator: str
+) -> dict[str, float]:
+    """Return the arguments with defaults; the other ones must be as many as the law is called with."""
+    if not inspect.isfunction(function):
+        raise TypeError(f"{decorator}: expected a function, but received {function!r}")
+    name = function.__name__
+    parameters = list(inspect.signature(function).parameters.values())
+    own = [each for each in parameters if each.default is inspect.Parameter.empty]
+    if len(own) != len(names) or any(
+        each.kind not in (each.POSITIONAL_ONLY, each.POSITIONAL_OR_KEYWORD) for each in own
+    ):
+        raise TypeError(
+            f"{decorator}: {name} is called with ({', '.join(names)}), but has ({', '.join(map(str, own))}); "
+            "arguments with a default value are constants"
+        )
+    rows = [row for row in dict(item_class(item)()) if row not in unused]
+    constants = {}
+    for each in parameters:
+        if each.default is inspect.Parameter.empty:
+            continue
+        if each.name in rows:
+            raise TypeError(f"{decorator}: {name}: '{each.name}' is a parameter of {item}; choose another name")
+        constants[each.name] = _constant(f"{decorator}: {name}: {each.name}", each.default)
+    return constants
+
+
+@contextmanager
+def _recording() -> Iterator[None]:
+    before = _symbolic.GetRecording()
+    _symbolic.SetRecording(True)
+    try:
+        yield
+    finally:
+        _symbolic.SetRecording(before)
+
+
+def _arguments(kind: _Kind) -> list[Any]:
+    """Return symbols for all arguments of the user function."""
+    kinds, _ = _symbolic._signature(kind.item, kind.function)
+    sizes = iter(_sizes(kind.item, kind.function))
+    names = {place: name for name, place in kind.arguments.items()}
+    arguments = []
+    for place, shape in enumerate(kinds):
+        name = names.get(place, f"argument{place}")
+        if shape not in ("vector", "matrix"):
+            arguments.append(_symbolic.Real(name, 0.0)._Open())
+            continue
+        n = int(next(sizes))
+        zeros = np.zeros(n if shape == "vector" else (n, n))
+        arguments.append((_symbolic.Vector if shape == "vector" else _symbolic.Matrix)(name, zeros)._Open())
+    return arguments
+
+
+def _entries(argument: Any) -> Any:
+    """Return vectors as arrays, with the operators of numpy."""
+    if not isinstance(argument, _symbolic.Vector):
+        return argument
+    array = np.empty(len(argument), dtype=object)
+    array[:] = list(argument)
+    return array
+
+
+def _run(function: Callable[..., Any], arguments: list[Any], constants: dict[str, float]) -> Any:
+    """Call the function with symbols."""
+    symbols = {name: _symbolic.Real(name, value)._Open() for name, value in constants.items()}
+    try:
+        return function(*arguments, **symbols)
+    except Exception as error:
+        line = _line_of(function, error.__traceback__)
+        raise TypeError(f"{line}: the law {function.__name__} cannot be recorded: {_reason(error)}") from error
+
+
+def _line_of(function: Callable[..., Any], traceback: TracebackType | None) -> str:
+    """Return file, number and text of the innermost line in the file of the function."""
+    code = function.__code__  # type: ignore[attr-defined]
+    line = code.co_firstlineno
+    while traceback is not None:
+        if traceback.tb_frame.f_code.co_filename == code.co_filename:
+            line = traceback.tb_lineno
+        traceback = traceback.tb_next
+    text = linecache.getline(code.co_filename, line).strip()
+    return f"{Path(code.co_filename).name}, line {line}" + (f" ('{text}')" if text else "")
+
+
+def _reason(error: Exception) -> str:
+    text = str(error)
+    if "truth of" in text:
+        return (
+            "a comparison has no value yet, so that if, and, or, min and max cannot decide. Use where(condition, a, b),"
+            " minimum(a, b), maximum(a, b) or interpolate(x, xs, ys) of dalembert.laws"
+        )
+    if "has no value while" in text:
+        return (
+            "a quantity has no value yet, so that float, int, and functions of math cannot be used. Use functions of "
+            "numpy, such as np.sin(x), and array entries in a list: np.array([a, b, c])"
+        )
+    if "no callable" in text or "ufunc" in text:
+        return (
+            f"{text}. Use operators, np.sin, np.sqrt, np.exp and the like, or where, minimum, maximum, norm, atan2, "
+            "sign and interpolate of dalembert.laws"
+        )
+    return text
+
+
+def _flat(function: Callable[..., Any], value: Any, size: int, results: Sequence[str] = ()) -> list[Any]:
+    """Return the numbers of a result: a number, an array, or lists of them; `size` of them, or, if it is 0, any."""
+
+    def numbers(value: Any) -> Iterator[Any]:
+        if isinstance(value, _symbolic.Real) or (
+            isinstance(value, (int, float, np.number)) and not isinstance(value, bool)
+        ):
+            yield value
+        elif isinstance(value, (list, tuple, np.ndarray, _symbolic.Vector)):
+            for each in value if np.ndim(value) or not isinstance(value, np.ndarray) else [value.item()]:
+                yield from numbers(each)
+        else:
+            raise TypeError(f"the law {function.__name__} returned {value!r} instead of numbers")
+
+    found = list(numbers(value))
+    if len(found) != (size or len(found)) or not found:
+        expected = " and ".join(f"a {name} with 3 numbers" for name in results) or (
+            "1 number" if size else "an equation"
+        )
+        raise TypeError(f"the law {function.__name__} returned {len(found)} numbers, but expected {expected}")
+    return found
+
+
+def _number(value: Any) -> Any:
+    return value if isinstance(value, _symbolic.Real) else _symbolic.Real(float(value))
+
+
+def _function(function: Callable[..., Any], arguments: list[Any], result: Any) -> Any:
+    recorded = _symbolic.UserFunction()
+    data = {"functionName": function.__name__, "argList": arguments, "returnValue": result}
+    recorded.SetUserFunctionFromDict(None, data, function.__name__)
+    return recorded
+
+
+def _require_read(function: Callable[..., Any], constants: dict[str, float], recorded: Any) -> None:
+    unread = [name for name in constants if name not in recorded._Variables()]
+    if unread:
+        raise TypeError(f"the law {function.__name__} does not read its constant '{unread[0]}'")
+
+
+# ---- functions that can be recorded ----------------------------------------------------------------------------------
+def _has_symbols(*values: Any) -> bool:
+    return any(isinstance(value, _symbolic.Real) or np.asarray(value).dtype == object for value in values)
+
+
+def _each(function: Callable[..., Any], *values: Any) -> Any:
+    return np.frompyfunc(function, len(values), 1)(*values)
+
+
+def where(condition: Any, a: Any, b: Any) -> Any:
+    """a where the condition holds, else b; for numbers, arrays and recorded quantities."""
+    return (
+        _each(_symbolic.IfThenElse, condition, a, b) if _has_symbols(condition, a, b) else np.where(condition, a, b)[()]
+    )
+
+
+def minimum(a: Any, b: Any) -> Any:
+    """The smaller one of two."""
+    return _each(_symbolic.min, a, b) if _has_symbols(a, b) else np.minimum(a, b)
+
+
+def maximum(a: Any, b: Any) -> Any:
+    """The larger one of two."""
+    return _each(_symbolic.max, a, b) if _has_symbols(a, b) else np.maximum(a, b)
+
+
+def atan2(y: Any, x: Any) -> Any:
+    """The angle of the direction (x, y)."""
+    return _each(_symbolic.atan2, y, x) if _has_symbols(y, x) else np.arctan2(y, x)
+
+
+def sign(x: Any) -> Any:
+    """1, -1, or 0 at zero."""
+    return _each(_symbolic.sign, x) if _has_symbols(x) else np.sign(x)
+
+
+def norm(u: Any) -> Any:
+    """The length of a vector; its derivative at zero is taken as zero."""
+    return _symbolic.Vector(list(u)).NormL2() if _has_symbols(u) else float(np.linalg.norm(u))
+
+
+def interpolate(x: Any, xs: Sequence[float], ys: Sequence[float]) -> Any:
+    """The value at x of the polygon through the points (xs, ys), which is constant beyond both ends, as np.interp."""
+    points, values = np.asarray(xs, dtype=float), np.asarray(ys, dtype=float)
+    if points.ndim != 1 or points.shape != values.shape or len(points) < 2 or not (np.diff(points) > 0).all():
+        raise ValueError("interpolate: expected two lists of the same length, the first one increasing")
+    if not _has_symbols(x):
+        return np.interp(x, points, values)
+    result: Any = values[-1]
+    for i in range(len(points) - 2, -1, -1):
+        slope = (values[i + 1] - values[i]) / (points[i + 1] - points[i])
+        result = where(x < points[i + 1], values[i] + slope * (x - points[i]), result)
+    return where(x < points[0], values[0], result)
