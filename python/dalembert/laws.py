@@ -45,7 +45,7 @@ __all__ = [
     "where",
 ]
 
-_symbolic = _core.symbolic
+_symbolic: Any = _core.symbolic  # vectors are sequences of symbols here
 
 
 class _Kind(NamedTuple):
@@ -338,7 +338,7 @@ def _run(function: Callable[..., Any], arguments: list[Any], constants: dict[str
 
 def _line_of(function: Callable[..., Any], traceback: TracebackType | None) -> str:
     """Return file, number and text of the innermost line in the file of the function."""
-    code = function.__code__  # type: ignore[attr-defined]
+    code = function.__code__
     line = code.co_firstlineno
     while traceback is not None:
         if traceback.tb_frame.f_code.co_filename == code.co_filename:

@@ -27,7 +27,7 @@ class _Formulas:
 
     def __init__(self, stored: Mapping[str, Any], arguments: Mapping[int, Sequence[str]]) -> None:
         self.lines: list[str] = []
-        self._nodes, self._values, self._shapes = stored["nodes"], [], []  # type: ignore[var-annotated]
+        self._nodes, self._values, self._shapes = stored["nodes"], [], []
         inputs = {node: arguments.get(place, ()) for place, node in enumerate(stored["arguments"])}
         used = self._used(stored["result"])
         for number, node in enumerate(self._nodes):
