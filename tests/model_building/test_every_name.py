@@ -28,6 +28,7 @@ from dalembert import (
     plot,
     results,
     rigidBodyUtilities,
+    shells,
     utilities,
 )
 from dalembert._core import _parameters_of
@@ -238,6 +239,12 @@ CASES: dict[str, tuple[str, Callable[[Any, Any], Any]]] = {
         for name in ("AddRevoluteJoint", "AddPrismaticJoint")
         for i in range(2)
     },
+    "AddNodeConstraints.nodeNumber": ("Node", lambda mbs, item: shells.AddNodeConstraints(mbs, item, [0, 2])),
+    "AddSphericalJointToGround.nodeNumber": ("Node", lambda mbs, item: shells.AddSphericalJointToGround(mbs, item)),
+    "AddClampToGround.nodeNumber": (
+        "Node",
+        lambda mbs, item: shells.AddClampToGround(mbs, item, [1, 1, 0, 0, 0, 0, 0, 0, 0]),
+    ),
     "GetOtherMarker.bodyNumber": ("Object", lambda mbs, item: utilities.GetOtherMarker(mbs, item, "floor")),
     "GetOtherMarker.existingMarker": ("Marker", lambda mbs, item: utilities.GetOtherMarker(mbs, "hand", item)),
     "GetJointArgs.markerNumber0": (

@@ -52,8 +52,7 @@ SensorPlace SystemParts::place_sensor(const Item& item) const {
   SensorPlace place{item.type, item.record, {}};
   const SensorPhysics* physics = physics_of(*item.type);
   const auto subject = physics == nullptr ? std::nullopt : physics->subject(item.record.get());
-  // Values of other sensors are what their kernels make of the output variable.
-  if (subject && item.type->name == "SensorNode")
+  if (subject && subject->is_value && subject->kind == ItemKind::node)
     place.reading = translation_reading(nodes[static_cast<std::size_t>(subject->number)], subject->variable);
   return place;
 }

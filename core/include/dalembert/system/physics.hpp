@@ -123,6 +123,7 @@ struct SensorSubject {
   int number = -1;
   OutputVariableType variable = OutputVariableType::_None;
   std::optional<Link> link = {};
+  bool is_value = false;  // the sensor measures the output variable itself, which may be read from the state
 };
 
 struct SensorPhysics : Physics {

@@ -13,7 +13,7 @@ struct SensorNode {
     system.node_output(p.nodeNumber.value, p.outputVariableType, configuration, values);
   }
   static std::optional<SensorSubject> subject(const Parameters& p) {
-    return SensorSubject{ItemKind::node, p.nodeNumber.value, p.outputVariableType};
+    return SensorSubject{.kind = ItemKind::node, .number = p.nodeNumber.value, .variable = p.outputVariableType, .is_value = true};
   }
 };
 
