@@ -90,6 +90,8 @@ class ConstraintSolver {
   void make_smallest(LinearSolver& factors, std::span<double> multipliers);
 
   double eps() const { return eps_; }
+  // Whether eps had to be so large, because of gaps, that reactions of the weakest constraints have errors above 1 %.
+  bool hides_constraints() const { return hides_constraints_; }
   std::span<const int> rows() const { return rows_; }
 
  private:
@@ -100,6 +102,8 @@ class ConstraintSolver {
   bool prepared_ = false, active_ = false, fit_ = true, frees_ = false;
   Matrix kind_ = Matrix::motion;
   double eps_ = 0, regular_eps_ = 0, largest_gap_ = 0;
+  double strength_ = 1;  // of the weakest constraint
+  bool hides_constraints_ = false;
   int first_ae_ = 0;
   std::vector<int> rows_;           // equations with a metric
   std::vector<int> dependent_;      // redundant equations, for the order of elimination

@@ -23,6 +23,7 @@ constexpr double largest_eps = 1e-6, largest_eps_of_rates = 1e-3, largest_static
 constexpr double misfit_factors[] = {0, 6, -8, 3};
 // Newton's method leaves gaps up to this size in joints that fit.
 constexpr double fitting_gap = 1e-11;
+constexpr double visible_part = 1e-3;  // of eps in the strength of a constraint, which is an estimate: errors of reactions above 1 %
 constexpr double eps_of_free = 1e3;  // of equations that are left free
 constexpr int most_refinements = 12;  // joints that fit need 2 to 4
 constexpr double refined = 1e-12;
@@ -58,7 +59,8 @@ void ConstraintSolver::prepare(System& system, const State& state, const Conditi
     if (row >= first_ae_ && column < system.sizes().ode2 && part[slot] != 0) of_velocities_[static_cast<std::size_t>(row - first_ae_)] = 1;
   });
   entries_.assign(metric_.size(), 0.0);
-  eps_ = regular_eps_ = std::clamp(eps_per_strength * rank.strength(), smallest_eps, regular_eps);
+  strength_ = rank.strength();
+  eps_ = regular_eps_ = std::clamp(eps_per_strength * strength_, smallest_eps, regular_eps);
 }
 
 bool ConstraintSolver::activate() {
@@ -89,6 +91,7 @@ void ConstraintSolver::choose(double gap, bool of_rates) {
   const double most = moves ? std::max(largest_gap_, gap) : gap;
   fit_ = !((kind_ == Matrix::motion ? largest_gap_ : most) > fitting_gap);
   eps_ = std::clamp((of_rates ? eps_of_rates_per_squared_gap : eps_per_squared_gap) * most * most, regular_eps_, !moves ? largest_static_eps : of_rates ? largest_eps_of_rates : largest_eps);
+  hides_constraints_ |= active_ && moves && eps_ > regular_eps_ && eps_ > visible_part * strength_;
 }
 
 LinearSolverOptions ConstraintSolver::options(LinearSolverOptions options) const {

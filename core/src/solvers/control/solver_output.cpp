@@ -189,6 +189,10 @@ void Solver::look_back() {
     doubts_.push_back("contact or friction that has not settled in " + steps(it.unsettledSteps) +
                       ": use smaller steps, or more discontinuous.maxIterations");
   }
+  if (constraint_solver().hides_constraints()) {
+    doubts_.push_back("redundant joints do not fit exactly, and masses or constraints differ by orders of magnitude: reactions of light bodies may have "
+                      "errors above 1 %; use smaller steps, a solver that keeps constraints of positions, or joints without redundant equations");
+  }
   std::vector<std::string> observed = is_static() ? angles_.doubts_of_equilibrium(*system_) : angles_.doubts(it.automaticStepSize);
   std::ranges::copy(rebounds_.doubts([this](const Switch& at) { return events_->describe_switch(at); }), std::back_inserter(observed));
   for (std::string& doubt : observed) {
