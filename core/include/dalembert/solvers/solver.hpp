@@ -36,7 +36,7 @@ class OutputWriter;
 class SingularPositions;
 class SolverPart;
 
-// Environment of a system while it is solved.
+// What a solver gets from outside: user functions, sensors, text for file headers.
 struct SolverEnvironment {
   SolverHooks hooks;
   std::vector<SensorChannel> sensors;
@@ -66,8 +66,8 @@ class Solver {
   bool initialize();
   bool solve_steps();
   void finalize();
-  // Completes the state at the start of the step by known accelerations and rates. Returns whether these, at both ends of
-  // the step, are derivatives of the motion.
+  // Fills in accelerations and ODE1 rates at both ends of the step, for interpolation. The result says which of them are
+  // derivatives of the motion.
   struct KnownDerivatives {
     bool accelerations, rates;
   };
@@ -158,7 +158,8 @@ class Solver {
   double continued_number(std::size_t i) const;
   // Whether steps enforce position constraints, not their derivatives.
   virtual bool keeps_positions() const { return false; }
-  // Largest ratio of successive steps. Implicit methods correct errors of accelerations and velocities, including round-off.
+  // A step that is larger than the last one by more than this ratio starts anew: velocities and accelerations of the short
+  // step have too much round-off for it.
   static constexpr double largest_growth = 2;
   // Recomputes forces and accelerations after a jump of the state.
   virtual void renew_accelerations() {}
@@ -166,7 +167,7 @@ class Solver {
   virtual ConstrainedMotion* motion_under_constraints() { return nullptr; }
   // Called after actions and user functions that may have switched constraints on or off.
   virtual void examine_constraints_anew() {}
-  // Discards all data that are not in a restart file, because later results must not depend on them.
+  // Called when a restart file is written: discards all data that are not in it, because later results must not depend on them.
   virtual void forget();
   // Smaller differences of times are ignored.
   double same_time() const { return std::min(1e-10, 1e-3 * it.currentStepSize); }
@@ -174,7 +175,7 @@ class Solver {
   // minimum norm after this call.
   virtual const std::vector<double>* minimum_norm_multipliers() { return nullptr; }
   void keep_minimum_norm_multipliers();  // writes them to the state
-  // Whether multipliers are read only while a `ReportedMultipliers` object exists.
+  // True if multipliers are read only while a `ReportedMultipliers` object exists, so that they may be computed late.
   bool multipliers_may_wait() const { return multipliers_may_wait_; }
   // The current state has minimum-norm multipliers during the lifetime of this object.
   class ReportedMultipliers {
@@ -197,7 +198,7 @@ class Solver {
   std::string number(double value) const;
   // Whether the step that has been solved is the last one.
   bool ends_here() const { return path_ends_ ? *path_ends_ : it.currentTime >= it.endTime - 1e-6 * it.lastStepSize; }
-  // True if output times may decrease.
+  // Whether each step is written, also if its time is below that of the last row, as on a path with limit points.
   virtual bool writes_each_step() const { return false; }
   virtual void advise_on_growth();  // adds advice to the diagnosis
   // Adds the user's system Jacobian, with these weights of derivatives by q, v and ODE1 coordinates.
@@ -208,14 +209,14 @@ class Solver {
   double largest_misfit_ = 0;
   void find_rank() { find_rank(current()); }
   void find_rank(const State& at);
-  // Called if constraints are redundant only in the singular position of the start.
+  // Called if constraints are redundant at the start only because it is a singular position.
   virtual void solve_as_regular() {}
   ConstraintRank rank_;
   bool rank_known_ = false, announced_rank_ = false;
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
 
-  const bool* path_ends_ = nullptr;  // end of a path that has no end time
+  const bool* path_ends_ = nullptr;  // set by arc-length continuation: whether the path has ended
   Sizes sizes_;
   Conditions conditions_;
   Diagnosis diagnosis_;
@@ -268,8 +269,8 @@ class Solver {
   void return_to_start_of_step();
   void wait_for_real_time();
   void summarize();
-  void leave();
-  void abandon();
+  void leave();    // closes files and ends threads
+  void abandon();  // the same while an exception ends the simulation
   std::string position_text() const;
 
   LinearSolverType linear_type_ = LinearSolverType::EXUdense;

@@ -16,8 +16,8 @@ namespace dalembert {
 
 // The value of a user event function or of an item event.
 struct WatchedValue : EventValue {
-  bool holds = false;  // one-sided: the value must not be negative; a negative one makes the item switch
-  double noise = 0;    // tolerance just after an event
+  bool holds = false;  // the item keeps its state while the value is not negative, and switches when it becomes negative
+  double noise = 0;    // smaller values count as zero just after an event
 };
 
 // Values of event functions at the start of a step. After a change of sign, a function is ignored until it has left a
@@ -63,7 +63,7 @@ class EventWatch {
   std::vector<int> in_a_row_;      // number of events, each within a regular step of the previous one
 };
 
-// Work space for event location.
+// States and values that event location needs within a step.
 struct EventLook {
   std::vector<WatchedValue> values, at_end;  // the last sample; the end of the step that was solved last
   State end;
@@ -82,7 +82,7 @@ class EventControl : public SolverPart {
   System::Updates iterates_without() const { return iterates_without_; }
 
   void end_as_scheduled();  // shortens a step to a scheduled time
-  // Locates the first event in a solved step and ends the step on its far side. Returns false if a repeated step fails.
+  // Locates the first event in a solved step and ends the step just after it. Returns false if a repeated step fails.
   bool end_step();
   void switch_over();  // sets the states of all items at the end of a step
   bool reached() const;
@@ -97,11 +97,11 @@ class EventControl : public SolverPart {
   const std::vector<WatchedValue>& event_values() { return event_values(switches_); }
   const std::vector<WatchedValue>& event_values(std::vector<Switch>& of_items);
   void warn_of_missing_switches(bool located);
-  void settle_switches();
+  void settle_switches();     // switches items until all are consistent
   double look_into_step(double& before);
   bool solve_again(double step_size);
-  void act_as_scheduled();
-  bool step_was_cut() const;  // to a size without information for the next step
+  void act_as_scheduled();    // calls scheduled actions
+  bool step_was_cut() const;  // shortened so much for an event that its size says nothing about the next step
   bool let_user_act(int event, int direction);
   std::vector<double> gaps_and_rates();
   void end_velocities_against_constraints(bool keeps_positions);

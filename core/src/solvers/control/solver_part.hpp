@@ -1,5 +1,5 @@
 // Base class of the parts of a solver. Each part has one task and its own data: output, events, restart, singular positions,
-// diagnosis. Parts share states, settings, counters and flags of the solver.
+// diagnosis. A part refers to the states, settings, counters and flags of its solver, by the same names.
 #pragma once
 
 #include <string>

@@ -1,5 +1,9 @@
-// Velocities across constraints in equal steps of generalized alpha: detects that they oscillate, and corrects
-// them from then on. An object serves one solution.
+// Velocities normal to the constraints in equal steps of generalized alpha.
+//
+// The method determines positions by the constraints, and these velocities by a recursion that oscillates, and may grow,
+// where constraints turn quickly. Once oscillations are found, each step replaces these velocities by their smooth value,
+// the lead -C h^2 G da/dt, for which the reactions of the next step are of second order
+// (docs/theory/constrained_steps.rst). An object serves one solution.
 #pragma once
 
 #include <array>
@@ -27,11 +31,11 @@ class VelocityLead : public SolverPart {
   bool closes_gaps_of_start();
   std::vector<std::string> doubts() const;
 
-  // Replaces the velocities across constraints by the lead for the step size `next`, or by zero if accelerations have
-  // jumped. Returns the square of the change in the norm of the step matrix.
+  // Replaces the velocities normal to the constraints by the lead for a next step of size `next`, or by zero if accelerations
+  // have jumped. Returns the square of the change in the norm of the step matrix.
   double apply(double step_size, double next, bool smooth);
   std::vector<double> rates_at(const State& state);
-  // The velocities with these constraint rates and the smallest norm in the step matrix, with the present factors.
+  // The velocities with these constraint rates and the smallest norm in the step matrix, by its last factors.
   std::span<const double> move_across(std::span<const double> rates);
   // Constraint equations that are prescribed in time, and those that constrain velocities.
   struct RowKinds {
