@@ -352,9 +352,10 @@ void Solver::begin_step() {
   else if (!conv.newtonConverged && it.newtonSteps > 0) ++it.rejectedNewtonSteps;
   current() = start_of_step();
   if (system_->searches()) system_->restore_history();
-  // Smaller steps do not mend a singular matrix, inconsistent joints, round-off, or a singular configuration.
+  // Smaller steps do not mend a singular matrix, inconsistent joints, round-off, or a singular configuration. A static iterate
+  // far from the equilibrium may look inconsistent where joints fit.
   const FailureReason reason = diagnosis_.reason;
-  const bool beyond_repair = conv.linearSolverFailed || reason == FailureReason::contradiction || reason == FailureReason::round_off ||
+  const bool beyond_repair = conv.linearSolverFailed || (reason == FailureReason::contradiction && !is_static()) || reason == FailureReason::round_off ||
                              reason == FailureReason::singular_position;
   const bool may_be_reduced = !beyond_repair && (it.adaptiveStep || it.automaticStepSize);
   if (!may_be_reduced || !reduce_step_size()) {
