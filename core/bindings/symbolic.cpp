@@ -225,7 +225,7 @@ void add_in_place(Class& type, const char* name, Binary f) {
   });
 }
 
-// Of vectors and matrices; a += b of numbers makes another number in Python.
+// In-place operators exist for vectors and matrices only: in Python, a += b of numbers makes another number.
 template <class Class>
 void add_in_place_operators(Class& type) {
   add_in_place(type, "__iadd__", binary<Op::add>);

@@ -37,7 +37,7 @@ class ConstraintRank {
   int equations_examined() const { return static_cast<int>(rows_.size()); }
   // Smallest squared remainder of an independent column. The count is certain if it is far above the tolerance.
   double weakest() const { return weakest_; }
-  // The same in units of the constraint metric, in which masses differ.
+  // Smallest squared remainder in units of the constraint metric. It is small where masses differ by orders of magnitude.
   double strength() const { return strength_; }
   bool certain() const { return certain_; }
   bool allows_for_gaps() const { return allows_for_gaps_; }  // gaps have increased the tolerance

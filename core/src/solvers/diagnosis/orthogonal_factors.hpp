@@ -24,7 +24,7 @@ class OrthogonalFactors {
 
   const std::vector<int>& dependent() const { return dependent_; }  // columns, in order of elimination
   double smallest_pivot() const { return smallest_pivot_; }         // smallest squared remainder of the others; 0 without any
-  // The same with each squared remainder multiplied by the factor of its column.
+  // Smallest squared remainder, where each one is multiplied by the factor of its column.
   double smallest_pivot(std::span<const double> factors) const;
   // The null vector with these entries for the dependent columns, by column.
   std::vector<double> null_vector(std::span<const double> of_dependent) const;
