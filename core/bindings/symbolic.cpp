@@ -140,8 +140,8 @@ py::object python_value(Shape shape, const std::vector<double>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-// The numbers that an expression has now. Those of arguments are not known while a function is recorded: a function
-// that continued with them would be recorded for these numbers only.
+// Returns the current numbers of an expression. Arguments have no numbers while a function is recorded: a function that used
+// such numbers would be recorded for these numbers only.
 std::vector<double> known_values(const Node& node) {
   if (const symbolic::Expression* open = symbolic::open_variable(node))
     throw py::type_error("symbolic: '" + symbolic::text(*node) + "' has no value while a function of '" + open->name +

@@ -61,7 +61,7 @@ double slope_of_one(Op op, double x, double y) {
   }
 }
 
-// Where nothing moves, the derivative is zero even if the slope is infinite, such as that of a root at zero.
+// A zero rate gives a zero derivative, even if the slope is infinite, as that of a square root at zero.
 double times(double slope, double rate) { return rate == 0 ? 0.0 : slope * rate; }
 
 template <int N>

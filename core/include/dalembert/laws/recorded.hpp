@@ -18,7 +18,8 @@ inline double floored_quotient(double x, double y) {
   return std::round((x - remainder) / y);
 }
 
-// A function with a slope. Where x rests, so does f(x), even if the slope is infinite, such as that of a root at zero.
+// Returns a function value with its derivative. If x has zero derivatives, the result has zero derivatives, even where the
+// slope is infinite, as that of a square root at zero.
 template <class S>
 S function(const S& x, double value, double slope) {
   if constexpr (std::is_same_v<S, double>) {

@@ -26,7 +26,7 @@ class Callback {
     call(time, item, arguments, results);
   }
   // The results of `call`, and their derivatives with respect to some numbers of the arguments, which are counted
-  // through: `slopes` has the results' derivatives one after the other. Those that do not exist are not finite. Only for
+  // through: `slopes` has the results' derivatives one after the other. Derivatives that do not exist are not finite. Only for
   // functions that have derivatives.
   virtual void linearize(double /*time*/, int /*item*/, std::span<const Argument> /*arguments*/, std::span<const int> /*numbers*/,
                          std::span<double> /*results*/, std::span<double> /*slopes*/) const {}

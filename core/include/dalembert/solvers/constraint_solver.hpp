@@ -68,8 +68,8 @@ class ConstraintSolver {
   double largest_gap() const { return largest_gap_; }
   // Selects eps for an iterate with this gap.
   void choose(double gap, bool of_rates = false);
-  // Static iterates violate constraints by more than a motion does. Where joints fit at the start, dependent equations are left
-  // free instead of eps for all; they hold again at the equilibrium. If they do not, eps is used from then on.
+  // Static solutions whose joints fit at the start leave dependent equations free instead of using eps for all equations. The
+  // dependent equations hold again at the equilibrium. If they do not, all equations get eps from then on.
   bool frees_dependent() const { return frees_; }
   void hold_dependent() { frees_ = false; }
   // False: misfits have to be subtracted.

@@ -36,7 +36,7 @@ class OutputWriter;
 class SingularPositions;
 class SolverPart;
 
-// What a solver gets from outside: user functions, sensors, text for file headers.
+// Data that a solver receives from its caller: user functions, sensors, text for file headers.
 struct SolverEnvironment {
   SolverHooks hooks;
   std::vector<SensorChannel> sensors;

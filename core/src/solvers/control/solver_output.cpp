@@ -23,21 +23,15 @@ constexpr double tolerated_drift = 1000;
 }  // namespace
 
 void Solver::initialize_output() {
-  if (is_static()) {
-    const auto& o = settings_->staticSolver;
-    output.verboseMode = o.verboseMode;
-    output.verboseModeFile = o.verboseModeFile;
-    output.stepInformation = o.stepInformation;
-    newton_settings = o.newton;
-    discontinuous = o.discontinuous;
-  } else {
-    const auto& o = settings_->timeIntegration;
-    output.verboseMode = o.verboseMode;
-    output.verboseModeFile = o.verboseModeFile;
-    output.stepInformation = o.stepInformation;
-    newton_settings = o.newton;
-    discontinuous = o.discontinuous;
-  }
+  const auto take = [this](const auto& options) {
+    output.verboseMode = options.verboseMode;
+    output.verboseModeFile = options.verboseModeFile;
+    output.stepInformation = options.stepInformation;
+    newton_settings = options.newton;
+    discontinuous = options.discontinuous;
+  };
+  if (is_static()) take(settings_->staticSolver);
+  else take(settings_->timeIntegration);
   writer_->close();
   writer_->open(continues() ? std::span<const double>(continuation_->file_lengths()) : std::span<const double>());
   if (verbose(1)) say(1, "+++++++++++++++++++++++++++++++\ndalembert solver: " + name() + "\n");
