@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
+from codegen.load_create import load_create_functions
 from codegen.load_left_out import load_left_out
 from codegen.load_planned import load_planned
 from codegen.load_scene import read_scene
@@ -57,7 +58,8 @@ def load(root: Path) -> Specs:
     planned = [one for file in _each(root, ["interface"], load_planned) for one in file]
     left_out = [one for file in _each(root, ["left_out"], load_left_out) for one in file]
     check_references(items, (), enums, root, {})
-    return Specs(tuple(items), tuple(enums.values()), tuple(settings), tuple(planned), tuple(left_out))
+    create = load_create_functions(root / "python/dalembert/create")
+    return Specs(tuple(items), tuple(enums.values()), tuple(settings), tuple(planned), tuple(left_out), create)
 
 
 def known_specs(root: Path) -> tuple[list[Item], Groups, dict[str, Enum]]:

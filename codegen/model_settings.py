@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from codegen.load_create import CreateFunction
 from codegen.model import Item, Parameter, SpecError, check_documented, check_identifier
 from codegen.names import nearest
 from codegen.ranges import Range
@@ -171,13 +172,14 @@ class LeftOut:
 
 @dataclass(frozen=True)
 class Specs:
-    """Everything under specs/."""
+    """Everything under specs/, and the Create functions, which are written in Python."""
 
     items: tuple[Item, ...]
     enums: tuple[Enum, ...]
     settings: tuple[Settings, ...]
     planned: tuple[Planned, ...] = ()
     left_out: tuple[LeftOut, ...] = ()
+    create_functions: tuple[CreateFunction, ...] = ()
 
 
 def parameter_type(name: str, enums: Mapping[str, Enum]) -> ParameterType:

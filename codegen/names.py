@@ -21,12 +21,12 @@ FOLDERS: dict[str, tuple[str, tuple[str, ...]]] = {
     "sensors": ("sensor", ("Sensor",)),
 }
 
-_WORD = re.compile(r"ANCF|ALE|FFRF|\d+D|[A-Z]+(?![a-z])(?:\d+(?![\dD]))?|[A-Z]?[a-z]+(?:\d+(?![\dD]))?|\d+")
+WORD = re.compile(r"ANCF|ALE|FFRF|COMs|\d+D|[A-Z]+(?![a-z])(?:\d+(?![\dD]))?|[A-Z]?[a-z]+(?:\d+(?![\dD]))?|\d+")
 
 
 def snake_case(name: str) -> str:
     """`ANCFCable2D` -> `ancf_cable_2d`."""
-    return "_".join(_WORD.findall(name)).lower()
+    return "_".join(WORD.findall(name)).lower()
 
 
 def stem_of(name: str, folder: str) -> str:

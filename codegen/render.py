@@ -12,10 +12,11 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, meta
 
+from codegen import names
 from codegen.model import Item
 from codegen.model_settings import Specs
 from codegen.names import FOLDERS
-from codegen.views import cpp, python, rst, schema, settings
+from codegen.views import cpp, handles, python, rst, schema, settings
 
 _TRAILING_SPACE = re.compile(r"[ \t]+$", re.MULTILINE)
 _BLANK_LINES = re.compile(r"\n{3,}")
@@ -35,7 +36,7 @@ def environment() -> Environment:
         keep_trailing_newline=True,
         autoescape=False,
     )
-    for module in (cpp, python, rst, schema, settings):
+    for module in (cpp, handles, python, rst, schema, settings):
         env.filters |= filters_of(module)
     return env
 
@@ -104,6 +105,13 @@ def _python_files(specs: Specs) -> dict[str, str]:
         "python/dalembert/_core_enums.pyi": fill("core_enums.pyi.j2", enums=specs.enums),
         "python/dalembert/_core_settings.pyi": fill("core_settings.pyi.j2", files=parts),
         "python/dalembert/_item_table.py": fill("item_table.py.j2", items=specs.items),
+        "python/dalembert/_item_handles.pyi": fill("item_handles.pyi.j2", items=specs.items),
+        "python/dalembert/_create_methods.pyi": fill(
+            "create_methods.pyi.j2", functions=specs.create_functions, items=specs.items
+        ),
+        "python/dalembert/_snake_case.py": fill(
+            "snake_case.py.j2", words=names.WORD.pattern, rule=inspect.getsource(names.snake_case)
+        ),
         "python/dalembert/_create_table.py": fill("create_table.py.j2", functions=python.create_functions(specs.items)),
         "python/dalembert/_function_sizes.py": fill(
             "function_sizes.py.j2",

@@ -51,6 +51,8 @@ from dalembert.solver import (
 
 if TYPE_CHECKING:
     from dalembert._io.model_files import ModelFileError as ModelFileError
+    from dalembert._model.model import Model as Model
+    from dalembert._model.solution import Solution as Solution, SolutionWarning as SolutionWarning
     from dalembert._studies.design_parameters import DesignParameter as DesignParameter
     from dalembert._studies.differentiable_model import DifferentiableModel as DifferentiableModel
     from dalembert._studies.differentiable_outputs import (
@@ -83,6 +85,7 @@ _submodules = frozenset(
         "demos",
         "graphics",
         "graphicsDataUtilities",
+        "handles",
         "interactive",
         "itemInterface",
         "kinematicTree",
@@ -112,6 +115,9 @@ _renamed = {"exudynCPP": _core}
 # Names of these modules, likewise.
 _classes = {
     "ModelFileError": "_io.model_files",
+    "Model": "_model.model",
+    "Solution": "_model.solution",
+    "SolutionWarning": "_model.solution",
     "DesignParameter": "_studies.design_parameters",
     "DifferentiableModel": "_studies.differentiable_model",
     "At": "_studies.differentiable_outputs",
@@ -141,6 +147,7 @@ if TYPE_CHECKING:
         demos as demos,
         graphics as graphics,
         graphicsDataUtilities as graphicsDataUtilities,
+        handles as handles,
         interactive as interactive,
         itemInterface as itemInterface,
         kinematicTree as kinematicTree,

@@ -1,0 +1,176 @@
+"""model.solve and model.solve_static: settings by arguments, and the states in memory."""
+
+from __future__ import annotations
+
+import copy
+import math
+import os
+import tempfile
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from dalembert._checks import as_number, shape_error
+from dalembert._core import DynamicSolverType, SimulationSettings
+from dalembert._io.solution_states import LoadSolutionFile
+from dalembert._model import words
+from dalembert._model.solution import Solution, SolutionWarning
+from dalembert._solving.diagnosis import FinishedNotTrusted
+
+_FIXED_STEPS = {
+    DynamicSolverType.GeneralizedAlpha,
+    DynamicSolverType.TrapezoidalIndex2,
+    DynamicSolverType.ExplicitEuler,
+    DynamicSolverType.ExplicitMidpoint,
+    DynamicSolverType.RK33,
+    DynamicSolverType.RK44,
+    DynamicSolverType.RK67,
+    DynamicSolverType.VelocityVerlet,
+}
+_DEFAULT_FILE = SimulationSettings().solutionSettings.coordinatesSolutionFileName
+
+
+def solve(
+    model: Any,
+    end_time: float,
+    step_size: float | None = None,
+    *,
+    method: Any = "generalized_alpha",
+    outputs: Sequence[Any] = (),
+    every: float | None = None,
+    start_time: float = 0.0,
+    update_initial_values: bool = False,
+    settings: SimulationSettings | None = None,
+) -> Solution:
+    where = "model.solve"
+    used = _settings(where, settings)
+    time = used.timeIntegration
+    start = as_number(f"{where}: start_time", start_time, negative=False)
+    duration = as_number(f"{where}: end_time", end_time) - start
+    if duration <= 0:
+        raise ValueError(f"{where}: end_time: received {end_time!r}, but expected a time after {start_time!r}")
+    time.startTime, time.endTime = start, end_time
+    kind = words.member(DynamicSolverType, method, f"{where}: method")
+    if step_size is not None:
+        step = as_number(f"{where}: step_size", step_size)
+        if step <= 0:
+            raise shape_error(f"{where}: step_size", "a positive number", step_size)
+        time.numberOfSteps = max(1, math.ceil(duration / step * (1 - 1e-9)))
+    elif settings is None and kind in _FIXED_STEPS:
+        raise ValueError(f"{where}: step_size: {kind.name} has equal steps: give their size, such as step_size=1e-3")
+    solution = used.solutionSettings
+    period = 0.0 if every is None else as_number(f"{where}: every", every, negative=False)
+    solution.solutionWritePeriod = solution.sensorsWritePeriod = period
+    if period > 0:
+        used.denseOutput.atRequestedTimes = True
+    wanted = _wanted(model, outputs, where)
+    with _recorded(model, used, where, "dynamicSolver", kind.name) as run:
+        run(
+            lambda: model.system.SolveDynamic(
+                used, solverType=kind, updateInitialValues=update_initial_values, autoAssemble=False
+            )
+        )
+    return _with_outputs(run.solution, wanted)
+
+
+def solve_static(
+    model: Any,
+    *,
+    outputs: Sequence[Any] = (),
+    load_steps: int | None = None,
+    update_initial_values: bool = False,
+    settings: SimulationSettings | None = None,
+) -> Solution:
+    where = "model.solve_static"
+    used = _settings(where, settings)
+    used.staticSolver.verboseMode = 0 if settings is None else used.staticSolver.verboseMode
+    if load_steps is not None:
+        used.staticSolver.numberOfLoadSteps = load_steps
+    used.solutionSettings.solutionWritePeriod = used.solutionSettings.sensorsWritePeriod = 0.0
+    wanted = _wanted(model, outputs, where)
+    with _recorded(model, used, where, "staticSolver", "Static") as run:
+        run(lambda: model.system.SolveStatic(used, updateInitialValues=update_initial_values, autoAssemble=False))
+    return _with_outputs(run.solution, wanted)
+
+
+def _settings(where: str, settings: Any) -> Any:
+    if settings is not None and not isinstance(settings, SimulationSettings):
+        raise TypeError(f"{where}: settings: received {settings!r}, but expected db.SimulationSettings()")
+    return SimulationSettings() if settings is None else copy.deepcopy(settings)
+
+
+def _wanted(model: Any, outputs: Any, where: str) -> list[tuple[Any, str, Any]]:
+    """Return items, output names and local positions of the argument `outputs`; errors name what exists."""
+    from dalembert._model.solution import output_of
+
+    if isinstance(outputs, (str, bytes)) or not isinstance(outputs, Sequence):
+        raise TypeError(
+            f"{where}: outputs: expected a list such as [(arm, 'position'), 'arm.velocity'], received {outputs!r}"
+        )
+    wanted = [output_of(model, each, f"{where}: outputs") for each in outputs]
+    for handle, _, _ in wanted:
+        if handle._kind == "Sensor" and not handle.store_internal:
+            raise ValueError(f"{where}: outputs: {handle!r} stores no values: set its store_internal = True")
+    return wanted
+
+
+def _with_outputs(solution: Solution, wanted: list[tuple[Any, str, Any]]) -> Solution:
+    solution._compute(wanted)
+    return solution
+
+
+class _Run:
+    """Runs a solver once; the result is in `solution`."""
+
+    def __init__(self, model: Any, settings: Any, slot: str, method: str, folder: str) -> None:
+        self._model, self._settings, self._slot, self._method, self._folder = model, settings, slot, method, folder
+        self.solution: Any = None
+
+    def __call__(self, solver: Any) -> None:
+        system, solution = self._model.system, self._settings.solutionSettings
+        if not system.systemIsConsistent:
+            system.Assemble()
+        snapshot = copy.copy(system)
+        temporary = solution.coordinatesSolutionFileName == _DEFAULT_FILE
+        if temporary:
+            solution.coordinatesSolutionFileName = os.path.join(self._folder, "states")
+            solution.binarySolutionFile, solution.outputPrecision = True, 17
+        solution.writeSolutionToFile, solution.appendToFile = True, False
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            finished = solver()
+        texts = [str(each.message) for each in caught]
+        doubts = list(finished.doubts) if isinstance(finished, FinishedNotTrusted) else []
+        for each in caught:
+            warnings.warn(each.message, stacklevel=4)
+        for text in doubts:
+            warnings.warn(text, SolutionWarning, stacklevel=4)
+        name = solution.coordinatesSolutionFileName
+        ending = ".sol" if solution.binarySolutionFile else ".txt"
+        name = name if os.path.splitext(name)[1] else name + ending
+        states = LoadSolutionFile(name, verbose=False)
+        self.solution = Solution._of(
+            self._model, snapshot, states, self._method, [*texts, *doubts], statistics_of(system.sys[self._slot])
+        )
+
+
+@contextmanager
+def _recorded(model: Any, settings: Any, where: str, slot: str, method: str) -> Iterator[_Run]:
+    with tempfile.TemporaryDirectory(prefix="dalembert") as folder:
+        yield _Run(model, settings, slot, method, folder)
+
+
+def statistics_of(solver: Any) -> dict[str, Any]:
+    """Return counts of a solver that has finished."""
+    it = solver.it
+    return {
+        "steps": it.currentStepIndex - 1,  # the index is that of the next step
+        "newton_iterations": it.newtonStepsCount,
+        "jacobians": it.newtonJacobiCount,
+        "discontinuous_iterations": it.discontinuousIterationsCount,
+        "rejected_steps": it.rejectedNewtonSteps + it.rejectedAutomaticStepSizeSteps + it.rejectedDiscontinuousSteps,
+        "finished": bool(solver.output.finishedSuccessfully),
+        "stopped_by_user": bool(solver.output.simulationStoppedByUser or solver.output.simulationStoppedByUserFunction),
+        "out_of_time": bool(solver.output.simulationTimeout),
+    }
