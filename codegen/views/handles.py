@@ -39,7 +39,7 @@ def handle_parameters(item: Item) -> list[tuple[str, Parameter]]:
     found: dict[str, Parameter] = {}
     for row in item.parameters:
         for name in (row.name, *row.aliases):
-            if snake_case(name) not in hidden:
+            if snake_case(name) not in hidden and not row.internal:
                 found.setdefault(snake_case(name), row)
                 found.setdefault(name, row)
     return list(found.items())
@@ -103,6 +103,14 @@ def handle_argument_type(row: Parameter, item: Item) -> str:
 def method_arguments(function: CreateFunction) -> list[CreateArgument]:
     """Return the arguments of a create method: handles and body_numbers take the place of some older ones."""
     return [argument for argument in function.arguments if argument.name not in _OLD_ARGUMENTS]
+
+
+def method_aliases(function: CreateFunction, items: Sequence[Item]) -> list[tuple[str, CreateArgument]]:
+    """Return the further names of arguments, which are those of the parameters of the items."""
+    known = {argument.name: argument for argument in function.arguments}
+    made = [item for item in items if function.name in item.create_functions]
+    found = {alias: row.name for item in made for row in item.parameters for alias in row.aliases}
+    return [(alias, known[name]) for alias, name in found.items() if name in known and alias not in known]
 
 
 def method_summary(function: CreateFunction) -> str:

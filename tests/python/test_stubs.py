@@ -73,11 +73,28 @@ def run_mypy(config: Path, file: Path) -> str:
 
 def test_a_typed_model_passes_strict_checks(config):
     assert run_mypy(config, ROOT / "tests/data/typed_model.py").startswith("Success")
+    assert run_mypy(config, ROOT / "tests/data/typed_handles.py").startswith("Success")
 
 
-def test_the_typed_model_runs(tmp_path):
+def test_misspelt_names_of_handles_are_found(config, tmp_path):
+    file = tmp_path / "mistakes.py"
+    file.write_text(
+        "import dalembert as db\n"
+        "model = db.Model()\n"
+        'spring = model.create_spring_damper(body_numbers=["ground", "mass"], colour="red")\n'
+        "spring.stifness = 3\n"
+        'spring.stiffness = "3"\n'
+        "model.create_rigid_bdy()\n"
+        'print(model.create_mass_point(mass=1).position + "m")\n'
+    )
+    found = re.findall(r"\.py:(\d+): error: .*\[([\w-]+)\]$", run_mypy(config, file), re.MULTILINE)
+    assert [int(line) for line, _ in found] == [3, 4, 5, 6, 7]
+
+
+@pytest.mark.parametrize("name", ["typed_model", "typed_handles"])
+def test_the_typed_model_runs(name, tmp_path):
     environment = os.environ | {"MPLBACKEND": "Agg", "PYTHONPATH": str(PACKAGE.parent)}
-    command = [sys.executable, str(ROOT / "tests/data/typed_model.py")]
+    command = [sys.executable, str(ROOT / f"tests/data/{name}.py")]
     result = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path, env=environment)
     assert result.returncode == 0, result.stderr
     assert "iterations:" in result.stdout

@@ -44,6 +44,8 @@ class CreateMethods:
         show: bool = ...,
         draw_size: float = ...,
         color: Vector | str = ...,
+        *,
+        factor1: float = ...,
     ) -> handles.ObjectConnectorCoordinate:
         """Constrain a coordinate of one body to that of another, or to ground; return the constraint's handle."""
     def create_distance_constraint(
@@ -193,6 +195,8 @@ class CreateMethods:
         color: Vector | str = ...,
         show: bool = ...,
         create_2d: bool = ...,
+        *,
+        mass: float = ...,
     ) -> handles.ObjectMassPoint:
         """Add a mass point with its node, and its weight if there is gravity; return the body's handle."""
     def create_prismatic_joint(
@@ -260,6 +264,8 @@ class CreateMethods:
         show: bool = ...,
         draw_size: float = ...,
         color: Vector | str = ...,
+        *,
+        use_intrinsic_formulation: bool = ...,
     ) -> handles.ObjectConnectorRigidBodySpringDamper:
         """Add a spring-damper in six directions (three translations, three rotations); return its handle."""
     def create_robot(
@@ -314,6 +320,8 @@ class CreateMethods:
         show: bool = ...,
         disc_width: float = ...,
         color: Vector | str = ...,
+        *,
+        rolling_viscous_friction: float = ...,
     ) -> handles.ObjectConnectorRollingDiscPenalty:
         """Let a disc, fixed to the second body, roll with contact and friction forces on a plane of the first body."""
     def create_sphere_quad_contact(
@@ -338,6 +346,8 @@ class CreateMethods:
         show: bool = ...,
         color: Vector | str = ...,
         limit_damping: bool = ...,
+        *,
+        sphere_radius: float = ...,
     ) -> dict[str, ObjectHandle]:
         """Let a sphere on the first body touch a quadrangle on the second one, by two triangles."""
     def create_sphere_sphere_contact(
@@ -389,6 +399,8 @@ class CreateMethods:
         show: bool = ...,
         color: Vector | str = ...,
         limit_damping: bool = ...,
+        *,
+        sphere_radius: float = ...,
     ) -> handles.ObjectContactSphereTriangle:
         """Add contact between a sphere on the first body and a triangle on the second one; return the handle of the"""
     def create_spherical_joint(

@@ -1129,24 +1129,6 @@ class ObjectGenericODE1(ObjectHandle):
     @rhsUserFunction.setter
     def rhsUserFunction(self, value: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]) -> None: ...
     @property
-    def coordinate_index_per_node(self) -> tuple[int, ...]:
-        """index of the first coordinate of each node in the vector of the object [n]"""
-    @property
-    def coordinateIndexPerNode(self) -> tuple[int, ...]:
-        """index of the first coordinate of each node in the vector of the object [n]"""
-    @property
-    def temp_coordinates(self) -> Array:
-        """coordinates, a work space of the object [n; various]"""
-    @property
-    def tempCoordinates(self) -> Array:
-        """coordinates, a work space of the object [n; various]"""
-    @property
-    def temp_coordinates_t(self) -> Array:
-        """time derivatives of the coordinates, a work space of the object [n; various]"""
-    @property
-    def tempCoordinates_t(self) -> Array:
-        """time derivatives of the coordinates, a work space of the object [n; various]"""
-    @property
     def coordinates_total(self) -> Array:
         """coordinates of all nodes of the object, including the reference values [various]"""
     @property
@@ -2020,12 +2002,6 @@ class ObjectFFRF(ObjectHandle):
     @computeFFRFterms.setter
     def computeFFRFterms(self, value: bool) -> None: ...
     @property
-    def coordinate_index_per_node(self) -> tuple[int, ...]:
-        """index of the first coordinate of each node in the vector of the object [n]"""
-    @property
-    def coordinateIndexPerNode(self) -> tuple[int, ...]:
-        """index of the first coordinate of each node in the vector of the object [n]"""
-    @property
     def object_is_initialized(self) -> bool:
         """leave it at false; the object sets it when its constant matrices are computed in ``Assemble()``, and setting it back to false has them computed anew"""
     @object_is_initialized.setter
@@ -2035,66 +2011,6 @@ class ObjectFFRF(ObjectHandle):
         """leave it at false; the object sets it when its constant matrices are computed in ``Assemble()``, and setting it back to false has them computed anew"""
     @objectIsInitialized.setter
     def objectIsInitialized(self, value: bool) -> None: ...
-    @property
-    def physics_mass(self) -> float:
-        """total mass, from the mass matrix [kg]"""
-    @property
-    def physicsMass(self) -> float:
-        """total mass, from the mass matrix [kg]"""
-    @property
-    def physics_inertia(self) -> Array:
-        """inertia tensor of the undeformed body about the origin of the body frame, from the mass matrix [3 x 3; kg m^2]"""
-    @property
-    def physicsInertia(self) -> Array:
-        """inertia tensor of the undeformed body about the origin of the body frame, from the mass matrix [3 x 3; kg m^2]"""
-    @property
-    def physics_center_of_mass(self) -> Array:
-        """center of mass of the undeformed body in the body frame, from the mass matrix [3; m]"""
-    @property
-    def physicsCenterOfMass(self) -> Array:
-        """center of mass of the undeformed body in the body frame, from the mass matrix [3; m]"""
-    @property
-    def ph_it_tm(self) -> Array:
-        """product of the transposed translation modes and the mass matrix, a work space of the object [n x m; various]"""
-    @property
-    def PHItTM(self) -> Array:
-        """product of the transposed translation modes and the mass matrix, a work space of the object [n x m; various]"""
-    @property
-    def reference_positions(self) -> Array:
-        """reference positions of the mesh nodes in the body frame, three per node [n; m]"""
-    @property
-    def referencePositions(self) -> Array:
-        """reference positions of the mesh nodes in the body frame, three per node [n; m]"""
-    @property
-    def temp_vector(self) -> Array:
-        """work space of the object [n; various]"""
-    @property
-    def tempVector(self) -> Array:
-        """work space of the object [n; various]"""
-    @property
-    def temp_coordinates(self) -> Array:
-        """flexible coordinates, a work space of the object [n; m]"""
-    @property
-    def tempCoordinates(self) -> Array:
-        """flexible coordinates, a work space of the object [n; m]"""
-    @property
-    def temp_coordinates_t(self) -> Array:
-        """rates of the flexible coordinates, a work space of the object [n; m/s]"""
-    @property
-    def tempCoordinates_t(self) -> Array:
-        """rates of the flexible coordinates, a work space of the object [n; m/s]"""
-    @property
-    def temp_ref_pos_skew(self) -> Array:
-        """skew symmetric matrices of the deformed local positions, a work space of the object [n x m; m]"""
-    @property
-    def tempRefPosSkew(self) -> Array:
-        """skew symmetric matrices of the deformed local positions, a work space of the object [n x m; m]"""
-    @property
-    def temp_vel_skew(self) -> Array:
-        """skew symmetric matrices of the local velocities, a work space of the object [n x m; m/s]"""
-    @property
-    def tempVelSkew(self) -> Array:
-        """skew symmetric matrices of the local velocities, a work space of the object [n x m; m/s]"""
     @property
     def coordinates(self) -> Array:
         """coordinates of all nodes of the object, relative to the reference values [various]"""
@@ -2373,12 +2289,6 @@ class ObjectFFRFreducedOrder(ObjectHandle):
     @centerOfMassTilde.setter
     def centerOfMassTilde(self, value: ArrayLike) -> None: ...
     @property
-    def temp_user_function_force(self) -> Array:
-        """user forces, a work space of the object [n; various]"""
-    @property
-    def tempUserFunctionForce(self) -> Array:
-        """user forces, a work space of the object [n; various]"""
-    @property
     def coordinates(self) -> Array:
         """coordinates of both nodes, relative to the reference values [various]"""
     @property
@@ -2482,30 +2392,6 @@ class ObjectGenericODE2(ObjectHandle):
         """function that returns the derivatives of the user forces; the default is numerical differentiation"""
     @jacobianUserFunction.setter
     def jacobianUserFunction(self, value: Callable[[MainSystem, float, int, Array, Array, float, float], MatrixLike] | Literal[0]) -> None: ...
-    @property
-    def coordinate_index_per_node(self) -> tuple[int, ...]:
-        """index of the first coordinate of each node in the vector of the object [n]"""
-    @property
-    def coordinateIndexPerNode(self) -> tuple[int, ...]:
-        """index of the first coordinate of each node in the vector of the object [n]"""
-    @property
-    def temp_coordinates(self) -> Array:
-        """coordinates, a work space of the object [n; various]"""
-    @property
-    def tempCoordinates(self) -> Array:
-        """coordinates, a work space of the object [n; various]"""
-    @property
-    def temp_coordinates_t(self) -> Array:
-        """velocities, a work space of the object [n; various]"""
-    @property
-    def tempCoordinates_t(self) -> Array:
-        """velocities, a work space of the object [n; various]"""
-    @property
-    def temp_coordinates_tt(self) -> Array:
-        """accelerations, a work space of the object [n; various]"""
-    @property
-    def tempCoordinates_tt(self) -> Array:
-        """accelerations, a work space of the object [n; various]"""
     @property
     def coordinates_total(self) -> Array:
         """coordinates of all nodes of the object, including the reference values [various]"""
@@ -6242,18 +6128,6 @@ class ObjectContactConvexRoll(ObjectHandle):
     @coefficientsHull.setter
     def coefficientsHull(self, value: ArrayLike) -> None: ...
     @property
-    def coefficients_hull_derivative(self) -> Array:
-        """coefficients of the first derivative of the profile [n; various]"""
-    @property
-    def coefficientsHullDerivative(self) -> Array:
-        """coefficients of the first derivative of the profile [n; various]"""
-    @property
-    def coefficients_hull_d_derivative(self) -> Array:
-        """coefficients of the second derivative of the profile [n; various]"""
-    @property
-    def coefficientsHullDDerivative(self) -> Array:
-        """coefficients of the second derivative of the profile [n; various]"""
-    @property
     def r_bounding_sphere(self) -> float:
         """radius of spheres at both ends that exclude contact by a cheap test; no effect here, because the lowest point of the profile is always computed [m]"""
     @r_bounding_sphere.setter
@@ -6263,12 +6137,6 @@ class ObjectContactConvexRoll(ObjectHandle):
         """radius of spheres at both ends that exclude contact by a cheap test; no effect here, because the lowest point of the profile is always computed [m]"""
     @rBoundingSphere.setter
     def rBoundingSphere(self, value: float) -> None: ...
-    @property
-    def p_contact(self) -> Array:
-        """current point of possible contact; contact if its third component is negative [3; m]"""
-    @property
-    def pContact(self) -> Array:
-        """current point of possible contact; contact if its third component is negative [3; m]"""
     @property
     def active_connector(self) -> bool:
         """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
@@ -6537,30 +6405,6 @@ class ObjectContactCurveCircles(ObjectHandle):
         """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     @activeConnector.setter
     def activeConnector(self, value: bool) -> None: ...
-    @property
-    def gap_per_segment(self) -> Array:
-        """gap of every segment at the last evaluation [n; m]"""
-    @property
-    def gapPerSegment(self) -> Array:
-        """gap of every segment at the last evaluation [n; m]"""
-    @property
-    def gap_per_segment_t(self) -> Array:
-        """rate of gap of every segment at the last evaluation [n; m/s]"""
-    @property
-    def gapPerSegment_t(self) -> Array:
-        """rate of gap of every segment at the last evaluation [n; m/s]"""
-    @property
-    def segments_force_local_x(self) -> Array:
-        """contact force of every segment in x direction of its frame, at the last evaluation [n; N]"""
-    @property
-    def segmentsForceLocalX(self) -> Array:
-        """contact force of every segment in x direction of its frame, at the last evaluation [n; N]"""
-    @property
-    def segments_force_local_y(self) -> Array:
-        """contact force of every segment in y direction of its frame, at the last evaluation [n; N]"""
-    @property
-    def segmentsForceLocalY(self) -> Array:
-        """contact force of every segment in y direction of its frame, at the last evaluation [n; N]"""
     @property
     def displacement_local(self) -> Array:
         """smallest gap of every circle, negative in contact; size: number of circles [m]"""

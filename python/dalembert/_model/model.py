@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import os
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from enum import Enum
 from functools import cache
@@ -206,6 +207,14 @@ class Model(CreateMethods):
             raise TypeError(f"{where}: expected a handle or the name of an item, received {item!r}")
         return handle_of(self.system, item)
 
+    def _require_new_name(self, where: str, name: Any) -> None:
+        """Raise an error if an object, load or sensor has this name."""
+        if isinstance(name, str) and name:
+            found = [index for kind in _NAMED if int(index := getattr(self.system, f"Get{kind}Number")(name)) >= 0]
+            if found:
+                taken = handle_of(self.system, found[0])
+                raise ValueError(f"{where}: name: '{name}' is the name of {taken!r}; choose another one")
+
     def create_sensor(
         self,
         item: Any,
@@ -222,6 +231,7 @@ class Model(CreateMethods):
         a body, in its frame (m). mesh_node: node of a super element. file_name: file that is also written; '': none.
         """
         item = self._item_of(item, "model.create_sensor: item")
+        self._require_new_name("model.create_sensor", name)
         common: dict[str, Any] = {
             "name": name,
             "storeInternal": True,
@@ -450,13 +460,14 @@ def _create_method(name: str, create_name: str) -> Callable[..., Any]:
             if parameter.name in given:
                 raise TypeError(f"{where}: argument '{snake_case(parameter.name)}' is given twice")
             given[parameter.name] = value
+        self._require_new_name(where, given.get("name"))
         for key, value in given.items():
             given[key] = _value(function, key, own(self.system, value, f"{where}: {snake_case(key)}"), where)
         try:
             return wrapped(self.system, function(self.system, **given))
         except (TypeError, ValueError) as error:
             if error.args and isinstance(error.args[0], str):
-                error.args = (_renamed(error.args[0], create_name, name, given), *error.args[1:])
+                error.args = (_renamed(error.args[0], create_name, name), *error.args[1:])
             raise
 
     own_parameters = [
@@ -469,18 +480,15 @@ def _create_method(name: str, create_name: str) -> Callable[..., Any]:
     return method
 
 
-def _renamed(text: str, create_name: str, name: str, given: dict[str, Any]) -> str:
+def _renamed(text: str, create_name: str, name: str) -> str:
     """Return the text of an error of a Create function with the names of Model."""
     text = text.replace(f"MainSystem.{create_name}(...)", f"model.{name}")
-    for each in given:
-        text = text.replace(f"argument '{each}", f"argument '{snake_case(each)}")
-    return text
+    return re.sub(r"(?<=argument ')\w+", lambda found: snake_case(found[0]), text)
 
 
 def _snake_case_text(text: str, names: Sequence[str], create_name: str, name: str) -> str:
     """Return the documentation of a Create function without its example, with the names of Model."""
-    import re
-
+    text = re.sub(r"\s*returnDict=True[^.]*\.", "", text)
     text = text.partition("\nExample:")[0]
     for old in _OLD_ARGUMENTS:
         text = re.sub(rf"^    {old}: .*\n        .*\n", "", text, flags=re.MULTILINE)

@@ -1,0 +1,369 @@
+"""Model: items by name, create methods made of Create functions, errors; Solution: outputs, files, warnings."""
+
+from __future__ import annotations
+
+import inspect
+import os
+import pickle
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dalembert as db
+from dalembert import create
+from dalembert._snake_case import snake_case
+
+OMEGA, DAMPING, MASS = 20.0, 0.1, 1.5  # undamped angular frequency (rad/s), damping ratio, mass (kg)
+
+
+def oscillator() -> Any:
+    """Return a mass on a spring and damper along x, at rest 0.1 m from its equilibrium."""
+    model = db.Model()
+    mass = model.create_mass_point(
+        name="mass", reference_position=[1, 0, 0], initial_displacement=[0.1, 0, 0], mass=MASS
+    )
+    model.create_cartesian_spring_damper(
+        name="spring",
+        body_numbers=["ground", mass],
+        local_position0=[1, 0, 0],
+        stiffness=[MASS * OMEGA**2, 1, 1],
+        damping=[2 * DAMPING * OMEGA * MASS, 0, 0],
+    )
+    return model
+
+
+def displacement(t: Any) -> Any:
+    """Return the free vibration from 0.1 m at rest, and its velocity."""
+    damped = OMEGA * np.sqrt(1 - DAMPING**2)
+    decay = 0.1 * np.exp(-DAMPING * OMEGA * t)
+    x = decay * (np.cos(damped * t) + DAMPING * OMEGA / damped * np.sin(damped * t))
+    return x, -decay * OMEGA**2 / damped * np.sin(damped * t)
+
+
+# ---- items
+
+
+def test_items_are_found() -> None:
+    model = oscillator()
+    model.create_sensor("mass", "velocity", name="speed")
+    assert [each.name for each in model] == ["ground", "mass", "spring", "speed"]
+    assert len(model) == 4
+    assert "mass" in model
+    assert "mas" not in model
+    assert model["mass"] in model
+    assert model.bodies["mass"] == model.bodies[0] == model["mass"]
+    assert [each.name for each in model.bodies] == ["mass"]
+    assert [each.name for each in model.connectors] == ["spring"]
+    assert [each.name for each in model.sensors] == ["speed"]
+    assert len(model.joints) == len(model.loads) == 0
+    assert "mass" in model.bodies
+    assert len(model.bodies[:1]) == 1
+    assert model.ground == model["ground"]
+    assert len(model.nodes) == 1
+    assert repr(model) == "<Model: 1 bodies, 0 joints, 1 connectors, 0 loads, 1 sensors>"
+    assert "<table>" in model._repr_html_()
+
+
+def test_missing_items() -> None:
+    model = oscillator()
+    with pytest.raises(KeyError, match=r"no item 'mas'\. Did you mean 'mass'\?"):
+        model["mas"]
+    with pytest.raises(KeyError, match=r"no item 'wheel'; there are 'ground', 'mass', 'spring'"):
+        model["wheel"]
+    with pytest.raises(KeyError, match="there is no joint 'hinge'; there are none"):
+        model.joints["hinge"]
+    with pytest.raises(TypeError, match="expected the name of an item, received 3"):
+        model[3]
+    with pytest.raises(ValueError, match="name: 'mass' is the name of <MassPoint 'mass'"):
+        model.create_mass_point(name="mass", mass=1)
+    assert len(model) == 3
+    with pytest.raises(AttributeError, match="use model.create_ground"):
+        model.CreateGround()
+    with pytest.raises(AttributeError, match="use model.system.GetObject"):
+        model.GetObject(0)
+    with pytest.raises(AttributeError, match="Did you mean 'create_rigid_body'"):
+        model.create_rigid_bdy()
+    with pytest.raises(TypeError, match="expected a MainSystem"):
+        db.Model("model.json")
+
+
+def test_errors_of_create_methods_have_their_names() -> None:
+    model = oscillator()
+    with pytest.raises(TypeError, match=r"model.create_mass_point: unknown argument 'colour'.*'color'"):
+        model.create_mass_point(colour="red")
+    with pytest.raises(ValueError, match=r"model.create_mass_point: argument 'physics_mass': .*received -1"):
+        model.create_mass_point(mass=-1)
+    with pytest.raises(
+        ValueError, match=r"model.create_spring_damper: argument 'body_numbers\[1\]': received 'mas'.*'mass'"
+    ):
+        model.create_spring_damper(body_numbers=["ground", "mas"])
+    with pytest.raises(ValueError, match=r"model.create_force: body_number: <MassPoint 'mass'.*another model"):
+        model.create_force(body_number=oscillator()["mass"], load_vector=[1, 0, 0])
+    with pytest.raises(ValueError, match=r"model.create_mass_point: color: received 'rad'"):
+        model.create_mass_point(color="rad")
+    with pytest.raises(
+        ValueError, match=r"model.create_rigid_body: node_type: received 'Euler'.*'RotationEulerParameters'"
+    ):
+        model.create_rigid_body(node_type="Euler")
+    with pytest.raises(TypeError, match="'name' is given twice"):
+        model.create_mass_point("name", name="other")
+    with pytest.raises(ValueError, match=r"model.create_sensor of <MassPoint 'mass'.*no output 'positon'.*'position'"):
+        model.create_sensor("mass", "positon")
+
+
+def test_create_methods_are_those_of_the_system() -> None:
+    names = {snake_case(name): name for group in create.MODULES.values() for name in group}
+    for name, original in names.items():
+        method = getattr(db.Model, name)
+        wanted = [snake_case(each) for each in list(inspect.signature(create.method(original)).parameters)[1:]]
+        old = {"return_dict", "body_list", "body_or_node_list"}
+        assert list(inspect.signature(method).parameters)[1:] == [each for each in wanted if each not in old]
+        assert method.__name__ == name
+        assert "Arguments:" in method.__doc__
+        assert not old & set(method.__doc__.replace(":", " ").split())
+
+
+def test_a_model_of_a_system_that_exists() -> None:
+    mbs = db.SystemContainer().AddSystem()
+    mbs.CreateGround()
+    mass = mbs.CreateMassPoint("mass", physicsMass=2)
+    model = db.Model(mbs)
+    assert model["mass"] == mass
+    assert model["ground"].type == "Ground"  # the only one needs no name
+    spring = model.create_spring_damper(body_numbers=["ground", mass], reference_length=1)
+    assert mbs.GetObjectParameter(spring, "referenceLength") == 1
+
+
+def test_single_items_are_added() -> None:
+    model = db.Model()
+    node = model.add(db.NodePoint(referenceCoordinates=[1, 0, 0], name="node"))
+    body = model.add(db.MassPoint(nodeNumber=node, physicsMass=1, name="body"))
+    assert body.node_number == node
+    assert model["node"] == node
+    assert node.position == pytest.approx([1, 0, 0], abs=0)
+    with pytest.raises(TypeError, match="model.add: expected an item"):
+        model.add("node")
+
+
+def test_model_files(tmp_path: Path) -> None:
+    model = oscillator()
+    model.save(tmp_path / "model.json")
+    again = db.Model.load(tmp_path / "model.json")
+    assert again["mass"].mass == MASS
+    assert [each.name for each in again] == [each.name for each in model]
+
+
+# ---- solutions
+
+
+def test_solution_of_an_oscillator(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    model = oscillator()
+    mass = model["mass"]
+    solution = model.solve(end_time=1, step_size=1e-3, outputs=[(mass, "displacement"), "mass.velocity"])
+    x, v = displacement(solution.times)
+    assert solution.times == pytest.approx(np.linspace(0, 1, 1001), abs=1e-12)
+    assert solution[mass].displacement[:, 0] == pytest.approx(x, abs=5e-5)  # second order, omega h = 0.02
+    assert solution["mass"].velocity[:, 0] == pytest.approx(v, abs=1e-3)
+    assert solution[mass].position[:, 0] == pytest.approx(1 + solution[mass].displacement[:, 0], abs=1e-14)
+    spring = MASS * OMEGA**2 * x + 2 * DAMPING * OMEGA * MASS * v
+    assert solution["spring"].force[:, 0] == pytest.approx(spring, abs=0.06)  # of 60 N
+    energies = solution.energies
+    assert energies.kinetic == pytest.approx(MASS / 2 * solution[mass].velocity[:, 0] ** 2, rel=1e-12, abs=1e-15)
+    assert energies.total[0] == pytest.approx(MASS * OMEGA**2 * 0.1**2 / 2, rel=1e-9)
+    assert np.all(np.diff(energies.total) < 1e-6)
+    assert solution.states["coordinates"].shape == (1001, 3)
+    assert solution.statistics["steps"] == 1000
+    assert solution.statistics["finished"]
+    assert solution.warnings == ()
+    assert repr(solution) == "<Solution: 1001 states from 0 s to 1 s, GeneralizedAlpha>"
+    assert mass.displacement == pytest.approx(solution[mass].displacement[-1], abs=0)
+    assert os.listdir(tmp_path) == []
+
+
+def test_solutions_do_not_follow_later_changes() -> None:
+    model = oscillator()
+    solution = model.solve(end_time=0.1, step_size=1e-3)
+    expected = (
+        MASS * OMEGA**2 * solution["mass"].displacement[:, 0]
+        + 2 * DAMPING * OMEGA * MASS * solution["mass"].velocity[:, 0]
+    )
+    model["spring"].stiffness = [1, 1, 1]
+    model.create_mass_point(name="another", mass=1)
+    assert solution["spring"].force[:, 0] == pytest.approx(expected, rel=1e-9, abs=1e-9)
+
+
+def test_outputs_agree_with_sensors() -> None:
+    """Sensors measure while the solver runs, outputs are computed from the states."""
+    model = db.Model()
+    inertia = db.rigidBodyUtilities.InertiaCuboid(1000, [0.4, 0.1, 0.1])
+    arm = model.create_rigid_body(name="arm", reference_position=[0.2, 0, 0], inertia=inertia, gravity=[0, -9.81, 0])
+    hinge = model.create_revolute_joint(name="hinge", body_numbers=["ground", arm], position=[0, 0, 0], axis="z")
+    tip = model.create_sensor(arm, "velocity", local_position=[0.2, 0, 0], name="tip")
+    wrench = model.create_sensor(hinge, "wrench_on_marker0", name="wrench")
+    spin = model.create_sensor(arm, "angular_velocity", name="spin")
+    solution = model.solve(end_time=0.2, step_size=1e-3, outputs=[tip])
+    assert solution[arm].velocity_at([0.2, 0, 0]) == pytest.approx(tip.values, abs=1e-13)
+    assert solution[hinge].force == pytest.approx(wrench.values[:, :3], rel=1e-9, abs=1e-9)
+    assert solution[hinge].torque == pytest.approx(wrench.values[:, 3:], rel=1e-9, abs=1e-9)
+    assert solution[arm].angular_velocity == pytest.approx(spin.values, abs=1e-13)
+    assert solution[tip].values == pytest.approx(tip.values, abs=0)
+    assert solution["tip"].time == pytest.approx(solution.times, abs=1e-15)
+    assert solution[hinge].force_local.shape == (201, 3)
+    with pytest.raises(ValueError, match=r"'force' is a part of 'wrench_on_marker0'"):
+        model.create_sensor(hinge, "force")
+
+
+@pytest.mark.parametrize("method", ["dopri5", "rk44", "esdirk43", "trapezoidal_index2"])
+def test_methods_and_intervals(method: str) -> None:
+    solution = oscillator().solve(1, 1e-3, method=method, every=0.125)
+    assert solution.times == pytest.approx(np.linspace(0, 1, 9), abs=1e-12)
+    x, _ = displacement(solution.times)
+    # Fixed steps of second order; the other methods are far more accurate.
+    tolerance = 5e-5 if method == "trapezoidal_index2" else 1e-7
+    assert solution["mass"].displacement[:, 0] == pytest.approx(x, abs=tolerance)
+
+
+def test_static_solution() -> None:
+    model = oscillator()
+    model.create_force(body_number="mass", load_vector=[3, 0, 0])
+    solution = model.solve_static(outputs=["mass.displacement"])
+    assert solution["mass"].displacement[-1, 0] == pytest.approx(3 / (MASS * OMEGA**2), rel=1e-10)
+    assert model["mass"].displacement[0] == pytest.approx(3 / (MASS * OMEGA**2), rel=1e-10)
+
+
+def test_solutions_go_on_from_the_last_state() -> None:
+    model = oscillator()
+    model.solve(0.5, 1e-3, update_initial_values=True)
+    solution = model.solve(1, 1e-3, start_time=0.5)
+    assert solution.times[[0, -1]] == pytest.approx([0.5, 1], abs=1e-12)
+    assert solution["mass"].displacement[-1, 0] == pytest.approx(displacement(1.0)[0], abs=5e-5)
+
+
+def test_tables_and_files(tmp_path: Path) -> None:
+    model = oscillator()
+    speed = model.create_sensor("mass", "velocity", name="speed")
+    solution = model.solve(0.2, 1e-3, outputs=[("mass", "displacement", [0, 0, 0]), "mass.kinetic_energy"])
+    frame = solution.to_pandas()
+    assert list(frame.columns) == [
+        "speed.X", "speed.Y", "speed.Z", "mass.displacement(0, 0, 0).X", "mass.displacement(0, 0, 0).Y",
+        "mass.displacement(0, 0, 0).Z", "mass.kinetic_energy",
+    ]  # fmt: skip
+    assert frame.attrs["units"]["mass.kinetic_energy"] == "J"
+    data = solution.to_xarray()
+    assert data["speed"].attrs["units"] == "m/s"
+    assert data["mass.kinetic_energy"].to_numpy() == pytest.approx(solution["mass"].kinetic_energy, abs=0)
+    _ = solution.energies
+    solution.save(tmp_path / "run.h5")
+    again = db.Solution.load(tmp_path / "run.h5")
+    assert again["mass"].kinetic_energy == pytest.approx(solution["mass"].kinetic_energy, abs=0)
+    assert again["speed"].values == pytest.approx(speed.values, abs=0)
+    assert again.energies.total == pytest.approx(solution.energies.total, abs=0)
+    assert again.statistics == solution.statistics
+    with pytest.raises(AttributeError, match="has no output 'position'"):
+        _ = again["mass"].position
+    with pytest.raises(KeyError, match="no outputs of 'spring'; there are mass, speed. Load it with model="):
+        again["spring"]
+    with_model = db.Solution.load(tmp_path / "run.h5", model=model)
+    assert with_model["spring"].force == pytest.approx(solution["spring"].force, abs=0)
+    with pytest.raises(ValueError, match="it belongs to another model"):
+        db.Solution.load(tmp_path / "run.h5", model=db.Model())
+    (tmp_path / "other.h5").write_text("text")
+    with pytest.raises(OSError, match=r"other\.h5: .*signature not found"):
+        db.Solution.load(tmp_path / "other.h5")
+
+
+def test_plots() -> None:
+    model = oscillator()
+    solution = model.solve(0.1, 1e-3)
+    with pytest.raises(ValueError, match="no outputs yet"):
+        solution.plot()
+    ax = solution.plot("mass.displacement", (model["mass"], "position"))
+    assert len(ax.lines) == 6
+    assert ax.lines[0].get_ydata() == pytest.approx(solution["mass"].displacement[:, 0], abs=0)
+
+
+def test_wrong_arguments_of_solve() -> None:
+    model = oscillator()
+    for arguments, expected in (
+        ({"end_time": 1}, "step_size: GeneralizedAlpha has equal steps: give their size"),
+        ({"end_time": -1, "step_size": 0.1}, "end_time: received -1, but expected a time after 0"),
+        ({"end_time": 1, "step_size": 0}, "step_size: expected a positive number"),
+        (
+            {"end_time": 1, "step_size": 0.1, "method": "alpha"},
+            "method: received 'alpha'. Did you mean 'GeneralizedAlpha'",
+        ),
+        (
+            {"end_time": 1, "step_size": 0.1, "outputs": [("mass", "positon")]},
+            "'mass'.*no output 'positon'.*'position'",
+        ),
+        ({"end_time": 1, "step_size": 0.1, "outputs": ["mass"]}, r"write \(mass, 'position'\) for example"),
+        ({"end_time": 1, "step_size": 0.1, "every": -1}, "every: expected a finite number that is not negative"),
+    ):
+        with pytest.raises(ValueError, match=f"model.solve: .*{expected}"):
+            model.solve(**arguments)
+    with pytest.raises(TypeError, match=r"settings: received 3, but expected db.SimulationSettings\(\)"):
+        model.solve(1, 0.1, settings=3)
+    solution = model.solve(0.01, 1e-3)
+    with pytest.raises(AttributeError, match=r"solution\['mass'\] has no output 'positon'. Did you mean 'position'"):
+        _ = solution["mass"].positon
+    with pytest.raises(ValueError, match="belongs to another model"):
+        solution[oscillator()["mass"]]
+
+
+def test_doubts_are_warnings() -> None:
+    """A spring that is far too stiff for the steps: the solver finishes, and does not trust the result."""
+    model = db.Model()
+    model.create_mass_point(name="mass", reference_position=[1, 0, 0], initial_displacement=[1e-3, 0, 0], mass=1)
+    model.create_cartesian_spring_damper(
+        body_numbers=["ground", "mass"], local_position0=[1, 0, 0], stiffness=[1e8, 1e8, 1e8]
+    )
+    settings = db.SimulationSettings()
+    settings.timeIntegration.newton.relativeTolerance = settings.timeIntegration.newton.absoluteTolerance = 1e-30
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        solution = model.solve(1, 0.05, settings=settings)
+    assert [str(each.message) for each in caught] == list(solution.warnings)
+
+
+def test_outputs_that_user_functions_may_change_are_announced() -> None:
+    model = oscillator()
+
+    def force(mbs: Any, t: float, number: int, u: Any, v: Any, k: Any, d: Any, offset: Any) -> list[float]:
+        return [k[i] * u[i] for i in range(3)]
+
+    model["spring"].spring_force_user_function = force
+    solution = model.solve(0.01, 1e-3)
+    with pytest.warns(db.SolutionWarning, match=r"solution\['spring'\].*spring_force_user_function keeps data"):
+        assert solution["spring"].force.shape == (11, 3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert solution["mass"].position.shape == (11, 3)
+        assert solution["spring"].displacement.shape == (11, 3)  # it has been announced once
+
+
+def test_failures_have_their_diagnosis() -> None:
+    model = db.Model()
+    model.create_mass_point(name="free", mass=1, gravity=[0, 0, -9.81])
+    with pytest.raises(db.SolverError, match="free"):
+        model.solve_static()
+
+
+def test_solutions_are_pickled_with_their_model() -> None:
+    model = oscillator()
+    solution = model.solve(0.05, 1e-3)
+    expected = solution["spring"].force
+    other, again = pickle.loads(pickle.dumps((model, solution)))
+    assert again["spring"].force == pytest.approx(expected, abs=0)
+    assert again[other["mass"]].position == pytest.approx(solution["mass"].position, abs=0)
+
+
+def test_the_package_loads_models_when_they_are_used() -> None:
+    script = "import sys, dalembert; print(*(m for m in sys.modules if '._model' in m or m.endswith('_item_table')))"
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert run.stdout.split() == []
