@@ -86,9 +86,10 @@ def test_outputs_of_bodies(model: Any) -> None:
     assert arm.velocity @ center == pytest.approx(0, abs=1e-5)  # constraints hold for positions, of second order here
     assert arm.position_at([0, 0, 0], configuration="initial") == pytest.approx([LENGTH / 2, 0, 0], abs=1e-15)
     assert arm.output("position", configuration="reference") == pytest.approx([LENGTH / 2, 0, 0], abs=1e-15)
-    # Kinetic energy of a rod about its end, m l^2 / 6 omega^2, equals the work of its weight.
+    # Kinetic energy of a rod about its end, m l^2 / 6 omega^2, equals the work of its weight. Velocities fulfil the
+    # constraints to second order in the step only.
     work = -MASS * G * center[1]
-    assert arm.kinetic_energy == pytest.approx(MASS * LENGTH**2 / 6 * arm.angular_velocity[2] ** 2, rel=1e-9)
+    assert arm.kinetic_energy == pytest.approx(MASS * LENGTH**2 / 6 * arm.angular_velocity[2] ** 2, rel=2e-5)
     assert arm.kinetic_energy == pytest.approx(work, rel=1e-4)  # the method is of second order
     assert model.time == pytest.approx(0.3, abs=1e-12)
 

@@ -44,13 +44,17 @@ _OF_WHOLE_BODY = {"KineticEnergy", "PotentialEnergy", "Coordinates", "Coordinate
 
 
 class Row(NamedTuple):
-    """A parameter: name in the spec, type and check as the core describes them, unit and further facts, text."""
+    """A parameter: name in the spec, type and check as the core describes them, unit and further facts, text.
+
+    spelled: the name in the spec, or the further name, that the attribute is made of.
+    """
 
     name: str
     type: str
     check: str
     facts: str
     text: str
+    spelled: str = ""
 
 
 class Output(NamedTuple):
@@ -94,8 +98,8 @@ def facts_of(item: str) -> Facts:
 
 
 def _rows(cls: type) -> dict[str, Row]:
-    rows = [(Row(*row[:5]), row[5]) for row in _core._parameters_of(cls)]
-    return {snake_case(name): row for row, aliases in rows for name in (row.name, *aliases)}
+    rows = _core._parameters_of(cls)
+    return {snake_case(name): Row(*row[:5], spelled=name) for row in rows for name in (row[0], *row[5])}
 
 
 def is_body(item: str) -> bool:
@@ -612,7 +616,7 @@ def handle_class(item: str) -> type[Any]:
     members: dict[str, Any] = {}
     for name, row in facts.parameters.items():
         if name not in facts.ambiguous:
-            members[name] = members[row.name] = _parameter(row)
+            members[name] = members[row.spelled] = _parameter(row)
     for name, each in facts.outputs.items():
         if name not in facts.ambiguous:
             members[name] = _output(each)
