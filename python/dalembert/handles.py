@@ -7,12 +7,14 @@ Model returns handles; see dalembert._model.handle for what they are.
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING, Any
 
 from dalembert._item_table import ITEMS
 from dalembert._model.handle import Handle as Handle, LoadHandle as LoadHandle, MarkerHandle as MarkerHandle
 from dalembert._model.handle import NodeHandle as NodeHandle, ObjectHandle as ObjectHandle, handle_class
 from dalembert._model.handle import SensorHandle as SensorHandle
+from dalembert._tools.missing_names import missing_in
 
 if TYPE_CHECKING:
     from dalembert._item_handles import *
@@ -28,9 +30,7 @@ def __getattr__(name: str) -> Any:
 
         if name in ITEMS or name in item_classes():
             return handle_class(name)
-    from dalembert._tools.missing_names import nearest
-
-    raise AttributeError(f"dalembert.handles has no class '{name}'{nearest(name, __dir__())}", name=name)
+    raise missing_in(sys.modules[__name__], name)
 
 
 def __dir__() -> list[str]:

@@ -298,7 +298,7 @@ def test_classes_are_found_by_name() -> None:
     assert handles.ObjectMassPoint is handle_class("ObjectMassPoint")
     assert "ObjectMassPoint" in dir(handles)
     assert issubclass(handles.ObjectMassPoint, handles.ObjectHandle)
-    with pytest.raises(AttributeError, match=r"no class 'ObjectMassPiont'\. Did you mean 'ObjectMassPoint'\?"):
+    with pytest.raises(AttributeError, match=r"no attribute 'ObjectMassPiont'\. Did you mean 'ObjectMassPoint'\?"):
         _ = handles.ObjectMassPiont
     with pytest.raises(TypeError, match="base class; model"):
         handles.ObjectHandle(None, 3)

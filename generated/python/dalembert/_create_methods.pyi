@@ -1,4 +1,5 @@
-# Generated from python/dalembert/create by codegen/templates/create_methods.pyi.j2. Do not edit; run `python -m codegen`.
+# Generated from specs/ and python/dalembert/create by codegen/templates/create_methods.pyi.j2. Do not edit;
+# run `python -m codegen`.
 # tests/codegen/test_freshness.py compares this file with its sources.
 
 from collections.abc import Callable, Sequence
