@@ -196,7 +196,7 @@ class Model(CreateMethods):
         Handles of items with higher numbers become invalid: they raise ReferenceError.
         """
         item = self._item_of(item, "model.delete")
-        getattr(self.system, f"Delete{item._kind}")(item._number(), suppressWarnings=True)
+        getattr(self.system, f"Delete{item._kind}")(item._number())
 
     def _item_of(self, item: Any, where: str) -> Any:
         """Return the handle of an item that is given by its handle, index or name."""
