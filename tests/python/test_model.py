@@ -278,6 +278,15 @@ def test_tables_and_files(tmp_path: Path) -> None:
         db.Solution.load(tmp_path / "other.h5")
 
 
+def test_files_that_settings_name_are_written(tmp_path: Path) -> None:
+    settings = db.SimulationSettings()
+    settings.solutionSettings.coordinatesSolutionFileName = str(tmp_path / "named")
+    solution = oscillator().solve(0.1, 1e-3, settings=settings, every=0.05)
+    assert os.listdir(tmp_path) == ["named.txt"]
+    assert solution.times == pytest.approx([0, 0.05, 0.1], abs=1e-12)
+    assert settings.timeIntegration.endTime == db.SimulationSettings().timeIntegration.endTime  # a copy was changed
+
+
 def test_plots() -> None:
     model = oscillator()
     solution = model.solve(0.1, 1e-3)

@@ -191,9 +191,10 @@ class Model(CreateMethods):
         return handle_of(self.system, getattr(self.system, f"Add{kind}")(item))
 
     def delete(self, item: Any) -> None:
-        """Delete an item, given by its handle or name, with the items that depend on it.
+        """Delete an item, given by its handle or name, like DeleteObject and so on of a system.
 
-        Handles of items with higher numbers become invalid: they raise ReferenceError.
+        A warning names items that refer to it and are invalid then. Handles of items with higher numbers raise
+        ReferenceError: model["name"] returns a new one.
         """
         item = self._item_of(item, "model.delete")
         getattr(self.system, f"Delete{item._kind}")(item._number())
