@@ -22,11 +22,12 @@ class ExplicitSolver : public Solver {
  public:
   std::string name() const override;
   bool controls_step_size() const override { return method_.controls_step_size(); }
-  bool enforces_constraints() const override { return settings().timeIntegration.explicitIntegration.eliminateConstraints; }
+  bool enforces_constraints() const override { return options_.eliminateConstraints; }
   const ConstraintSolver& constraint_solver() const override { return motion_.constraints(); }
   int method_order() const { return verlet_ ? 2 : method_.order; }
   int number_of_stages() const { return verlet_ ? 1 : method_.stages; }
 
+  void read_settings() override;
   void pre_initialize() override;
   void initialize_data() override;
   void post_initialize() override;
@@ -124,6 +125,8 @@ class ExplicitSolver : public Solver {
   void mass_failed(int row);
   void announce_mass_matrix();
 
+  TimeIntegrationExplicitIntegrationSettings options_;
+  bool reuses_masses_ = false, events_of_items_ = false;  // settings
   DynamicSolverType type_ = DynamicSolverType::ExplicitEuler;
   RungeKuttaMethod method_;
   std::vector<StageWeights> rows_;  // rows of the coefficients

@@ -24,6 +24,7 @@ class SecondOrderSolver : public NewtonSolver {
   ~SecondOrderSolver() override;
   std::string name() const override { return "implicit second order time integration"; }
 
+  void read_settings() override;
   void pre_initialize() override;
   void initialize_data() override;
   void initial_conditions() override;
@@ -36,7 +37,7 @@ class SecondOrderSolver : public NewtonSolver {
   void compute_jacobian() override;
   void finalize_newton() override;
   bool discontinuous_iteration() override;
-  bool controls_step_size() const override { return settings().stepSizeControl.implicitSolvers; }
+  bool controls_step_size() const override { return controls_step_size_; }
   void look_back() override;
 
   const std::vector<double>& algorithmic_accelerations() const { return algorithmic_; }
@@ -55,7 +56,7 @@ class SecondOrderSolver : public NewtonSolver {
   std::vector<double> restart_numbers() const override;
   void forget() override;
   KnownDerivatives complete_ends() override {
-    return {it.currentStepIndex > 1 || settings().timeIntegration.generalizedAlpha.computeInitialAccelerations, it.currentStepIndex > 1};
+    return {it.currentStepIndex > 1 || options_.computeInitialAccelerations, it.currentStepIndex > 1};
   }
   void renew_accelerations() override;
   void begin_with_accelerations();
@@ -88,7 +89,7 @@ class SecondOrderSolver : public NewtonSolver {
   // has its factors at this state, unless an unknown has no pivot.
   bool find_accelerations();
   bool find_accelerations(ConstrainedMotion& motion, int singular);
-  bool newmark() const;
+  bool newmark() const { return options_.useNewmark; }
   double rate_factor() const final { return gamma_prime(); }
   double metric_scale() final { return 1 / (row_scale() * beta_prime()); }
   double row_scale() const final;  // factor of the ODE2 equations in Newton's method
@@ -112,6 +113,8 @@ class SecondOrderSolver : public NewtonSolver {
   template <class S>
   void scale_jacobian(std::vector<S>& values) const;
 
+  TimeIntegrationGeneralizedAlphaSettings options_;
+  bool controls_step_size_ = false;  // setting
   std::vector<double> algorithmic_, algorithmic_at_start_, continued_;
   std::vector<double> lie_increment_;        // sum of increments since the start of the step (simplified relations)
   std::vector<double> increment_of_q_, previous_q_, more_values_;

@@ -75,6 +75,9 @@ class Solver {
   // Releases the memory of the last solution.
   virtual void free_memory() {}
 
+  // Copies the settings that the steps use; called by attach.
+  virtual void read_settings();
+
   // ---- parts of initialize, in this order --------------------------------------------------------------------------
   virtual void pre_initialize() {}
   void initialize_output();
@@ -192,7 +195,6 @@ class Solver {
   };
   // Whether a user function replaces a part of the step.
   virtual bool has_replaced_parts() const { return false; }
-  virtual StepFactors step_factors() const;
   void warn(std::string_view text);
   // Number in the format of the console.
   std::string number(double value) const;
@@ -223,6 +225,9 @@ class Solver {
   std::vector<std::string> doubts_;
   bool stop_ = false;
   double initial_residual_ = 0;
+  ErrorTolerances tolerances_;  // for automatic step sizes
+  StepFactors factors_;         // for the step controller
+  int loads_jacobian_ = 0;      // timeIntegration.computeLoadsJacobian
   StepController steps_{it};
   std::unique_ptr<OutputWriter> writer_;
   std::unique_ptr<Continuation> continuation_;

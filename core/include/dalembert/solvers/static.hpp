@@ -26,6 +26,7 @@ class StaticSolver : public NewtonSolver {
   std::string name() const override { return "nonlinear static solver"; }
   double load_factor() const override;
 
+  void read_settings() override;
   void pre_initialize() override;
   void initial_conditions() override;
   void update_current_time() override;
@@ -40,8 +41,6 @@ class StaticSolver : public NewtonSolver {
   double geometric_factor() const { return geometric_factor_; }  // ratio of successive loads, with loadStepGeometric
 
  protected:
-  StepFactors step_factors() const override;
-
   bool writes_each_step() const override;
 
  private:
@@ -97,6 +96,7 @@ class StaticSolver : public NewtonSolver {
   void orient(PathTangent& tangent) const;
   double next_length() const;
 
+  StaticSolverSettings options_;
   double geometric_factor_ = 1;
   std::vector<double> mass_;
   std::unique_ptr<Path> path_;  // null: load steps

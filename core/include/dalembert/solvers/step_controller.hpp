@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -14,6 +15,13 @@ struct StepFactors {
   double decrease = 0.5, increase = 2;             // after a failed step; after `recovery_steps` easy steps
   double largest_increase = 2;                     // for error control
   int recovery_steps = 10, recovery_iterations = 10;  // a step is easy if it takes at most this number of iterations
+};
+
+// Tolerances of estimated errors, and the share of the step size that the estimate allows.
+struct ErrorTolerances {
+  double absolute = 0, relative = 0, safety = 1;
+
+  double of(double value) const { return absolute + relative * std::abs(value); }
 };
 
 class StepController {

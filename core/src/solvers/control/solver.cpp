@@ -54,6 +54,15 @@ void Solver::attach(System& system, const SimulationSettings& settings, const So
   system_ = &system;
   settings_ = &settings;
   environment_ = &environment;
+  read_settings();
+}
+
+void Solver::read_settings() {
+  const auto& s = settings_->timeIntegration;
+  loads_jacobian_ = s.computeLoadsJacobian;
+  tolerances_ = {s.absoluteTolerance, s.relativeTolerance, s.stepSizeSafety};
+  factors_ = {.decrease = s.adaptiveStepDecrease, .increase = s.adaptiveStepIncrease, .largest_increase = s.stepSizeMaxIncrease,
+              .recovery_steps = s.adaptiveStepRecoverySteps, .recovery_iterations = s.adaptiveStepRecoveryIterations};
 }
 
 void Solver::forget_environment() { environment_ = &no_environment(); }
@@ -235,7 +244,7 @@ void Solver::initial_conditions() {
 }
 
 [[gnu::noinline]] void Solver::start_steps() {
-  steps_.start(step_factors());
+  steps_.start(factors_);
   it.currentStepIndex = 0;
   output.lastVerboseStepIndex = 0;
   output.finishedSuccessfully = false;
@@ -434,12 +443,6 @@ bool Solver::reduce_step_size() {
 
 void Solver::increase_step_size() {
   if (!it.automaticStepSize) steps_.recover();
-}
-
-StepFactors Solver::step_factors() const {
-  const auto& s = settings_->timeIntegration;
-  return {.decrease = s.adaptiveStepDecrease, .increase = s.adaptiveStepIncrease, .largest_increase = s.stepSizeMaxIncrease,
-          .recovery_steps = s.adaptiveStepRecoverySteps, .recovery_iterations = s.adaptiveStepRecoveryIterations};
 }
 
 [[gnu::noinline]] bool Solver::hold_at_minimum() {

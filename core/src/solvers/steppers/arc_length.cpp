@@ -40,12 +40,11 @@ void StaticSolver::begin_path() {
   path_.reset();
   path_ends_ = nullptr;
   singular_points_.clear();
-  const auto& s = settings().staticSolver;
   least_initial_residual_ = 0;
-  if (!s.arcLength.active) return;
+  if (!options_.arcLength.active) return;
   const auto refuse = [](const std::string& text) { throw ModelError(ErrorKind::value, "staticSolver.arcLength.active: received True with " + text); };
-  if (s.loadStepGeometric) refuse("loadStepGeometric=True; the lengths of steps are not known before. Use loadStepGeometric=False.");
-  if (s.stabilizerODE2term != 0) refuse("stabilizerODE2term, which is made for falling loads. Use stabilizerODE2term=0.");
+  if (options_.loadStepGeometric) refuse("loadStepGeometric=True; the lengths of steps are not known before. Use loadStepGeometric=False.");
+  if (options_.stabilizerODE2term != 0) refuse("stabilizerODE2term, which is made for falling loads. Use stabilizerODE2term=0.");
   if (continues()) refuse("continuation.restartFileName; restart files do not have the direction of the path. Start from the initial values.");
   if (sizes_.ode2 == 0) refuse("a system without second order coordinates, whose displacements give the length.");
   path_ = std::make_unique<Path>();
@@ -69,7 +68,7 @@ void StaticSolver::begin_path_step() {
 
 // Computes the derivative of the residual with respect to quasi-time, in the current state.
 std::vector<double> StaticSolver::residual_by_quasi_time() {
-  const double time = it.currentTime, step = probe * settings().staticSolver.loadStepDuration;
+  const double time = it.currentTime, step = probe * options_.loadStepDuration;
   std::vector<double> kept = residual_;
   set_quasi_time(time + step);
   compute_residual();
@@ -99,7 +98,7 @@ std::span<const double> StaticSolver::displacements(std::span<const double> unkn
 }
 
 void StaticSolver::find_modes() {
-  if (!settings().staticSolver.arcLength.singularPoints) return;
+  if (!options_.arcLength.singularPoints) return;
   const auto solve = [this](std::span<double> x) { linear_->solve(x); };
   path_->modes.find(solve, static_cast<std::size_t>(sizes_.ode2), static_cast<std::size_t>(sizes_.total()));
 }
@@ -129,8 +128,7 @@ bool StaticSolver::find_first_tangent() {
 void StaticSolver::predict_on_path() {
   Path& path = *path_;
   if (!path.begun && !find_first_tangent()) return;
-  const auto& s = settings().staticSolver;
-  least_initial_residual_ = path.tangent.load * s.loadStepDuration / static_cast<double>(it.numberOfSteps);
+  least_initial_residual_ = path.tangent.load * options_.loadStepDuration / static_cast<double>(it.numberOfSteps);
   current().lambda = start_of_step().lambda;
   if (path.end_known) {
     std::vector<double> step = path.moved;
@@ -166,8 +164,7 @@ void StaticSolver::correct_on_path() {
 bool StaticSolver::discontinuous_iteration() {
   if (!path_) return Solver::discontinuous_iteration();
   if (!Solver::discontinuous_iteration()) return false;
-  const auto& s = settings().staticSolver;
-  const double lowest = it.startTime + s.arcLength.lowestLoadFactor * s.loadStepDuration;
+  const double lowest = it.startTime + options_.arcLength.lowestLoadFactor * options_.loadStepDuration;
   const double length = next_length();
   if (!factorize_at_end()) return false;
   find_modes();
@@ -176,7 +173,7 @@ bool StaticSolver::discontinuous_iteration() {
   if (it.currentTime >= it.endTime) return end_path_at(it.endTime);
   if (it.currentTime <= lowest) return end_path_at(lowest);
   prepare_next_step(crossing, length);
-  if (it.currentStepIndex >= static_cast<StepCount>(s.arcLength.maximumSteps)) {
+  if (it.currentStepIndex >= static_cast<StepCount>(options_.arcLength.maximumSteps)) {
     conv.stepReductionFailed = true;
     diagnostics_->diagnose(FailureReason::path_length).advice = {
         "allow more steps (staticSolver.arcLength.maximumSteps), or longer ones (staticSolver.numberOfLoadSteps, arcLength.largestStep)",
@@ -228,10 +225,9 @@ void StaticSolver::orient(PathTangent& tangent) const {
 }
 
 double StaticSolver::next_length() const {
-  const auto& s = settings().staticSolver.arcLength;
-  const double growth = std::sqrt(static_cast<double>(s.desiredIterations) / std::max(useful_iterations(), 1));
+  const double growth = std::sqrt(static_cast<double>(options_.arcLength.desiredIterations) / std::max(useful_iterations(), 1));
   const double length = path_->length * std::clamp(growth, 1 / most_growth, most_growth);
-  return s.largestStep > 0 ? std::min(length, s.largestStep) : length;
+  return options_.arcLength.largestStep > 0 ? std::min(length, options_.arcLength.largestStep) : length;
 }
 
 // Finds a mode whose eigenvalue has changed its sign.
@@ -302,7 +298,7 @@ void StaticSolver::pass_singular_point(const Crossing& crossing) {
 
 void StaticSolver::leave_bifurcation(std::span<const double> mode) {
   Path& path = *path_;
-  const double branch = settings().staticSolver.arcLength.branchStep;
+  const double branch = options_.arcLength.branchStep;
   if (branch == 0 || path.branched) {
     path.next.direction = path.moved;
     const double size = norm(displacements(path.moved));

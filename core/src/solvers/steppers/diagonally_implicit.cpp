@@ -361,7 +361,7 @@ bool DiagonallyImplicitSolver::factorize(bool constraints_follow_motion) {
   const double g = diagonal();
   const Weights weights{.q = g * g, .v = g, .a = 1, .y = g, .y_t = 1};
   Conditions conditions = conditions_;
-  conditions.load_dependencies = settings().timeIntegration.computeLoadsJacobian;
+  conditions.load_dependencies = loads_jacobian_;
   {
     const TimedPart time(timer, timer.totalJacobian);
     const auto& differences = newton_settings.numericalDifferentiation;
@@ -450,9 +450,8 @@ double DiagonallyImplicitSolver::increment_size() const {
 
 // Equal steps have no error tolerances, and use those of Newton's method.
 double DiagonallyImplicitSolver::weight(double value, double before) const {
-  const auto& t = settings().timeIntegration;
   const double size = std::max(std::abs(value), std::abs(before));
-  return it.automaticStepSize ? t.absoluteTolerance + t.relativeTolerance * size
+  return it.automaticStepSize ? tolerances_.of(size)
                               : newton_settings.absoluteTolerance + newton_settings.relativeTolerance * size;
 }
 

@@ -83,9 +83,8 @@ void DiagonallyImplicitSolver::filter(Vector& error_of_q, Vector& error_of_v, Ve
 
 // Returns false if the step has to be repeated, or if the solver stops.
 bool DiagonallyImplicitSolver::control_step_size() {
-  const auto& s = settings().timeIntegration;
   const double error = it.automaticStepSizeError;
-  const double wanted = s.stepSizeSafety * std::pow(1 / std::max(error, 1e-12), 1 / order_of_error);
+  const double wanted = tolerances_.safety * std::pow(1 / std::max(error, 1e-12), 1 / order_of_error);
   const bool passes = !(error <= 1) && singular_->passes(error);
   if (passes && singular_->stays()) return false;
   if (!(error <= 1) && !passes) {

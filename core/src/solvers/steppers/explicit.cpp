@@ -53,10 +53,17 @@ void kick_and_drift_from(const System& system, State& start, State& state, doubl
 
 std::string ExplicitSolver::name() const { return std::string("explicit time integration (") + type_name(type_) + ")"; }
 
+void ExplicitSolver::read_settings() {
+  Solver::read_settings();
+  options_ = settings().timeIntegration.explicitIntegration;
+  reuses_masses_ = settings().timeIntegration.reuseConstantMassMatrix;
+  events_of_items_ = settings().events.ofItems;
+  type_ = settings().timeIntegration.solverType;
+}
+
 void ExplicitSolver::pre_initialize() {
   const auto is_explicit = [](DynamicSolverType type) { return type == DynamicSolverType::VelocityVerlet || runge_kutta_method(type).stages > 0; };
-  const auto& integration = settings().timeIntegration;
-  type_ = is_explicit(integration.solverType) ? integration.solverType : integration.explicitIntegration.dynamicSolverType;
+  if (!is_explicit(type_)) type_ = options_.dynamicSolverType;
   verlet_ = type_ == DynamicSolverType::VelocityVerlet;
   method_ = runge_kutta_method(type_);
   if (!verlet_ && method_.stages == 0) {
@@ -77,7 +84,7 @@ void ExplicitSolver::pre_initialize() {
 
 void ExplicitSolver::initialize_data() {
   // A step ends where the state of contact changes.
-  conditions_.holds_contact = settings().events.ofItems && system().has_switches();
+  conditions_.holds_contact = events_of_items_ && system().has_switches();
   conditions_.direct = !conditions_.holds_contact;
   Solver::initialize_data();
   const auto n = static_cast<std::size_t>(sizes_.ode2), n1 = static_cast<std::size_t>(sizes_.ode1);
@@ -90,13 +97,13 @@ void ExplicitSolver::initialize_data() {
   make_room(stage_v_, n);
   make_room(stage_y_, n1);
   const bool compares = controls_step_size(),
-             evaluates_end = !verlet_ && settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations;
+             evaluates_end = !verlet_ && options_.computeEndOfStepAccelerations;
   second_q_.assign(compares ? n : 0, 0.0);
   second_v_.assign(compares ? n : 0, 0.0);
   second_y_.assign(compares ? n1 : 0, 0.0);
   end_a_.assign(evaluates_end ? n : 0, 0.0);
   end_y_t_.assign(evaluates_end ? n1 : 0, 0.0);
-  lie_ = settings().timeIntegration.explicitIntegration.useLieGroupIntegration && system().has_lie_nodes();
+  lie_ = options_.useLieGroupIntegration && system().has_lie_nodes();
   all_on_group_ = lie_ && 6 * system().lie_blocks().size() == n;
 }
 
@@ -111,10 +118,10 @@ void ExplicitSolver::post_initialize() {
   }
   if (!prepare_factors()) return;
   nobody_interferes_ = !system().has_discontinuities(conditions_) && !hooks().pre_step && !hooks().post_step && !hooks().post_newton && !hooks().events;
-  watches_switches_ = it.automaticStepSize && !settings().events.ofItems && system().has_switches();
+  watches_switches_ = it.automaticStepSize && !events_of_items_ && system().has_switches();
   conditions_.unseen = nobody_interferes_ && !system().calls_user_functions();
   may_move_at_once_ = nobody_interferes_ && !verlet_ && method_.stages == 1 && eliminated_.empty() && sizes_.ode1 == 0 && conditions_.unseen &&
-                      static_cast<std::size_t>(sizes_.ode2) > few_numbers && !settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations;
+                      static_cast<std::size_t>(sizes_.ode2) > few_numbers && !options_.computeEndOfStepAccelerations;
   if (!continues()) {
     find_first_accelerations();
     if (verlet_ && conv.linearSolverFailed) return;
@@ -151,7 +158,7 @@ bool ExplicitSolver::prepare_factors() {
   prepare_motion();
   mass_.prepare(system(), linear_type(), linear_options());
   renewed_objects_ = system().renewed_objects();
-  constant_mass_ = !constrained_ && system().constant_mass_matrix() && settings().timeIntegration.reuseConstantMassMatrix;
+  constant_mass_ = !constrained_ && system().constant_mass_matrix() && reuses_masses_;
   return !constant_mass_ || update_masses();
 }
 
@@ -180,7 +187,7 @@ Solver::KnownDerivatives ExplicitSolver::complete_ends() {
   start_of_step().a = at_once_ ? current().a : stage_v_.front();
   start_of_step().y_t = stage_y_.front();
   eliminate(start_of_step().a);
-  return {settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations, true};
+  return {options_.computeEndOfStepAccelerations, true};
 }
 
 // Finds coordinates fixed by a constraint, which are reset to zero. Other constraints have multipliers, including those
@@ -189,7 +196,7 @@ void ExplicitSolver::find_eliminated_coordinates() {
   eliminated_.clear();
   constrained_ = false;
   if (sizes_.ae == 0) return;
-  if (!settings().timeIntegration.explicitIntegration.eliminateConstraints) {
+  if (!options_.eliminateConstraints) {
     warn("explicit integration ignores all constraints (timeIntegration.explicitIntegration.eliminateConstraints=False)");
     return;
   }
@@ -391,7 +398,7 @@ void ExplicitSolver::move_from_start(const StageWeights& weights, Vector& q, Vec
 
 void ExplicitSolver::end_of_step() {
   State& now = current();
-  if (settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations) {
+  if (options_.computeEndOfStepAccelerations) {
     if (!accelerations(now.a, now.y_t)) return;
     end_known_ = nobody_interferes_;
     if (end_known_) {

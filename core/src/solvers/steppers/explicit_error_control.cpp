@@ -21,10 +21,9 @@ constexpr int few_steps = 4;  // number of steps of minimum size before the stab
 // Returns an error in units of the tolerances. The scale has signed values instead of magnitudes, for the same step
 // sizes as in Exudyn, and is bounded from below where value and tolerance cancel.
 double ExplicitSolver::scaled_error(double second, double first, double old) const {
-  const double absolute = settings().timeIntegration.absoluteTolerance, relative = settings().timeIntegration.relativeTolerance;
-  if (!third_.empty()) return (second - first) / (absolute + relative * std::max(std::abs(first), std::abs(old)));
-  const double scale = absolute + std::max(second, old) * relative;
-  return (second - first) / std::max(std::abs(scale), 0.01 * absolute);
+  if (!third_.empty()) return (second - first) / tolerances_.of(std::max(std::abs(first), std::abs(old)));
+  const double scale = tolerances_.absolute + std::max(second, old) * tolerances_.relative;
+  return (second - first) / std::max(std::abs(scale), 0.01 * tolerances_.absolute);
 }
 
 // Uses a third approximation, since two may agree by chance.
@@ -56,7 +55,6 @@ double ExplicitSolver::distance_of(const StageWeights& approximation) {
 // Returns false if the step has to be repeated, or if the solver stops.
 bool ExplicitSolver::control_step_size() {
   const TimedPart time(timer, timer.errorEstimator);
-  const auto& s = settings().timeIntegration;
   it.automaticStepSizeError = estimated_error();
   if (std::isnan(it.automaticStepSizeError)) return lose_step();
   const double error = it.automaticStepSizeError == 0 ? 1e-12 : it.automaticStepSizeError;
@@ -74,7 +72,7 @@ bool ExplicitSolver::control_step_size() {
     conv.stopNewton = true;
     return false;
   }
-  steps_.propose(s.stepSizeSafety * optimal);
+  steps_.propose(tolerances_.safety * optimal);
   steps_.within_tolerance();
   if (!(optimal < h)) {
     look_for_stiffness(h);
@@ -107,13 +105,11 @@ bool ExplicitSolver::discontinuous_iteration() {
 }
 
 void ExplicitSolver::diagnose_error_control() {
-  const auto& tolerances = settings().timeIntegration;
   const State& reference = system().state(ConfigurationType::Reference);
   double noise = 0;  // round-off of coordinates, in units of the tolerances
   for (std::size_t i = 0; i < current().q.size(); ++i) {
     const double q = std::abs(current().q[i]);
-    noise = std::max(noise, std::numeric_limits<double>::epsilon() * (q + std::abs(reference.q[i])) /
-                                (tolerances.absoluteTolerance + tolerances.relativeTolerance * q));
+    noise = std::max(noise, std::numeric_limits<double>::epsilon() * (q + std::abs(reference.q[i])) / tolerances_.of(q));
   }
   const bool below_round_off = noise > 0.1;
   const bool stiff = !below_round_off && at_stability_limit(it.currentStepSize);

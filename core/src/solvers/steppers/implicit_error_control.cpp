@@ -35,12 +35,11 @@ double SecondOrderSolver::change_of_accelerations(std::size_t i, double step_siz
 // error. Velocities: the same term within a step, which is of second order; third-order estimates are smaller than the
 // noise of accelerations of constrained systems.
 double SecondOrderSolver::estimated_error() {
-  const auto& s = settings().timeIntegration;
   const State &now = current(), &start = start_of_step();
   const double h = it.currentStepSize, constant = std::abs(left_out());
   double sum = 0;
   const auto add = [&](double error, double value) {
-    const double e = error / (s.absoluteTolerance + s.relativeTolerance * std::abs(value));
+    const double e = error / tolerances_.of(value);
     sum += e * e;
   };
   for (std::size_t i = 0; i < now.q.size(); ++i) {
@@ -55,19 +54,17 @@ double SecondOrderSolver::estimated_error() {
 // Accelerations amplify the round-off of positions, the more the smaller the steps are.
 double SecondOrderSolver::noise_of_estimates() {
   if (sizes_.ae == 0) return 0;
-  const auto& s = settings().timeIntegration;
   double speed = 0;
   for (const double v : current().v) speed = std::max(speed, std::abs(v));
   const double noise = std::numeric_limits<double>::epsilon() * system().extent() / (newmark_beta * it.currentStepSize);
-  return std::abs(left_out()) * noise / (s.absoluteTolerance + s.relativeTolerance * speed);
+  return std::abs(left_out()) * noise / tolerances_.of(speed);
 }
 
 // Always returns false.
 [[gnu::noinline]] bool SecondOrderSolver::give_up_at_round_off() {
   Diagnosis& d = diagnostics_->diagnose(FailureReason::round_off);
-  const auto& s = settings().timeIntegration;
-  d.advice = {"ask for larger errors: with the steps that timeIntegration.absoluteTolerance=" + format_number(s.absoluteTolerance) + " and relativeTolerance=" +
-                  format_number(s.relativeTolerance) + " take, round-off of positions alone is more",
+  d.advice = {"ask for larger errors: with the steps that timeIntegration.absoluteTolerance=" + format_number(tolerances_.absolute) + " and relativeTolerance=" +
+                  format_number(tolerances_.relative) + " take, round-off of positions alone is more",
               "use a method of higher order, whose steps are larger (exu.DynamicSolverType.DOP853)"};
   if (singular_->has_weak_constraints()) {
     d.advice.insert(d.advice.begin(),
@@ -80,9 +77,8 @@ double SecondOrderSolver::noise_of_estimates() {
 // Returns false if the step has to be repeated, or if the solver stops.
 bool SecondOrderSolver::control_step_size() {
   const TimedPart time(timer, timer.errorEstimator);
-  const auto& s = settings().timeIntegration;
   const double h = it.currentStepSize, error = it.automaticStepSizeError = estimated_error();
-  const double wanted = s.stepSizeSafety * std::cbrt(1 / std::max(error, 1e-12));
+  const double wanted = tolerances_.safety * std::cbrt(1 / std::max(error, 1e-12));
   const bool passes = !(error <= 1) && singular_->passes(error);
   if (passes && singular_->stays()) return false;
   if (!(error <= 1) && !passes) {

@@ -70,8 +70,6 @@ void predict_motion(const System& system, std::size_t n, const Prediction& schem
 SecondOrderSolver::SecondOrderSolver() = default;
 SecondOrderSolver::~SecondOrderSolver() = default;
 
-bool SecondOrderSolver::newmark() const { return settings().timeIntegration.generalizedAlpha.useNewmark; }
-
 double SecondOrderSolver::row_scale() const { return newmark_beta * it.currentStepSize * it.currentStepSize; }
 double SecondOrderSolver::beta_prime() const {
   const double h = it.currentStepSize;
@@ -79,8 +77,14 @@ double SecondOrderSolver::beta_prime() const {
 }
 double SecondOrderSolver::gamma_prime() const { return newmark_gamma / (it.currentStepSize * newmark_beta); }
 
+void SecondOrderSolver::read_settings() {
+  Solver::read_settings();
+  options_ = settings().timeIntegration.generalizedAlpha;
+  controls_step_size_ = settings().stepSizeControl.implicitSolvers;
+}
+
 void SecondOrderSolver::pre_initialize() {
-  const auto& s = settings().timeIntegration.generalizedAlpha;
+  const auto& s = options_;
   if (s.useIndex2Constraints && !s.useNewmark) {
     throw ModelError(ErrorKind::value, "timeIntegration.generalizedAlpha.useIndex2Constraints=True needs useNewmark=True");
   }
@@ -104,7 +108,7 @@ void SecondOrderSolver::initialize_data() {
   algorithmic_at_start_.assign(n, 0.0);
   increment_of_q_.assign(n, 0.0);
   lie_ = system().has_lie_nodes();
-  simplified_lie_ = lie_ && settings().timeIntegration.generalizedAlpha.lieGroupSimplifiedKinematicRelations;
+  simplified_lie_ = lie_ && options_.lieGroupSimplifiedKinematicRelations;
   lie_increment_.assign(lie_ ? n : 0, 0.0);
   previous_q_.assign(lie_ ? n : 0, 0.0);
   belong_to_ = belong_to_at_start_ = {};
@@ -116,7 +120,6 @@ void SecondOrderSolver::initialize_data() {
 
 void SecondOrderSolver::initial_conditions() {
   Solver::initial_conditions();
-  const auto& s = settings().timeIntegration.generalizedAlpha;
   State& now = current();
   if (continues()) {
     algorithmic_ = continued_values();
@@ -133,11 +136,11 @@ void SecondOrderSolver::initial_conditions() {
     start_of_step() = now;
     return;
   }
-  if (s.computeInitialAccelerations) {
+  if (options_.computeInitialAccelerations) {
     const std::vector<double> lambda = now.lambda;
     if (!find_accelerations()) std::fill(now.a.begin(), now.a.end(), 0.0);
-    if (!s.storeInitialAlgebraicCoordinates) now.lambda = lambda;
-  } else if (s.resetAccelerations) {
+    if (!options_.storeInitialAlgebraicCoordinates) now.lambda = lambda;
+  } else if (options_.resetAccelerations) {
     std::fill(now.a.begin(), now.a.end(), 0.0);
   }
   begin_with_accelerations();
@@ -173,7 +176,7 @@ bool SecondOrderSolver::find_accelerations(ConstrainedMotion& motion, int singul
 void SecondOrderSolver::renew_accelerations() {
   // Velocities given by users are not changed.
   if (may_start_steadily() && !it.automaticStepSize && it.currentStepIndex > 0) return start_steadily();
-  if (settings().timeIntegration.generalizedAlpha.computeInitialAccelerations) find_accelerations();
+  if (options_.computeInitialAccelerations) find_accelerations();
   begin_with_accelerations();
 }
 
@@ -184,7 +187,7 @@ void SecondOrderSolver::begin_with_accelerations() {
 }
 
 bool SecondOrderSolver::may_start_steadily() const {
-  return settings().timeIntegration.generalizedAlpha.computeInitialAccelerations && sizes_.ae > 0 && !conditions_.rate_level;
+  return options_.computeInitialAccelerations && sizes_.ae > 0 && !conditions_.rate_level;
 }
 
 // Projects velocities onto the constraints.
@@ -449,9 +452,9 @@ Weights SecondOrderSolver::jacobian_weights() const {
 
 Conditions SecondOrderSolver::jacobian_conditions(bool momentary) const {
   Conditions conditions = conditions_;
-  conditions.load_dependencies = settings().timeIntegration.computeLoadsJacobian;
+  conditions.load_dependencies = loads_jacobian_;
   conditions.follows_residual = momentary;
-  conditions.loads = momentary || settings().timeIntegration.computeLoadsJacobian > 0;
+  conditions.loads = momentary || loads_jacobian_ > 0;
   return conditions;
 }
 
@@ -471,7 +474,7 @@ void SecondOrderSolver::evaluate_jacobian(const State& state, const Conditions& 
   const auto& differences = newton_settings.numericalDifferentiation;
   if (wants_differences(differences)) {
     numerical_tangent(system(), state, conditions, weights, differences, pattern(), jacobian_);
-  } else if (simplified_lie_ && settings().timeIntegration.generalizedAlpha.lieGroupAddTangentOperator) {
+  } else if (simplified_lie_ && options_.lieGroupAddTangentOperator) {
     simplified_lie_jacobian(state, conditions, weights);
   } else {
     system().tangent(state, conditions, weights, pattern(), jacobian_);
@@ -538,14 +541,13 @@ void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
 }
 
 std::string_view SecondOrderSolver::lockstep_obstacle() const {
-  const auto& s = settings();
   if (it.automaticStepSize) return "steps whose size is chosen by their error";
   if (hooks().take_part_in_steps()) return "functions of the system that are called at each step";
   if (lead_->active()) return "velocities across constraints that oscillate";
   if (hooks().timeout >= 0) return "a limit of the time that solvers may take";
-  if (verbose(1) || s.displayComputationTime) return "messages of the solver";
+  if (verbose(1) || settings().displayComputationTime) return "messages of the solver";
   if (has_replaced_parts() || !newton_settings.useNewtonSolver) return "parts of the solver that are replaced or left out";
-  if (wants_differences(newton_settings.numericalDifferentiation) || s.timeIntegration.computeLoadsJacobian != 0)
+  if (wants_differences(newton_settings.numericalDifferentiation) || loads_jacobian_ != 0)
     return "derivatives by differences";
   if (discontinuous.iterationTolerance < 0) return "a negative discontinuous.iterationTolerance";
   if (!linear_->may_be_listed()) return "the linear solver, or more than 32 unknowns";

@@ -15,20 +15,26 @@ namespace dalembert {
 constexpr double time_tolerance = 1e-10;
 constexpr double negligible_share = 1e-3;  // of velocity-dependent forces, relative to the largest force
 
+void StaticSolver::read_settings() {
+  Solver::read_settings();
+  const auto& s = options_ = settings().staticSolver;
+  factors_ = {.decrease = s.adaptiveStepDecrease, .increase = s.adaptiveStepIncrease, .recovery_steps = s.adaptiveStepRecoverySteps,
+              .recovery_iterations = s.adaptiveStepRecoveryIterations};
+}
+
 double StaticSolver::load_factor() const {
-  return (it.currentTime - it.startTime) / settings().staticSolver.loadStepDuration;
+  return (it.currentTime - it.startTime) / options_.loadStepDuration;
 }
 
 void StaticSolver::pre_initialize() { conditions_ = {.load_factor = 1, .rate_level = false, .inertia = false}; }
 
 void StaticSolver::initial_conditions() {
   Solver::initial_conditions();
-  const auto& s = settings().staticSolver;
-  if (s.loadStepGeometric && it.numberOfSteps <= 1) {
+  if (options_.loadStepGeometric && it.numberOfSteps <= 1) {
     warn("staticSolver.loadStepGeometric needs at least 2 load steps; 2 are computed");
     it.numberOfSteps = 2;
   }
-  geometric_factor_ = it.numberOfSteps > 1 ? std::pow(s.loadStepGeometricRange, 1.0 / static_cast<double>(it.numberOfSteps - 1)) : 1.0;
+  geometric_factor_ = it.numberOfSteps > 1 ? std::pow(options_.loadStepGeometricRange, 1.0 / static_cast<double>(it.numberOfSteps - 1)) : 1.0;
   begin_path();
 }
 
@@ -36,39 +42,32 @@ void StaticSolver::initial_conditions() {
 void StaticSolver::update_current_time() {
   current().sign = MultiplierSign::statics;
   if (path_) return begin_path_step();
-  const auto& s = settings().staticSolver;
-  const double duration = s.loadStepDuration, tolerance = time_tolerance * duration;
+  const double duration = options_.loadStepDuration, tolerance = time_tolerance * duration;
   double time = it.currentTime - it.startTime;
-  if (!s.loadStepGeometric) {
+  if (!options_.loadStepGeometric) {
     time += it.currentStepSize;
   } else {
     const double share = it.currentStepSize / it.maxStepSize;
-    time = time <= tolerance ? share * duration / s.loadStepGeometricRange : time * (share == 1 ? geometric_factor_ : std::pow(geometric_factor_, share));
+    time = time <= tolerance ? share * duration / options_.loadStepGeometricRange : time * (share == 1 ? geometric_factor_ : std::pow(geometric_factor_, share));
   }
   if (time + tolerance >= duration) time = duration;
   it.currentTime = time + it.startTime;
-  conditions_.load_factor = s.useLoadFactor ? load_factor() : 1.0;
+  conditions_.load_factor = options_.useLoadFactor ? load_factor() : 1.0;
 }
 
 void StaticSolver::set_quasi_time(double time) {
   it.currentTime = current().time = time;
-  conditions_.load_factor = settings().staticSolver.useLoadFactor ? load_factor() : 1.0;
+  conditions_.load_factor = options_.useLoadFactor ? load_factor() : 1.0;
 }
 
 void StaticSolver::increase_step_size() {
   if (!path_) steps_.recover();  // arc-length continuation has selected the next step size
 }
 
-StepFactors StaticSolver::step_factors() const {
-  const auto& s = settings().staticSolver;
-  return {.decrease = s.adaptiveStepDecrease, .increase = s.adaptiveStepIncrease, .recovery_steps = s.adaptiveStepRecoverySteps,
-          .recovery_iterations = s.adaptiveStepRecoveryIterations};
-}
-
 // Decreases to zero at full load.
 double StaticSolver::stabilizer() const {
   const double factor = load_factor();
-  return (1 - factor * factor) * settings().staticSolver.stabilizerODE2term;
+  return (1 - factor * factor) * options_.stabilizerODE2term;
 }
 
 void StaticSolver::compute_mass_matrix() {
@@ -121,12 +120,12 @@ double StaticSolver::compute_residual() {
   system().residual(current(), conditions_, residual_);
   turn_multipliers();
   const State& now = current();
-  if (settings().staticSolver.constrainODE1coordinates) {
+  if (options_.constrainODE1coordinates) {
     for (std::size_t i = 0; i < now.y.size(); ++i) {
       residual_[static_cast<std::size_t>(sizes_.ode2) + i] = now.y[i] - initial().y[i];
     }
   }
-  if (settings().staticSolver.stabilizerODE2term != 0) {
+  if (options_.stabilizerODE2term != 0) {
     compute_mass_matrix();
     const double factor = stabilizer();
     const State& start = start_of_step();
@@ -163,7 +162,7 @@ void StaticSolver::move(std::span<const double> step) {
   for (std::size_t i = 0; i < now.lambda.size(); ++i) now.lambda[i] += signs[i] * step[static_cast<std::size_t>(sizes_.first_ae()) + i];
 }
 
-void StaticSolver::compute_jacobian() { compute_jacobian(settings().staticSolver.computeLoadsJacobian ? 1 : 0); }
+void StaticSolver::compute_jacobian() { compute_jacobian(options_.computeLoadsJacobian ? 1 : 0); }
 
 void StaticSolver::compute_jacobian(double load_dependencies) {
   turn_multipliers();
@@ -175,8 +174,8 @@ void StaticSolver::compute_jacobian(double load_dependencies) {
     system().tangent(current(), conditions, along_positions, pattern(), jacobian_);
   }
   turn_multipliers();
-  const bool constrain = settings().staticSolver.constrainODE1coordinates && sizes_.ode1 > 0;
-  const double factor = settings().staticSolver.stabilizerODE2term != 0 ? stabilizer() : 0.0;
+  const bool constrain = options_.constrainODE1coordinates && sizes_.ode1 > 0;
+  const double factor = options_.stabilizerODE2term != 0 ? stabilizer() : 0.0;
   if (factor != 0) {
     compute_mass_matrix();
     for (std::size_t k = 0; k < jacobian_.size(); ++k) jacobian_[k] += factor * mass_[k];
