@@ -15,6 +15,13 @@ import numpy.typing as npt
 import scipy
 
 from dalembert._checks import FloatArray, as_array, shape_error
+from dalembert._fem.abaqus import ReadNodesFromAbaqusInp
+from dalembert._fem.ansys import (
+    ReadElementsFromAnsysTxt,
+    ReadMatrixDOFmappingVectorFromAnsysTxt,
+    ReadMatrixFromAnsysMMF,
+    ReadNodalCoordinatesFromAnsysTxt,
+)
 from dalembert._fem.campbell import dense_frequencies, gyroscopic_matrix, plot_campbell, sparse_frequencies
 from dalembert._fem.checks import Names, check_matrices
 from dalembert._fem.data import FileNameToMode
@@ -23,6 +30,7 @@ from dalembert._fem.elements import blocks
 from dalembert._fem.floating_frame import ObjectFFRFinterface
 from dalembert._fem.interfaces import averaged_modes, exact_modes, interfaces_of
 from dalembert._fem.materials import FiniteElement, KirchhoffMaterial, MaterialBaseClass, Tet4, as_material
+from dalembert._fem.modal_body import CMSObjectComputeNorm, ObjectFFRFreducedOrderInterface
 from dalembert._fem.ngsolve import WithNGsolve
 from dalembert._fem.node_selection import NodeSelection
 from dalembert._fem.progress import reporter
@@ -42,15 +50,7 @@ from dalembert._fem.sparse import (
 )
 from dalembert._fem.stresses import nodal_strains
 from dalembert._fem.surfaces import ConvertHexToTrigs, ConvertTetToTrigs
-from dalembert._io.abaqus import ReadNodesFromAbaqusInp
-from dalembert._io.ansys import (
-    ReadElementsFromAnsysTxt,
-    ReadMatrixDOFmappingVectorFromAnsysTxt,
-    ReadMatrixFromAnsysMMF,
-    ReadNodalCoordinatesFromAnsysTxt,
-)
 from dalembert._names import eii, exu, np
-from dalembert._tools.modal_body import CMSObjectComputeNorm, ObjectFFRFreducedOrderInterface
 from dalembert.advancedUtilities import IsListOrArray, IsValidURealInt, PlotLineCode, RoundMatrix
 from dalembert.graphicsDataUtilities import ComputeTriangleArea
 from dalembert.rigidBodyUtilities import (

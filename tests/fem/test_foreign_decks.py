@@ -133,7 +133,7 @@ ENDDATA
 )  # fmt: skip
 def test_coordinate_systems_of_grid_points(cp: int, system: str, expected: Any, tmp_path: Path) -> None:
     """Points in rotated, shifted, cylindrical and spherical systems; by formulas."""
-    from dalembert._io import nastran
+    from dalembert._fem import nastran
 
     path = tmp_path / "deck.bdf"
     path.write_text(BULK.format(cp=cp, system=system))

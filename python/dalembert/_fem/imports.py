@@ -11,6 +11,14 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import FloatArray, IntArray, shape_error
+from dalembert._fem import nastran
+from dalembert._fem.abaqus import read_abaqus, read_abaqus_matrix
+from dalembert._fem.ansys import (
+    ReadElementsFromAnsysTxt,
+    ReadMatrixDOFmappingVectorFromAnsysTxt,
+    ReadMatrixFromAnsysMMF,
+    ReadNodalCoordinatesFromAnsysTxt,
+)
 from dalembert._fem.assembly import assemble
 from dalembert._fem.checks import Names, check_connected, check_elements
 from dalembert._fem.elements import KINDS, blocks, turned
@@ -18,14 +26,6 @@ from dalembert._fem.materials import as_material
 from dalembert._fem.progress import reporter
 from dalembert._fem.sparse import MapSparseMatrixIndices
 from dalembert._fem.surfaces import Surfaces, surface_triangles
-from dalembert._io import nastran
-from dalembert._io.abaqus import read_abaqus, read_abaqus_matrix
-from dalembert._io.ansys import (
-    ReadElementsFromAnsysTxt,
-    ReadMatrixDOFmappingVectorFromAnsysTxt,
-    ReadMatrixFromAnsysMMF,
-    ReadNodalCoordinatesFromAnsysTxt,
-)
 from dalembert._io.files import file_to_read
 
 # Kinds of elements by their names in meshio; all of them order their nodes as VTK does, as we do.

@@ -1,1 +1,1 @@
-"""Files and connections: results, solutions, meshes, dictionaries, pickling, TCP/IP."""
+"""Files and connections: results, solutions, dictionaries, pickling, TCP/IP."""

@@ -45,7 +45,7 @@ def CreateFFRFReducedOrderObject(
     Returns the numbers of the markers by their names, 'name:boundary', and under 'FFRFReducedOrderObjectDict' those of
     nRigidBody, nGenericODE2, oFFRFreducedOrder and loadGravity. Free modes ('NormalModes') have no markers.
     """
-    from dalembert._tools.modal_body import ObjectFFRFreducedOrderInterface
+    from dalembert._fem.modal_body import ObjectFFRFreducedOrderInterface
 
     function = "CreateFFRFReducedOrderObject"
     if "matrix" not in getattr(femInterface, "modeBasis", {}):

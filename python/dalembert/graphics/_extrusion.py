@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert import graphicsDataUtilities as outlines
 from dalembert._calls import checked
 from dalembert._checks import (
     as_matrix,
@@ -22,6 +21,7 @@ from dalembert._checks import (
     unit_vector,
 )
 from dalembert._geometry.rotations import GramSchmidt, RotationMatrix2D, RotationMatrixZ
+from dalembert.graphics import _outlines as outlines
 from dalembert.graphics._mesh import GraphicsData, triangle_list, unit_rows
 from dalembert.graphics._revolution import SolidOfRevolution
 from dalembert.graphics._solids import Cylinder

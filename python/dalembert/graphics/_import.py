@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert import graphicsDataUtilities as meshes
 from dalembert._calls import checked
 from dalembert._checks import FloatArray, as_array, as_color, as_matrix, as_vector
 from dalembert._io.files import file_to_read, file_to_write, replacing
 from dalembert.graphics._mesh import GraphicsData, mesh_of, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
+from dalembert.graphics._outlines import Compute6NodeTrigsNormals
 
 _SAME_POINT = 1e-6  # relative to the size of a surface
 _BINARY_FACET = np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -238,7 +238,7 @@ def NGsolveMesh2PointsAndTrigs(
     if not addNormals:
         return [scale * points, triangles]
     if meshOrder == 2:
-        nodal = np.array([meshes.Compute6NodeTrigsNormals(points[element]) for element in nodes]).reshape(-1, 6, 3)
+        nodal = np.array([Compute6NodeTrigsNormals(points[element]) for element in nodes]).reshape(-1, 6, 3)
         normals = nodal[:, parts].reshape(-1, 3)
     else:
         normals = np.repeat(triangle_normals(points, triangles), 3, axis=0)
