@@ -140,7 +140,7 @@ def _words(key: str) -> str:
 def described_setting(row: Setting) -> str:
     """Description, range and remarks as sentences."""
     note = f"**No effect here:** {row.no_effect}. " if row.no_effect else ""
-    refusal = f"Refused: what is not {row.range.words}." if row.range else remarks(row)
+    refusal = f"Must be {row.range.words}." if row.range else remarks(row)
     flags = " or ".join(f"``{flag}``" for flag in row.acts_with)
     condition = f" Acts with {flags} only." if flags else ""
     doc = f"{row.doc}; {row.elsewhere}" if row.only_in else row.doc

@@ -46,7 +46,7 @@ struct DiscontinuousSettings {
   bool useRecommendedStepSize = true;
 };
 
-// going on with a solution that was stopped
+// continuation of a solution that was stopped
 struct ContinuationSettings {
   bool ifAvailable = false;
   std::string restartFileName = "";
@@ -62,7 +62,7 @@ struct EventsSettings {
   bool ofItems = false;
 };
 
-// how the initial values are held against the constraints when a solver starts
+// check of the initial values against the constraints
 struct InitialConditionsSettings {
   bool checkConstraints = true;
   bool inconsistentIsError = false;
@@ -70,7 +70,7 @@ struct InitialConditionsSettings {
   double velocityTolerance = 0.01;
 };
 
-// who chooses the linear solver
+// selection of the linear solver
 struct LinearSolverChoiceSettings {
   bool automatic = true;
 };

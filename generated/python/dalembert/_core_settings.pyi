@@ -93,7 +93,7 @@ class DiscontinuousSettings(_Settings):
 
 @final
 class ContinuationSettings(_Settings):
-    """going on with a solution that was stopped"""
+    """continuation of a solution that was stopped"""
 
     ifAvailable: bool
     """true: ``SolveDynamic`` and ``SolveStatic`` go on from the file ``solutionSettings.restartFileName`` if it exists, else they start from the initial values; a ``restartFileName`` given here is used in any case; default: False"""
@@ -119,7 +119,7 @@ class EventsSettings(_Settings):
 
 @final
 class InitialConditionsSettings(_Settings):
-    """how the initial values are held against the constraints when a solver starts"""
+    """check of the initial values against the constraints"""
 
     checkConstraints: bool
     """evaluate the gap and the rate of the gap of every constraint before the first step, and name the worst of those that are not fulfilled; the static solver looks at gaps only, closes them, and says so if its verboseMode is at least 1; default: True"""
@@ -133,7 +133,7 @@ class InitialConditionsSettings(_Settings):
 
 @final
 class LinearSolverChoiceSettings(_Settings):
-    """who chooses the linear solver"""
+    """selection of the linear solver"""
 
     automatic: bool
     """true: dense matrices are used up to 32 unknowns and sparse ones above; setting ``linearSolverType`` makes this false; default: True"""
