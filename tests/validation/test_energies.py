@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -184,3 +185,30 @@ def test_contacts_that_were_open_at_the_reference() -> None:
     # The force has a kink where contact begins: errors of the quadrature, 2e-5 of the energy.
     assert end.potential == pytest.approx(stiffness * depth**2 / 2, rel=1e-4)
     assert end.total == pytest.approx(start.total, rel=1e-4)
+
+
+def test_a_warning_names_sticking_friction() -> None:
+    """The bristle of a sliding friction has moved by much more than its elastic deflection, whose energy is below 1 mJ."""
+    mbs = new_system()
+    node = mbs.AddNode(exu.Node1D(name="slider", referenceCoordinates=[0], initialVelocities=[1]))
+    mbs.AddObject(exu.Mass1D(physicsMass=2, nodeNumber=node))
+    ends = [mbs.AddNode(exu.NodePointGround()), node]
+    markers = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=each, coordinate=0)) for each in ends]
+    history = mbs.AddNode(exu.NodeGenericData(initialCoordinates=[0, 0, 0], numberOfDataCoordinates=3))
+    friction = mbs.AddObject(
+        exu.CoordinateSpringDamperExt(
+            markerNumbers=markers,
+            nodeNumber=history,
+            fDynamicFriction=4,
+            stickingStiffness=1e4,
+            frictionProportionalZone=0,
+        )
+    )
+    mbs.Assemble()
+    mbs.SolveDynamic(settings(0.05, 500))
+    with pytest.warns(RuntimeWarning, match="ComputeEnergies: forces on node 0 'slider'.*sticking friction"):
+        mbs.ComputeEnergies()
+    mbs.SetObjectParameter(friction, "fDynamicFriction", 0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert mbs.ComputeEnergies().potential == 0

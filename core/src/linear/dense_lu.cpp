@@ -18,7 +18,7 @@ DenseLu::DenseLu(int size, const LinearSolverOptions& options)
   statistics_.entries = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
 }
 
-// Its parts are inlined: for a small matrix, calls take as long as the computation.
+// Inlined as a whole, because the function calls would take as long as the factorization of a small matrix.
 [[gnu::flatten]] int DenseLu::factorize(std::span<const double> values) {
   ++statistics_.factorizations;
   if (searched_ && repeat(values)) return success;

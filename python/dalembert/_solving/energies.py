@@ -6,11 +6,12 @@ rotations are about fixed axes, all other coordinates are linear. If forces have
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from dalembert._checks import FloatArray
+from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType, OutputVariableType, testing
 from dalembert._solving.consistent import _Nodes
 from dalembert._solving.quiet import assemble_if_needed
@@ -139,6 +140,19 @@ class MovingSystem:
                 return work, error
             before, parts = work, 2 * parts
 
+    def rows_with_history(self) -> IntArray:
+        """Return the rows whose forces in the reference configuration depend on the past, such as the sticking point of
+        friction: the work on the path is no energy that these forces have stored."""
+        state = self.state.copy()
+        state.q, state.v = np.zeros_like(state.q), np.zeros_like(state.v)
+        forces = []
+        for data in (state.data, self.mbs.systemData.GetDataCoordinates(ConfigurationType.Initial)):
+            state.data = data
+            testing.switch_over(self.mbs, state)
+            forces.append(np.asarray(testing.forces(self.mbs, state)))
+        change = np.abs(forces[0] - forces[1])
+        return np.flatnonzero(change > _TOLERANCE * np.abs(forces).max(initial=0.0))
+
     def dissipated_power(self) -> float:
         """Return the power of forces of velocities, without that of inertia: -v (Q(v) - Q(0)) - v M_t v / 2."""
         q, v = np.asarray(self.state.q), np.asarray(self.state.v)
@@ -159,7 +173,8 @@ def ComputeEnergies(
 
     Potential energy is the work since the reference configuration against weight, loads and all forces of connectors
     and bodies, as they are at the time of the configuration: items need no formula of their own. If a force has no
-    potential, such as friction or a follower load, the result depends on the path.
+    potential, such as friction or a follower load, the result depends on the path. A warning names forces with a
+    history, such as sticking friction.
     """
     assemble_if_needed(_NAME, mbs, autoAssemble)
     return energies_of(MovingSystem(mbs, configuration))
@@ -174,6 +189,13 @@ def energies_of(system: MovingSystem) -> Energies:
     for node in range(mbs.systemData.NumberOfNodes()):
         if numbers := mbs.systemData.GetNodeLTGODE2(node):
             per_node[node] = float(shares[numbers].sum())
+    if len(rows := system.rows_with_history()):
+        warnings.warn(
+            f"{_NAME}: forces on {testing.describe_row(mbs, int(rows[0]))} depend on the past, such as those of "
+            "sticking friction or plastic springs. Their work is counted as potential energy, which it is not",
+            RuntimeWarning,
+            stacklevel=3,
+        )
     work, error = system.work(_Path(mbs, q))
     kinetic = float(shares.sum())
     return Energies(kinetic, -work, kinetic - work, system.dissipated_power(), error, per_node)

@@ -44,7 +44,7 @@ struct ConvexTouch {
   auto order() const { return std::tuple(first, second, key); }
 };
 
-// Geometry from the shape with the point to the other one, with the contact position instead of arms.
+// A point, edge or rim of one shape touches the other shape: the normal points from the former to the latter.
 template <class S>
 struct MeetingPlace {
   Vec3<S> normal, place;

@@ -184,7 +184,7 @@ struct SystemParts {
   Sizes sizes;
   std::vector<NodePlace> nodes;
   std::vector<ObjectPlace> objects;
-  std::vector<ObjectRun> object_runs;  // all of them, in their order
+  std::vector<ObjectRun> object_runs;  // the objects, as ranges of the same type
   std::vector<MarkerPlace> markers;
   std::vector<LoadPlace> loads;
   std::vector<SensorPlace> sensors;

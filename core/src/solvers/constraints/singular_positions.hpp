@@ -38,7 +38,7 @@ class SingularPositions : public SolverPart {
   double growth_of_multipliers(const State& state);
   std::vector<std::string> items();
   std::vector<std::string> advice() const;
-  void count_step();  // and prints a message
+  void count_step();  // prints a message as well
   void warn_of_rest();
 
   State compared_with_;      // reference state, until usual_growth_ is computed

@@ -31,7 +31,7 @@ constexpr double close_of_user = 1, close_of_item = 2;
 constexpr int most_rounds = 10;       // iterations until the items are consistent at the start
 constexpr int inner_points = 3;       // samples inside a step, to detect two changes of sign
 constexpr double leaves_zero = 10;    // relative to the value that remained at the event
-// Relative to the value at the start: a user function that is zero at the end of a step, except for round-off.
+// Relative to the value at the start of the step. A smaller value at its end counts as zero with round-off.
 constexpr double on_zero = 1e-10;
 
 int sign(double x) { return (x > 0) - (x < 0); }
@@ -194,7 +194,7 @@ void EventControl::begin() {
   look_ = std::make_unique<EventLook>();
   system().forget_switches();
   const auto wrong = [](const WatchedValue& value) { return value.holds && value.value < 0; };
-  // Data coordinates differ from the initial state.
+  // The initial data coordinates contradict the positions: items have to switch before the first step.
   if (locates && !solver_.continues() && std::ranges::any_of(event_values(), wrong)) {
     settle_switches();
     solver_.renew_accelerations();
