@@ -352,6 +352,8 @@ void register_functions(py::module_& module) {
   module.def("IfThenElse", [](const py::object& condition, const py::object& ifTrue, const py::object& ifFalse) {
     return wrap(symbolic::select(scalar(condition), result_of(ifTrue), result_of(ifFalse)));
   }, py::arg("condition"), py::arg("ifTrue"), py::arg("ifFalse"), "ifTrue where the condition is not zero, else ifFalse.");
+  module.def("_Table", [](const py::object& x, const py::object& numbers) { return wrap(symbolic::table(scalar(x), vector_of(numbers))); }, py::arg("x"),
+             py::arg("numbers"), "A cubic polynomial between two points, see math/piecewise_cubic.hpp.");
   module.def("SetRecording", [](bool on) { recording = on; }, py::arg("recording"), "Whether operations are recorded or evaluated at once.");
   module.def("GetRecording", [] { return recording; });
 }
@@ -698,7 +700,7 @@ class StoredFunction {
     }
   }
 
-  static constexpr int largest = 10000;
+  static constexpr int largest = 1'000'000;
   const py::dict& data_;
   std::vector<Node> nodes_;
 };

@@ -28,6 +28,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dalembert import _core
+from dalembert._checks import FloatArray
 from dalembert._tools.item_packages import item_class
 from dalembert._tools.symbolic_functions import _sizes
 
@@ -449,15 +450,37 @@ def norm(u: Any) -> Any:
     return _symbolic.Vector(list(u)).NormL2() if _has_symbols(u) else float(np.linalg.norm(u))
 
 
-def interpolate(x: Any, xs: Sequence[float], ys: Sequence[float]) -> Any:
-    """The value at x of the polygon through the points (xs, ys), which is constant beyond both ends, as np.interp."""
+def interpolate(x: Any, xs: Sequence[float], ys: Sequence[float], smooth: bool = False) -> Any:
+    """The value at x of the polygon through the points (xs, ys), as np.interp: constant beyond both ends.
+
+    smooth: a cubic spline instead, whose first and second derivatives are continuous between the ends.
+    """
     points, values = np.asarray(xs, dtype=float), np.asarray(ys, dtype=float)
     if points.ndim != 1 or points.shape != values.shape or len(points) < 2 or not (np.diff(points) > 0).all():
         raise ValueError("interpolate: expected two lists of the same length, the first one increasing")
-    if not _has_symbols(x):
-        return np.interp(x, points, values)
-    result: Any = values[-1]
-    for i in range(len(points) - 2, -1, -1):
-        slope = (values[i + 1] - values[i]) / (points[i + 1] - points[i])
-        result = where(x < points[i + 1], values[i] + slope * (x - points[i]), result)
-    return where(x < points[0], values[0], result)
+    if not np.isfinite([points, values]).all():
+        raise ValueError("interpolate: expected finite numbers")
+    table = _spline(points, values) if smooth else _polygon(points, values)
+    if _has_symbols(x):
+        return _each(lambda each: _symbolic._Table(each, table), x)
+    return _evaluated(points, table, x)
+
+
+def _polygon(points: FloatArray, values: FloatArray) -> FloatArray:
+    """Return points and coefficients of a polygon, as core/include/dalembert/math/piecewise_cubic.hpp lays them out."""
+    zeros = np.zeros(len(points) - 1)
+    coefficients = np.column_stack([values[:-1], np.diff(values) / np.diff(points), zeros, zeros])
+    return np.concatenate([points, coefficients.ravel()])
+
+
+def _spline(points: FloatArray, values: FloatArray) -> FloatArray:
+    from scipy.interpolate import CubicSpline
+
+    return np.concatenate([points, CubicSpline(points, values).c[::-1].T.ravel()])
+
+
+def _evaluated(points: FloatArray, table: FloatArray, x: Any) -> Any:
+    inside = np.clip(np.asarray(x, dtype=float), points[0], points[-1])
+    number = np.clip(np.searchsorted(points, inside, side="right") - 1, 0, len(points) - 2)
+    c, s = table[len(points) :].reshape(-1, 4)[number], inside - points[number]
+    return (c[..., 0] + s * (c[..., 1] + s * (c[..., 2] + s * c[..., 3])))[()]

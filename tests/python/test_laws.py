@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 import dalembert as exu
 from dalembert._core import testing
@@ -152,6 +153,7 @@ def test_linear_laws_are_the_built_in_items(kind: str) -> None:
 
 # ---- what Python means -------------------------------------------------------------------------------------------------
 XS, YS = [-1.0, 0.0, 2.0], [1.0, 3.0, -1.0]
+SPLINE = (np.array([-1.0, -0.5, 0.5, 1.0, 2.0]), np.array([1.0, 0.2, 0.3, -1.0, 0.0]))
 OPERATIONS: dict[str, Callable[[Any], Any]] = {
     "modulo": lambda x: x % 0.7,
     "modulo of negatives": lambda x: x % -0.7,
@@ -164,6 +166,7 @@ OPERATIONS: dict[str, Callable[[Any], Any]] = {
     "atan2": lambda x: atan2(x, 0.4),
     "sign": lambda x: sign(x),
     "interpolate": lambda x: interpolate(x, XS, YS),
+    "spline": lambda x: interpolate(x, *SPLINE, smooth=True),
     "both conditions": lambda x: (x > -1) * (x < 1) * x,
     "numpy": lambda x: np.sin(x) + np.exp(x) * np.cos(x) - np.tanh(x) + np.sqrt(1 + x * x) + np.arctan(x),
     "floor": lambda x: math.floor(x) + np.floor(x) + np.rint(x) + math.ceil(x),
@@ -203,6 +206,52 @@ def test_interpolation_has_the_slope_of_its_piece() -> None:
         mbs.AddObject(law(markers))
         mbs.Assemble()
         assert testing.tangent(mbs, testing.State(mbs), cq=1.0)[0, 0] == pytest.approx(slope, rel=1e-15)
+
+
+def test_a_spline_is_that_of_scipy() -> None:
+    """Values and slopes between the ends; constant beyond."""
+    points, values = SPLINE
+    law = connector("coordinates")(lambda q, q_t, t: interpolate(q, points, values, smooth=True))
+    spline = CubicSpline(points, values)
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.Node1D(referenceCoordinates=[0.0]))
+    mbs.AddObject(exu.ObjectMass1D(nodeNumber=node, physicsMass=1))
+    ground = mbs.AddNode(exu.NodePointGround())
+    mbs.AddObject(law([mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=0)) for n in (ground, node)]))
+    mbs.Assemble()
+    state = testing.State(mbs)
+    for x in (-3.0, -1.0, -0.4, 0.0, 0.7, 1.9, 2.0, 5.0):
+        state.q = [x]
+        inside = points[0] < x < points[-1]
+        assert testing.forces(mbs, state)[0] == pytest.approx(-spline(np.clip(x, points[0], points[-1])), rel=1e-13)
+        assert testing.tangent(mbs, state, cq=1.0)[0, 0] == pytest.approx(inside * spline(x, 1), rel=1e-13, abs=1e-13)
+
+
+def test_a_constraint_follows_a_table() -> None:
+    """The rate of the gap and its derivative are those of the spline: v = y'(t), also on velocity level."""
+    times, heights = np.linspace(0, 1, 21), np.sin(2 * np.linspace(0, 1, 21))
+    follow = constraint(0, 1)(lambda q0, q1, t: q1[0] - interpolate(t, times, heights, smooth=True))
+    mbs = exu.SystemContainer().AddSystem()
+    slope = CubicSpline(times, heights)(0, 1)
+    node = mbs.AddNode(exu.Node1D(referenceCoordinates=[0.0], initialVelocities=[slope]))
+    mbs.AddObject(exu.ObjectMass1D(nodeNumber=node, physicsMass=1))
+    ground = mbs.AddMarker(exu.MarkerNodeCoordinates(nodeNumber=mbs.AddNode(exu.NodePointGround())))
+    mbs.AddObject(follow([ground, mbs.AddMarker(exu.MarkerNodeCoordinates(nodeNumber=node))]))
+    mbs.Assemble()
+    state = testing.State(mbs)
+    state.q, state.v, state.t = [0.0], [0.5], 0.33
+    state.rate_level = True
+    assert testing.residual(mbs, state)[-1] == pytest.approx(0.5 - CubicSpline(times, heights)(0.33, 1), abs=1e-13)
+    mbs.SolveDynamic(settings(200, 0.8))
+    assert mbs.systemData.GetODE2Coordinates()[0] == pytest.approx(CubicSpline(times, heights)(0.8), abs=1e-12)
+
+
+def test_long_tables_are_stored() -> None:
+    xs = np.linspace(0, 1, 5000)
+    law = load("coordinate")(lambda t: interpolate(t, xs, np.sin(xs)))
+    function = law.recorded["loadUserFunction"]
+    copied = pickle.loads(pickle.dumps(function))
+    assert copied(None, 0.123, 0.0) == function(None, 0.123, 0.0) == pytest.approx(np.sin(0.123), abs=1e-8)
 
 
 # ---- constants ---------------------------------------------------------------------------------------------------------
@@ -385,6 +434,12 @@ def test_files_and_pickles_keep_laws(make: Callable[[], Any], tmp_path: Path) ->
         (lambda data: data["nodes"].append(["element", 2, 7]), "there is no component 7"),
         (lambda data: data["nodes"].append(["+", 0, 2]), "is not defined for a scalar and a vector"),
         (lambda data: data["nodes"].append("x"), "unexpected 'x'"),
+        (
+            lambda data: data["nodes"].extend(
+                [{"name": "", "shape": [6, 0], "values": [1.0] * 6, "open": False}, ["table", 0, len(data["nodes"])]]
+            ),
+            "points of a table have to increase",
+        ),
         (
             lambda data: data["nodes"].append({"name": "a", "shape": [2, 0], "values": [1.0], "open": True}),
             "number of values",

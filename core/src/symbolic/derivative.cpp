@@ -1,6 +1,7 @@
 // Derivatives of expressions as expressions.
 #include <unordered_map>
 
+#include "dalembert/math/piecewise_cubic.hpp"
 #include "dalembert/symbolic/expression.hpp"
 
 namespace dalembert::symbolic {
@@ -118,6 +119,11 @@ class Rates {
         std::vector<Node> rates;
         for (const Node& scalar : e->operands) rates.push_back(or_zero(scalar));
         return gather(e->shape, std::move(rates));
+      }
+      case Op::table: {
+        std::vector<double> slopes = PiecewiseCubic(operand(1)->values).derivative();
+        const Shape size{static_cast<int>(slopes.size()), 0};
+        return table(a, variable(size, std::move(slopes), "")) * of(a);
       }
       case Op::replace: return replace(or_zero(a), e->index, or_zero(operand(1)));
       default: break;

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <unordered_set>
 
+#include "dalembert/math/piecewise_cubic.hpp"
+
 namespace dalembert::symbolic {
 namespace {
 
@@ -26,7 +28,7 @@ constexpr std::array infix{
 
 // Names in stored expressions of what is written in another form in texts.
 constexpr std::array others{NamedOp{Op::negate, "negate"}, NamedOp{Op::norm, "norm"}, NamedOp{Op::multiply_components, "multiply_components"},
-                            NamedOp{Op::select, "select"}};
+                            NamedOp{Op::select, "select"}, NamedOp{Op::table, "table"}};
 
 std::string_view name_in(std::span<const NamedOp> names, Op op) {
   const auto found = std::ranges::find(names, op, &NamedOp::op);
@@ -171,6 +173,12 @@ Node gather(Shape shape, std::vector<Node> scalars) {
 
 Node replace(const Node& a, int index, const Node& scalar) { return make(Op::replace, a->shape, {a, scalar}, index); }
 
+Node table(const Node& x, const Node& numbers) {
+  if (!x->shape.is_scalar() || !is_leaf(*numbers) || !numbers->shape.is_vector()) refuse_shapes("table", x->shape, numbers->shape);
+  PiecewiseCubic::check(numbers->values);
+  return make(Op::table, {}, {x, numbers});
+}
+
 std::string_view name_of(Op op) {
   if (op >= Op::scale && op <= Op::matrix_matrix && op != Op::norm) return "*";
   for (const auto names : {std::span<const NamedOp>(of_one), std::span<const NamedOp>(of_two), std::span<const NamedOp>(infix), std::span<const NamedOp>(others)})
@@ -186,6 +194,7 @@ Node apply(std::string_view name, std::span<const Node> operands) {
     if (name == "norm") return apply(Op::norm, operands[0]);
   } else if (operands.size() == 2) {
     if (name == "*") return product(operands[0], operands[1]);
+    if (name == "table") return table(operands[0], operands[1]);
     if (name == "multiply_components") return apply(Op::multiply_components, operands[0], operands[1]);
     if (const auto found = named(of_two); found != std::span<const NamedOp>(of_two).end()) return apply(found->op, operands[0], operands[1]);
     if (const auto found = named(infix); found != std::span<const NamedOp>(infix).end()) return apply(found->op, operands[0], operands[1]);
@@ -205,6 +214,7 @@ std::string text(const Expression& e) {
     case Op::multiply_components: return operand(0) + ".MultComponents(" + operand(1) + ")";
     case Op::select: return "IfThenElse(" + operand(0) + "," + operand(1) + "," + operand(2) + ")";
     case Op::element: return operand(0) + place(e);
+    case Op::table: return "table(" + operand(0) + ")";
     case Op::replace: return operand(0) + "{" + place(e) + "=" + operand(1) + "}";
     case Op::gather: return bracketed(e.shape, [&](int i) { return operand(static_cast<std::size_t>(i)); });
     default: break;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "dalembert/math/dual.hpp"
+#include "dalembert/math/piecewise_cubic.hpp"
 
 namespace dalembert::symbolic {
 namespace {
@@ -163,8 +164,17 @@ S norm(const S* a, int n) {
   return value_of(sum) == 0 ? S(0.0) : sqrt(sum);
 }
 
+double value_in_table(const PiecewiseCubic& table, double x) { return table.at(x).value; }
+template <int N>
+Dual<N> value_in_table(const PiecewiseCubic& table, const Dual<N>& x) {
+  const auto [value, slope] = table.at(x.value);
+  Dual<N> r(value);
+  for (int i = 0; i < N; ++i) r.d[i] = times(slope, x.d[i]);
+  return r;
+}
+
 template <class S>
-void run(std::span<const Instruction> instructions, S* x) {
+void run(std::span<const Instruction> instructions, std::span<const Node> tables, S* x) {
   for (const Instruction& at : instructions) {
     S* out = x + at.result;
     const S *a = x + at.a, *b = x + at.b, *c = x + at.c;
@@ -179,6 +189,7 @@ void run(std::span<const Instruction> instructions, S* x) {
       case Op::equal: *out = S(all_equal(a, b, at.n) ? 1.0 : 0.0); break;
       case Op::not_equal: *out = S(all_equal(a, b, at.n) ? 0.0 : 1.0); break;
       case Op::norm: *out = norm(a, at.n); break;
+      case Op::table: *out = value_in_table(PiecewiseCubic(tables[static_cast<std::size_t>(at.b)]->values), *a); break;
       case Op::dot:
       case Op::matrix_vector:
       case Op::vector_matrix:
@@ -212,7 +223,7 @@ class Tape::Recorder {
         continue;
       }
       const std::size_t before = open.size();
-      for (const Node& operand : e->operands)
+      for (const Node& operand : e->op == Op::table ? std::span(e->operands).first(1) : std::span(e->operands))
         if (!places_.contains(operand.get())) open.push_back(operand);
       if (open.size() > before) continue;
       open.pop_back();
@@ -246,6 +257,11 @@ class Tape::Recorder {
         copy(place_of(e, 1), place + e.index, 1);
         return;
       default: break;
+    }
+    if (e.op == Op::table) {
+      tape_.instructions_.push_back({e.op, place, place_of(e, 0), static_cast<int>(tape_.tables_.size()), 0, n, 0, 0});
+      tape_.tables_.push_back(e.operands[1]);
+      return;
     }
     Instruction at{e.op, place, place_of(e, 0), place_of(e, 1), place_of(e, 2), n, 0, 0};
     const Shape left = e.operands[0]->shape;
@@ -288,7 +304,7 @@ S* Tape::loaded(std::span<const double* const> inputs) const {
 
 void Tape::evaluate(std::span<const double* const> inputs, std::span<double> results) const {
   double* x = loaded<double>(inputs);
-  run<double>(instructions_, x);
+  run<double>(instructions_, tables_, x);
   std::copy_n(x + result_, results.size(), results.begin());
 }
 
@@ -302,7 +318,7 @@ template <int N>
 void Tape::sweep(std::span<const double* const> inputs, std::span<const int> places, std::span<double> results, std::span<double> slopes) const {
   Dual<N>* x = loaded<Dual<N>>(inputs);
   for (std::size_t i = 0; i < places.size(); ++i) x[places[i]].d[i] = 1;
-  run<Dual<N>>(instructions_, x);
+  run<Dual<N>>(instructions_, tables_, x);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const Dual<N>& result = x[static_cast<std::size_t>(result_) + k];
     results[k] = result.value;
@@ -343,7 +359,7 @@ double Tape::derivative(const Expression& variable) const {
   Dual<1>* x = loaded<Dual<1>>({});
   for (const Live& live : live_)
     if (live.variable.get() == &variable) x[live.place].d[0] = 1;
-  run<Dual<1>>(instructions_, x);
+  run<Dual<1>>(instructions_, tables_, x);
   return x[result_].d[0];
 }
 

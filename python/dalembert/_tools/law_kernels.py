@@ -87,6 +87,8 @@ class _Formulas:
             return shape, [f"{a} * {b}" for a, b in zip(first, second, strict=True)]
         if name == "negate":
             return shape, [f"-{a}" for a in first]
+        if name == "table":
+            return (0, 0), [f"recorded::table({first[0]}, std::array<double, {len(second)}>{{{', '.join(second)}}})"]
         if name == "norm":
             return (0, 0), [f"recorded::root_of_squares({' + '.join(f'{a} * {a}' for a in first)})"]
         if name == "select":

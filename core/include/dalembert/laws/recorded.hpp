@@ -1,10 +1,13 @@
 // Functions of laws that were recorded in Python, for kernels that are generated from them.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <span>
 #include <type_traits>
 
 #include "dalembert/math/dual.hpp"
+#include "dalembert/math/piecewise_cubic.hpp"
 
 namespace dalembert::recorded {
 
@@ -71,6 +74,12 @@ auto pow(const S& x, const E& exponent) {
 template <class S>
 S root_of_squares(const S& sum) {
   return value_of(sum) == 0 ? S(0.0) : sqrt(sum);
+}
+
+template <class S>
+S table(const S& x, std::span<const double> numbers) {
+  const auto [value, slope] = PiecewiseCubic(numbers).at(value_of(x));
+  return function(x, value, slope);
 }
 
 }  // namespace dalembert::recorded

@@ -39,6 +39,7 @@ enum class Op : std::uint8_t {
   element,  // element of a vector or matrix: an address, without computation
   gather,         // scalars side by side
   replace,        // a vector or matrix with one other component
+  table,          // PiecewiseCubic of a scalar; the second operand is a leaf with the numbers
 };
 
 struct Expression;
@@ -65,6 +66,7 @@ Node select(const Node& condition, const Node& a, const Node& b);
 Node element(const Node& a, int index);
 Node gather(Shape shape, std::vector<Node> scalars);
 Node replace(const Node& a, int index, const Node& scalar);
+Node table(const Node& x, const Node& numbers);
 
 bool is_leaf(const Expression& expression);
 // All expressions of the graph, operands first.

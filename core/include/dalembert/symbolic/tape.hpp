@@ -9,7 +9,7 @@
 
 namespace dalembert::symbolic {
 
-// Operands and result are places in the array.
+// Operands and result are places in the array; the second operand of a table is its number in `tables_`.
 struct Instruction {
   Op op;
   int result, a, b, c;
@@ -61,6 +61,7 @@ class Tape {
   std::vector<Instruction> instructions_;
   std::vector<Constant> constants_;
   std::vector<Live> live_;
+  std::vector<Node> tables_;  // numbers of tables, to which instructions refer
   std::vector<Shape> input_shapes_;
   std::vector<int> input_places_;
   Shape shape_;

@@ -242,6 +242,7 @@ bool Diagnostics::have_fitted(const State& at, std::span<const double> misfit) {
   const char* text = has_left_constraints(misfit) ? "the motion leaves what redundant constraints allow, although they have fitted together at the start; by now by:"
                                                   : "redundant constraints contradict each other; what the closest fit leaves open:";
   contradiction_text_ = text + indented(std::move(lines));
+  if (is_static()) contradiction_text_ += "\n  Forces that these joints exert on each other are not determined: their reactions are uncertain";
   warn(name() + ": " + contradiction_text_);
 }
 
