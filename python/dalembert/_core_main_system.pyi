@@ -35,7 +35,7 @@ from dalembert._solving import report as report
 from dalembert._solving import vibrations as vibrations
 from dalembert._studies import exact_sensitivities as exact_sensitivities
 from dalembert._studies import variations as variations
-from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, robots, sensors, trees
+from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, robots, sensors, shapes, trees
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
@@ -285,6 +285,12 @@ class MainSystem(_Bound):
     CreatePrismaticJoint = joints.CreatePrismaticJoint
     CreateSphericalJoint = joints.CreateSphericalJoint
     CreateGenericJoint = joints.CreateGenericJoint
+    CreateFixedJoint = joints.CreateFixedJoint
+    CreateCylindricalJoint = joints.CreateCylindricalJoint
+    CreateUniversalJoint = joints.CreateUniversalJoint
+    CreateBox = shapes.CreateBox
+    CreateCylinder = shapes.CreateCylinder
+    CreateSphere = shapes.CreateSphere
     CreateRollingDisc = joints.CreateRollingDisc
     CreateRollingDiscPenalty = joints.CreateRollingDiscPenalty
     CreateSphereSphereContact = contacts.CreateSphereSphereContact

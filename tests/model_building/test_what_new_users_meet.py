@@ -14,8 +14,9 @@ import dalembert as exu
 from dalembert.utilities import InertiaCuboid, RotationMatrixZ
 
 
-def four_bar() -> exu.MainSystem:
-    """A planar four-bar linkage on hinges of CreateRevoluteJoint, which state three equations too many each."""
+def four_bar(spatial: bool) -> exu.MainSystem:
+    """A planar four-bar linkage on hinges of CreateRevoluteJoint, or on spatial ones, which state three equations too
+    many each."""
     mbs = exu.SystemContainer().AddSystem()
     ground, points = mbs.CreateGround(), np.array([[0, 0, 0], [0, 0.1, 0], [0.5, 0.2, 0], [0.4, 0, 0.0]])
     bodies = [ground]
@@ -32,13 +33,29 @@ def four_bar() -> exu.MainSystem:
         )
     bodies.append(ground)
     for name, pair, point in zip("ABCD", zip(bodies[:-1], bodies[1:], strict=True), points, strict=True):
-        mbs.CreateRevoluteJoint(name=name, bodyNumbers=list(pair), position=point, axis=[0, 0, 1])
+        if not spatial:
+            mbs.CreateRevoluteJoint(name=name, bodyNumbers=list(pair), position=point, axis=[0, 0, 1])
+            continue
+        markers = []
+        for body in pair:
+            place, turn = (
+                mbs.GetObjectOutputBody(body, variable, [0, 0, 0], exu.ConfigurationType.Reference)
+                for variable in (exu.OutputVariableType.Position, exu.OutputVariableType.RotationMatrix)
+            )
+            local = np.reshape(turn, (3, 3)).T @ (point - place)
+            markers.append(mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=body, localPosition=local)))
+        mbs.AddObject(exu.ObjectJointRevoluteZ(name=name, markerNumbers=markers))
     mbs.Assemble()
     return mbs
 
 
-def test_planar_hinges_are_counted_without_alarm() -> None:
-    mbs = four_bar()
+def test_planar_hinges_are_not_redundant() -> None:
+    counts = four_bar(spatial=False).ComputeSystemDegreeOfFreedom()
+    assert (counts["degreeOfFreedom"], counts["redundantConstraints"]) == (1, 0)
+
+
+def test_spatial_hinges_in_the_plane_are_counted_without_alarm() -> None:
+    mbs = four_bar(spatial=True)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         counts, report = mbs.ComputeSystemDegreeOfFreedom(), mbs.Report()

@@ -69,6 +69,8 @@ def test_every_implemented_function_has_a_case():
         "CreateFFRFReducedOrderObject",  # see tests/fem/test_bodies.py
         "CreateDistanceSensor", "CreateDistanceSensorGeometry",  # see tests/solvers/test_contact_interface.py
         "CreateRobot",  # see test_robot_trees.py
+        "CreateFixedJoint", "CreateCylindricalJoint", "CreateUniversalJoint",  # see test_create_joints_and_shapes.py
+        "CreateBox", "CreateCylinder", "CreateSphere",
         "CreateLinearSpringDamper",  # see test_linear_spring_damper.py
     }  # fmt: skip
     assert functions == set(create.functions) - elsewhere

@@ -17,6 +17,22 @@ from dalembert.create._arguments import Connected, Matrix, UserFunction, Vector
 from dalembert.FEM import FEMinterface
 
 class CreateMethods:
+    def create_box(
+        self,
+        name: str = ...,
+        size: Vector = ...,
+        density: float | None = ...,
+        mass: float | None = ...,
+        reference_position: Vector = ...,
+        reference_rotation_matrix: FloatArray = ...,
+        initial_velocity: Vector = ...,
+        initial_angular_velocity: Vector = ...,
+        gravity: Vector = ...,
+        color: Vector | str = ...,
+        show: bool = ...,
+        create_2d: bool = ...,
+    ) -> handles.ObjectRigidBody:
+        """Add a homogeneous box, a rigid body, and its weight if there is gravity; return the handle."""
     def create_cartesian_spring_damper(
         self,
         name: str = ...,
@@ -49,6 +65,38 @@ class CreateMethods:
         factor1: float = ...,
     ) -> handles.ObjectConnectorCoordinate:
         """Constrain a coordinate of one body to that of another, or to ground; return the constraint's handle."""
+    def create_cylinder(
+        self,
+        name: str = ...,
+        radius: float = ...,
+        length: float = ...,
+        axis: Vector | str = ...,
+        inner_radius: float = ...,
+        density: float | None = ...,
+        mass: float | None = ...,
+        reference_position: Vector = ...,
+        reference_rotation_matrix: FloatArray = ...,
+        initial_velocity: Vector = ...,
+        initial_angular_velocity: Vector = ...,
+        gravity: Vector = ...,
+        color: Vector | str = ...,
+        show: bool = ...,
+        create_2d: bool = ...,
+    ) -> handles.ObjectRigidBody:
+        """Add a homogeneous cylinder or tube, a rigid body, and its weight if there is gravity; return the handle."""
+    def create_cylindrical_joint(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        position: Vector = ...,
+        axis: Vector | str = ...,
+        use_global_frame: bool = ...,
+        show: bool = ...,
+        axes_radius: float = ...,
+        axes_length: float = ...,
+        color: Vector | str = ...,
+    ) -> handles.ObjectJointGeneric:
+        """Let two bodies or markers move along an axis and rotate about it, and nothing else; return the handle."""
     def create_distance_constraint(
         self,
         name: str = ...,
@@ -103,6 +151,18 @@ class CreateMethods:
         verbose: bool = ...,
     ) -> dict[str, Any]:
         """Add a flexible body with the modes of a mesh, and a rigid marker on each node set of type 'boundary'."""
+    def create_fixed_joint(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        position: Vector | None = ...,
+        use_global_frame: bool = ...,
+        show: bool = ...,
+        axes_radius: float = ...,
+        axes_length: float = ...,
+        color: Vector | str = ...,
+    ) -> handles.ObjectJointGeneric:
+        """Connect two bodies or markers rigidly, as they are in the reference configuration; return the handle."""
     def create_force(
         self,
         name: str = ...,
@@ -325,6 +385,22 @@ class CreateMethods:
         rolling_viscous_friction: float = ...,
     ) -> handles.ObjectConnectorRollingDiscPenalty:
         """Let a disc, fixed to the second body, roll with contact and friction forces on a plane of the first body."""
+    def create_sphere(
+        self,
+        name: str = ...,
+        radius: float = ...,
+        density: float | None = ...,
+        mass: float | None = ...,
+        reference_position: Vector = ...,
+        reference_rotation_matrix: FloatArray = ...,
+        initial_velocity: Vector = ...,
+        initial_angular_velocity: Vector = ...,
+        gravity: Vector = ...,
+        color: Vector | str = ...,
+        show: bool = ...,
+        create_2d: bool = ...,
+    ) -> handles.ObjectRigidBody:
+        """Add a homogeneous sphere, a rigid body, and its weight if there is gravity; return the handle."""
     def create_sphere_quad_contact(
         self,
         name: str = ...,
@@ -463,3 +539,17 @@ class CreateMethods:
         color: Vector | str = ...,
     ) -> handles.ObjectConnectorTorsionalSpringDamper:
         """Add a torsional spring-damper about an axis between two bodies or markers; return its handle."""
+    def create_universal_joint(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        position: Vector = ...,
+        axis0: Vector | str = ...,
+        axis1: Vector | str = ...,
+        use_global_frame: bool = ...,
+        show: bool = ...,
+        axes_radius: float = ...,
+        axes_length: float = ...,
+        color: Vector | str = ...,
+    ) -> handles.ObjectJointGeneric:
+        """Connect two bodies or markers by the cross of a universal (Cardan) joint; return the handle."""

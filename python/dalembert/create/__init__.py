@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 MODULES = {
     "bodies": ("CreateGround", "CreateMassPoint", "CreateRigidBody"),
+    "shapes": ("CreateBox", "CreateCylinder", "CreateSphere"),
     "connectors": (
         "CreateSpringDamper",
         "CreateCartesianSpringDamper",
@@ -33,6 +34,9 @@ MODULES = {
         "CreatePrismaticJoint",
         "CreateSphericalJoint",
         "CreateGenericJoint",
+        "CreateFixedJoint",
+        "CreateCylindricalJoint",
+        "CreateUniversalJoint",
         "CreateRollingDisc",
         "CreateRollingDiscPenalty",
     ),

@@ -103,6 +103,47 @@ mbs.CreateGenericJoint(
     constrainedAxes=[1, 1, 0, 1, 1, 0],  # free along and about z
 )
 """,
+    "CreateFixedJoint": """
+ground = mbs.CreateGround()
+beam = mbs.CreateBox(size=[1, 0.1, 0.1], density=7800, referencePosition=[0.5, 0, 0])
+weight = mbs.CreateSphere(radius=0.1, mass=20, referencePosition=[1.1, 0, 0], gravity=[0, 0, -9.81])
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, beam], position=[0, 0, 0], axis=[0, 1, 0])
+mbs.CreateFixedJoint(bodyNumbers=[beam, weight])
+""",
+    "CreateCylindricalJoint": """
+ground = mbs.CreateGround()
+sleeve = mbs.CreateCylinder(
+    radius=0.1, innerRadius=0.05, length=0.3, density=7800, initialAngularVelocity=[0, 0, 10], gravity=[0, 0, -9.81]
+)
+mbs.CreateCylindricalJoint(bodyNumbers=[ground, sleeve], position=[0, 0, 0], axis=[0, 0, 1])
+""",
+    "CreateUniversalJoint": """
+ground = mbs.CreateGround()
+slope = RotationMatrixY(0.4)
+shaft = mbs.CreateCylinder(
+    radius=0.05, length=1, axis=[1, 0, 0], density=7800,
+    referencePosition=[-0.5, 0, 0], initialAngularVelocity=[10, 0, 0],
+)
+driven = mbs.CreateCylinder(
+    radius=0.05, length=1, axis=[1, 0, 0], density=7800,
+    referencePosition=slope @ [0.5, 0, 0], referenceRotationMatrix=slope,
+    initialAngularVelocity=10 / np.cos(0.4) * slope[:, 0],
+)
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, shaft], position=[-1, 0, 0], axis=[1, 0, 0])
+mbs.CreateUniversalJoint(
+    bodyNumbers=[shaft, driven], position=[0, 0, 0], axis0=[0, 0, 1], axis1=[0, 1, 0]
+)
+mbs.CreateCylindricalJoint(bodyNumbers=[ground, driven], position=slope @ [1, 0, 0], axis=slope[:, 0])
+""",
+    "CreateBox": """
+mbs.CreateBox(size=[1, 0.2, 0.1], density=2700, gravity=[0, 0, -9.81], color=graphics.color.orange)
+""",
+    "CreateCylinder": """
+mbs.CreateCylinder(radius=0.2, length=0.5, mass=3, initialAngularVelocity=[0, 0, 20])
+""",
+    "CreateSphere": """
+mbs.CreateSphere(radius=0.1, density=7800, initialVelocity=[1, 0, 0])
+""",
     "CreateRollingDisc": """
 ground = mbs.CreateGround()
 disc = mbs.CreateRigidBody(

@@ -201,6 +201,14 @@ def _moves_in_plane(mbs: Any, body: Any) -> bool | None:
     return "2D" in str(mbs.GetNode(item["nodeNumber"])["nodeType"])
 
 
+def is_planar(mbs: Any, place: JointPlace) -> bool:
+    """Return whether a joint is between two bodies in the xy plane, or between one and the ground."""
+    if any(isinstance(number, MarkerIndex) for number in place.numbers):
+        return False
+    planar = [_moves_in_plane(mbs, number) for number in place.numbers]
+    return any(planar) and False not in planar
+
+
 def require_axis_of_plane(mbs: Any, function: str, place: JointPlace, axis: FloatArray, normal: bool) -> None:
     """Raise the ValueError for an axis about or along which bodies in the xy plane cannot move.
 

@@ -78,6 +78,8 @@ TEXTS = {
     "localPosition1": "point on the second body, in its frame (m)",
     "position": "position of the joint in the reference configuration (m), see useGlobalFrame; [] if a marker sets it",
     "axis": "axis of the joint in the reference configuration, of any length, see useGlobalFrame",
+    "axis0": "pin of the cross in the first body, of any length, see useGlobalFrame",
+    "axis1": "pin of the cross in the second body, perpendicular to axis0",
     "rotationMatrixJoint": "axes of the joint as columns, see useGlobalFrame",
     "rotationMatrixAxes": "axes of the joint as columns, see useGlobalFrame",
     "femInterface": "mesh with matrices and modes, a FEMinterface",

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from dalembert import itemInterface as items
-from dalembert._core import MainSystem, ObjectIndex
+from dalembert._checks import FloatArray
+from dalembert._core import MainSystem, MarkerIndex, ObjectIndex
 from dalembert.create._arguments import (
     DEFAULT_COLOR,
     NO_PAIR,
@@ -25,7 +26,16 @@ from dalembert.create._arguments import (
     rotation_matrix,
     vector,
 )
-from dalembert.create._frames import add_joint_markers, joint_place, marker_names, require_axis_of_plane
+from dalembert.create._frames import (
+    JointPlace,
+    add_joint_markers,
+    is_planar,
+    joint_place,
+    marker_names,
+    reference_position,
+    require_axis_of_plane,
+    require_items,
+)
 from dalembert.create.connectors import frame_with_z
 from dalembert.rigidBodyUtilities import ComputeOrthonormalBasis
 
@@ -44,12 +54,17 @@ def CreateRevoluteJoint(
 ) -> ObjectIndex:
     """Add a hinge between two bodies or markers and return its ObjectIndex.
 
-    If one of them is a marker, it sets the position: then position must be [].
+    If one of them is a marker, it sets the position: then position must be []. Bodies in the xy plane (create2D=True)
+    get the planar joint, ObjectJointRevolute2D.
     """
     require_axis("CreateRevoluteJoint", axis)
     place = joint_place(mbs, "CreateRevoluteJoint", bodyNumbers, position, useGlobalFrame)
     direction = place.to_global(axis, useGlobalFrame)
     require_axis_of_plane(mbs, "CreateRevoluteJoint", place, direction, normal=True)
+    if is_planar(mbs, place):
+        view = items.VObjectJointRevolute2D(show=show, drawSize=2 * axisRadius, color=color)
+        markers = add_joint_markers(mbs, place, name, rigid=False)
+        return mbs.AddObject(items.ObjectJointRevolute2D(name=name, markerNumbers=markers, visualization=view))
     rotation0, rotation1 = place.local_frames(frame_with_z(direction))
     return mbs.AddObject(
         items.ObjectJointRevoluteZ(
@@ -78,12 +93,24 @@ def CreatePrismaticJoint(
 ) -> ObjectIndex:
     """Add a slider between two bodies or markers and return its ObjectIndex.
 
-    If one of them is a marker, it sets the position: then position must be [].
+    If one of them is a marker, it sets the position: then position must be []. Bodies in the xy plane (create2D=True)
+    get the planar joint, ObjectJointPrismatic2D.
     """
     require_axis("CreatePrismaticJoint", axis)
     place = joint_place(mbs, "CreatePrismaticJoint", bodyNumbers, position, useGlobalFrame)
     direction = place.to_global(axis, useGlobalFrame)
     require_axis_of_plane(mbs, "CreatePrismaticJoint", place, direction, normal=False)
+    if is_planar(mbs, place):
+        along = direction / np.linalg.norm(direction)
+        return mbs.AddObject(
+            items.ObjectJointPrismatic2D(
+                name=name,
+                markerNumbers=add_joint_markers(mbs, place, name),
+                axisMarker0=place.rotations[0].T @ along,
+                normalMarker1=place.rotations[1].T @ np.cross([0, 0, 1], along),
+                visualization=items.VObjectJointPrismatic2D(show=show, drawSize=2 * axisRadius, color=color),
+            )
+        )
     rotation0, rotation1 = place.local_frames(ComputeOrthonormalBasis(direction))
     return mbs.AddObject(
         items.ObjectJointPrismaticX(
@@ -161,6 +188,110 @@ def CreateGenericJoint(
             ),
         )
     )
+
+
+def _add_generic(
+    mbs: Any, name: str, place: JointPlace, axes: FloatArray, constrainedAxes: Sequence[int], view: dict[str, Any]
+) -> ObjectIndex:
+    """Add a generic joint with these axes, the columns of a matrix in the global frame."""
+    rotation0, rotation1 = place.local_frames(axes)
+    index: ObjectIndex = mbs.AddObject(
+        items.ObjectJointGeneric(
+            name=name,
+            markerNumbers=add_joint_markers(mbs, place, name),
+            constrainedAxes=constrainedAxes,
+            rotationMarker0=rotation0,
+            rotationMarker1=rotation1,
+            visualization=items.VObjectJointGeneric(**view),
+        )
+    )
+    return index
+
+
+def CreateFixedJoint(
+    mbs: MainSystem,
+    name: str = "",
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
+    position: Vector | None = None,
+    useGlobalFrame: bool = True,
+    show: bool = True,
+    axesRadius: float = 0.1,
+    axesLength: float = 0.4,
+    color: Vector = DEFAULT_COLOR,
+) -> ObjectIndex:
+    """Connect two bodies or markers rigidly, as they are in the reference configuration; return the ObjectIndex.
+
+    The default of position is that of the second body. Bodies in the xy plane get the three equations of the plane.
+    """
+    if position is None:
+        has_marker = any(isinstance(number, MarkerIndex) for number in bodyNumbers)
+        require_items(mbs, "CreateFixedJoint", "bodyNumbers", [] if None in bodyNumbers else bodyNumbers)
+        at_body = not has_marker and is_body(bodyNumbers[1])
+        position, useGlobalFrame = (reference_position(mbs, bodyNumbers[1]) if at_body else []), True
+    place = joint_place(mbs, "CreateFixedJoint", bodyNumbers, position, useGlobalFrame)
+    constrained = [1, 1, 0, 0, 0, 1] if is_planar(mbs, place) else [1, 1, 1, 1, 1, 1]
+    view = {"show": show, "axesRadius": axesRadius, "axesLength": axesLength, "color": color}
+    return _add_generic(mbs, name, place, np.eye(3), constrained, view)
+
+
+def CreateCylindricalJoint(
+    mbs: MainSystem,
+    name: str = "",
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
+    position: Vector = [],
+    axis: Vector = [],
+    useGlobalFrame: bool = True,
+    show: bool = True,
+    axesRadius: float = 0.1,
+    axesLength: float = 0.4,
+    color: Vector = DEFAULT_COLOR,
+) -> ObjectIndex:
+    """Let two bodies or markers move along an axis and rotate about it, and nothing else; return the ObjectIndex.
+
+    If one of them is a marker, it sets the position: then position must be [].
+    """
+    require_axis("CreateCylindricalJoint", axis)
+    place = joint_place(mbs, "CreateCylindricalJoint", bodyNumbers, position, useGlobalFrame)
+    _require_space(mbs, "CreateCylindricalJoint", place)
+    view = {"show": show, "axesRadius": axesRadius, "axesLength": axesLength, "color": color}
+    axes = frame_with_z(place.to_global(axis, useGlobalFrame))
+    return _add_generic(mbs, name, place, axes, [1, 1, 0, 1, 1, 0], view)
+
+
+def CreateUniversalJoint(
+    mbs: MainSystem,
+    name: str = "",
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
+    position: Vector = [],
+    axis0: Vector = [1, 0, 0],
+    axis1: Vector = [0, 1, 0],
+    useGlobalFrame: bool = True,
+    show: bool = True,
+    axesRadius: float = 0.1,
+    axesLength: float = 0.4,
+    color: Vector = DEFAULT_COLOR,
+) -> ObjectIndex:
+    """Connect two bodies or markers by the cross of a universal (Cardan) joint; return the ObjectIndex.
+
+    axis0 is the pin of the cross in the first body, axis1 that in the second body; they are perpendicular. If one of
+    the bodies is a marker, it sets the position: then position must be [].
+    """
+    for argument, pin in (("axis0", axis0), ("axis1", axis1)):
+        if not any(pin):
+            raise argument_error("CreateUniversalJoint", argument, "a vector with 3 components that is not zero", pin)
+    place = joint_place(mbs, "CreateUniversalJoint", bodyNumbers, position, useGlobalFrame)
+    _require_space(mbs, "CreateUniversalJoint", place)
+    x, y = (pin / np.linalg.norm(pin) for pin in (place.to_global(each, useGlobalFrame) for each in (axis0, axis1)))
+    if abs(x @ y) > 1e-8:
+        raise argument_error("CreateUniversalJoint", "axis1", f"an axis perpendicular to axis0={list(axis0)}", axis1)
+    view = {"show": show, "axesRadius": axesRadius, "axesLength": axesLength, "color": color}
+    return _add_generic(mbs, name, place, np.column_stack([x, y, np.cross(x, y)]), [1, 1, 1, 0, 0, 1], view)
+
+
+def _require_space(mbs: Any, function: str, place: JointPlace) -> None:
+    if is_planar(mbs, place):
+        expected = "bodies in space: bodies in the xy plane (create2D=True) have revolute, prismatic and fixed joints"
+        raise argument_error(function, "bodyNumbers", expected, place.numbers)
 
 
 def _rolling_markers(
@@ -282,6 +413,9 @@ CHECKS: dict[str, dict[str, Check]] = {
     "CreatePrismaticJoint": {"axis": vector(3)},
     "CreateSphericalJoint": {"constrainedAxes": flags(3)},
     "CreateGenericJoint": {"rotationMatrixAxes": rotation_matrix(), "constrainedAxes": flags(6)},
+    "CreateFixedJoint": {"position": vector(3).optional()},
+    "CreateCylindricalJoint": {"axis": vector(3)},
+    "CreateUniversalJoint": {"axis0": vector(3), "axis1": vector(3)},
     "CreateRollingDisc": {**_ROLLING_CHECKS, "constrainedAxes": flags(3)},
     "CreateRollingDiscPenalty": _ROLLING_CHECKS,
 }
