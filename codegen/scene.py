@@ -34,6 +34,7 @@ EXEMPT = {
     "joints": "it can follow any joint of frames",
     "data_size": "a data node of another size is refused",
     "without_data": "it needs its data node",
+    "without_functions": "it acts without user functions",
 }
 
 

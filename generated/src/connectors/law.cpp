@@ -56,16 +56,10 @@ constexpr std::array<Row, 13> rows{{
 
 constexpr std::array<std::string_view, 1> short_names{"ConnectorLaw"};
 constexpr std::array<std::string_view, 1> provides{"Connector"};
-constexpr std::array<OutputVariableType, 9> outputs{
+constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Displacement,
     OutputVariableType::Velocity,
     OutputVariableType::Force,
-    OutputVariableType::DisplacementLocal,
-    OutputVariableType::VelocityLocal,
-    OutputVariableType::Rotation,
-    OutputVariableType::AngularVelocityLocal,
-    OutputVariableType::ForceLocal,
-    OutputVariableType::TorqueLocal,
 };
 
 const auto& physics = ConnectorPhysics<ObjectConnectorLaw, ObjectConnectorLawRecord>{};

@@ -36,25 +36,13 @@ struct ObjectConnectorLaw : AllMarkersAct, NoAlgebraicEquations, NoSwitches {
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
     const Motion<double> motion(p, x);
-    const auto some = [&](const double* from, std::size_t n) { values.assign(from, from + n); };
-    std::vector<double> f(motion.n);
-    const bool asks_force = variable == OutputVariableType::Force || variable == OutputVariableType::ForceLocal || variable == OutputVariableType::TorqueLocal;
-    if (asks_force && p.activeConnector && p.forceUserFunction) f = motion.call(p.forceUserFunction, c, states_of(x, c.data, c), motion.n);
-    if (motion.n < frame) {
-      switch (variable) {
-        case OutputVariableType::Displacement: some(motion.u.data(), motion.n); return true;
-        case OutputVariableType::Velocity: some(motion.v.data(), motion.n); return true;
-        case OutputVariableType::Force: values = f; return true;
-        default: return false;
-      }
-    }
     switch (variable) {
-      case OutputVariableType::DisplacementLocal: some(motion.u.data(), 3); return true;
-      case OutputVariableType::Rotation: some(motion.u.data() + 3, 3); return true;
-      case OutputVariableType::VelocityLocal: some(motion.v.data(), 3); return true;
-      case OutputVariableType::AngularVelocityLocal: some(motion.v.data() + 3, 3); return true;
-      case OutputVariableType::ForceLocal: some(f.data(), 3); return true;
-      case OutputVariableType::TorqueLocal: some(f.data() + 3, 3); return true;
+      case OutputVariableType::Displacement: values.assign(motion.u.begin(), motion.u.begin() + motion.n); return true;
+      case OutputVariableType::Velocity: values.assign(motion.v.begin(), motion.v.begin() + motion.n); return true;
+      case OutputVariableType::Force:
+        values.assign(motion.n, 0.0);
+        if (p.activeConnector && p.forceUserFunction) values = motion.call(p.forceUserFunction, c, states_of(x, c.data, c), motion.n);
+        return true;
       default: return false;
     }
   }
