@@ -78,6 +78,10 @@ def _check_words(scene: SceneTable) -> None:
 
 def _check_rows(scene: SceneTable, rows: list[str], outputs: list[str]) -> None:
     """Parameters and outputs that the table names are those of the item."""
+    if scene.drawing and "markerNumbers" not in rows:
+        raise SpecError(
+            "drawing: for objects with markerNumbers; a body has the graphics of its node, or a line through its nodes"
+        )
     keys = ("values", "isotropic", "per_marker", "closed", "exempt_parameters")
     tables = [(key, getattr(scene, key)) for key in keys]
     for key, table in [*tables, *(("options", option) for option in scene.options)]:

@@ -16,7 +16,7 @@ from typing import Any
 # Meaning of the coordinates of a node for a motion of its frame; python/dalembert/testing/motions.py has the formulas.
 FRAMES = ("point", "ep", "rxyz", "rotation_vector", "angle", "slope", "slopes12", "slopes23")
 # Symbols of objects of packages between their markers; python/dalembert/_pictures/connectors.py draws them.
-DRAWINGS = ("spring", "rod")
+DRAWINGS = ("spring", "rod", "line", "spheres", "boxes", "frames")
 # Checks with possible exemptions, and their requirements.
 EXEMPT = {
     "moments": "what acts between two bodies leaves their angular momentum alone",
@@ -34,6 +34,7 @@ EXEMPT = {
     "joints": "it can follow any joint of frames",
     "data_size": "a data node of another size is refused",
     "without_data": "it needs its data node",
+    "without_functions": "it acts without user functions",
 }
 
 

@@ -139,6 +139,7 @@ def _foreign() -> list[ParameterType]:
         "VectorMbsScalarArrayIndexVectorConfiguration",
         "VectorMbsScalarIndex2Vector",
         "VectorMbsScalarIndex2VectorBool",
+        "VectorMbsScalarIndex3Vector",
         "VectorMbsScalarIndex4VectorVector3D2Matrix6D2Matrix3DVector6D",
         "VectorMbsScalarIndexVector",
     )

@@ -1002,6 +1002,27 @@ constexpr std::array<OutputText, 5> ObjectConnectorHydraulicActuatorSimple_outpu
     {"Force", 3, "N", "global force on marker m0, from chamber pressures and damping"},
 }};
 
+constexpr std::array<std::string_view, 13> ObjectConnectorLaw_rows{
+    "name of the item, unique within its kind; if empty, a name is made from kind and number",
+    "the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0",
+    "nodes of the states: a NodeGenericODE1, whose coordinates have the rates of ``stateRateUserFunction``; a NodeGenericData, whose coordinates ``historyUserFunction`` computes once per step; or one of both",
+    "size of the relative motion. 1: difference of two coordinates; 3: relative position in global axes; 6: relative position and Tait-Bryan angles in the joint frame of marker m0",
+    "axes of the joint frame of marker m0 in the marker's frame; used if ``numberOfCoordinates`` is 6",
+    "axes of the joint frame of marker m1 in the marker's frame; used if ``numberOfCoordinates`` is 6",
+    "function that computes the force; no force without it",
+    "function that computes the rates of the first-order coordinates; they are constant without it",
+    "function that computes the data coordinates at the end of a step; they are constant without it",
+    "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
+    "False: the item is not drawn",
+    "size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings",
+    "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",
+};
+constexpr std::array<OutputText, 3> ObjectConnectorLaw_outputs{{
+    {"Displacement", 0, "various", "relative position; for frames in the joint frame, followed by the Tait-Bryan angles"},
+    {"Velocity", 0, "various", "relative velocity; for frames in the joint frame, followed by the relative angular velocity"},
+    {"Force", 0, "various", "force on marker m0; for frames in the joint frame, followed by the torque"},
+}};
+
 constexpr std::array<std::string_view, 14> ObjectConnectorLinearSpringDamper_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker m0, to which the axis is fixed, and marker m1",
@@ -1898,7 +1919,7 @@ constexpr std::array<std::string_view, 8> SensorUserFunction_rows{
     "False: the item is not drawn",
 };
 
-constexpr std::array<ItemText, 97> all{{
+constexpr std::array<ItemText, 98> all{{
     {"node with a chosen number of algebraic variables, for equations that hold without time derivatives", NodeGenericAE_rows, NodeGenericAE_outputs,
      "\nPage: reference/items/nodes/generic_ae.html\n"},
     {"node with a chosen number of data variables: states that are kept from step to step and are not unknowns of the solver", NodeGenericData_rows, NodeGenericData_outputs,
@@ -1979,6 +2000,8 @@ constexpr std::array<ItemText, 97> all{{
      "\nExample:\n    # a circular orbit of radius 1 about a fixed mass: angular velocity 1, after one second at (cos 1, sin 1)\n    node = mbs.AddNode(NodePoint(referenceCoordinates=[1, 0, 0], initialVelocities=[0, 1, 0]))\n    body = mbs.AddObject(MassPoint(physicsMass=1, nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyPosition(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerNodePosition(nodeNumber=node))\n    mbs.AddObject(ConnectorGravity(markerNumbers=[m0, m1], gravitationalConstant=1, mass0=1, mass1=1))\n    mbs.Assemble()\n    mbs.SolveDynamic(solverType=exu.DynamicSolverType.RK44)\n    result = mbs.GetNodeOutput(node, exu.OutputVariableType.Position)\n\nPage: reference/items/connectors/gravity.html\n"},
     {"A double-acting hydraulic cylinder between two points, with the build-up of pressure in both chambers", ObjectConnectorHydraulicActuatorSimple_rows, ObjectConnectorHydraulicActuatorSimple_outputs,
      "\nExample:\n    # one chamber of a locked actuator fills: the root of the pressure difference falls from 10 by 5 per second\n    node = mbs.AddNode(NodeGenericODE1(referenceCoordinates=[0, 0], initialCoordinates=[0, 0], numberOfODE1Coordinates=2))\n    ground = mbs.AddObject(ObjectGround())\n    m0 = mbs.AddMarker(MarkerBodyPosition(bodyNumber=ground))\n    m1 = mbs.AddMarker(MarkerBodyPosition(bodyNumber=ground, localPosition=[1, 0, 0]))\n    actuator = mbs.AddObject(HydraulicActuatorSimple(markerNumbers=[m0, m1], nodeNumbers=[node], offsetLength=0.8, strokeLength=0.5,\n                                                     chamberCrossSection0=0.01, chamberCrossSection1=0.01, hoseVolume0=1, hoseVolume1=1,\n                                                     valveOpening0=1, oilBulkModulus=10, nominalFlow=1, systemPressure=100))\n    mbs.Assemble()\n    mbs.SolveDynamic(solverType=exu.DynamicSolverType.RK44)\n    result = [mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)[0],\n              mbs.GetObjectOutput(actuator, exu.OutputVariableType.Force)[0]]\n\nPage: reference/items/connectors/hydraulic_actuator_simple.html\n"},
+    {"Force law between two markers with states of its own, given by user functions", ObjectConnectorLaw_rows, ObjectConnectorLaw_outputs,
+     "\nUser functions:\n    forceUserFunction(mbs, t, itemNumber, u, v, states)\n        computes the force on marker m0; marker m1 gets the opposite force\n    stateRateUserFunction(mbs, t, itemNumber, u, v, states)\n        computes the rates of the first-order coordinates\n    historyUserFunction(mbs, t, itemNumber, u, v, states)\n        computes the data coordinates at the end of a step; called when a step has converged\n\nExample:\n    # relaxation of a Maxwell element that is held at an elongation of 1: spring 100 N/m, damper 100 Ns/m, after 1 s\n    def force(mbs, t, itemNumber, u, v, states):\n        return [100 * (u[0] - states[0])]\n\n    def rate(mbs, t, itemNumber, u, v, states):\n        return [u[0] - states[0]]\n\n    nodes = [mbs.AddNode(NodePointGround()), mbs.AddNode(Node1D(referenceCoordinates=[0], initialCoordinates=[1]))]\n    mbs.AddObject(Mass1D(nodeNumber=nodes[1], physicsMass=1))\n    markers = [mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=n, coordinate=0)) for n in nodes]\n    dashpot = mbs.AddNode(NodeGenericODE1(referenceCoordinates=[0], initialCoordinates=[0], numberOfODE1Coordinates=1))\n    law = mbs.AddObject(ConnectorLaw(markerNumbers=markers, nodeNumbers=[dashpot], numberOfCoordinates=1,\n                                     forceUserFunction=force, stateRateUserFunction=rate))\n    held = mbs.AddObject(CoordinateConstraint(markerNumbers=markers, offset=1))\n    mbs.Assemble()\n    settings = exu.SimulationSettings()\n    settings.timeIntegration.numberOfSteps = 2000\n    mbs.SolveDynamic(settings)\n    elongation = mbs.GetNodeOutput(dashpot, exu.OutputVariableType.Coordinates)\n    result = [1 - elongation, mbs.GetObjectOutput(law, exu.OutputVariableType.Force)]\n\nPage: reference/items/connectors/law.html\n"},
     {"A spring and damper along an axis that is fixed to the first marker, as in a prismatic joint", ObjectConnectorLinearSpringDamper_rows, ObjectConnectorLinearSpringDamper_outputs,
      "\nUser functions:\n    springForceUserFunction(mbs, t, itemNumber, displacement, velocity, stiffness, damping, offset)\n        computes the scalar force along the axis and replaces stiffness, damping, offsets and constant force; called at every evaluation of the residual and for its derivatives\n\nCreated by: mbs.CreateLinearSpringDamper(...)\n\nExample:\n    # a body on a prismatic joint along x, pushed with 5 N against a spring of 10 N/m\n    node = mbs.AddNode(NodeRigidBody2D())\n    body = mbs.AddObject(RigidBody2D(physicsMass=1, physicsInertia=1, nodeNumber=node))\n    m0 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.AddObject(ObjectGround())))\n    m1 = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))\n    mbs.AddObject(PrismaticJoint2D(markerNumbers=[m0, m1]))\n    spring = mbs.AddObject(LinearSpringDamper(markerNumbers=[m0, m1], stiffness=10))\n    mbs.AddLoad(Force(markerNumber=m1, loadVector=[5, 0, 0]))\n    mbs.Assemble()\n    mbs.SolveStatic()\n    result = [mbs.GetObjectOutput(spring, exu.OutputVariableType.DisplacementLocal),\n              mbs.GetObjectOutput(spring, exu.OutputVariableType.ForceLocal)]\n\nPage: reference/items/connectors/linear_spring_damper.html\n"},
     {"A massless elastic rope that runs without friction over sheaves and joins two end points", ObjectConnectorReevingSystemSprings_rows, ObjectConnectorReevingSystemSprings_outputs,

@@ -46,6 +46,7 @@ extern const ItemType object_connector_coordinate_spring_damper_type;
 extern const ItemType object_connector_coordinate_spring_damper_ext_type;
 extern const ItemType object_connector_gravity_type;
 extern const ItemType object_connector_hydraulic_actuator_simple_type;
+extern const ItemType object_connector_law_type;
 extern const ItemType object_connector_linear_spring_damper_type;
 extern const ItemType object_connector_reeving_system_springs_type;
 extern const ItemType object_connector_rigid_body_spring_damper_type;
@@ -105,7 +106,7 @@ extern const ItemType sensor_super_element_type;
 extern const ItemType sensor_user_function_type;
 
 std::span<const ItemType* const> own_item_types() {
-  static constexpr std::array<const ItemType*, 97> types{
+  static constexpr std::array<const ItemType*, 98> types{
       &node_generic_ae_type,
       &node_generic_data_type,
       &node_generic_ode1_type,
@@ -146,6 +147,7 @@ std::span<const ItemType* const> own_item_types() {
       &object_connector_coordinate_spring_damper_ext_type,
       &object_connector_gravity_type,
       &object_connector_hydraulic_actuator_simple_type,
+      &object_connector_law_type,
       &object_connector_linear_spring_damper_type,
       &object_connector_reeving_system_springs_type,
       &object_connector_rigid_body_spring_damper_type,

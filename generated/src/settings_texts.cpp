@@ -163,7 +163,7 @@ constexpr std::array<std::string_view, 5> TimeIntegrationExplicitIntegrationSett
 };
 
 constexpr std::array<std::string_view, 10> TimeIntegrationGeneralizedAlphaSettings_rows{
-    "true: initial accelerations are computed from the equations of motion, without the second time derivatives of prescribed motions of user functions; false: they are taken from the system or set to zero",
+    "true: initial accelerations, and rates of first-order coordinates, are computed from the equations of motion, without the second time derivatives of prescribed motions of user functions; false: they are taken from the system or set to zero",
     "true: the tangent operator of the Lie group nodes is part of the Jacobian, for better convergence",
     "true: kinematic relations of Lie group nodes after Brüls and Cardona; false: more accurate ones",
     "parameter beta of the Newmark method; 1/4 with gamma 1/2 is the trapezoidal rule",

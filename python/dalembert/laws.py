@@ -96,6 +96,9 @@ _CONNECTORS = {
         ("stiffness", "damping", "offset"),
     ),
 }
+_WITH_STATES = "ObjectConnectorLaw"
+_FUNCTIONS_WITH_STATES = ("forceUserFunction", "stateRateUserFunction", "historyUserFunction")
+_SIZES_WITH_STATES = {"coordinates": 1, "points": 3, "line": 3, "frames": 6, "rotation": 6}
 _LOADS = {
     "force": _Kind("LoadForceVector", "loadVectorUserFunction", {"t": 0}, ("force",), ("loadVector",)),
     "torque": _Kind("LoadTorqueVector", "loadVectorUserFunction", {"t": 0}, ("torque",), ("loadVector",)),
@@ -122,6 +125,7 @@ class Law:
     function: the decorated Python function, which also takes numbers
     constants: names and values of its constants
     recorded: user function of the item, or several by name
+    states, history: names and start values of states
     """
 
     def __init__(
@@ -132,10 +136,13 @@ class Law:
         constants: dict[str, float],
         fixed: dict[str, Any],
         unused: Sequence[str],
+        states: dict[str, float] | None = None,
+        history: dict[str, float] | None = None,
     ) -> None:
         update_wrapper(self, function)
         self.function, self.item, self.recorded, self.constants = function, item, recorded, constants
         self._fixed, self._unused = fixed, tuple(unused)
+        self.states, self.history = states or {}, history or {}
 
     def __call__(self, markers: Any, **parameters: Any) -> Any:
         """Make an item on these markers; `parameters` are constants of the law and parameters of the item."""
@@ -152,6 +159,8 @@ class Law:
                     f"{name}(...): there is no constant or parameter '{key}'. "
                     + (f"Did you mean '{near[0]}'?" if near else f"The constants are {_listed(self.constants)}.")
                 )
+        if (self.states or self.history) and "nodeNumbers" not in parameters:
+            raise TypeError(f"{name}(...): it has states; add nodeNumbers={name}.AddNodes(mbs)")
         functions = dict(self.recorded)
         for key, value in constants.items():
             number = _constant(f"{name}(...): {key}", value)
@@ -160,6 +169,31 @@ class Law:
                     functions[row] = function._WithVariable(key, number)
         place = "markerNumber" if self.item.startswith("Load") else "markerNumbers"
         return cls(**{place: markers}, **functions, **self._fixed, **parameters)
+
+    def AddNodes(self, mbs: Any, **values: float) -> list[Any]:
+        """Add the nodes of one item's states to mbs, and return their numbers; `values` are start values by name."""
+        where = f"{self.function.__name__}.AddNodes(...)"
+        if not self.states and not self.history:
+            raise TypeError(f"{where}: the law has no states")
+        for key in values:
+            if key not in self.states and key not in self.history:
+                raise TypeError(
+                    f"{where}: there is no state '{key}'. States are {_listed([*self.states, *self.history])}."
+                )
+        start = {key: _constant(f"{where}: {key}", value) for key, value in values.items()}
+        states, history = ([start.get(key, value) for key, value in own.items()] for own in (self.states, self.history))
+        nodes: list[Any] = []
+        if states:
+            nodes.append(
+                _core.NodeGenericODE1(
+                    numberOfODE1Coordinates=len(states),
+                    referenceCoordinates=[0.0] * len(states),
+                    initialCoordinates=states,
+                )
+            )
+        if history:
+            nodes.append(_core.NodeGenericData(numberOfDataCoordinates=len(history), initialCoordinates=history))
+        return [mbs.AddNode(node) for node in nodes]
 
     def __repr__(self) -> str:
         return f"<law {self.function.__name__}({_listed(self.constants)}) of {self.item}>"
@@ -176,7 +210,9 @@ def _constant(where: str, value: Any) -> float:
 
 
 # ---- decorators ------------------------------------------------------------------------------------------------------
-def connector(kind: str) -> Callable[[Callable[..., Any]], Law]:
+def connector(
+    kind: str, states: dict[str, float] | None = None, history: dict[str, float] | None = None
+) -> Callable[[Callable[..., Any]], Law]:
     """Make a connector of a function. Its kind says which markers it connects, its arguments and its result.
 
     points: f(u, v, t) is the force on the first marker in global axes; u and v are position and velocity of the second
@@ -185,8 +221,18 @@ def connector(kind: str) -> Callable[[Callable[..., Any]], Law]:
     frames: f(u, phi, v, omega, t) gives force and torque on the first marker in its joint frame; phi: Tait-Bryan angles
     rotation: f(phi, omega, t) is the torque on the first marker about the z axis of its joint frame
     coordinates: f(q, q_t, t) is the generalized force on the first coordinate; q is the difference of two coordinates
+
+    states, history: names and start values of further arguments, which follow t. The function returns its result, then
+        the rate of each state, then the value of each history variable at the end of the step.
     """
-    return _decorator("connector", kind, _CONNECTORS)
+    if states is None and history is None:
+        return _decorator("connector", kind, _CONNECTORS)
+    chosen = _chosen("connector", kind, _CONNECTORS)
+    own = [_start_values(name, given) for name, given in (("states", states), ("history", history))]
+    common = [*own[0], *own[1], *chosen.arguments]
+    if twice := next((name for name in common if common.count(name) > 1), ""):
+        raise ValueError(f"connector(...): '{twice}' is the name of two arguments")
+    return lambda function: _with_states(function, kind, chosen, *own)
 
 
 def load(kind: str) -> Callable[[Callable[..., Any]], Law]:
@@ -239,11 +285,29 @@ def constraint(coordinates0: int, coordinates1: int) -> Callable[[Callable[..., 
     return made
 
 
-def _decorator(decorator: str, kind: str, kinds: dict[str, _Kind]) -> Callable[[Callable[..., Any]], Law]:
+def _chosen(decorator: str, kind: str, kinds: dict[str, _Kind]) -> _Kind:
     if not isinstance(kind, str) or kind not in kinds:
         given = "a function" if callable(kind) else repr(kind)
         raise ValueError(f"{decorator}(...): received {given}, but expected one of {', '.join(map(repr, kinds))}")
-    chosen = kinds[kind]
+    return kinds[kind]
+
+
+def _start_values(where: str, given: Any) -> dict[str, float]:
+    if given is None:
+        return {}
+    if (
+        not isinstance(given, dict)
+        or not given
+        or not all(isinstance(name, str) and name.isidentifier() for name in given)
+    ):
+        raise TypeError(
+            f"connector(...): {where}: received {given!r}, but expected names and start values, as in {{'s': 0.0}}"
+        )
+    return {name: _constant(f"connector(...): {where}: {name}", value) for name, value in given.items()}
+
+
+def _decorator(decorator: str, kind: str, kinds: dict[str, _Kind]) -> Callable[[Callable[..., Any]], Law]:
+    chosen = _chosen(decorator, kind, kinds)
 
     def made(function: Callable[..., Any]) -> Law:
         constants = _constants_of(function, chosen.arguments, chosen.item, chosen.unused, f"{decorator}({kind!r})")
@@ -261,6 +325,70 @@ def _decorator(decorator: str, kind: str, kinds: dict[str, _Kind]) -> Callable[[
         return Law(function, chosen.item, {chosen.function: recorded}, constants, {}, chosen.unused)
 
     return made
+
+
+# ---- states ----------------------------------------------------------------------------------------------------------
+def _with_states(
+    function: Callable[..., Any], kind: str, chosen: _Kind, states: dict[str, float], history: dict[str, float]
+) -> Law:
+    """Record a function of the relative motion and of states for ObjectConnectorLaw."""
+    names = dict.fromkeys((*chosen.arguments, *states, *history), 0)
+    axes = () if _SIZES_WITH_STATES[kind] == 6 else ("rotationMarker0", "rotationMarker1")
+    unused = ("numberOfCoordinates", *_FUNCTIONS_WITH_STATES, *axes)
+    constants = _constants_of(function, names, _WITH_STATES, unused, f"connector({kind!r})")
+    with _recording():
+        recorded = _recorded_with_states(function, kind, chosen, states, history, constants)
+    fixed = {"numberOfCoordinates": _SIZES_WITH_STATES[kind]}
+    return Law(function, _WITH_STATES, recorded, constants, fixed, unused, states, history)
+
+
+def _recorded_with_states(
+    function: Callable[..., Any],
+    kind: str,
+    chosen: _Kind,
+    states: dict[str, float],
+    history: dict[str, float],
+    constants: dict[str, float],
+) -> dict[str, Any]:
+    size, further = _SIZES_WITH_STATES[kind], len(states) + len(history)
+    t, item = _symbolic.Real("t", 0.0)._Open(), _symbolic.Real("itemNumber", 0.0)._Open()
+    u, v, x = (
+        _symbolic.Vector(name, np.zeros(n))._Open() for name, n in (("u", size), ("v", size), ("states", further))
+    )
+    own, forces_of = _motion(kind, _entries(u), _entries(v))
+    returned = _run(function, [*own, t, *_entries(x)], constants)
+    if not isinstance(returned, (tuple, list)) or len(returned) != 1 + further:
+        found = f"{len(returned)} values" if isinstance(returned, (tuple, list)) else "one value"
+        expected = [
+            "the result",
+            *(f"the rate of {name}" for name in states),
+            *(f"{name} after the step" for name in history),
+        ]
+        raise TypeError(f"the law {function.__name__} returned {found}, but expected a tuple of {', '.join(expected)}")
+    result = _flat(function, returned[0], 3 * len(chosen.results) or 1, chosen.results)
+    numbers = [_flat(function, each, 1)[0] for each in returned[1:]]
+    parts = [forces_of([_number(each) for each in result]), numbers[: len(states)], numbers[len(states) :]]
+    recorded = {
+        name: _function(function, [t, item, u, v, x], _symbolic.Vector(list(part)))
+        for name, part in zip(_FUNCTIONS_WITH_STATES, parts, strict=True)
+        if len(part)
+    }
+    _require_read(function, constants, *recorded.values())
+    return recorded
+
+
+def _motion(kind: str, u: Any, v: Any) -> tuple[list[Any], Callable[[list[Any]], list[Any]]]:
+    """Return the arguments of a kind of law, and a function from its result to components of force and torque."""
+    if kind == "coordinates":
+        return [u[0], v[0]], lambda force: force
+    if kind == "points":
+        return [u, v], lambda force: force
+    if kind == "frames":
+        return [u[:3], u[3:], v[:3], v[3:]], lambda force: force
+    if kind == "rotation":
+        return [u[5], v[5]], lambda torque: [*[_number(0.0)] * 5, *torque]
+    length = norm(u)
+    return [length, u @ v / length], lambda tension: [tension[0] * each / length for each in u]
 
 
 # ---- recording -------------------------------------------------------------------------------------------------------
@@ -403,8 +531,8 @@ def _function(function: Callable[..., Any], arguments: list[Any], result: Any) -
     return recorded
 
 
-def _require_read(function: Callable[..., Any], constants: dict[str, float], recorded: Any) -> None:
-    unread = [name for name in constants if name not in recorded._Variables()]
+def _require_read(function: Callable[..., Any], constants: dict[str, float], *recorded: Any) -> None:
+    unread = [name for name in constants if not any(name in each._Variables() for each in recorded)]
     if unread:
         raise TypeError(f"the law {function.__name__} does not read its constant '{unread[0]}'")
 

@@ -206,6 +206,10 @@ def Track(q, q_t, t, k=3.0, d=0.5):
 def Rod(q0, q1, t):
     return q1 @ q1 - 1
 
+@connector("coordinates", history={"p": 0.0})
+def Slider(q, q_t, t, p):
+    return q - p, 0.5 * q
+
 spring = 3
 """
 COMPARED = """
@@ -256,6 +260,7 @@ def test_items_from_laws(tmp_path: Path) -> None:
     assert sizes[0] > 100 and sizes[1] == 0 and min(sizes[2:]) > 1
     for law, message in (
         ("my_laws:Rod", "kernels can be made of laws of connector('points') and connector('coordinates')"),
+        ("my_laws:Slider", "kernels can be made of laws without states; write a kernel with data coordinates"),
         ("my_laws:spring", "3 is not a law; decorate it"),
         ("my_laws:Rope", "has no attribute 'Rope'; expected module:function"),
         ("no_laws:Hertz", "No module named 'no_laws'; expected module:function"),

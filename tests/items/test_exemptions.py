@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -111,6 +112,12 @@ def test_data_of_another_size_are_accepted(name: str) -> None:
 @pytest.mark.parametrize("name", exemptions.WITHOUT_DATA)
 def test_data_may_be_left_out(name: str) -> None:
     next(v for v in ALL_VARIANTS if v.item == name and not v.data).build()
+
+
+@pytest.mark.parametrize("name", exemptions.NEEDS_FUNCTIONS)
+def test_no_force_without_functions(name: str) -> None:
+    variants = [replace(v, functions=False) for v in ALL_VARIANTS if v.item == name]
+    assert fails(lambda v: check_balance(v, moments=False), variants[:1])
 
 
 @pytest.mark.parametrize("name", exemptions.HOLDS_JACOBIAN)

@@ -2978,6 +2978,83 @@ class ObjectConnectorHydraulicActuatorSimple(_Object):
 HydraulicActuatorSimple = ObjectConnectorHydraulicActuatorSimple
 VHydraulicActuatorSimple = VObjectConnectorHydraulicActuatorSimple
 
+class VObjectConnectorLaw(_Visualization):
+    """Visualization of ObjectConnectorLaw."""
+
+    show: bool
+    """False: the item is not drawn"""
+    drawSize: float
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+
+class ObjectConnectorLaw(_Object):
+    """Force law between two markers with states of its own, given by user functions"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """nodes of the states: a NodeGenericODE1, whose coordinates have the rates of ``stateRateUserFunction``; a NodeGenericData, whose coordinates ``historyUserFunction`` computes once per step; or one of both [n]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
+    numberOfCoordinates: int
+    """size of the relative motion. 1: difference of two coordinates; 3: relative position in global axes; 6: relative position and Tait-Bryan angles in the joint frame of marker m0"""
+    @property
+    def rotationMarker0(self) -> Array:
+        """axes of the joint frame of marker m0 in the marker's frame; used if ``numberOfCoordinates`` is 6 [3 x 3; 1]"""
+    @rotationMarker0.setter
+    def rotationMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def rotationMarker1(self) -> Array:
+        """axes of the joint frame of marker m1 in the marker's frame; used if ``numberOfCoordinates`` is 6 [3 x 3; 1]"""
+    @rotationMarker1.setter
+    def rotationMarker1(self, value: ArrayLike) -> None: ...
+    forceUserFunction: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]
+    """function that computes the force; no force without it"""
+    stateRateUserFunction: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]
+    """function that computes the rates of the first-order coordinates; they are constant without it"""
+    historyUserFunction: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]
+    """function that computes the data coordinates at the end of a step; they are constant without it"""
+    activeConnector: bool
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
+    @property
+    def visualization(self) -> VObjectConnectorLaw:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorLaw | dict[str, Any]) -> None: ...
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [],
+        numberOfCoordinates: int = 3,
+        rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        forceUserFunction: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0] = 0,
+        stateRateUserFunction: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0] = 0,
+        historyUserFunction: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0] = 0,
+        activeConnector: bool = True,
+        visualization: VObjectConnectorLaw | dict[str, Any] = ...,
+    ) -> None: ...
+
+ConnectorLaw = ObjectConnectorLaw
+VConnectorLaw = VObjectConnectorLaw
+
 class VObjectConnectorLinearSpringDamper(_Visualization):
     """Visualization of ObjectConnectorLinearSpringDamper."""
 

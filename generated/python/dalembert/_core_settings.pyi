@@ -350,7 +350,7 @@ class TimeIntegrationGeneralizedAlphaSettings(_Settings):
     """generalized-alpha, Newmark and implicit trapezoidal integrators"""
 
     computeInitialAccelerations: bool
-    """true: initial accelerations are computed from the equations of motion, without the second time derivatives of prescribed motions of user functions; false: they are taken from the system or set to zero; default: True"""
+    """true: initial accelerations, and rates of first-order coordinates, are computed from the equations of motion, without the second time derivatives of prescribed motions of user functions; false: they are taken from the system or set to zero; default: True"""
     lieGroupAddTangentOperator: bool
     """true: the tangent operator of the Lie group nodes is part of the Jacobian, for better convergence; acts with lieGroupSimplifiedKinematicRelations only; default: True"""
     lieGroupSimplifiedKinematicRelations: bool

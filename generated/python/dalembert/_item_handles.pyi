@@ -4928,6 +4928,114 @@ class ObjectConnectorHydraulicActuatorSimple(ObjectHandle):
     def force(self) -> Array:
         """global force on marker m0, from chamber pressures and damping [N]"""
 
+class ObjectConnectorLaw(ObjectHandle):
+    """Handle: Force law between two markers with states of its own, given by user functions"""
+
+    @property
+    def name(self) -> str:
+        """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    @name.setter
+    def name(self, value: str) -> None: ...
+    @property
+    def marker_numbers(self) -> tuple[MarkerHandle, ...]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @marker_numbers.setter
+    def marker_numbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
+    @property
+    def markerNumbers(self) -> tuple[MarkerHandle, ...]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
+    @property
+    def node_numbers(self) -> tuple[NodeHandle, ...]:
+        """nodes of the states: a NodeGenericODE1, whose coordinates have the rates of ``stateRateUserFunction``; a NodeGenericData, whose coordinates ``historyUserFunction`` computes once per step; or one of both [n]"""
+    @node_numbers.setter
+    def node_numbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
+    @property
+    def nodeNumbers(self) -> tuple[NodeHandle, ...]:
+        """nodes of the states: a NodeGenericODE1, whose coordinates have the rates of ``stateRateUserFunction``; a NodeGenericData, whose coordinates ``historyUserFunction`` computes once per step; or one of both [n]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
+    @property
+    def number_of_coordinates(self) -> int:
+        """size of the relative motion. 1: difference of two coordinates; 3: relative position in global axes; 6: relative position and Tait-Bryan angles in the joint frame of marker m0"""
+    @number_of_coordinates.setter
+    def number_of_coordinates(self, value: int) -> None: ...
+    @property
+    def numberOfCoordinates(self) -> int:
+        """size of the relative motion. 1: difference of two coordinates; 3: relative position in global axes; 6: relative position and Tait-Bryan angles in the joint frame of marker m0"""
+    @numberOfCoordinates.setter
+    def numberOfCoordinates(self, value: int) -> None: ...
+    @property
+    def rotation_marker0(self) -> Array:
+        """axes of the joint frame of marker m0 in the marker's frame; used if ``numberOfCoordinates`` is 6 [3 x 3; 1]"""
+    @rotation_marker0.setter
+    def rotation_marker0(self, value: ArrayLike) -> None: ...
+    @property
+    def rotationMarker0(self) -> Array:
+        """axes of the joint frame of marker m0 in the marker's frame; used if ``numberOfCoordinates`` is 6 [3 x 3; 1]"""
+    @rotationMarker0.setter
+    def rotationMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def rotation_marker1(self) -> Array:
+        """axes of the joint frame of marker m1 in the marker's frame; used if ``numberOfCoordinates`` is 6 [3 x 3; 1]"""
+    @rotation_marker1.setter
+    def rotation_marker1(self, value: ArrayLike) -> None: ...
+    @property
+    def rotationMarker1(self) -> Array:
+        """axes of the joint frame of marker m1 in the marker's frame; used if ``numberOfCoordinates`` is 6 [3 x 3; 1]"""
+    @rotationMarker1.setter
+    def rotationMarker1(self, value: ArrayLike) -> None: ...
+    @property
+    def force_user_function(self) -> Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]:
+        """function that computes the force; no force without it"""
+    @force_user_function.setter
+    def force_user_function(self, value: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]) -> None: ...
+    @property
+    def forceUserFunction(self) -> Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]:
+        """function that computes the force; no force without it"""
+    @forceUserFunction.setter
+    def forceUserFunction(self, value: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]) -> None: ...
+    @property
+    def state_rate_user_function(self) -> Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]:
+        """function that computes the rates of the first-order coordinates; they are constant without it"""
+    @state_rate_user_function.setter
+    def state_rate_user_function(self, value: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]) -> None: ...
+    @property
+    def stateRateUserFunction(self) -> Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]:
+        """function that computes the rates of the first-order coordinates; they are constant without it"""
+    @stateRateUserFunction.setter
+    def stateRateUserFunction(self, value: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]) -> None: ...
+    @property
+    def history_user_function(self) -> Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]:
+        """function that computes the data coordinates at the end of a step; they are constant without it"""
+    @history_user_function.setter
+    def history_user_function(self, value: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]) -> None: ...
+    @property
+    def historyUserFunction(self) -> Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]:
+        """function that computes the data coordinates at the end of a step; they are constant without it"""
+    @historyUserFunction.setter
+    def historyUserFunction(self, value: Callable[[MainSystem, float, int, Array, Array, Array], ArrayLike] | Literal[0]) -> None: ...
+    @property
+    def active_connector(self) -> bool:
+        """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
+    @active_connector.setter
+    def active_connector(self, value: bool) -> None: ...
+    @property
+    def activeConnector(self) -> bool:
+        """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
+    @activeConnector.setter
+    def activeConnector(self, value: bool) -> None: ...
+    @property
+    def displacement(self) -> Array:
+        """relative position; for frames in the joint frame, followed by the Tait-Bryan angles [various]"""
+    @property
+    def velocity(self) -> Array:
+        """relative velocity; for frames in the joint frame, followed by the relative angular velocity [various]"""
+    @property
+    def force(self) -> Array:
+        """force on marker m0; for frames in the joint frame, followed by the torque [various]"""
+
 class ObjectConnectorLinearSpringDamper(ObjectHandle):
     """Handle: A spring and damper along an axis that is fixed to the first marker, as in a prismatic joint"""
 

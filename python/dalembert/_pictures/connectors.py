@@ -367,6 +367,38 @@ def curve_contact(pen: Pen, item: Item) -> None:
             pen.line(np.array([[x0, y0, 0], [x1, y1, 0]]) @ frame.T + places[0], color, 2.0)
 
 
+def markers_line(pen: Pen, item: Item) -> None:
+    """A line through all markers."""
+    ends = _ends(pen, item)
+    if len(ends) > 1:
+        pen.line(ends, _look(pen, item)[1])
+
+
+def _at_markers(pen: Pen, item: Item, draw: Callable[[int, FloatArray], None]) -> None:
+    for index, marker in enumerate(item["markerNumbers"]):
+        if (place := pen.places.marker(marker)) is not None:
+            pen.stick("Marker", marker)
+            draw(index, place)
+
+
+def markers_spheres(pen: Pen, item: Item) -> None:
+    """A sphere at each marker."""
+    size, color = _look(pen, item)
+    _at_markers(pen, item, lambda _, place: pen.sphere(place, 0.5 * size, color))
+
+
+def markers_boxes(pen: Pen, item: Item) -> None:
+    """A box at each marker, in the axes of the joint."""
+    size, color = _look(pen, item)
+    _at_markers(pen, item, lambda i, place: pen.box(place, _joint_frame(pen, item, i), 3 * [size], color))
+
+
+def markers_frames(pen: Pen, item: Item) -> None:
+    """The axes of the joint at each marker."""
+    size, _ = _look(pen, item)
+    _at_markers(pen, item, lambda i, place: pen.frame(place, _joint_frame(pen, item, i), size))
+
+
 Drawing = Callable[[Pen, Item], None]
 DRAWINGS: dict[str, Drawing] = {
     "ConnectorSpringDamper": spring,
@@ -376,6 +408,7 @@ DRAWINGS: dict[str, Drawing] = {
     "ConnectorTorsionalSpringDamper": torsional_spring,
     "ConnectorCoordinateSpringDamper": spring,
     "ConnectorCoordinateSpringDamperExt": spring,
+    "ConnectorLaw": spring,
     "ConnectorHydraulicActuatorSimple": actuator,
     "ConnectorGravity": gravity,
     "ConnectorReevingSystemSprings": rope,
@@ -403,7 +436,14 @@ DRAWINGS: dict[str, Drawing] = {
     "ContactCurveCircles": curve_contact,
 }
 # Items of packages: drawings that a spec can name, and those of folders.
-NAMED: dict[str, Drawing] = {"spring": spring, "rod": rod}
+NAMED: dict[str, Drawing] = {
+    "spring": spring,
+    "rod": rod,
+    "line": markers_line,
+    "spheres": markers_spheres,
+    "boxes": markers_boxes,
+    "frames": markers_frames,
+}
 BY_FOLDER: dict[str, Drawing] = {"connectors": spring, "contacts": spring, "constraints": rod, "joints": rod}
 
 

@@ -223,6 +223,11 @@ def law_named(reference: str) -> Law:
         raise BuildError(f"{reference!r}: {error}; expected module:function, such as my_laws:Hertz") from None
     if not isinstance(found, Law):
         raise BuildError(f"{reference}: {found!r} is not a law; decorate it with dalembert.laws.connector")
+    if found.states or found.history:
+        raise BuildError(
+            f"{reference}: kernels can be made of laws without states; write a kernel with data coordinates, as in "
+            "examples/item_packages/plastic_spring, or use the law itself"
+        )
     if found.item not in _KINDS:
         known = "connector('points') and connector('coordinates')"
         raise BuildError(f"{reference}: kernels can be made of laws of {known}, not of {found.item}")

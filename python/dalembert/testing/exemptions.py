@@ -29,6 +29,7 @@ NO_FORCES = exempt("forces")
 OUT_OF_THE_PLANE = exempt("plane")
 DATA_OF_ANY_SIZE = exempt("data_size")
 WITHOUT_DATA = exempt("without_data")
+NEEDS_FUNCTIONS = exempt("without_functions")
 WITHOUT_EFFECT = {
     (item.name, parameter): reason
     for item in motions.ITEMS.values()

@@ -87,6 +87,11 @@ def functions_of(item: Item, rows: dict[str, Any]) -> dict[str, Any]:
     if "offsetUserFunction" in made:
         size = item.user_functions[0].returns.shape[0] if item.user_functions[0].returns.shape else 1
         made["offsetUserFunction"], made["offsetUserFunction_t"] = prescribed(1.5, size or 1)
+    if "historyUserFunction" in made:
+        size = next(int(node.values["numberOfODE1Coordinates"]) for node in item.scene.nodes)
+        rate = made["stateRateUserFunction"]
+        made["stateRateUserFunction"] = lambda *arguments: rate(*arguments)[:size]
+        made["historyUserFunction"] = lambda *arguments: arguments[5][size:]
     if "postNewtonStepUserFunction" in made:
         made["postNewtonStepUserFunction"] = lambda *arguments: [0.0, -1.0, *arguments[3]]
     return made

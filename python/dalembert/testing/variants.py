@@ -10,7 +10,7 @@ from typing import Any
 
 from codegen.model import Item
 from codegen.scene import End
-from dalembert.testing.exemptions import NO_FORCES, WITHOUT_DATA
+from dalembert.testing.exemptions import NEEDS_FUNCTIONS, NO_FORCES, WITHOUT_DATA
 from dalembert.testing.motions import Place
 from dalembert.testing.scenes import (
     BODIES,
@@ -152,13 +152,13 @@ def variants_about(item: Item) -> Iterator[Variant]:
 def on_pairs(item: Item, options: list[tuple[tuple[str, Any], ...]]) -> Iterator[Variant]:
     """All options on the first pair of markers, and the first option on all others."""
     pairs = pairs_of(item)
-    data = "GenericData" in item.requested_nodes
-    yield from (Variant(item.name, pairs[0], o, data=data) for o in options)
+    data, functions = "GenericData" in item.requested_nodes, item.name in NEEDS_FUNCTIONS
+    yield from (Variant(item.name, pairs[0], o, functions, data) for o in options)
     optional = data and optional_data(item)
     if optional:
-        yield Variant(item.name, pairs[0], options[0])
-    yield from (Variant(item.name, pair, options[0], data=data and not optional) for pair in pairs[1:])
-    if item.user_functions:
+        yield Variant(item.name, pairs[0], options[0], functions)
+    yield from (Variant(item.name, pair, options[0], functions, data and not optional) for pair in pairs[1:])
+    if item.user_functions and not functions:
         yield Variant(item.name, pairs[0], options[0], functions=True, data=data)
 
 

@@ -157,13 +157,15 @@ bool SecondOrderSolver::find_accelerations() {
 }
 
 bool SecondOrderSolver::find_accelerations(ConstrainedMotion& motion, int singular) {
+  State& now = current();
+  // The trapezoidal rule of first-order coordinates needs their rates; zeros would make the whole solution first order.
+  if (!now.y.empty()) system().rates(now, conditions_, now.y_t);
   if (singular != LinearSolver::success) {
     warn("initial accelerations are set to zero: mass matrix and constraints are singular at unknown " +
          std::to_string(singular) + " (" + system().describe_row(singular) + ")");
     return false;
   }
   prepare_constraints(motion.constraints());
-  State& now = current();
   InitialAccelerations found = initial_accelerations(motion, system(), now, conditions_);
   if (!found.decided) singular_->warn_of_undecided_start();
   now.a = found.a;  // in place: other objects refer to the vector
