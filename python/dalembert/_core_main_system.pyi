@@ -35,7 +35,19 @@ from dalembert._solving import report as report
 from dalembert._solving import vibrations as vibrations
 from dalembert._studies import exact_sensitivities as exact_sensitivities
 from dalembert._studies import variations as variations
-from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, robots, sensors, shapes, trees
+from dalembert.create import (
+    bodies,
+    connectors,
+    contacts,
+    drives,
+    flexible,
+    joints,
+    loads,
+    robots,
+    sensors,
+    shapes,
+    trees,
+)
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
@@ -291,6 +303,12 @@ class MainSystem(_Bound):
     CreateBox = shapes.CreateBox
     CreateCylinder = shapes.CreateCylinder
     CreateSphere = shapes.CreateSphere
+    CreateMotor = drives.CreateMotor
+    CreatePIDController = drives.CreatePIDController
+    CreateJointStops = drives.CreateJointStops
+    CreatePrescribedMotion = drives.CreatePrescribedMotion
+    CreateForceFromTable = drives.CreateForceFromTable
+    CreateTorqueFromTable = drives.CreateTorqueFromTable
     CreateRollingDisc = joints.CreateRollingDisc
     CreateRollingDiscPenalty = joints.CreateRollingDiscPenalty
     CreateSphereSphereContact = contacts.CreateSphereSphereContact

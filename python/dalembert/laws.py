@@ -578,7 +578,9 @@ def norm(u: Any) -> Any:
     return _symbolic.Vector(list(u)).NormL2() if _has_symbols(u) else float(np.linalg.norm(u))
 
 
-def interpolate(x: Any, xs: Sequence[float], ys: Sequence[float], smooth: bool = False) -> Any:
+def interpolate(
+    x: Any, xs: Sequence[float] | FloatArray, ys: Sequence[float] | FloatArray, smooth: bool = False
+) -> Any:
     """The value at x of the polygon through the points (xs, ys), as np.interp: constant beyond both ends.
 
     smooth: a cubic spline instead, whose first and second derivatives are continuous between the ends.

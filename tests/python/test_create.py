@@ -71,6 +71,8 @@ def test_every_implemented_function_has_a_case():
         "CreateRobot",  # see test_robot_trees.py
         "CreateFixedJoint", "CreateCylindricalJoint", "CreateUniversalJoint",  # see test_create_joints_and_shapes.py
         "CreateBox", "CreateCylinder", "CreateSphere",
+        "CreateMotor", "CreatePIDController", "CreateJointStops", "CreatePrescribedMotion",  # see test_drives.py
+        "CreateForceFromTable", "CreateTorqueFromTable",
         "CreateLinearSpringDamper",  # see test_linear_spring_damper.py
     }  # fmt: skip
     assert functions == set(create.functions) - elsewhere

@@ -14,6 +14,8 @@ from dalembert._core import MarkerIndex, NodeType, ObjectIndex
 from dalembert._geometry.inertia import RigidBodyInertia, TreeLink
 from dalembert._model.handle import LoadHandle, ObjectHandle, SensorHandle
 from dalembert.create._arguments import Connected, Matrix, UserFunction, Vector
+from dalembert.create._signals import Signal
+from dalembert.create.drives import Kind
 from dalembert.FEM import FEMinterface
 
 class CreateMethods:
@@ -174,6 +176,18 @@ class CreateMethods:
         show: bool = ...,
     ) -> handles.LoadForceVector:
         """Add a force (N) at a local position (m) of a body, or at a marker; return its handle."""
+    def create_force_from_table(
+        self,
+        name: str = ...,
+        body_number: Connected | None = ...,
+        table: Signal = ...,
+        direction: Vector = ...,
+        local_position: Vector = ...,
+        body_fixed: bool = ...,
+        smooth: bool = ...,
+        show: bool = ...,
+    ) -> handles.LoadForceVector:
+        """Add a force (N) in a direction, whose magnitude is given over time, at a point of a body; return its handle."""
     def create_generic_joint(
         self,
         name: str = ...,
@@ -201,6 +215,21 @@ class CreateMethods:
         reference_ht: Any = ...,
     ) -> handles.ObjectGround:
         """Add a ground object and return its handle."""
+    def create_joint_stops(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        position: Vector = ...,
+        axis: Vector | str = ...,
+        lower: float | None = ...,
+        upper: float | None = ...,
+        stiffness: float = ...,
+        damping: float = ...,
+        kind: Kind = ...,
+        use_global_frame: bool = ...,
+        show: bool = ...,
+    ) -> handles.ObjectConnectorTorsionalSpringDamper:
+        """Limit the angle (rad) or displacement (m) of the second body relative to the first one; return the handle."""
     def create_kinematic_tree(
         self,
         name: str = ...,
@@ -260,6 +289,56 @@ class CreateMethods:
         mass: float = ...,
     ) -> handles.ObjectMassPoint:
         """Add a mass point with its node, and its weight if there is gravity; return the body's handle."""
+    def create_motor(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        position: Vector = ...,
+        axis: Vector | str = ...,
+        torque: Signal | None = ...,
+        speed: Signal | None = ...,
+        angle: Signal | None = ...,
+        ramp: float = ...,
+        smooth: bool = ...,
+        stiffness: float = ...,
+        damping: float = ...,
+        maximum_torque: float | None = ...,
+        use_global_frame: bool = ...,
+        show: bool = ...,
+    ) -> handles.ObjectConnectorTorsionalSpringDamper:
+        """Add a motor between a stator, the first body, and a rotor; return its handle."""
+    def create_pid_controller(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        position: Vector = ...,
+        axis: Vector | str = ...,
+        set_point: Signal = ...,
+        p: float = ...,
+        i: float = ...,
+        d: float = ...,
+        limit: float | None = ...,
+        kind: Kind = ...,
+        ramp: float = ...,
+        smooth: bool = ...,
+        use_global_frame: bool = ...,
+        show: bool = ...,
+    ) -> handles.ObjectConnectorLaw:
+        """Add a PID controller that drives the second body relative to the first one, about or along an axis."""
+    def create_prescribed_motion(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        position: Vector = ...,
+        axis: Vector | str = ...,
+        motion: Signal = ...,
+        kind: Kind = ...,
+        smooth: bool = ...,
+        ramp: float = ...,
+        use_global_frame: bool = ...,
+        show: bool = ...,
+    ) -> handles.ObjectJointGeneric:
+        """Prescribe a displacement (m) along an axis, or an angle (rad) about it, between two bodies, by a constraint."""
     def create_prismatic_joint(
         self,
         name: str = ...,
@@ -520,6 +599,17 @@ class CreateMethods:
         show: bool = ...,
     ) -> handles.LoadTorqueVector:
         """Add a torque (Nm) at a body, or at a marker; return its handle."""
+    def create_torque_from_table(
+        self,
+        name: str = ...,
+        body_number: Connected | None = ...,
+        table: Signal = ...,
+        direction: Vector = ...,
+        body_fixed: bool = ...,
+        smooth: bool = ...,
+        show: bool = ...,
+    ) -> handles.LoadTorqueVector:
+        """Add a torque (Nm) about a direction, whose magnitude is given over time, on a body; return its handle."""
     def create_torsional_spring_damper(
         self,
         name: str = ...,

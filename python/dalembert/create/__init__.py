@@ -28,6 +28,14 @@ MODULES = {
         "CreateCoordinateConstraint",
     ),
     "contacts": ("CreateSphereSphereContact", "CreateSphereTriangleContact", "CreateSphereQuadContact"),
+    "drives": (
+        "CreateMotor",
+        "CreatePIDController",
+        "CreateJointStops",
+        "CreatePrescribedMotion",
+        "CreateForceFromTable",
+        "CreateTorqueFromTable",
+    ),
     "flexible": ("CreateFFRFReducedOrderObject",),
     "joints": (
         "CreateRevoluteJoint",

@@ -144,6 +144,46 @@ mbs.CreateCylinder(radius=0.2, length=0.5, mass=3, initialAngularVelocity=[0, 0,
     "CreateSphere": """
 mbs.CreateSphere(radius=0.1, density=7800, initialVelocity=[1, 0, 0])
 """,
+    "CreateMotor": """
+ground = mbs.CreateGround()
+rotor = mbs.CreateCylinder(radius=0.2, length=0.05, density=7800)
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, rotor], position=[0, 0, 0], axis=[0, 0, 1])
+motor = mbs.CreateMotor(
+    bodyNumbers=[ground, rotor], position=[0, 0, 0], axis=[0, 0, 1], speed=100, ramp=0.5, damping=20, maximumTorque=200
+)
+""",
+    "CreatePIDController": """
+ground = mbs.CreateGround()
+arm = mbs.CreateBox(size=[0.5, 0.05, 0.05], density=2700, referencePosition=[0.25, 0, 0], gravity=[0, -9.81, 0])
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, arm], position=[0, 0, 0], axis=[0, 0, 1])
+controller = mbs.CreatePIDController(
+    bodyNumbers=[ground, arm], position=[0, 0, 0], axis=[0, 0, 1], setPoint=0.5, P=400, I=800, D=40, limit=50
+)
+""",
+    "CreateJointStops": """
+ground = mbs.CreateGround()
+arm = mbs.CreateBox(size=[0.5, 0.05, 0.05], density=2700, referencePosition=[0.25, 0, 0], gravity=[0, -9.81, 0])
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, arm], position=[0, 0, 0], axis=[0, 0, 1])
+mbs.CreateJointStops(
+    bodyNumbers=[ground, arm], position=[0, 0, 0], axis=[0, 0, 1], lower=-0.5, stiffness=1e4, damping=100
+)
+""",
+    "CreatePrescribedMotion": """
+ground = mbs.CreateGround()
+table = mbs.CreateBox(size=[1, 1, 0.1], density=7800)
+mbs.CreatePrismaticJoint(bodyNumbers=[ground, table], position=[0, 0, 0], axis=[0, 0, 1])
+mbs.CreatePrescribedMotion(
+    bodyNumbers=[ground, table], position=[0, 0, 0], axis=[0, 0, 1], motion=lambda t: 0.01 * np.sin(20 * t), ramp=0.5
+)
+""",
+    "CreateForceFromTable": """
+cart = mbs.CreateBox(size=[1, 0.5, 0.5], mass=100)
+mbs.CreateForceFromTable(bodyNumber=cart, table=[[0, 0], [0.1, 500], [0.3, 500], [0.4, 0]])
+""",
+    "CreateTorqueFromTable": """
+wheel = mbs.CreateCylinder(radius=0.2, length=0.05, density=7800)
+mbs.CreateTorqueFromTable(bodyNumber=wheel, table=[[0, 0], [0.5, 10], [1, 0]], smooth=True)
+""",
     "CreateRollingDisc": """
 ground = mbs.CreateGround()
 disc = mbs.CreateRigidBody(

@@ -1,0 +1,120 @@
+"""Quantities over time as arguments of Create functions: a number, a table, a file with a table, or a function of t.
+
+They are recorded once, with the operations of dalembert.laws, so that solvers evaluate them without Python.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from dalembert import laws
+from dalembert._checks import FloatArray
+from dalembert._core import symbolic
+from dalembert.create._arguments import argument_error
+
+Signal = float | str | os.PathLike[str] | Sequence[Sequence[float]] | FloatArray | Callable[[Any], Any]
+_symbolic: Any = symbolic
+SIGNAL = "a number, a table [[t, value], ...], the name of a file with such columns, or a function of t"
+
+
+def table_of(function: str, argument: str, given: Any) -> FloatArray:
+    """Return a table with the columns time and value, from rows or from a file of numbers (CSV, or with blanks).
+
+    Lines of a file that begin with letters, such as a header, and comments after # are skipped.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        given = _read(function, argument, Path(given))
+    try:
+        rows = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        rows = np.empty(0)
+    if rows.ndim != 2 or rows.shape[1] != 2 or len(rows) < 2 or not np.isfinite(rows).all():
+        raise argument_error(
+            function, argument, "a table with two columns and at least two rows of finite numbers", given
+        )
+    if not (np.diff(rows[:, 0]) > 0).all():
+        row = int(np.flatnonzero(np.diff(rows[:, 0]) <= 0)[0]) + 1
+        raise argument_error(
+            function, argument, f"a table with increasing times (row {row} does not)", rows[row].tolist()
+        )
+    return rows
+
+
+def _read(function: str, argument: str, path: Path) -> list[list[float]]:
+    try:
+        lines = path.read_text().splitlines()
+    except OSError as error:
+        raise argument_error(function, argument, "a file that can be read", f"{path}: {error.strerror}") from None
+    rows = []
+    for number, line in enumerate(lines, 1):
+        text = line.partition("#")[0].strip()
+        if not text or text[0].isalpha() or text[0] == '"':
+            continue
+        try:
+            rows.append([float(each) for each in text.replace(";", " ").replace(",", " ").split()])
+        except ValueError:
+            raise argument_error(function, argument, f"numbers in line {number} of {path}", line) from None
+    if len({len(row) for row in rows}) > 1:
+        raise argument_error(function, argument, f"the same number of columns in all lines of {path}", "several")
+    return rows
+
+
+def signal(function: str, argument: str, given: Any, smooth: bool, ramp: float = 0.0) -> Callable[[Any], Any]:
+    """Return a function of t, also for symbols; errors name the Create function and its argument.
+
+    smooth: tables are cubic splines, otherwise polygons. ramp: time in which the quantity grows smoothly from zero.
+    """
+    if callable(given):
+        of_time = given
+    elif isinstance(given, (int, float, np.number)) and not isinstance(given, bool) and np.isfinite(given):
+        number = float(given)
+
+        def of_time(t: Any) -> Any:
+            return number + 0 * t
+
+    else:
+        rows = table_of(function, argument, given)
+
+        def of_time(t: Any) -> Any:
+            return laws.interpolate(t, rows[:, 0], rows[:, 1], smooth)
+
+    if ramp == 0:
+        return of_time
+    return lambda t: of_time(t) * (0.5 - 0.5 * np.cos(np.pi * laws.minimum(laws.maximum(t / ramp, 0.0), 1.0)))
+
+
+def rate(value: Any, t: Any) -> Any:
+    """Return the derivative by t of what was recorded."""
+    return _symbolic._Rate(value, [(t, 1.0)]) if isinstance(value, _symbolic.Real) else 0.0
+
+
+def recorded(function: str, argument: str, item: str, row: str, compute: Callable[[Any], Any]) -> Any:
+    """Return a recorded user function of time for a row of an item. `compute` returns a number, or a list of them."""
+    kind = laws._Kind(item, row, {"t": 0}, (), ())
+    with laws._recording():
+        symbols = laws._arguments(kind)
+        result = _run(function, argument, compute, symbols[0])
+        numbers = [laws._number(each) for each in (result if isinstance(result, list) else [result])]
+        value = _symbolic.Vector(numbers) if isinstance(result, list) else numbers[0]
+        return laws._function(_named(compute, argument), symbols, value)
+
+
+def _run(function: str, argument: str, compute: Callable[[Any], Any], t: Any) -> Any:
+    try:
+        return compute(t)
+    except TypeError as error:
+        reason = laws._reason(error)
+        raise TypeError(f"MainSystem.{function}(...): argument '{argument}' cannot be recorded: {reason}") from error
+
+
+def _named(compute: Callable[..., Any], name: str) -> Callable[..., Any]:
+    def law(*arguments: Any) -> Any:
+        return compute(*arguments)
+
+    law.__name__ = name
+    return law
