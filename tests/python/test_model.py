@@ -186,6 +186,26 @@ def test_solution_of_an_oscillator(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert os.listdir(tmp_path) == []
 
 
+def test_forces_on_a_body_over_time() -> None:
+    """A rod that swings down: weight and centripetal force; recorded functions give no warning."""
+    model = db.Model()
+    rod = model.create_box(size=[1, 0.1, 0.1], mass=3, reference_position=[0.5, 0, 0], gravity=[0, -10, 0])
+    place = {"body_numbers": ["ground", rod], "position": [0, 0, 0], "axis": "z"}
+    hinge = model.create_revolute_joint(name="hinge", **place)
+    motor = model.create_motor(**place, torque=0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        solution = model.solve(end_time=0.3, step_size=1e-3, outputs=[(motor, "rotation")])
+        inertia = 3 * (solution[rod].acceleration - [0, -10, 0])
+        np.testing.assert_allclose(solution[hinge].force_on(rod), inertia, atol=1e-9)
+        np.testing.assert_allclose(solution[hinge].force_on("ground"), -inertia, atol=1e-9)
+    with pytest.raises(ValueError, match="expected one of its two bodies"):
+        solution[hinge].force_on(hinge)
+    with pytest.raises(KeyError, match=r"solution\['hinge'\]: there is no body 'rod'"):
+        solution[hinge].torque_on("rod")
+    assert "force_on" in dir(solution[hinge])
+
+
 def test_solutions_do_not_follow_later_changes() -> None:
     model = oscillator()
     solution = model.solve(end_time=0.1, step_size=1e-3)
@@ -235,6 +255,19 @@ def test_static_solution() -> None:
     solution = model.solve_static(outputs=["mass.displacement"])
     assert solution["mass"].displacement[-1, 0] == pytest.approx(3 / (MASS * OMEGA**2), rel=1e-10)
     assert model["mass"].displacement[0] == pytest.approx(3 / (MASS * OMEGA**2), rel=1e-10)
+
+
+def test_constants_of_recorded_functions_are_parameters() -> None:
+    model = db.Model()
+    wheel = model.create_cylinder(mass=1)
+    place = {"body_numbers": ["ground", wheel], "position": [0, 0, 0], "axis": "z"}
+    motor = model.create_motor(**place, speed=3, damping=2)
+    motor.parameters["spring_torque_user_function.damping"] = 5
+    assert motor.parameters["springTorqueUserFunction.damping"] == 5
+    with pytest.raises(KeyError, match="has no parameter .springTorque.damping"):
+        motor.parameters["springTorque.damping"]
+    with pytest.raises(Exception, match="stiffness"):
+        motor.parameters["springTorqueUserFunction.stiffness"]
 
 
 def test_solutions_go_on_from_the_last_state() -> None:

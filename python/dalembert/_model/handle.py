@@ -213,16 +213,28 @@ class _Group(Mapping[str, Any]):
 
 
 class _Parameters(_Group):
+    """Parameters, and constants of recorded functions: parameters["spring_force_user_function.stiffness"]."""
+
     __slots__ = ()
+
+    def _found(self, name: str) -> str:
+        row, dot, constant = name.partition(".")
+        found = super()._found(row)
+        return f"{found}.{constant}" if found and dot else found
 
     def _names(self) -> list[str]:
         return list(facts_of(self._handle._item).parameters)
 
+    def _row(self, name: str) -> Row:
+        parameter, dot, constant = name.partition(".")
+        row = facts_of(self._handle._item).parameters[parameter]
+        return Row(f"{row.name}.{constant}", "float", "", "", row.text) if dot else row
+
     def _get(self, name: str) -> Any:
-        return self._handle._get(facts_of(self._handle._item).parameters[name].name)
+        return self._handle._get(self._row(name).name)
 
     def _set(self, name: str, value: Any) -> None:
-        self._handle._set(facts_of(self._handle._item).parameters[name], value)
+        self._handle._set(self._row(name), value)
 
 
 class _Drawing(_Group):
@@ -677,10 +689,15 @@ def _torque_on(self: Any, body: Any) -> FloatArray:
 
 
 def _wrench_on(handle: Any, body: Any) -> FloatArray:
+    return np.asarray(handle.output(f"WrenchOnMarker{side_of(handle, body)}"), dtype=float)
+
+
+def side_of(handle: Any, body: Any) -> int:
+    """Return 0 or 1: whether a body is the first or the second one of a connector or joint."""
     body = handle_of(handle._mbs, own(handle._mbs, body, f"{handle!r}: body"))
     on_body = {int(marker) for marker in CreatedObject.markers.fget(body)}  # type: ignore[attr-defined]
     own_markers = [int(marker) for marker in handle.marker_numbers]
     found = [i for i, marker in enumerate(own_markers[:2]) if marker in on_body]
     if len(found) != 1:
         raise ValueError(f"{handle!r}: expected one of its two bodies, received {body!r}")
-    return np.asarray(handle.output(f"WrenchOnMarker{found[0]}"), dtype=float)
+    return found[0]

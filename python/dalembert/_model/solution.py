@@ -17,12 +17,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dalembert import _version
+from dalembert import _core, _version
 from dalembert._checks import FloatArray
-from dalembert._core import ConfigurationType, OutputVariableType
+from dalembert._core import ConfigurationType, OutputVariableType, symbolic
 from dalembert._io.solution_rows import solution_of
 from dalembert._io.solution_states import _set_row, check_solution_of
-from dalembert._model.handle import Handle, facts_of, handle_of, own
+from dalembert._model.handle import Handle, facts_of, handle_of, own, side_of
 from dalembert._snake_case import snake_case
 from dalembert._tools.missing_names import missing, nearest
 from dalembert._tools.sensor_facts import component_name, variable_of
@@ -238,7 +238,8 @@ class Solution:
         functions = [
             name
             for name, row in facts.items()
-            if row.type == "function or 0" and handle._get(row.name) not in (0, None)
+            if row.type == "function or 0" and not isinstance(given := handle._get(row.name), symbolic.UserFunction)
+            if given not in (0, None)
         ]
         if not (functions or self._step_functions) or handle.name in self._warned:
             return
@@ -447,7 +448,9 @@ class ItemSolution:
         return [*facts_of(self._handle._item).outputs]
 
     def __dir__(self) -> list[str]:
-        points = [name for name in dir(self._handle) if name.endswith("_at")] if self._handle is not None else []
+        points = (
+            [name for name in dir(self._handle) if name.endswith(("_at", "_on"))] if self._handle is not None else []
+        )
         return sorted([*self._known(), *points, "output"])
 
     def output(self, name: str, local_position: Any = None) -> FloatArray:
@@ -462,6 +465,14 @@ class ItemSolution:
         values = computed.values.copy()
         return values[:, 0] if values.ndim == 2 and values.shape[1] == 1 else values
 
+    def _wrench_on(self, body: Any) -> FloatArray:
+        """Return force and torque of a joint or connector on one of its bodies, a handle or the name of a body."""
+        mbs = self._handle._mbs
+        index = mbs.GetObjectNumber(body) if isinstance(body, str) else _core.ObjectIndex(int(body))
+        if int(index) < 0:
+            raise KeyError(f"solution['{self._name}']: there is no body '{body}'")
+        return self.output(f"wrench_on_marker{side_of(self._handle, handle_of(mbs, index))}")
+
     def _missing(self, name: str) -> AttributeError:
         known = self.__dir__()
         hint = nearest(name, known) or f". It has {', '.join(known)}"
@@ -474,6 +485,8 @@ class ItemSolution:
             return getattr(self._solution._computed[key], name)
         if name in self._known():
             return self.output(name)
+        if name in ("force_on", "torque_on") and self._handle is not None and hasattr(type(self._handle), name):
+            return lambda body: self._wrench_on(body)[:, :3] if name == "force_on" else self._wrench_on(body)[:, 3:]
         base = name.removesuffix("_at")
         if name.endswith("_at") and self._handle is not None and hasattr(type(self._handle), name):
             return lambda local_position: self.output(base, local_position)
