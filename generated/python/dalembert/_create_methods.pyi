@@ -16,9 +16,29 @@ from dalembert._model.handle import LoadHandle, ObjectHandle, SensorHandle
 from dalembert.create._arguments import Connected, Matrix, UserFunction, Vector
 from dalembert.create._signals import Signal
 from dalembert.create.drives import Kind
+from dalembert.create.lines import Support
 from dalembert.FEM import FEMinterface
 
 class CreateMethods:
+    def create_beam(
+        self,
+        name: str = ...,
+        start: Vector = ...,
+        end: Vector = ...,
+        number_of_elements: int = ...,
+        width: float | None = ...,
+        height: float | None = ...,
+        diameter: float | None = ...,
+        section: Any = ...,
+        youngs_modulus: float = ...,
+        poissons_ratio: float = ...,
+        density: float = ...,
+        gravity: Vector = ...,
+        supports: Sequence[Support] = ...,
+        color: Vector | str = ...,
+        show: bool = ...,
+    ) -> dict[str, Any]:
+        """Add a straight beam of geometrically exact elements between two points (m): bending, shear, torsion, tension."""
     def create_box(
         self,
         name: str = ...,
@@ -35,6 +55,26 @@ class CreateMethods:
         create_2d: bool = ...,
     ) -> handles.ObjectRigidBody:
         """Add a homogeneous box, a rigid body, and its weight if there is gravity; return the handle."""
+    def create_cable(
+        self,
+        name: str = ...,
+        start: Vector = ...,
+        end: Vector = ...,
+        number_of_elements: int = ...,
+        diameter: float = ...,
+        youngs_modulus: float = ...,
+        density: float = ...,
+        axial_stiffness: float | None = ...,
+        bending_stiffness: float | None = ...,
+        mass_per_length: float | None = ...,
+        axial_damping: float = ...,
+        bending_damping: float = ...,
+        gravity: Vector = ...,
+        supports: Sequence[Support] = ...,
+        color: Vector | str = ...,
+        show: bool = ...,
+    ) -> dict[str, Any]:
+        """Add a straight cable or thin rod of ANCF elements between two points (m), without torsion."""
     def create_cartesian_spring_damper(
         self,
         name: str = ...,
@@ -215,6 +255,28 @@ class CreateMethods:
         reference_ht: Any = ...,
     ) -> handles.ObjectGround:
         """Add a ground object and return its handle."""
+    def create_hydraulic_cylinder(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        local_position0: Vector = ...,
+        local_position1: Vector = ...,
+        piston_diameter: float = ...,
+        rod_diameter: float = ...,
+        stroke_length: float = ...,
+        offset_length: float | None = ...,
+        system_pressure: float = ...,
+        tank_pressure: float = ...,
+        initial_force: float = ...,
+        nominal_flow: float = ...,
+        oil_bulk_modulus: float = ...,
+        hose_volume: float = ...,
+        actuator_damping: float = ...,
+        use_chamber_volume_change: bool = ...,
+        show: bool = ...,
+        color: Vector | str = ...,
+    ) -> handles.ObjectConnectorHydraulicActuatorSimple:
+        """Add a double-acting hydraulic cylinder between points of two bodies or markers, with the pressures in it."""
     def create_joint_stops(
         self,
         name: str = ...,

@@ -3,7 +3,9 @@
 """The items whose parameters a Create function passes on; the first that has a parameter describes it."""
 
 MIRRORS: dict[str, tuple[str, ...]] = {
+    "CreateBeam": ("ObjectBeamGeometricallyExact",),
     "CreateBox": ("ObjectRigidBody", "ObjectRigidBody2D", "NodeRigidBodyEP", "NodeRigidBody2D",),
+    "CreateCable": ("ObjectANCFCable",),
     "CreateCartesianSpringDamper": ("ObjectConnectorCartesianSpringDamper",),
     "CreateCoordinateConstraint": ("ObjectConnectorCoordinate",),
     "CreateCylinder": ("ObjectRigidBody", "ObjectRigidBody2D", "NodeRigidBodyEP", "NodeRigidBody2D",),
@@ -16,6 +18,7 @@ MIRRORS: dict[str, tuple[str, ...]] = {
     "CreateForceFromTable": ("LoadForceVector",),
     "CreateGenericJoint": ("ObjectJointGeneric",),
     "CreateGround": ("ObjectGround",),
+    "CreateHydraulicCylinder": ("ObjectConnectorHydraulicActuatorSimple",),
     "CreateJointStops": ("ObjectConnectorTorsionalSpringDamper",),
     "CreateKinematicTree": ("ObjectKinematicTree", "NodeGenericODE2",),
     "CreateLinearSpringDamper": ("ObjectConnectorLinearSpringDamper",),

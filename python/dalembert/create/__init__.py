@@ -48,6 +48,7 @@ MODULES = {
         "CreateRollingDisc",
         "CreateRollingDiscPenalty",
     ),
+    "lines": ("CreateCable", "CreateBeam", "CreateHydraulicCylinder"),
     "loads": ("CreateForce", "CreateTorque"),
     "trees": ("CreateKinematicTree",),
     "sensors": ("CreateDistanceSensorGeometry", "CreateDistanceSensor"),

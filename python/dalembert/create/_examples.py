@@ -184,6 +184,29 @@ mbs.CreateForceFromTable(bodyNumber=cart, table=[[0, 0], [0.1, 500], [0.3, 500],
 wheel = mbs.CreateCylinder(radius=0.2, length=0.05, density=7800)
 mbs.CreateTorqueFromTable(bodyNumber=wheel, table=[[0, 0], [0.5, 10], [1, 0]], smooth=True)
 """,
+    "CreateCable": """
+cable = mbs.CreateCable(
+    start=[0, 0, 0], end=[2, 0, 0], diameter=0.01, numberOfElements=16, supports=["hinged", "free"],
+    gravity=[0, 0, -9.81],
+)
+ball = mbs.CreateSphere(radius=0.1, mass=1, referencePosition=[2, 0, 0], gravity=[0, 0, -9.81])
+mbs.CreateSphericalJoint(bodyNumbers=[cable["end"], ball])
+""",
+    "CreateBeam": """
+beam = mbs.CreateBeam(start=[0, 0, 0], end=[1, 0, 0], width=0.02, height=0.05, supports=["clamped", "free"])
+mbs.CreateForce(bodyNumber=beam["end"], loadVector=[0, 0, -500])
+""",
+    "CreateHydraulicCylinder": """
+ground = mbs.CreateGround()
+boom = mbs.CreateBox(size=[2, 0.1, 0.1], density=2700, referencePosition=[1, 0, 0], gravity=[0, -9.81, 0])
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, boom], position=[0, 0, 0], axis=[0, 0, 1])
+cylinder = mbs.CreateHydraulicCylinder(
+    bodyNumbers=[ground, boom], localPosition0=[0.5, -1, 0], localPosition1=[-0.5, 0, 0], initialForce=1060,
+    actuatorDamping=1e4,
+)
+mbs.SetObjectParameter(cylinder, "valveOpening0", 0.2)  # extends
+mbs.SetObjectParameter(cylinder, "valveOpening1", -0.2)
+""",
     "CreateRollingDisc": """
 ground = mbs.CreateGround()
 disc = mbs.CreateRigidBody(

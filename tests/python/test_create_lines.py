@@ -1,0 +1,167 @@
+"""Cables and beams between two points, and hydraulic cylinders, beside formulas of textbooks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dalembert as exu
+from dalembert.beams import SectionRectangle
+
+Variable = exu.OutputVariableType
+
+
+@pytest.fixture
+def mbs() -> Any:
+    return exu.SystemContainer().AddSystem()
+
+
+def solve_static(mbs: Any, steps: int = 1) -> None:
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.staticSolver.numberOfLoadSteps = steps
+    settings.solutionSettings.writeSolutionToFile = False
+    assert mbs.SolveStatic(settings)
+
+
+def test_a_cantilever_bends_about_both_axes(mbs: Any) -> None:
+    """Timoshenko: F L^3 / (3 E I) + F L / (k G A) with the shear factor 5/6 of a rectangle for zero Poisson's ratio."""
+    E, width, height, length, force = 2e11, 0.02, 0.05, 1.0, 10.0
+    beam = mbs.CreateBeam(
+        start=[0, 0, 0], end=[length, 0, 0], width=width, height=height, numberOfElements=32, youngsModulus=E,
+        poissonsRatio=0.0, supports=["clamped", "free"],
+    )  # fmt: skip
+    mbs.CreateForce(bodyNumber=beam["end"], loadVector=[0, force, force])
+    solve_static(mbs)
+    tip = np.asarray(mbs.GetMarkerOutput(beam["end"], Variable.Displacement))
+    shear = force * length / (5 / 6 * E / 2 * width * height)
+    for axis, (b, h) in ((1, (height, width)), (2, (width, height))):
+        expected = force * length**3 / (3 * E * b * h**3 / 12) + shear
+        assert tip[axis] == pytest.approx(expected, rel=1e-3)  # 32 elements of second order, small deflections
+
+
+def test_sections_are_those_of_outlines(mbs: Any) -> None:
+    given = [{"width": 0.02, "height": 0.05}, {"section": SectionRectangle(0.02, 0.05)}]
+    beams = [mbs.CreateBeam(numberOfElements=1, **each) for each in given]
+    sections = [mbs.GetObject(beam["elements"][0])["sectionData"] for beam in beams]
+    np.testing.assert_array_equal(*(each.stiffnessMatrix for each in sections))
+
+
+def test_a_hinged_bar_swings_as_a_physical_pendulum(mbs: Any) -> None:
+    """A stiff cable about its upper end: omega^2 = 3 g / (2 L), without tension stiffening at these frequencies."""
+    mbs.CreateCable(start=[0, 0, 0], end=[0, 0, -1], diameter=0.05, numberOfElements=4, gravity=[0, 0, -10],
+                    supports=["hinged", "free"])  # fmt: skip
+    mbs.Assemble()
+    lowest = mbs.ComputeVibrationModes(2).eigenvalues.imag
+    assert lowest == pytest.approx([np.sqrt(15)] * 2, rel=2e-4)
+
+
+def test_a_cable_has_the_mass_and_stiffness_of_a_round_bar(mbs: Any) -> None:
+    cable = mbs.CreateCable(end=[0, 2, 0], diameter=0.01, numberOfElements=4, youngsModulus=1e10, density=1000,
+                            bendingStiffness=0.5, supports=["clamped", "free"])  # fmt: skip
+    area = np.pi / 4 * 1e-4
+    element = mbs.GetObject(cable["elements"][0])
+    assert element["physicsAxialStiffness"] == pytest.approx(1e10 * area, rel=1e-14)
+    assert element["physicsMassPerLength"] == pytest.approx(1000 * area, rel=1e-14)
+    assert element["physicsBendingStiffness"] == 0.5 and element["physicsLength"] == pytest.approx(0.5, rel=1e-14)
+    mbs.CreateForce(bodyNumber=cable["end"], loadVector=[0, 100, 0])
+    solve_static(mbs)
+    stretched = mbs.GetMarkerOutput(cable["end"], Variable.Displacement)[1]
+    assert stretched == pytest.approx(2 * 100 / (1e10 * area), rel=1e-6)
+
+
+def test_a_clamped_cable_on_a_slope(mbs: Any) -> None:
+    """Small deflections of a thin cantilever in any direction: F L^3 / (3 EI)."""
+    along, across = np.array([0.6, 0.0, 0.8]), np.array([-0.8, 0.0, 0.6])
+    cable = mbs.CreateCable(end=along, numberOfElements=16, diameter=0.01, supports=["clamped", "free"])
+    mbs.CreateForce(bodyNumber=cable["end"], loadVector=0.1 * across)
+    solve_static(mbs)
+    bending = 2.1e11 * np.pi / 64 * 1e-8
+    moved = np.asarray(mbs.GetMarkerOutput(cable["end"], Variable.Displacement))
+    assert moved @ across == pytest.approx(0.1 / (3 * bending), rel=1e-4)
+    assert moved @ along == pytest.approx(0, abs=1e-6)
+
+
+def test_bodies_hang_on_the_ends(mbs: Any) -> None:
+    cable = mbs.CreateCable(name="rope", end=[1, 0, 0], supports=["hinged", "free"], gravity=[0, 0, -10])
+    ball = mbs.CreateSphere(radius=0.1, mass=2, referencePosition=[1, 0, 0])
+    mbs.CreateSphericalJoint(bodyNumbers=[cable["end"], ball])
+    mbs.Assemble()
+    assert mbs.GetMarker("rope:end")["nodeNumber"] == cable["nodes"][-1]
+    assert len(cable["elements"]) == len(cable["loads"]) == 10 and len(cable["nodes"]) == 11
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "text"),
+    [
+        ("CreateBeam", {}, "'width': expected one of width and height, diameter, and section"),
+        ("CreateBeam", {"width": 0.1}, "one of width and height"),
+        ("CreateBeam", {"diameter": 0.1, "section": SectionRectangle(1, 1)}, "one of width and height"),
+        ("CreateBeam", {"section": "I"}, "'section': expected an outline such as SectionI"),
+        ("CreateBeam", {"diameter": 0.1, "end": [0, 0, 0]}, "'end': expected another point than start"),
+        ("CreateBeam", {"diameter": 0.1, "supports": ["fixed", "free"]}, "two of 'free', 'hinged' and 'clamped'"),
+        ("CreateCable", {"numberOfElements": 0}, "'numberOfElements': expected a whole number greater than zero"),
+        ("CreateCable", {"diameter": 0}, "'diameter'.*greater than zero"),
+        ("CreateCable", {"gravity": 9.81}, "'gravity'.*3 finite components"),
+    ],
+)
+def test_wrong_lines_are_refused(mbs: Any, name: str, arguments: dict[str, Any], text: str) -> None:
+    with pytest.raises(ValueError, match=text):
+        getattr(mbs, name)(**arguments)
+    assert mbs.systemData.NumberOfNodes() == 0
+
+
+# ---- hydraulic cylinders ---------------------------------------------------------------------------------------------
+def lift(mbs: Any, **arguments: Any) -> tuple[Any, Any]:
+    """A weight of 500 kg on a vertical cylinder."""
+    ground = mbs.CreateGround()
+    load = mbs.CreateMassPoint(referencePosition=[0, 1, 0], physicsMass=500, gravity=[0, -10, 0])
+    for coordinate in (0, 2):
+        mbs.CreateCoordinateConstraint(bodyNumbers=[None, load], coordinates=[None, coordinate])
+    return load, mbs.CreateHydraulicCylinder(bodyNumbers=[ground, load], initialForce=5000, **arguments)
+
+
+def solve(mbs: Any, end: float, steps: int) -> None:
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.solutionSettings.writeSolutionToFile = False
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = end, steps
+    assert mbs.SolveDynamic(settings)
+
+
+def test_a_closed_cylinder_carries_its_initial_force(mbs: Any) -> None:
+    load, cylinder = lift(mbs, pistonDiameter=0.08, rodDiameter=0.04, actuatorDamping=1e4)
+    solve(mbs, 0.5, 500)
+    assert mbs.GetObjectOutputBody(load, Variable.Displacement, [0, 0, 0])[1] == pytest.approx(0, abs=1e-12)
+    assert mbs.GetObjectOutput(cylinder, Variable.Force)[1] == pytest.approx(-5000, rel=1e-12)
+
+
+def test_open_valves_lift_with_the_flow_of_the_pump(mbs: Any) -> None:
+    """The steady speed is the flow through the valve over the area of the piston: v A0 = Q sqrt(p_s - p0), and the flow of the rod
+    chamber leaves through the other valve, v A1 = Q sqrt(p1 - p_t), with p0 A0 - p1 A1 = m g + d v."""
+    load, cylinder = lift(mbs, pistonDiameter=0.08, rodDiameter=0.04, actuatorDamping=2e4, strokeLength=1.5,
+                          systemPressure=1.6e7, tankPressure=1e5, nominalFlow=2e-7)  # fmt: skip
+    mbs.SetObjectParameter(cylinder, "valveOpening0", 1.0)
+    mbs.SetObjectParameter(cylinder, "valveOpening1", -1.0)
+    solve(mbs, 2, 4000)
+    A0, A1 = np.pi / 4 * 0.08**2, np.pi / 4 * (0.08**2 - 0.04**2)
+    v = mbs.GetObjectOutput(cylinder, Variable.VelocityLocal)
+    p0, p1 = 1.6e7 - (v * A0 / 2e-7) ** 2, 1e5 + (v * A1 / 2e-7) ** 2
+    assert v > 0.05
+    assert p0 * A0 - p1 * A1 == pytest.approx(5000 + 2e4 * v, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        ({"rodDiameter": 0.06}, "'rodDiameter': expected a diameter below pistonDiameter=0.05"),
+        ({"strokeLength": 0.5, "offsetLength": 0.2}, "stroke is from 0 to 0.5: the points are 1 m apart"),
+        ({"strokeLength": 3.0}, "'offsetLength'.*the points are 1 m apart"),
+        ({"hoseVolume": 0.0}, "'hoseVolume'.*greater than zero"),
+    ],
+)
+def test_wrong_cylinders_are_refused(mbs: Any, arguments: dict[str, Any], text: str) -> None:
+    with pytest.raises(ValueError, match=text):
+        lift(mbs, **arguments)
