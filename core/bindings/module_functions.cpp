@@ -86,6 +86,12 @@ void write_to_stdout(const std::string& text, bool flush) {
   }
 }
 
+// A list that gets the texts of warnings, or None.
+py::object& warning_list() {
+  static auto* list = new py::object(py::none());  // never destroyed: the interpreter may have ended
+  return *list;
+}
+
 // The GIL is held.
 void write(const std::string& text, bool flush) {
   Config& c = config();
@@ -294,6 +300,8 @@ void register_earlier_functions(py::module_& module) {
   module.def(
       "SuppressWarnings", [](bool flag) { config().suppressWarnings = flag; }, py::arg("flag"),
       "Earlier form of config.suppressWarnings.");
+  module.def("_collect_warnings", [](py::object list) { warning_list() = std::move(list); }, py::arg("list"),
+             "Append the texts of warnings to this list instead of writing them; None: write them.");
   module.def("InfoStat", &allocation_counts, py::arg("writeOutput") = true, "Earlier name of special.InfoStat.");
   for (const char* name : {"StartRenderer", "IsRendererActive", "DoRendererIdleTasks"})
     module.def(name, [](const py::args&, const py::kwargs&) { return false; }, "Does nothing: there is no renderer.");
@@ -309,6 +317,10 @@ void write_console(const std::string& text) {
 
 void write_warning(const std::string& text) {
   const py::gil_scoped_acquire gil;
+  if (const py::object& list = warning_list(); !list.is_none()) {
+    list.attr("append")(text);
+    return;
+  }
   if (!config().suppressWarnings) write("Warning: " + text + "\n", false);
 }
 

@@ -373,6 +373,26 @@ def test_doubts_are_warnings() -> None:
     assert [str(each.message) for each in caught] == list(solution.warnings)
 
 
+def test_warnings_of_solvers_are_those_of_python(capfd: pytest.CaptureFixture[str]) -> None:
+    """A velocity that contradicts a joint, if the solution succeeds, and if it fails."""
+    for end in (0.1, -1.0):
+        model = db.Model()
+        rod = model.create_box(size=[1, 0.1, 0.1], mass=3, reference_position=[0.5, 0, 0], initial_velocity=[0, 1, 0])
+        model.create_revolute_joint(body_numbers=["ground", rod], position=[0, 0, 0], axis="z")
+        if end < 0:
+            model.create_force(
+                body_number=rod, load_vector_user_function=lambda mbs, t, load: [0, np.nan if t > 0.05 else 0.0, 0]
+            )
+        with pytest.warns(db.SolutionWarning, match="the initial values contradict"):
+            if end > 0:
+                solution = model.solve(end_time=0.1, step_size=1e-2)
+                assert "the initial values contradict" in solution.warnings[0]
+            else:
+                with pytest.raises(db.ModelError, match="loadVectorUserFunction"):
+                    model.solve(end_time=0.1, step_size=1e-2)
+    assert "Warning: " not in capfd.readouterr().out
+
+
 def test_outputs_that_user_functions_may_change_are_announced() -> None:
     model = oscillator()
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
+from dalembert import _core
 from dalembert._checks import as_number, shape_error
 from dalembert._core import DynamicSolverType, SimulationSettings
 from dalembert._io.solution_states import LoadSolutionFile
@@ -137,10 +138,17 @@ class _Run:
             solution.coordinatesSolutionFileName = os.path.join(self._folder, "states")
             solution.binarySolutionFile, solution.outputPrecision = True, 17
         solution.writeSolutionToFile, solution.appendToFile = True, False
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            finished = solver()
-        texts = [str(each.message) for each in caught]
+        written: list[str] = []
+        _core._collect_warnings(written)
+        try:
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                finished = solver()
+        finally:
+            _core._collect_warnings(None)
+            for text in written:
+                warnings.warn(text, SolutionWarning, stacklevel=4)
+        texts = [*written, *(str(each.message) for each in caught)]
         doubts = list(finished.doubts) if isinstance(finished, FinishedNotTrusted) else []
         for each in caught:
             warnings.warn(each.message, stacklevel=4)
