@@ -1,21 +1,12 @@
 """A mass on a spring and a damper, released from rest under gravity: the motion decays towards static equilibrium."""
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
 
-mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround()
-mass = mbs.CreateMassPoint(referencePosition=[0, -1, 0], physicsMass=2, gravity=[0, -9.81, 0], drawSize=0.2)
-mbs.CreateSpringDamper(bodyNumbers=[ground, mass], referenceLength=1, stiffness=800, damping=8)
-height = mbs.AddSensor(
-    SensorBody(bodyNumber=mass, outputVariableType=exu.OutputVariableType.Displacement, storeInternal=True)
-)
-mbs.Assemble()
+model = db.Model()
+mass = model.create_mass_point(name="mass", reference_position=[0, -1, 0], mass=2, gravity=[0, -9.81, 0], draw_size=0.2)
+spring = model.create_spring_damper(body_numbers=["ground", mass], reference_length=1, stiffness=800, damping=8)
 
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = 2
-settings.timeIntegration.numberOfSteps = 1000
-mbs.SolveDynamic(settings)
-mbs.Draw(fileName="first_model_picture.png")
-mbs.PlotSensor(height, components=1, fileName="first_model.png", closeAll=True)
-print(mbs.GetSensorValues(height))  # y tends to -2 * 9.81 / 800
+solution = model.solve(end_time=2, step_size=2e-3)
+print(solution[mass].displacement[-1])  # y tends to -2 * 9.81 / 800
+solution.plot("mass.displacement", file_name="first_model.png")
+model.draw(file_name="first_model_picture.png")

@@ -303,10 +303,10 @@ class Solution:
         made.attrs = {"dalembert": _version.__version__, "method": self.method}
         return made
 
-    def plot(self, *outputs: Any, ax: Any = None) -> Any:
+    def plot(self, *outputs: Any, ax: Any = None, file_name: str | os.PathLike[str] = "") -> Any:
         """Plot outputs over time, such as solution.plot("arm.position", "arm.velocity"); return the axes.
 
-        Without arguments, all outputs computed so far are plotted.
+        Without arguments, all outputs computed so far are plotted. file_name: file of a picture that is also written.
         """
         from dalembert._model.curves import plot_curves
 
@@ -317,6 +317,10 @@ class Solution:
             ax = plot_curves(ax, times, each.values, str(key).removesuffix(".values"), each.variable, each.unit)
         if len({self._computed[key].variable for key in keys}) > 1:
             ax.set_ylabel("")
+        if file_name:
+            from dalembert._io.files import file_to_write
+
+            ax.figure.savefig(file_to_write("Solution.plot: file_name", file_name))
         return ax
 
     def _key_of(self, wanted: Any) -> _Key:
