@@ -30,9 +30,7 @@ def valves(mbs, t):
 model.system.SetPreStepUserFunction(valves)
 solution = model.solve(end_time=6, step_size=2e-3)
 length, place = solution["length of the cylinder"].values, solution[load].position
-swing = np.ptp(place[-1000:, 0])
-print(
-    f"cylinder extends by {np.ptp(length):.3f} m, load rises by {np.ptp(place[:, 1]):.3f} m, then swings by {swing:.3f} m"
-)
+rise, swing = np.ptp(place[:, 1]), np.ptp(place[-1000:, 0])
+print(f"cylinder extends by {np.ptp(length):.3f} m, load rises by {rise:.3f} m, then swings by {swing:.3f} m")
 solution.plot("length of the cylinder", file_name="boom_crane.png")
 model.draw(file_name="boom_crane_picture.png")
