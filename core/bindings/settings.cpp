@@ -174,10 +174,12 @@ int set_attribute(PyObject* self, PyObject* name, PyObject* value) {
 PyObject* make_new(PyTypeObject* type, PyObject* arguments, PyObject* keywords) {
   return guarded([&] {
     const auto found = std::ranges::find_if(classes(), [&](const SettingsClass& each) { return each.type == type; });
-    if (PyTuple_GET_SIZE(arguments) != 0 || (keywords != nullptr && PyDict_Size(keywords) != 0))
-      refuse(ErrorKind::type,
-             {.item = found->name, .problem = "takes no arguments", .advice = "Set its attributes instead."});
-    return make_object(fresh(*found));
+    if (PyTuple_GET_SIZE(arguments) != 0)
+      refuse(ErrorKind::type, {.item = found->name, .problem = "takes keywords only", .advice = "Give settings by their names."});
+    py::object made = py::reinterpret_steal<py::object>(make_object(fresh(*found)));
+    if (keywords != nullptr)
+      for (const auto& [name, value] : py::reinterpret_borrow<py::dict>(keywords)) made.attr(py::reinterpret_borrow<py::str>(name)) = value;
+    return made.release().ptr();
   });
 }
 

@@ -200,9 +200,20 @@ def test_the_tracked_marker_is_a_marker() -> None:
         exu.SimulationSettings().timeIntegration.numberOfSteps = exu.MarkerIndex(3)
 
 
-def test_no_arguments() -> None:
-    with pytest.raises(TypeError, match="SimulationSettings: takes no arguments"):
+def test_keywords_set_settings() -> None:
+    settings = exu.SimulationSettings(
+        outputPrecision=9, timeIntegration={"endTime": 2, "newton": {"useModifiedNewton": True}}
+    )
+    expected = exu.SimulationSettings()
+    expected.outputPrecision, expected.timeIntegration.endTime = 9, 2
+    expected.timeIntegration.newton.useModifiedNewton = True
+    assert settings._equals(expected) and not settings._equals(exu.SimulationSettings())
+    with pytest.raises(TypeError, match="SimulationSettings: takes keywords only"):
         exu.SimulationSettings(3)
+    with pytest.raises(AttributeError, match=r"endTime"):
+        exu.SimulationSettings(endTime=2)
+    with pytest.raises(ValueError, match=r"outputPrecision"):
+        exu.SimulationSettings(outputPrecision=0)
 
 
 def test_later_names() -> None:

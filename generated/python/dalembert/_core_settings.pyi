@@ -39,7 +39,7 @@ class NewtonNumericalDifferentiationSettings(_Settings):
     """smallest size of a coordinate that is used for its increment, in the units of the coordinate [various; greater than 0]; acts with doSystemWideDifferentiation or forAE or forODE2 or forODE2connectors only; default: 0.01"""
     relativeEpsilon: float
     """increment of a coordinate relative to its size [1; greater than 0 and less than 1]; acts with doSystemWideDifferentiation or forAE or forODE2 or forODE2connectors only; default: 1e-07"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class NewtonSettings(_Settings):
@@ -75,7 +75,7 @@ class NewtonSettings(_Settings):
     def numericalDifferentiation(self) -> NewtonNumericalDifferentiationSettings: ...
     @numericalDifferentiation.setter
     def numericalDifferentiation(self, value: NewtonNumericalDifferentiationSettings | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class DiscontinuousSettings(_Settings):
@@ -89,7 +89,7 @@ class DiscontinuousSettings(_Settings):
     """number of discontinuous iterations in one step [at least 1]; default: 5"""
     useRecommendedStepSize: bool
     """true: the step size follows recommendations of items, for example at the start of a contact; false: they are ignored; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class ContinuationSettings(_Settings):
@@ -99,7 +99,7 @@ class ContinuationSettings(_Settings):
     """true: ``SolveDynamic`` and ``SolveStatic`` go on from the file ``solutionSettings.restartFileName`` if it exists, else they start from the initial values; a ``restartFileName`` given here is used in any case; default: False"""
     restartFileName: str
     """restart file of a solution with the same model, solver and settings; its start time, end time and number of steps are those of the whole solution. Solution and sensor files continue at their position in the restart file; later rows are overwritten. Empty: start from the initial values; default: ''"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class DenseOutputSettings(_Settings):
@@ -107,7 +107,7 @@ class DenseOutputSettings(_Settings):
 
     atRequestedTimes: bool
     """true: solution and sensors are written at the multiples of ``solutionWritePeriod`` and ``sensorsWritePeriod``, counted from the start, and at the end; within steps by Hermite interpolation of coordinates, velocities and accelerations. Data coordinates are those of the end of the step. False: they are written at the first end of a step at which the period is over. Static solvers write at their load steps; default: False"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class EventsSettings(_Settings):
@@ -115,7 +115,7 @@ class EventsSettings(_Settings):
 
     ofItems: bool
     """true: dynamic solvers locate events of contact, friction and stops of items, GeneralContact, and sliding joints that pass from element to element: a step with an event is solved again such that it ends there, and accelerations are recomputed. An item that switches repeatedly, each time within two steps, raises an error with its name. False: items switch in the discontinuous iteration, at the end of a step; default: False"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class InitialConditionsSettings(_Settings):
@@ -129,7 +129,7 @@ class InitialConditionsSettings(_Settings):
     """largest gap that is not reported: relative to the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, or in rad; 1000 times as much is tolerated at the end of solutions that constrain velocities [1]; default: 1e-05"""
     velocityTolerance: float
     """largest rate of a gap that is not reported, relative to the sum of the magnitudes of the velocities that meet in the constraint; rates that open a gap of less than positionTolerance in one second are not reported [1]; default: 0.01"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class LinearSolverChoiceSettings(_Settings):
@@ -137,7 +137,7 @@ class LinearSolverChoiceSettings(_Settings):
 
     automatic: bool
     """true: dense matrices are used up to 32 unknowns and sparse ones above; setting ``linearSolverType`` makes this false; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class LinearSolverSettings(_Settings):
@@ -151,7 +151,7 @@ class LinearSolverSettings(_Settings):
     """true: the symbolic analysis of a sparse matrix is used for all factorizations with the same pattern; no effect: a sparse matrix is always analyzed once for all factorizations with the same pattern; default: False"""
     showCausingItems: bool
     """name the items whose equations make the system matrix singular when the solver fails; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class ParallelSettings(_Settings):
@@ -173,7 +173,7 @@ class ParallelSettings(_Settings):
     """number of parts of work per thread; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 16"""
     useLoadBalancing: bool
     """true: threads that are ready take over work of others; false: fixed share per thread; no effect: threads that are ready always take over work of others; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class RedundantConstraintsSettings(_Settings):
@@ -185,7 +185,7 @@ class RedundantConstraintsSettings(_Settings):
     """the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the mechanism, which is the diagonal of the box around the nodes and markers of bodies that constraints connect, but at most 20 radii of gyration of its bodies (on average) [m]; default: 0.0"""
     treat: bool
     """true: find redundant constraints and solve in spite of them; false: a matrix that they make singular stops the solver, and where round-off hides that, reactions are arbitrary; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class SolutionSettings(_Settings):
@@ -245,7 +245,7 @@ class SolutionSettings(_Settings):
     """write the restart file from time to time; default: False"""
     writeSolutionToFile: bool
     """write the solution file; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class StaticSolverArcLengthSettings(_Settings):
@@ -265,7 +265,7 @@ class StaticSolverArcLengthSettings(_Settings):
     """number of steps after which a path that has met neither of its ends is an error [at least 1]; acts with active only; default: 1000"""
     singularPoints: bool
     """true: look for steps in which an eigenvalue of the matrix changes its sign, and end a step at the point where it does; a few eigenvalues next to zero are followed; acts with active only; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class StaticSolverSettings(_Settings):
@@ -319,7 +319,7 @@ class StaticSolverSettings(_Settings):
     def newton(self) -> NewtonSettings: ...
     @newton.setter
     def newton(self, value: NewtonSettings | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class StepSizeControlSettings(_Settings):
@@ -327,7 +327,7 @@ class StepSizeControlSettings(_Settings):
 
     implicitSolvers: bool
     """true: implicit solvers estimate the error of coordinates and velocities in each step, and repeat steps whose error is above the tolerances, if ``timeIntegration.automaticStepSize`` is true; false: they take equal steps; default: False"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class TimeIntegrationExplicitIntegrationSettings(_Settings):
@@ -343,7 +343,7 @@ class TimeIntegrationExplicitIntegrationSettings(_Settings):
     """true: constraints that fix single coordinates to ground are eliminated; false: they are ignored; other constraints cannot be treated; default: True"""
     useLieGroupIntegration: bool
     """true: rotation vectors of Lie group nodes are updated by composition; needed for such nodes; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class TimeIntegrationGeneralizedAlphaSettings(_Settings):
@@ -369,7 +369,7 @@ class TimeIntegrationGeneralizedAlphaSettings(_Settings):
     """true: constraints are fulfilled on velocity level (index 2), and Euler parameters are divided by their length after each step; false: on position level (index 3); default: False"""
     useNewmark: bool
     """true: Newmark method with the parameters given here; false: generalized-alpha; default: False"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class TimeIntegrationSettings(_Settings):
@@ -439,7 +439,7 @@ class TimeIntegrationSettings(_Settings):
     def newton(self) -> NewtonSettings: ...
     @newton.setter
     def newton(self, value: NewtonSettings | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class SimulationSettings(_Settings):
@@ -507,7 +507,7 @@ class SimulationSettings(_Settings):
     def timeIntegration(self) -> TimeIntegrationSettings: ...
     @timeIntegration.setter
     def timeIntegration(self, value: TimeIntegrationSettings | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsViewCamera(_Settings):
@@ -550,7 +550,7 @@ class VSettingsViewCamera(_Settings):
     def trackMarkerPosition(self, value: ArrayLike) -> None: ...
     useRaytracer: bool
     """true: images are made by the ray tracer; no effect on pages: pages have no rays; default: False"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsViewScene(_Settings):
@@ -574,7 +574,7 @@ class VSettingsViewScene(_Settings):
     """draw the faces of finite elements; that of view0 is for all views; default: True"""
     worldBasisSize: float
     """length of the axes of the global frame [m]; that of view0 is for all views; default: 1.0"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsViewWindow(_Settings):
@@ -601,7 +601,7 @@ class VSettingsViewWindow(_Settings):
     """show zoom, center and rotation of the view; no effect: pages are in windows of the browser, with its mouse; default: False"""
     showWindow: bool
     """true: the window is shown at the start; false: it starts as an icon; no effect: pages are in windows of the browser, with its mouse; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsView(_Settings):
@@ -619,7 +619,7 @@ class VSettingsView(_Settings):
     def window(self) -> VSettingsViewWindow: ...
     @window.setter
     def window(self, value: VSettingsViewWindow | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsLight(_Settings):
@@ -648,7 +648,7 @@ class VSettingsLight(_Settings):
     """strength of highlights [1]; no effect on pages: pages have lights, lines and words of their own; default: 0.5"""
     useCameraFrame: bool
     """true: position and direction are fixed to the camera; false: to the model; without the ray tracer, lights turn with the viewer, as do those whose position is the default; no effect on pages: pages have lights, lines and words of their own; no effect without rays: only the ray tracer has it, see view0.camera.useRaytracer; default: False"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsMaterial(_Settings):
@@ -679,7 +679,7 @@ class VSettingsMaterial(_Settings):
         """red, green and blue of highlights [3; 1]; default: [0.6, 0.6, 0.6]"""
     @specular.setter
     def specular(self, value: ArrayLike) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsNodes(_Settings):
@@ -706,7 +706,7 @@ class VSettingsNodes(_Settings):
     """draw the numbers of nodes; default: False"""
     tiling: int
     """number of segments of a node that is drawn as a sphere; circles have four times as many; no effect: spheres are round; default: 4"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsBodiesBeams(_Settings):
@@ -735,7 +735,7 @@ class VSettingsBodiesBeams(_Settings):
     """write values at the lines of the diagram; they are interpolated ones; default: False"""
     reducedAxialInterploation: bool
     """true: contour variables are interpolated along the axis with a lower order, which hides oscillations; false: like the element; no effect: numbers along a beam are those of its points; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsBodiesKinematicTree(_Settings):
@@ -749,7 +749,7 @@ class VSettingsBodiesKinematicTree(_Settings):
     """write object and link numbers at the frames; default: False"""
     showJointFrames: bool
     """draw a frame at each joint of trees without graphics data, whose links would hide it; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsBodiesShells(_Settings):
@@ -759,7 +759,7 @@ class VSettingsBodiesShells(_Settings):
     """true: with thickness; false: the mid-surface only; default: True"""
     thicknessFactor: float
     """factor of the thickness in the drawing [1]; default: 1.0"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsBodies(_Settings):
@@ -793,7 +793,7 @@ class VSettingsBodies(_Settings):
     def shells(self) -> VSettingsBodiesShells: ...
     @shells.setter
     def shells(self, value: VSettingsBodiesShells | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsConnectors(_Settings):
@@ -822,7 +822,7 @@ class VSettingsConnectors(_Settings):
     """draw the numbers of connectors; default: False"""
     springNumberOfWindings: int
     """number of windings of springs; more than 500 are drawn as 500; default: 8"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsMarkers(_Settings):
@@ -841,7 +841,7 @@ class VSettingsMarkers(_Settings):
     """draw markers; default: True"""
     showNumbers: bool
     """draw the numbers of markers; default: False"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsLoads(_Settings):
@@ -868,7 +868,7 @@ class VSettingsLoads(_Settings):
     """draw loads; default: True"""
     showNumbers: bool
     """draw the numbers of loads; default: False"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsSensorsTraces(_Settings):
@@ -922,7 +922,7 @@ class VSettingsSensorsTraces(_Settings):
     """length in the drawing (m) per unit of the vector [various]; default: 0.01"""
     vectorsShowEvery: int
     """only vectors of every position of this number are drawn; default: 1"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsSensors(_Settings):
@@ -945,7 +945,7 @@ class VSettingsSensors(_Settings):
     def traces(self) -> VSettingsSensorsTraces: ...
     @traces.setter
     def traces(self, value: VSettingsSensorsTraces | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsContourAdvanced(_Settings):
@@ -992,7 +992,7 @@ class VSettingsContourAdvanced(_Settings):
     def contourColorMin(self, value: ArrayLike) -> None: ...
     showColorBar: bool
     """show the color bar; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsContour(_Settings):
@@ -1020,7 +1020,7 @@ class VSettingsContour(_Settings):
     def advanced(self) -> VSettingsContourAdvanced: ...
     @advanced.setter
     def advanced(self, value: VSettingsContourAdvanced | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsContact(_Settings):
@@ -1075,7 +1075,7 @@ class VSettingsContact(_Settings):
     """number of segments of contact curves; no effect: general contact has no curves of its own; default: 8"""
     tilingSpheres: int
     """number of segments of contact spheres; no effect: spheres are round; default: 4"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsOpenGLAdvanced(_Settings):
@@ -1132,7 +1132,7 @@ class VSettingsOpenGLAdvanced(_Settings):
         """red, green, blue and opacity of normals at the corners of faces, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.2, 1.0]"""
     @vertexNormalsColor.setter
     def vertexNormalsColor(self, value: ArrayLike) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsOpenGL(_Settings):
@@ -1189,7 +1189,7 @@ class VSettingsOpenGL(_Settings):
     def light3(self) -> VSettingsLight: ...
     @light3.setter
     def light3(self, value: VSettingsLight | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsRaytracerAdvanced(_Settings):
@@ -1212,7 +1212,7 @@ class VSettingsRaytracerAdvanced(_Settings):
     """number of parts of the image per thread, for an even load; the image does not depend on it; default: 12"""
     zBiasLines: float
     """shift of lines towards the viewer relative to the size of the scene, so that lines on faces are visible [1]; default: 0.001"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsRaytracer(_Settings):
@@ -1285,7 +1285,7 @@ class VSettingsRaytracer(_Settings):
     def material9(self) -> VSettingsMaterial: ...
     @material9.setter
     def material9(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsGeneral(_Settings):
@@ -1366,7 +1366,7 @@ class VSettingsGeneral(_Settings):
     """scale fonts with the display scaling of Windows; no effect: pages are in windows of the browser, with its mouse; default: True"""
     zoomAllUseBoundingBox: bool
     """true: zooming to all uses the exact bounding box of the scene, without perspective; false: an estimate; no effect: zooming to all always uses the box around everything; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsInteractiveAdvanced(_Settings):
@@ -1406,7 +1406,7 @@ class VSettingsInteractiveAdvanced(_Settings):
     """a right click shows the graphics data as well, which may be long; default: False"""
     zoomStepFactor: float
     """factor of the zoom per key press or step of the mouse wheel [1]; default: 1.15"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsInteractiveOpenVR(_Settings):
@@ -1420,7 +1420,7 @@ class VSettingsInteractiveOpenVR(_Settings):
     """amount of output: -1 no output, 0 errors, 1 warnings, 2 information, 3 for debugging; no effect: pages are in windows of the browser, with its mouse; default: 1"""
     showCompanionWindow: bool
     """show the views of both eyes in a window; no effect: pages are in windows of the browser, with its mouse; default: True"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsInteractive(_Settings):
@@ -1453,7 +1453,7 @@ class VSettingsInteractive(_Settings):
     def openVR(self) -> VSettingsInteractiveOpenVR: ...
     @openVR.setter
     def openVR(self, value: VSettingsInteractiveOpenVR | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsDialogs(_Settings):
@@ -1469,7 +1469,7 @@ class VSettingsDialogs(_Settings):
     """true: the render window follows changes while a dialog is open; false: when it is closed; no effect: pages are in windows of the browser, with its mouse; default: True"""
     openTreeView: bool
     """open all branches of the dialog of visualization settings; no effect: pages are in windows of the browser, with its mouse; default: False"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VSettingsExportImages(_Settings):
@@ -1497,7 +1497,7 @@ class VSettingsExportImages(_Settings):
     """time in milliseconds that saving an image may take; no effect: pages are in windows of the browser, with its mouse; default: 5000"""
     widthAlignment: int
     """the width of an image is a multiple of this number of pixels; 4 suits video encoders; default: 4"""
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
 
 @final
 class VisualizationSettings(_Settings):
@@ -1575,4 +1575,4 @@ class VisualizationSettings(_Settings):
     def exportImages(self) -> VSettingsExportImages: ...
     @exportImages.setter
     def exportImages(self, value: VSettingsExportImages | dict[str, Any]) -> None: ...
-    def __init__(self) -> None: ...
+    def __init__(self, **settings: Any) -> None: ...
