@@ -275,7 +275,7 @@ void make_class(SettingsClass& settings_class, const py::module_& module) {
   settings_class.fields.push_back({});
   settings_class.texts.push_back(module.attr("__name__").cast<std::string>() + "." + settings_class.name);
   const char* full_name = settings_class.texts.back().c_str();
-  settings_class.texts.push_back(settings_class.name + "()\n--\n\n" + settings_summary(*settings_class.group) +
+  settings_class.texts.push_back(settings_class.name + "(**settings)\n--\n\n" + settings_summary(*settings_class.group) +
                                  (settings_class.path.empty() ? "" : "; first found at " + settings_class.path) +
                                  "\n\nParameters:\n" + parameters);
   PyType_Slot slots[] = {
