@@ -309,6 +309,9 @@ class MainSystem(_Bound):
     CreatePrescribedMotion = drives.CreatePrescribedMotion
     CreateForceFromTable = drives.CreateForceFromTable
     CreateTorqueFromTable = drives.CreateTorqueFromTable
+    CreateCable = lines.CreateCable
+    CreateBeam = lines.CreateBeam
+    CreateHydraulicCylinder = lines.CreateHydraulicCylinder
     CreateRollingDisc = joints.CreateRollingDisc
     CreateRollingDiscPenalty = joints.CreateRollingDiscPenalty
     CreateSphereSphereContact = contacts.CreateSphereSphereContact
