@@ -4,6 +4,9 @@
 //                                                            those along increments in the body frame)
 //   J = ck K B + cv D + ca M                               (B: 3 x 3 blocks at the rotations of Lie-group nodes, otherwise 1)
 //
+// At the level of accelerations, constraint equations are second derivatives of gaps (first derivatives of those of
+// velocities) along the motion, and M contains their rows.
+//
 // States are arrays [q, v, a, y, y_t, lambda, data]. Several vectors are rows of an array.
 #include "system_derivatives.hpp"
 
@@ -17,6 +20,7 @@
 
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/model/errors.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/system/switches.hpp"
 #include "main_system.hpp"
@@ -54,7 +58,7 @@ class SystemDerivatives {
   Rows residual(const Array& z, double time, double step_size) {
     System& system = take(z, time, step_size);
     Rows r(static_cast<py::ssize_t>(residual_.size()));
-    system.residual(state_, conditions_, {r.mutable_data(), residual_.size()});
+    evaluate(system, {r.mutable_data(), residual_.size()});
     return r;
   }
 
@@ -71,7 +75,7 @@ class SystemDerivatives {
     for (std::size_t k = 0; k < systems.size(); ++k) {
       SystemDerivatives& one = *systems[k];
       System& system = one.take(states[k], time, step_size);
-      system.residual(one.state_, one.conditions_, one.residual_);
+      one.evaluate(system, one.residual_);
       if (one.residual_.size() != total)
         refuse(ErrorKind::value, {.item = "testing.residual_sum", .parameter = "systems", .expected = "systems of equal size"});
       for (std::size_t i = 0; i < total; ++i) to[i] += weights[k] * one.residual_[i];
@@ -92,7 +96,7 @@ class SystemDerivatives {
     double* const sums = result.mutable_data();
     std::fill_n(sums, outputs * total, 0.0);
     for (py::ssize_t k = 0; k < count; ++k) {
-      take_from(states.data(k, 0), times.data()[k], step_size).residual(state_, conditions_, residual_);
+      evaluate(take_from(states.data(k, 0), times.data()[k], step_size), residual_);
       for (py::ssize_t o = 0; o < outputs; ++o) {
         const double* w = weights.data(k, o, 0);
         for (py::ssize_t i = 0; i < total; ++i) sums[o * total + i] += w[i] * residual_[static_cast<std::size_t>(i)];
@@ -107,7 +111,7 @@ class SystemDerivatives {
     const auto total = static_cast<py::ssize_t>(residual_.size());
     Rows result({count, total});
     for (py::ssize_t k = 0; k < count; ++k)
-      take_from(states.data(k, 0), times.data()[k], step_size).residual(state_, conditions_, {result.mutable_data(k, 0), residual_.size()});
+      evaluate(take_from(states.data(k, 0), times.data()[k], step_size), {result.mutable_data(k, 0), residual_.size()});
     return result;
   }
 
@@ -149,6 +153,7 @@ class SystemDerivatives {
     system.tangent(state_, conditions, {.q = 1, .v = weight, .a = 0, .y = 1, .y_t = 0}, *pattern_, d_);
     for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = (d_[i] - k_[i]) / weight;
     system.mass_matrix(state_, *pattern_, m_);
+    if (acceleration_level_ && !rate_level && n_.ae > 0) linearize_gap_accelerations(system);
   }
 
   // Factors of each part of the matrix: K, D and M in the equations of motion (and K, D in those of first order); K and D
@@ -161,7 +166,7 @@ class SystemDerivatives {
     const auto value_at = [&, ck = ck, cv = cv, ca = ca, gk = gk, gv = gv, cy = cy, cy_t = cy_t](int row, int column, std::size_t slot) {
       if (column >= first_ae) return k_[slot];
       if (column >= n) return cy * k_[slot] - (row == column ? cy_t : 0.0);
-      if (row >= first_ae) return gk * k_[slot] + gv * d_[slot];
+      if (row >= first_ae) return gk * k_[slot] + gv * d_[slot] + ca * m_[slot];
       return ck * k_[slot] + cv * d_[slot] + (row < n ? ca * m_[slot] : 0.0);
     };
     for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[slot] = value_at(row, column, slot); });
@@ -197,7 +202,7 @@ class SystemDerivatives {
   // K x, of all unknowns, or D v, of velocities, for each row; or the products with the transposed matrices.
   Rows product(char matrix, const Array& x, bool transposed) {
     const std::vector<double>& values = matrix == 'K' ? k_ : matrix == 'D' ? d_ : m_;
-    const int columns = matrix == 'K' ? n_.total() : n_.ode2, rows = matrix == 'M' ? n_.ode2 : n_.total();
+    const int columns = matrix == 'K' ? n_.total() : n_.ode2, rows = n_.total();
     const int length = transposed ? rows : columns, result_length = transposed ? columns : rows;
     Rows result = rows_like(x, length, result_length);
     const auto count = static_cast<std::size_t>(x.shape(0));
@@ -255,6 +260,19 @@ class SystemDerivatives {
     return result;
   }
 
+  void set_acceleration_level(bool on) { acceleration_level_ = on; }
+  bool acceleration_level() const { return acceleration_level_; }
+
+  // Constraint equations whose gaps user functions prescribe in time.
+  std::vector<int> driven(const Array& z, double time, double end_time) {
+    System& system = take(z, time, conditions_.step_size);
+    const std::vector<char> found = driven_equations(system, state_, conditions_, end_time);
+    std::vector<int> result;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (found[k]) result.push_back(static_cast<int>(k));
+    return result;
+  }
+
   std::vector<int> rotations() {
     std::vector<int> found;
     for (const System::LieBlock& block : current().lie_blocks()) found.push_back(block.rotation);
@@ -271,6 +289,91 @@ class SystemDerivatives {
     double multiple, weight;
   };
   static constexpr std::array<Difference, 4> differences{{{-2, 1.0 / 12}, {-1, -8.0 / 12}, {1, 8.0 / 12}, {2, -1.0 / 12}}};
+
+  void evaluate(System& system, std::span<double> residual) {
+    system.residual(state_, conditions_, residual);
+    if (!acceleration_level_ || n_.ae == 0) return;
+    // Multipliers of inactive constraints, which have no gaps.
+    const auto count = static_cast<std::size_t>(n_.ae);
+    const std::span<double> sum = residual.subspan(static_cast<std::size_t>(n_.first_ae()), count);
+    std::vector<double> part(count);
+    system.gaps(state_, of_rates(), sum);
+    std::ranges::fill(state_.lambda, 0.0);
+    system.gaps(state_, of_rates(), part);
+    for (std::size_t k = 0; k < count; ++k) sum[k] -= part[k];
+    along_motion([&](double weight) {
+      system.gaps(state_, of_rates(), part);
+      for (std::size_t k = 0; k < count; ++k) sum[k] += weight * part[k];
+    });
+  }
+
+  Conditions of_rates() const {
+    Conditions conditions = conditions_;
+    conditions.rate_level = true;
+    return conditions;
+  }
+
+  // Calls `add(weight)` at positions q + e v and velocities v + e a, for differences by e of fourth order.
+  template <class Add>
+  void along_motion(const Add& add) {
+    const State middle = state_;
+    double speed = 0, size = 1;
+    for (const double v : middle.v) speed = std::max(speed, std::abs(v));
+    for (const double q : middle.q) size = std::max(size, std::abs(q));
+    double rate = speed;  // of velocities, if these change faster
+    for (const double a : middle.a) rate = std::max(rate, std::abs(a) * size / std::max(speed, size));
+    const double e = relative_step * size / std::max(rate, 1e-10 * size);
+    std::vector<double> increment(middle.q.size());
+    for (const auto& [multiple, weight] : differences) {
+      for (std::size_t i = 0; i < increment.size(); ++i) {
+        increment[i] = multiple * e * middle.v[i];
+        state_.v[i] = middle.v[i] + multiple * e * middle.a[i];
+      }
+      move(current(), middle.q, increment, state_.q);
+      add(weight / e);
+    }
+    state_ = middle;
+  }
+
+  // Rows of constraints in K, D and M. With gap rates g(q, v) and q moving by v, v by a:
+  //   dK/de, of rotations of Lie-group nodes less K times (v x), because increments are those at q;  K + dD/de;  D
+  void linearize_gap_accelerations(System& system) {
+    std::vector<double> by_q(k_.size()), both(k_.size());
+    const int first_ae = n_.first_ae();
+    const auto of_constraints = [&](auto&& each) {
+      for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+        if (row >= first_ae && column < n_.ode2) each(slot);
+      });
+    };
+    const auto tangents = [&] {  // `both`: K + D
+      system.tangent(state_, of_rates(), {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, *pattern_, by_q);
+      system.tangent(state_, of_rates(), {.q = 1, .v = 1, .a = 0, .y = 1, .y_t = 0}, *pattern_, both);
+    };
+    tangents();
+    of_constraints([&](std::size_t slot) {
+      m_[slot] = both[slot] - by_q[slot];
+      d_[slot] = by_q[slot];
+      k_[slot] = 0.0;
+    });
+    for (const System::LieBlock& block : system.lie_blocks()) {
+      const double* v = state_.v.data() + block.rotation;
+      const std::array<std::array<double, 3>, 3> cross{{{0, -v[2], v[1]}, {v[2], 0, -v[0]}, {-v[1], v[0], 0}}};
+      for_each_row(*pattern_, block.rotation, [&](int row) {
+        if (row < first_ae) return;
+        const auto slot = [&](int i) { return static_cast<std::size_t>(pattern_->slot(row, block.rotation + i)); };
+        for (int j = 0; j < 3; ++j)
+          for (int i = 0; i < 3; ++i) k_[slot(j)] -= by_q[slot(i)] * cross[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      });
+    }
+    along_motion([&](double weight) {
+      tangents();
+      of_constraints([&](std::size_t slot) {
+        k_[slot] += weight * by_q[slot];
+        d_[slot] += weight * (both[slot] - by_q[slot]);
+      });
+    });
+  }
+  static constexpr double relative_step = 2e-3;
 
   System& current() {
     System& system = main_->assembled("SystemDerivatives");
@@ -385,7 +488,7 @@ class SystemDerivatives {
   std::vector<double> k_, d_, m_, j_, residual_;
   std::unique_ptr<LinearSolver> factors_;
   double scale_ = 1;
-  bool transposed_ = false;
+  bool transposed_ = false, acceleration_level_ = false;
 };
 
 }  // namespace
@@ -420,6 +523,9 @@ void register_system_derivatives(py::module_& testing) {
   c.def("sensor", &D::sensor, py::arg("number"), z, time, "Values of a sensor. The current state becomes z.");
   c.def("sensor_gradient", &D::sensor_gradient, py::arg("number"), z, time, py::arg("entries"), py::arg("steps"),
         "Derivatives of the values of a sensor by entries of z, by central differences of fourth order with these steps.");
+  c.def("driven", &D::driven, z, time, py::arg("end_time"), "Constraint equations whose gaps user functions prescribe in time.");
+  c.def_property("acceleration_level", &D::acceleration_level, &D::set_acceleration_level,
+                 "Whether constraint equations are those of accelerations: in residuals, and in K, D and M where no rate_level is given.");
   c.def_property_readonly("rotations", &D::rotations, "First coordinates of the rotations of Lie-group nodes.");
   c.def_property_readonly("static_signs", &D::static_signs, "-1 for multipliers, whose sign is opposite in static solutions; 1 for algebraic coordinates.");
   c.def_property_readonly("sizes", &D::sizes, "Numbers of ODE2, ODE1, algebraic and data coordinates.");

@@ -30,7 +30,7 @@ from dalembert._studies.difference_formulas import derivative
 _NONE = np.zeros((0, 3), dtype=int)
 
 
-def _skew(x: FloatArray) -> FloatArray:
+def skew(x: FloatArray) -> FloatArray:
     """Return skew matrices of rows of vectors."""
     matrix = np.zeros((len(x), 3, 3))
     matrix[:, 0, 1], matrix[:, 0, 2], matrix[:, 1, 2] = -x[:, 2], x[:, 1], -x[:, 0]
@@ -57,7 +57,7 @@ def rotation_operators(x: FloatArray) -> tuple[FloatArray, FloatArray]:
         s = np.where(small, s, np.sin(n) / n)
         c = np.where(small, c, (1 - np.cos(n)) / n**2)
         d = np.where(small, d, (n - np.sin(n)) / n**3)
-    k = _skew(x)
+    k = skew(x)
     square = x[:, :, None] * x[:, None, :]
     square[:, (0, 1, 2), (0, 1, 2)] -= n2[:, None]
     inverse = c[:, None, None] * square - s[:, None, None] * k
@@ -238,8 +238,8 @@ def turns_of_steps(scheme: Scheme, v: FloatArray, a: FloatArray, b: FloatArray, 
     found = (
         blocks,
         turn @ first_turn,
-        by_turned @ (np.eye(3) + scheme._half_step * _skew(speed)),
-        by_turned @ (-scheme._half_step * _skew(dq)),
+        by_turned @ (np.eye(3) + scheme._half_step * skew(speed)),
+        by_turned @ (-scheme._half_step * skew(dq)),
         by_turned,
     )
     return Turns(*(steps(part) for part in found))

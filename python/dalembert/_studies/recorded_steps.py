@@ -17,7 +17,7 @@ from dalembert._studies.stored_rows import Rows
 _SAME_SIZE = 1e-9  # relative
 _BALANCED = 1e-6  # residual of a step, relative to its terms
 OF_DATA = 1e-3  # relative steps of data coordinates
-OF_MASS = (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0)  # weights of derivatives in the matrix of the accelerations
+OF_MASS = (0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)  # weights of derivatives in the matrix of the accelerations
 
 
 class Event(NamedTuple):
@@ -71,9 +71,12 @@ def find_steps(
     *,
     watches: bool,
     memory: float,
-    implicit: bool = True,
+    has_stages: bool = False,
 ) -> Steps:
-    """Find events, and the accelerations after them; refuse steps that are not explained by them."""
+    """Find events, and the accelerations after them; refuse steps that are not explained by them.
+
+    has_stages: steps are those of a Runge-Kutta method, whose ends are checked with their stages.
+    """
     n, _, m, nd = derivatives.sizes
     count = len(times)
     sizes = np.diff(times, prepend=times[0])
@@ -91,7 +94,8 @@ def find_steps(
         z_after = states[i]
         data = z_before[len(z_before) - nd :]
         z = with_data(z_after, data) if nd else z_after
-        _check_balance(derivatives, z, time, h, mbs)
+        if not has_stages:
+            _check_balance(derivatives, z, time, h, mbs)
         if not before and watches:
             before = list(derivatives.switches(z_before, float(times[i - 1]), h))
         regular_step, last = h == regular, i == count - 1
@@ -115,7 +119,7 @@ def find_steps(
         a_end = z_after[2 * n : 3 * n]
         a_now, b_now, size = a_end, own.algorithmic(a_now, b_now, a_end), h
         if found:
-            if m > 0 and implicit:
+            if m > 0 and not has_stages:
                 raise NotDifferentiable(
                     "events in systems with constraints are not available",
                     item=name_of(mbs, found[0]),
@@ -197,20 +201,20 @@ def _item_with_history(mbs: Any) -> str:
 
 
 def accelerations(derivatives: Any, z: FloatArray, time: float, h: float) -> FloatArray:
-    """Return accelerations of the equations of motion without constraints."""
-    n = derivatives.sizes[0]
+    """Return accelerations of the equations of motion; constraints are those of accelerations."""
+    n, n1, m, _ = derivatives.sizes
     still = z.copy()
-    still[2 * n : 3 * n] = 0.0
+    still[2 * n : 3 * n] = still[3 * n + 2 * n1 : 3 * n + 2 * n1 + m] = 0.0
     return np.asarray(over_mass(derivatives, still, time, h, np.asarray(derivatives.residual(still, time, h))[None])[0])
 
 
 def over_mass(derivatives: Any, z: FloatArray, time: float, h: float, right: FloatArray) -> FloatArray:
-    """Return - M^-1 of ODE2 equations in rows."""
-    n = derivatives.sizes[0]
+    """Return - M^-1 of equations in rows; with constraints, the inverse of [M, G^T; G, 0]."""
+    n, n1, _, _ = derivatives.sizes
     derivatives.linearize(z, time, h)
     failed = derivatives.factorize(OF_MASS)
     if failed >= 0:
         raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
-    padded = np.zeros((len(right), right.shape[1]))
-    padded[:, :n] = right[:, :n]
+    padded = right.copy()
+    padded[:, n : n + n1] = 0.0
     return -np.asarray(derivatives.solve(padded))[:, :n]

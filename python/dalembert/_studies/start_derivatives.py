@@ -113,6 +113,8 @@ class Start:
         self._factorize(base)
         solution = -base.solve(np.hstack((rates[:, :n], np.zeros((len(rates), n1)), rates[:, n + n1 :])))
         result.a[:] = result.b[:] = solution[:, :n]
+        if self.motion.tableau is not None:
+            result.y_t[:] = rates[:, n : n + n1]
         if np.any(self.z[3 * n + 2 * n1 :]):  # otherwise multipliers of the start are not stored
             result.lam[:] = solution[:, n + n1 :]
         return result
