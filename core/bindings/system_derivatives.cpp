@@ -202,7 +202,7 @@ class SystemDerivatives {
   // K x, of all unknowns, or D v, of velocities, for each row; or the products with the transposed matrices.
   Rows product(char matrix, const Array& x, bool transposed) {
     const std::vector<double>& values = matrix == 'K' ? k_ : matrix == 'D' ? d_ : m_;
-    const int columns = matrix == 'K' ? n_.total() : n_.ode2, rows = n_.total();
+    const int columns = matrix == 'K' ? n_.total() : n_.ode2, rows = matrix == 'M' && !acceleration_level_ ? n_.ode2 : n_.total();
     const int length = transposed ? rows : columns, result_length = transposed ? columns : rows;
     Rows result = rows_like(x, length, result_length);
     const auto count = static_cast<std::size_t>(x.shape(0));
@@ -224,6 +224,62 @@ class SystemDerivatives {
     for (std::size_t i = 0; i < static_cast<std::size_t>(result_length); ++i)
       for (std::size_t k = 0; k < count; ++k) found[k * static_cast<std::size_t>(result_length) + i] = to[i * count + k];
     return result;
+  }
+
+  // One step backwards, with factors of the transposed matrix. coefficients: h, c_v, c_a, c_b, then those of a and b in the
+  // predictions of q, v and b. ends: derivatives of outputs (rows) with respect to q, v, a, b, y, y_t and lambda at the end.
+  // turns: derivatives of rotations at the end with respect to increments, rotations, predicted increments and velocities.
+  // Returns the derivatives with respect to the start, without those by lambda, which are zero, and the solutions w.
+  py::tuple step_back(const std::array<double, 10>& coefficients, const std::array<Array, 7>& ends, const std::optional<std::array<Array, 4>>& turns) {
+    const auto [h, c_v, c_a, c_b, p_a, p_b, r_a, r_b, m_a, m_b] = coefficients;
+    const auto& [q_end, v_end, a_end, b_end, y_end, y_t_end, lambda_end] = ends;
+    const py::ssize_t rows = q_end.shape(0);
+    const int n = n_.ode2, n1 = n_.ode1, first_ae = n_.first_ae();
+    for (int part = 0; part < 7; ++part) {
+      const Array& end = ends[static_cast<std::size_t>(part)];
+      rows_like(end, part < 4 ? n : part < 6 ? n1 : n_.ae, 0);
+      if (end.shape(0) != rows) refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "ends", .expected = "parts with equal rows"});
+    }
+    Rows right({rows, static_cast<py::ssize_t>(n_.total())});
+    for (py::ssize_t o = 0; o < rows; ++o) {
+      double* x = mutable_row(right, o);
+      std::copy_n(row(q_end, o), n, x);
+      if (turns) transform_rotations((*turns)[0], row(q_end, o), x, false);
+      const double *v = row(v_end, o), *a = row(a_end, o), *b = row(b_end, o);
+      for (int i = 0; i < n; ++i) x[i] += c_v * v[i] + c_a * (a[i] + c_b * b[i]);
+      for (int i = 0; i < n1; ++i) x[n + i] = row(y_end, o)[i] + 2 / h * row(y_t_end, o)[i];
+      for (int k = 0; k < n_.ae; ++k) x[first_ae + k] = row(lambda_end, o)[k];
+    }
+    const Rows w = solve(right);
+    const Rows by_k = product('K', w, true), by_d = product('D', w, true);
+    const auto made = [rows](int size) { return Rows({rows, static_cast<py::ssize_t>(size)}); };
+    Rows q_start = made(n), v_start = made(n), a_start = made(n), b_start = made(n), y_start = made(n1), y_t_start = made(n1);
+    std::vector<double> of_end(static_cast<std::size_t>(n)), increment(of_end.size());
+    for (py::ssize_t o = 0; o < rows; ++o) {
+      double *q = mutable_row(q_start, o), *v = mutable_row(v_start, o), *a = mutable_row(a_start, o), *b = mutable_row(b_start, o);
+      const double *kw = row(by_k, o), *dw = row(by_d, o), *q0 = row(q_end, o), *v0 = row(v_end, o), *b0 = row(b_end, o);
+      for (int i = 0; i < n; ++i) {
+        q[i] = increment[static_cast<std::size_t>(i)] = of_end[static_cast<std::size_t>(i)] = q0[i] - kw[i];
+        v[i] = v0[i] - dw[i];
+      }
+      if (turns) {
+        transform_rotations((*turns)[1], of_end.data(), q, false);
+        transform_rotations((*turns)[2], of_end.data(), increment.data(), false);
+        transform_rotations((*turns)[3], of_end.data(), v, true);
+      }
+      for (int i = 0; i < n; ++i) {
+        const double dq = increment[static_cast<std::size_t>(i)];
+        a[i] = p_a * dq + r_a * v[i] + m_a * b0[i];
+        b[i] = p_b * dq + r_b * v[i] + m_b * b0[i];
+        v[i] += h * dq;
+      }
+      for (int i = 0; i < n1; ++i) {
+        const double y = row(y_end, o)[i] - kw[n + i];
+        mutable_row(y_start, o)[i] = y;
+        mutable_row(y_t_start, o)[i] = 0.5 * h * y;
+      }
+    }
+    return py::make_tuple(q_start, v_start, a_start, b_start, y_start, y_t_start, w);
   }
 
   Rows compose(const Array& q, const Array& increment) {
@@ -419,6 +475,12 @@ class SystemDerivatives {
     return Rows({rows.shape(0), static_cast<py::ssize_t>(result_length)});
   }
 
+  // Rows of arrays that may be empty.
+  template <class Numbers>
+  static const double* row(const Numbers& rows, py::ssize_t number) {
+    return rows.data() + number * rows.shape(1);
+  }
+  static double* mutable_row(Rows& rows, py::ssize_t number) { return rows.mutable_data() + number * rows.shape(1); }
   static Rows array(const std::vector<double>& values) { return Rows(static_cast<py::ssize_t>(values.size()), values.data()); }
 
   // Replaces K by K B in the columns of rotations.
@@ -445,6 +507,23 @@ class SystemDerivatives {
       for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[static_cast<std::size_t>(pattern_->slot(column, row))] = values[slot]; });
     } else {
       pattern_->for_each_transposed([&](int slot, int transposed) { j_[static_cast<std::size_t>(transposed)] = values[static_cast<std::size_t>(slot)]; });
+    }
+  }
+
+  // Products of transposed 3 x 3 matrices with the rotations of Lie-group nodes in x; they replace those in y, or are added.
+  void transform_rotations(const Array& matrices, const double* x, double* y, bool adds) {
+    const auto blocks = current().lie_blocks();
+    if (matrices.size() != static_cast<py::ssize_t>(9 * blocks.size()))
+      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "turns", .expected = "a 3 x 3 matrix for each rotation"});
+    const double* m = matrices.data();
+    for (const System::LieBlock& block : blocks) {
+      const double* from = x + block.rotation;
+      for (int j = 0; j < 3; ++j) {
+        const double sum = m[j] * from[0] + m[3 + j] * from[1] + m[6 + j] * from[2];
+        double& to = y[block.rotation + j];
+        to = adds ? to + sum : sum;
+      }
+      m += 9;
     }
   }
 
@@ -519,6 +598,8 @@ void register_system_derivatives(py::module_& testing) {
   c.def("solve", &D::solve, py::arg("right"), "Solutions for right-hand sides, with the last factors.");
   c.def("product", &D::product, py::arg("matrix"), py::arg("x"), py::arg("transposed") = false,
         "K x, D v or M a for each row, matrix: 'K', 'D' or 'M'; or the products with the transposed matrix.");
+  c.def("step_back", &D::step_back, py::arg("coefficients"), py::arg("ends"), py::arg("turns") = py::none(),
+        "One step of generalized alpha backwards, with factors of the transposed matrix.");
   c.def("compose", &D::compose, py::arg("q"), py::arg("increment"), "q after an increment; rotations of Lie-group nodes are composed.");
   c.def("sensor", &D::sensor, py::arg("number"), z, time, "Values of a sensor. The current state becomes z.");
   c.def("sensor_gradient", &D::sensor_gradient, py::arg("number"), z, time, py::arg("entries"), py::arg("steps"),

@@ -1083,7 +1083,7 @@ def test_factors_of_transposed_matrices(bodies: int) -> None:
     np.testing.assert_allclose(derivatives.product("D", unit, transposed=True), damping, rtol=1e-13)
     matrix = stiffness.copy()
     matrix[:, :n] += 50 * damping
-    matrix[:, :n] += 4e4 * mass
+    matrix[:n, :n] += 4e4 * mass
     right = random.normal(size=(3, size))
     for transposed in (False, True):
         assert derivatives.factorize((1.0, 50.0, 4e4, 1.0, 50.0, 1.0, 0.0), scale=2.5e-5, transposed=transposed) == -1

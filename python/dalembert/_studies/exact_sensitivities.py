@@ -119,8 +119,8 @@ def ComputeSensitivities(
         exu.At, exu.Reaction, exu.Eigenvalue, exu.BucklingLoad or exu.FrequencyResponse. The name of a sensor stands for
         At(sensor).
     simulationSettings, solverType: as in SolveDynamic: generalized alpha or the trapezoidal rule with equal steps,
-        ESDIRK43, or an explicit Runge-Kutta method of up to seven stages; 'static': as in SolveStatic. Contact and friction need
-        simulationSettings.events.ofItems=True.
+        ESDIRK43, or an explicit Runge-Kutta method of up to seven stages; 'static': as in SolveStatic. Contact and
+        friction need simulationSettings.events.ofItems=True.
     method: 'forward': one linear solution per parameter and step; 'adjoint': one per number of the outputs and step;
         'auto': whichever needs less.
     consistentStart: initial values follow constraints that parameters change; otherwise they stay as they are, with a

@@ -19,6 +19,7 @@ to the first, give the gradient of an output (discrete adjoint).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -153,6 +154,11 @@ class Scheme:
         m_a, m_b = self.memory
         return self.h * self.gamma * m_a, self.h * (1 - self.gamma + self.gamma * m_b)
 
+    @cached_property
+    def coefficients(self) -> tuple[float, ...]:
+        """h, c_v, c_a, c_b, and the factors of a and b in predictions of q', v' and b'."""
+        return (self.h, self.c_v, self.c_a, self.c_b, *self.of_positions, *self.of_velocities, *self.memory)
+
     def increments(self, v: FloatArray, a: FloatArray, b: FloatArray) -> FloatArray:
         """Return predicted increments of q."""
         p_a, p_b = self.of_positions
@@ -266,9 +272,6 @@ class LinearStep:
         """Return M x for the rotations in rows of x."""
         return np.asarray((matrices @ x[..., None])[..., 0])
 
-    def _transposed(self, matrices: FloatArray, x: FloatArray) -> FloatArray:
-        return np.asarray((x[..., None, :] @ matrices)[..., 0, :])
-
     def forward(self, start: Variation, rates: FloatArray, by_size: _BySize | None = None) -> Variation:
         """Return variations at the end; rates: derivatives of the residual with respect to the parameters, in rows."""
         s, d, r = self.scheme, self.derivatives, self.scheme.rotations
@@ -337,34 +340,8 @@ class LinearStep:
 
     def backward(self, end: Variation) -> tuple[Variation, FloatArray]:
         """Return derivatives with respect to the start of the step, and w: parameters contribute - w dr/dp."""
-        s, d, r = self.scheme, self.derivatives, self.scheme.rotations
-        q = end.q.copy()
-        if len(r):
-            q[:, r] = self._transposed(self.turns.by_x, end.q[:, r])
-        of_x = q + s.c_v * end.v + s.c_a * (end.a + s.c_b * end.b)
-        w = d.solve(np.hstack((of_x, end.y + 2 / s.h * end.y_t, end.lam)))
-        n, n1 = end.q.shape[1], end.y.shape[1]
-        by_k = d.product("K", w, transposed=True)
-        q = end.q - by_k[:, :n]
-        v = end.v - d.product("D", w, transposed=True)
-        y = end.y - by_k[:, n : n + n1]
-        dq = q.copy()
-        if len(r):
-            end_q = q[:, r]
-            q[:, r] = self._transposed(self.turns.by_q, end_q)
-            dq[:, r] = self._transposed(self.turns.by_increment, end_q)
-            if not s.simplified:
-                v[:, r] += self._transposed(self.turns.by_velocity, end_q)
-        p_a, p_b = s.of_positions
-        r_a, r_b = s.of_velocities
-        m_a, m_b = s.memory
-        start = Variation(
-            q,
-            v + s.h * dq,
-            p_a * dq + r_a * v + m_a * end.b,
-            p_b * dq + r_b * v + m_b * end.b,
-            y,
-            0.5 * s.h * y,
-            np.zeros_like(end.lam),
-        )
-        return start, w
+        s = self.scheme
+        turns = self.turns[:4] if len(s.rotations) else None
+        ends = end.q, end.v, end.a, end.b, end.y, end.y_t, end.lam
+        *start, w = self.derivatives.step_back(s.coefficients, ends, turns)
+        return Variation(*start, np.zeros_like(end.lam)), w
