@@ -31,9 +31,11 @@ from dalembert.itemInterface import (
     MarkerNodeCoordinate,
     Mass1D,
     Node1D,
+    NodeGenericData,
     NodeGenericODE1,
     NodeRigidBodyEP,
     NodeRigidBodyRotVecLG,
+    ObjectContactCoordinate,
     ObjectGenericODE1,
     SensorNode,
 )
@@ -178,6 +180,53 @@ def test_contact_with_diagonally_implicit_steps() -> None:
 
         exact = sum(weight / (1e-3 * x0) * at(x0 * (1 + 1e-3 * k)) for k, weight in CENTRAL.items())
         assert found[0].Derivative("x", name) == pytest.approx(exact, rel=2e-5)
+
+
+def stopped(mass: float = 2.0, stiffness: float = 1e4) -> Any:
+    """A pendulum that swings against a spring."""
+    mbs = pendulum()
+    mbs.SetObjectParameter(mbs.GetObjectNumber("mass"), "physicsMass", mass)
+    marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.GetNodeNumber("node"), coordinate=1))
+    gap = mbs.AddNode(NodeGenericData(initialCoordinates=[0.5], numberOfDataCoordinates=1))
+    ends = [ground_coordinate(mbs), marker]
+    mbs.AddObject(
+        ObjectContactCoordinate(
+            markerNumbers=ends, nodeNumber=gap, contactStiffness=stiffness, offset=-0.5, name="stop"
+        )
+    )
+    mbs.Assemble()
+    return mbs
+
+
+@pytest.mark.parametrize(
+    ("solver", "tolerance"),
+    [(Solver.ESDIRK43, 1e-5), (Solver.RK44, 1e-5), (Solver.TrapezoidalIndex2, 1e-8)],  # the first two project
+    ids=["ESDIRK43", "RK44", "trapezoidal"],
+)
+def test_events_in_systems_with_constraints(solver: Any, tolerance: float) -> None:
+    # The mass falls by 0.5 m along a circle of 0.8 m; the time of contact, which does not depend on the stiffness, is
+    # the elliptic integral of a pendulum, and proportional to the square root of the mass.
+    parameters = {"m": ("mass", "physicsMass"), "c": ("stop", "contactStiffness")}
+    outputs = {"x": exu.At("p"), "y": exu.At("p", component=1), "t": exu.EventTime("stop")}
+    s = with_events(0.7, 140)
+    s.timeIntegration.automaticStepSize = False
+    forward, adjoint = (
+        stopped().ComputeSensitivities(parameters, outputs, s, solver, m) for m in ("forward", "adjoint")
+    )
+    np.testing.assert_allclose(forward.matrix, adjoint.matrix, rtol=1e-9, atol=1e-15)
+    rate = np.sqrt(2 * 20 / (2 * 0.8))
+    exact = scipy.integrate.quad(lambda u: 2 / rate / np.sqrt(1 - u**4), 0, np.sqrt(np.sin(np.arcsin(0.5 / 0.8))))[0]
+    assert forward.values["t"] == pytest.approx(exact, rel=5e-4)  # the error of second order of the trapezoidal rule
+    assert forward.Derivative("t", "m") == pytest.approx(exact / (2 * 2), rel=5e-4)
+    for k, (name, x) in enumerate({"mass": 2.0, "stiffness": 1e4}.items()):
+        differences = sum(
+            weight
+            / (1e-3 * x)
+            * flat(stopped(**{name: x * (1 + 1e-3 * step)}), {"m": parameters["m"]}, outputs, solver, s)
+            for step, weight in CENTRAL.items()
+        )
+        scale = np.abs(forward.matrix[:, k]) + 1e-3 * np.abs(forward.matrix[:, k]).max()
+        assert np.all(np.abs(forward.matrix[:, k] - differences) < tolerance * scale)
 
 
 def test_what_is_refused() -> None:

@@ -804,7 +804,8 @@ def falling(*heights: float, constrained: bool = False) -> Any:
 def test_events_that_are_refused() -> None:
     parameters, outputs = {"m": ("mass 0", "physicsMass")}, {"x": "x0"}
     found = refusal(falling(0.05, constrained=True), parameters, outputs, with_events(0.2, 40))
-    assert found.reason == "events in systems with constraints are not available"
+    assert found.reason == "generalized alpha changes velocities after events in systems with constraints"
+    assert found.advice == "use exu.DynamicSolverType.ESDIRK43, an explicit Runge-Kutta method, or TrapezoidalIndex2"
     assert found.item == "event 'contact' of object 1 'stop 0' (ContactCoordinate)" and found.time is not None
     found = refusal(falling(0.05, 0.05), parameters, outputs, with_events(0.2, 40))
     assert found.reason == "two events come at the same time"

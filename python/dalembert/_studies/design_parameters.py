@@ -513,10 +513,11 @@ class Parameters:
         shift[turned] = -moved[turned]
         return Variant(made, derivatives, shift if shift.any() else None, now)
 
-    def use_acceleration_level(self, on: bool) -> None:
-        """Take constraints of accelerations in residuals and matrices, or those of the solver."""
-        for variant in (self.base, *(each for group in self.groups for each in group.variants.values())):
-            variant.derivatives.acceleration_level = on
+    @property
+    def systems(self) -> list[Any]:
+        """The SystemDerivatives of all copies of the model."""
+        variants = (self.base, *(each for group in self.groups for each in group.variants.values()))
+        return [variant.derivatives for variant in variants]
 
     def shifted(self, variant: Variant, z: FloatArray) -> FloatArray:
         """Return a state in the displacements of a copy."""

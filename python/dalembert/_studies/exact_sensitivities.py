@@ -442,7 +442,8 @@ class _Integration:
         )
         base, tableau = parameters.base.derivatives, motion.tableau
         if tableau is not None:
-            parameters.use_acceleration_level(True)
+            for each in parameters.systems:
+                each.acceleration_level = True
         motion = motion._replace(scheme=_with_rotations(motion, base))
         self.motion = motion
         if np.any(np.asarray(base.static_signs) > 0):
@@ -528,6 +529,7 @@ class _Integration:
             watches=bool(watches),
             memory=problem.memory / 6,
             has_stages=has_stages,
+            rate_level=rate_level,
         )
         events = tuple((step, event.item) for step, event in sorted(steps.events.items()))
         moves = bool(events) or end_time is not None

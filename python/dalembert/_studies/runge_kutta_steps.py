@@ -29,7 +29,7 @@ from dalembert._studies.moving_steps import SMALL, Moving, Walk
 from dalembert._studies.not_differentiable import NotDifferentiable
 
 _SAME_END = 1e-8  # of a step that is computed again
-_VIOLATED = 1e-4  # corrections by the projection, relative to the motion, whose own derivatives are left out
+_VIOLATED = 1e-5  # corrections by the projection, relative to the motion, whose own derivatives are left out
 _PROJECTIONS = 4
 _MOST_ITERATIONS = 40
 _SOLVED, _SLOW = 1e-13, 0.3  # increments relative to accelerations, and their ratio
@@ -219,13 +219,10 @@ class RungeKuttaWalk(Walk):
         return made, turn
 
     def _first_stage(self, i: int) -> _Stage:
-        n, n1 = self.n, self.n1
+        n = self.n
         z = np.array(self.states[i - 1])
         z[2 * n : 3 * n] = self.steps.a[i]
         time = float(self.times[i - 1])
-        if n1 and i - 1 in self.steps.events:
-            z[3 * n + n1 : 3 * n + 2 * n1] = 0.0
-            z[3 * n + n1 : 3 * n + 2 * n1] = self.derivatives.residual(z, time, float(self.steps.sizes[i]))[n : n + n1]
         rotations = len(self.scheme.rotations)
         turn = _Turn.of(np.zeros((rotations, 3)), z[n : 2 * n][self.scheme.rotations], 0.0)
         return _Stage(z, time, 0.0, self._rates_of(z, turn), turn)
