@@ -343,5 +343,5 @@ class LinearStep:
         s = self.scheme
         turns = self.turns[:4] if len(s.rotations) else None
         ends = end.q, end.v, end.a, end.b, end.y, end.y_t, end.lam
-        *start, w = self.derivatives.step_back(s.coefficients, ends, turns)
-        return Variation(*start, np.zeros_like(end.lam)), w
+        q, v, a, b, y, y_t, w = self.derivatives.step_back(s.coefficients, ends, turns)
+        return Variation(q, v, a, b, y, y_t, np.zeros_like(end.lam)), w
