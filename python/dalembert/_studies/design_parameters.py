@@ -200,6 +200,11 @@ class _named:
 
 def _target(mbs: Any, where: str, name: str, given: Any, map_: Any) -> _Target:
     if isinstance(given, str):
+        if not _is_setting(given):
+            raise ValueError(
+                f"{where}: received {given!r}, which is no setting of SimulationSettings, but expected "
+                f"(item, parameter), such as ('{given}', 'stiffness'), or '{END_TIME}'"
+            )
         raise NotDifferentiable(
             "it is a setting of the solver",
             item=given,
@@ -250,6 +255,15 @@ def _target(mbs: Any, where: str, name: str, given: Any, map_: Any) -> _Target:
         if not fits:
             raise ValueError(f"{where}: received entry {given[2]!r} of {given[1]}, which has the shape {shape}")
     return _Target(item, kind, given[1], entry, function)
+
+
+def _is_setting(path: str) -> bool:
+    found: Any = _core.SimulationSettings()
+    for name in path.split("."):
+        if not hasattr(found, name):
+            return False
+        found = getattr(found, name)
+    return True
 
 
 def _is_real(value: Any) -> bool:
