@@ -4,6 +4,9 @@
 //                                                            those along increments in the body frame)
 //   J = ck K B + cv D + ca M                               (B: 3 x 3 blocks at the rotations of Lie-group nodes, otherwise 1)
 //
+// At the level of accelerations, constraint equations are second derivatives of gaps (first derivatives of those of
+// velocities) along the motion, and M contains their rows.
+//
 // States are arrays [q, v, a, y, y_t, lambda, data]. Several vectors are rows of an array.
 #include "system_derivatives.hpp"
 
@@ -17,6 +20,7 @@
 
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/model/errors.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/system/switches.hpp"
 #include "main_system.hpp"
@@ -54,7 +58,7 @@ class SystemDerivatives {
   Rows residual(const Array& z, double time, double step_size) {
     System& system = take(z, time, step_size);
     Rows r(static_cast<py::ssize_t>(residual_.size()));
-    system.residual(state_, conditions_, {r.mutable_data(), residual_.size()});
+    evaluate(system, {r.mutable_data(), residual_.size()});
     return r;
   }
 
@@ -71,7 +75,7 @@ class SystemDerivatives {
     for (std::size_t k = 0; k < systems.size(); ++k) {
       SystemDerivatives& one = *systems[k];
       System& system = one.take(states[k], time, step_size);
-      system.residual(one.state_, one.conditions_, one.residual_);
+      one.evaluate(system, one.residual_);
       if (one.residual_.size() != total)
         refuse(ErrorKind::value, {.item = "testing.residual_sum", .parameter = "systems", .expected = "systems of equal size"});
       for (std::size_t i = 0; i < total; ++i) to[i] += weights[k] * one.residual_[i];
@@ -92,7 +96,7 @@ class SystemDerivatives {
     double* const sums = result.mutable_data();
     std::fill_n(sums, outputs * total, 0.0);
     for (py::ssize_t k = 0; k < count; ++k) {
-      take_from(states.data(k, 0), times.data()[k], step_size).residual(state_, conditions_, residual_);
+      evaluate(take_from(states.data(k, 0), times.data()[k], step_size), residual_);
       for (py::ssize_t o = 0; o < outputs; ++o) {
         const double* w = weights.data(k, o, 0);
         for (py::ssize_t i = 0; i < total; ++i) sums[o * total + i] += w[i] * residual_[static_cast<std::size_t>(i)];
@@ -107,7 +111,7 @@ class SystemDerivatives {
     const auto total = static_cast<py::ssize_t>(residual_.size());
     Rows result({count, total});
     for (py::ssize_t k = 0; k < count; ++k)
-      take_from(states.data(k, 0), times.data()[k], step_size).residual(state_, conditions_, {result.mutable_data(k, 0), residual_.size()});
+      evaluate(take_from(states.data(k, 0), times.data()[k], step_size), {result.mutable_data(k, 0), residual_.size()});
     return result;
   }
 
@@ -149,6 +153,7 @@ class SystemDerivatives {
     system.tangent(state_, conditions, {.q = 1, .v = weight, .a = 0, .y = 1, .y_t = 0}, *pattern_, d_);
     for (std::size_t i = 0; i < d_.size(); ++i) d_[i] = (d_[i] - k_[i]) / weight;
     system.mass_matrix(state_, *pattern_, m_);
+    if (acceleration_level_ && !rate_level && n_.ae > 0) linearize_gap_accelerations(system);
   }
 
   // Factors of each part of the matrix: K, D and M in the equations of motion (and K, D in those of first order); K and D
@@ -161,7 +166,7 @@ class SystemDerivatives {
     const auto value_at = [&, ck = ck, cv = cv, ca = ca, gk = gk, gv = gv, cy = cy, cy_t = cy_t](int row, int column, std::size_t slot) {
       if (column >= first_ae) return k_[slot];
       if (column >= n) return cy * k_[slot] - (row == column ? cy_t : 0.0);
-      if (row >= first_ae) return gk * k_[slot] + gv * d_[slot];
+      if (row >= first_ae) return gk * k_[slot] + gv * d_[slot] + ca * m_[slot];
       return ck * k_[slot] + cv * d_[slot] + (row < n ? ca * m_[slot] : 0.0);
     };
     for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[slot] = value_at(row, column, slot); });
@@ -197,7 +202,7 @@ class SystemDerivatives {
   // K x, of all unknowns, or D v, of velocities, for each row; or the products with the transposed matrices.
   Rows product(char matrix, const Array& x, bool transposed) {
     const std::vector<double>& values = matrix == 'K' ? k_ : matrix == 'D' ? d_ : m_;
-    const int columns = matrix == 'K' ? n_.total() : n_.ode2, rows = matrix == 'M' ? n_.ode2 : n_.total();
+    const int columns = matrix == 'K' ? n_.total() : n_.ode2, rows = matrix == 'M' && !acceleration_level_ ? n_.ode2 : n_.total();
     const int length = transposed ? rows : columns, result_length = transposed ? columns : rows;
     Rows result = rows_like(x, length, result_length);
     const auto count = static_cast<std::size_t>(x.shape(0));
@@ -219,6 +224,62 @@ class SystemDerivatives {
     for (std::size_t i = 0; i < static_cast<std::size_t>(result_length); ++i)
       for (std::size_t k = 0; k < count; ++k) found[k * static_cast<std::size_t>(result_length) + i] = to[i * count + k];
     return result;
+  }
+
+  // One step backwards, with factors of the transposed matrix. coefficients: h, c_v, c_a, c_b, then those of a and b in the
+  // predictions of q, v and b. ends: derivatives of outputs (rows) with respect to q, v, a, b, y, y_t and lambda at the end.
+  // turns: derivatives of rotations at the end with respect to increments, rotations, predicted increments and velocities.
+  // Returns the derivatives with respect to the start, without those by lambda, which are zero, and the solutions w.
+  py::tuple step_back(const std::array<double, 10>& coefficients, const std::array<Array, 7>& ends, const std::optional<std::array<Array, 4>>& turns) {
+    const auto [h, c_v, c_a, c_b, p_a, p_b, r_a, r_b, m_a, m_b] = coefficients;
+    const auto& [q_end, v_end, a_end, b_end, y_end, y_t_end, lambda_end] = ends;
+    const py::ssize_t rows = q_end.shape(0);
+    const int n = n_.ode2, n1 = n_.ode1, first_ae = n_.first_ae();
+    for (int part = 0; part < 7; ++part) {
+      const Array& end = ends[static_cast<std::size_t>(part)];
+      rows_like(end, part < 4 ? n : part < 6 ? n1 : n_.ae, 0);
+      if (end.shape(0) != rows) refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "ends", .expected = "parts with equal rows"});
+    }
+    Rows right({rows, static_cast<py::ssize_t>(n_.total())});
+    for (py::ssize_t o = 0; o < rows; ++o) {
+      double* x = mutable_row(right, o);
+      std::copy_n(row(q_end, o), n, x);
+      if (turns) transform_rotations((*turns)[0], row(q_end, o), x, false);
+      const double *v = row(v_end, o), *a = row(a_end, o), *b = row(b_end, o);
+      for (int i = 0; i < n; ++i) x[i] += c_v * v[i] + c_a * (a[i] + c_b * b[i]);
+      for (int i = 0; i < n1; ++i) x[n + i] = row(y_end, o)[i] + 2 / h * row(y_t_end, o)[i];
+      for (int k = 0; k < n_.ae; ++k) x[first_ae + k] = row(lambda_end, o)[k];
+    }
+    const Rows w = solve(right);
+    const Rows by_k = product('K', w, true), by_d = product('D', w, true);
+    const auto made = [rows](int size) { return Rows({rows, static_cast<py::ssize_t>(size)}); };
+    Rows q_start = made(n), v_start = made(n), a_start = made(n), b_start = made(n), y_start = made(n1), y_t_start = made(n1);
+    std::vector<double> of_end(static_cast<std::size_t>(n)), increment(of_end.size());
+    for (py::ssize_t o = 0; o < rows; ++o) {
+      double *q = mutable_row(q_start, o), *v = mutable_row(v_start, o), *a = mutable_row(a_start, o), *b = mutable_row(b_start, o);
+      const double *kw = row(by_k, o), *dw = row(by_d, o), *q0 = row(q_end, o), *v0 = row(v_end, o), *b0 = row(b_end, o);
+      for (int i = 0; i < n; ++i) {
+        q[i] = increment[static_cast<std::size_t>(i)] = of_end[static_cast<std::size_t>(i)] = q0[i] - kw[i];
+        v[i] = v0[i] - dw[i];
+      }
+      if (turns) {
+        transform_rotations((*turns)[1], of_end.data(), q, false);
+        transform_rotations((*turns)[2], of_end.data(), increment.data(), false);
+        transform_rotations((*turns)[3], of_end.data(), v, true);
+      }
+      for (int i = 0; i < n; ++i) {
+        const double dq = increment[static_cast<std::size_t>(i)];
+        a[i] = p_a * dq + r_a * v[i] + m_a * b0[i];
+        b[i] = p_b * dq + r_b * v[i] + m_b * b0[i];
+        v[i] += h * dq;
+      }
+      for (int i = 0; i < n1; ++i) {
+        const double y = row(y_end, o)[i] - kw[n + i];
+        mutable_row(y_start, o)[i] = y;
+        mutable_row(y_t_start, o)[i] = 0.5 * h * y;
+      }
+    }
+    return py::make_tuple(q_start, v_start, a_start, b_start, y_start, y_t_start, w);
   }
 
   Rows compose(const Array& q, const Array& increment) {
@@ -255,6 +316,19 @@ class SystemDerivatives {
     return result;
   }
 
+  void set_acceleration_level(bool on) { acceleration_level_ = on; }
+  bool acceleration_level() const { return acceleration_level_; }
+
+  // Constraint equations whose gaps user functions prescribe in time.
+  std::vector<int> driven(const Array& z, double time, double end_time) {
+    System& system = take(z, time, conditions_.step_size);
+    const std::vector<char> found = driven_equations(system, state_, conditions_, end_time);
+    std::vector<int> result;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (found[k]) result.push_back(static_cast<int>(k));
+    return result;
+  }
+
   std::vector<int> rotations() {
     std::vector<int> found;
     for (const System::LieBlock& block : current().lie_blocks()) found.push_back(block.rotation);
@@ -271,6 +345,91 @@ class SystemDerivatives {
     double multiple, weight;
   };
   static constexpr std::array<Difference, 4> differences{{{-2, 1.0 / 12}, {-1, -8.0 / 12}, {1, 8.0 / 12}, {2, -1.0 / 12}}};
+
+  void evaluate(System& system, std::span<double> residual) {
+    system.residual(state_, conditions_, residual);
+    if (!acceleration_level_ || n_.ae == 0) return;
+    // Multipliers of inactive constraints, which have no gaps.
+    const auto count = static_cast<std::size_t>(n_.ae);
+    const std::span<double> sum = residual.subspan(static_cast<std::size_t>(n_.first_ae()), count);
+    std::vector<double> part(count);
+    system.gaps(state_, of_rates(), sum);
+    std::ranges::fill(state_.lambda, 0.0);
+    system.gaps(state_, of_rates(), part);
+    for (std::size_t k = 0; k < count; ++k) sum[k] -= part[k];
+    along_motion([&](double weight) {
+      system.gaps(state_, of_rates(), part);
+      for (std::size_t k = 0; k < count; ++k) sum[k] += weight * part[k];
+    });
+  }
+
+  Conditions of_rates() const {
+    Conditions conditions = conditions_;
+    conditions.rate_level = true;
+    return conditions;
+  }
+
+  // Calls `add(weight)` at positions q + e v and velocities v + e a, for differences by e of fourth order.
+  template <class Add>
+  void along_motion(const Add& add) {
+    const State middle = state_;
+    double speed = 0, size = 1;
+    for (const double v : middle.v) speed = std::max(speed, std::abs(v));
+    for (const double q : middle.q) size = std::max(size, std::abs(q));
+    double rate = speed;  // of velocities, if these change faster
+    for (const double a : middle.a) rate = std::max(rate, std::abs(a) * size / std::max(speed, size));
+    const double e = relative_step * size / std::max(rate, 1e-10 * size);
+    std::vector<double> increment(middle.q.size());
+    for (const auto& [multiple, weight] : differences) {
+      for (std::size_t i = 0; i < increment.size(); ++i) {
+        increment[i] = multiple * e * middle.v[i];
+        state_.v[i] = middle.v[i] + multiple * e * middle.a[i];
+      }
+      move(current(), middle.q, increment, state_.q);
+      add(weight / e);
+    }
+    state_ = middle;
+  }
+
+  // Rows of constraints in K, D and M. With gap rates g(q, v) and q moving by v, v by a:
+  //   dK/de, of rotations of Lie-group nodes less K times (v x), because increments are those at q;  K + dD/de;  D
+  void linearize_gap_accelerations(System& system) {
+    std::vector<double> by_q(k_.size()), both(k_.size());
+    const int first_ae = n_.first_ae();
+    const auto of_constraints = [&](auto&& each) {
+      for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+        if (row >= first_ae && column < n_.ode2) each(slot);
+      });
+    };
+    const auto tangents = [&] {  // `both`: K + D
+      system.tangent(state_, of_rates(), {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, *pattern_, by_q);
+      system.tangent(state_, of_rates(), {.q = 1, .v = 1, .a = 0, .y = 1, .y_t = 0}, *pattern_, both);
+    };
+    tangents();
+    of_constraints([&](std::size_t slot) {
+      m_[slot] = both[slot] - by_q[slot];
+      d_[slot] = by_q[slot];
+      k_[slot] = 0.0;
+    });
+    for (const System::LieBlock& block : system.lie_blocks()) {
+      const double* v = state_.v.data() + block.rotation;
+      const std::array<std::array<double, 3>, 3> cross{{{0, -v[2], v[1]}, {v[2], 0, -v[0]}, {-v[1], v[0], 0}}};
+      for_each_row(*pattern_, block.rotation, [&](int row) {
+        if (row < first_ae) return;
+        const auto slot = [&](int i) { return static_cast<std::size_t>(pattern_->slot(row, block.rotation + i)); };
+        for (int j = 0; j < 3; ++j)
+          for (int i = 0; i < 3; ++i) k_[slot(j)] -= by_q[slot(i)] * cross[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      });
+    }
+    along_motion([&](double weight) {
+      tangents();
+      of_constraints([&](std::size_t slot) {
+        k_[slot] += weight * by_q[slot];
+        d_[slot] += weight * (both[slot] - by_q[slot]);
+      });
+    });
+  }
+  static constexpr double relative_step = 2e-3;
 
   System& current() {
     System& system = main_->assembled("SystemDerivatives");
@@ -316,6 +475,12 @@ class SystemDerivatives {
     return Rows({rows.shape(0), static_cast<py::ssize_t>(result_length)});
   }
 
+  // Rows of arrays that may be empty.
+  template <class Numbers>
+  static const double* row(const Numbers& rows, py::ssize_t number) {
+    return rows.data() + number * rows.shape(1);
+  }
+  static double* mutable_row(Rows& rows, py::ssize_t number) { return rows.mutable_data() + number * rows.shape(1); }
   static Rows array(const std::vector<double>& values) { return Rows(static_cast<py::ssize_t>(values.size()), values.data()); }
 
   // Replaces K by K B in the columns of rotations.
@@ -342,6 +507,23 @@ class SystemDerivatives {
       for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[static_cast<std::size_t>(pattern_->slot(column, row))] = values[slot]; });
     } else {
       pattern_->for_each_transposed([&](int slot, int transposed) { j_[static_cast<std::size_t>(transposed)] = values[static_cast<std::size_t>(slot)]; });
+    }
+  }
+
+  // Products of transposed 3 x 3 matrices with the rotations of Lie-group nodes in x; they replace those in y, or are added.
+  void transform_rotations(const Array& matrices, const double* x, double* y, bool adds) {
+    const auto blocks = current().lie_blocks();
+    if (matrices.size() != static_cast<py::ssize_t>(9 * blocks.size()))
+      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "turns", .expected = "a 3 x 3 matrix for each rotation"});
+    const double* m = matrices.data();
+    for (const System::LieBlock& block : blocks) {
+      const double* from = x + block.rotation;
+      for (int j = 0; j < 3; ++j) {
+        const double sum = m[j] * from[0] + m[3 + j] * from[1] + m[6 + j] * from[2];
+        double& to = y[block.rotation + j];
+        to = adds ? to + sum : sum;
+      }
+      m += 9;
     }
   }
 
@@ -385,7 +567,7 @@ class SystemDerivatives {
   std::vector<double> k_, d_, m_, j_, residual_;
   std::unique_ptr<LinearSolver> factors_;
   double scale_ = 1;
-  bool transposed_ = false;
+  bool transposed_ = false, acceleration_level_ = false;
 };
 
 }  // namespace
@@ -416,10 +598,15 @@ void register_system_derivatives(py::module_& testing) {
   c.def("solve", &D::solve, py::arg("right"), "Solutions for right-hand sides, with the last factors.");
   c.def("product", &D::product, py::arg("matrix"), py::arg("x"), py::arg("transposed") = false,
         "K x, D v or M a for each row, matrix: 'K', 'D' or 'M'; or the products with the transposed matrix.");
+  c.def("step_back", &D::step_back, py::arg("coefficients"), py::arg("ends"), py::arg("turns") = py::none(),
+        "One step of generalized alpha backwards, with factors of the transposed matrix.");
   c.def("compose", &D::compose, py::arg("q"), py::arg("increment"), "q after an increment; rotations of Lie-group nodes are composed.");
   c.def("sensor", &D::sensor, py::arg("number"), z, time, "Values of a sensor. The current state becomes z.");
   c.def("sensor_gradient", &D::sensor_gradient, py::arg("number"), z, time, py::arg("entries"), py::arg("steps"),
         "Derivatives of the values of a sensor by entries of z, by central differences of fourth order with these steps.");
+  c.def("driven", &D::driven, z, time, py::arg("end_time"), "Constraint equations whose gaps user functions prescribe in time.");
+  c.def_property("acceleration_level", &D::acceleration_level, &D::set_acceleration_level,
+                 "Whether constraint equations are those of accelerations: in residuals, and in K, D and M where no rate_level is given.");
   c.def_property_readonly("rotations", &D::rotations, "First coordinates of the rotations of Lie-group nodes.");
   c.def_property_readonly("static_signs", &D::static_signs, "-1 for multipliers, whose sign is opposite in static solutions; 1 for algebraic coordinates.");
   c.def_property_readonly("sizes", &D::sizes, "Numbers of ODE2, ODE1, algebraic and data coordinates.");

@@ -573,8 +573,11 @@ def test_model_does_not_change_whatever_happens(method: Any) -> None:
     calls: list[tuple[type, Any]] = [
         (ValueError, lambda: call({"m": ("mass", "physicsMas")})),
         (exu.NotDifferentiable, lambda: call({"m": ("mass", "name")})),
-        (exu.NotDifferentiable, lambda: call(solverType=exu.DynamicSolverType.ESDIRK43)),
-        (exu.NotDifferentiable, lambda: call(solverType=exu.DynamicSolverType.RK44)),
+        (exu.NotDifferentiable, lambda: call(solverType=exu.DynamicSolverType.DOP853)),
+        (
+            exu.NotDifferentiable,
+            lambda: call(outputs={"F": exu.Reaction("rod")}, solverType=exu.DynamicSolverType.RK44),
+        ),
         (exu.NotDifferentiable, lambda: call(outputs={"w": exu.Eigenvalue(0)})),
         (exu.SolverError, lambda: call(solverType="static")),
         (RuntimeError, lambda: call(outputs={"x": exu.Integral("p", failing)})),
@@ -801,7 +804,8 @@ def falling(*heights: float, constrained: bool = False) -> Any:
 def test_events_that_are_refused() -> None:
     parameters, outputs = {"m": ("mass 0", "physicsMass")}, {"x": "x0"}
     found = refusal(falling(0.05, constrained=True), parameters, outputs, with_events(0.2, 40))
-    assert found.reason == "events in systems with constraints are not available"
+    assert found.reason == "generalized alpha changes velocities after events in systems with constraints"
+    assert found.advice == "use exu.DynamicSolverType.ESDIRK43, an explicit Runge-Kutta method, or TrapezoidalIndex2"
     assert found.item == "event 'contact' of object 1 'stop 0' (ContactCoordinate)" and found.time is not None
     found = refusal(falling(0.05, 0.05), parameters, outputs, with_events(0.2, 40))
     assert found.reason == "two events come at the same time"
@@ -891,22 +895,9 @@ def test_settings_that_are_refused() -> None:
         s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
 
     assert changed(control) == "simulationSettings.stepSizeControl.implicitSolvers"
-    for solver in (exu.DynamicSolverType.VelocityVerlet, exu.DynamicSolverType.ESDIRK43):
+    for solver in (exu.DynamicSolverType.VelocityVerlet, exu.DynamicSolverType.DOP853):
         found = refusal(oscillator(), solverType=solver)
         assert "generalized alpha" in found.reason
-
-
-def test_what_explicit_methods_do_not_differentiate() -> None:
-    def refused(mbs: Any, parameters: Any, outputs: Any) -> Any:
-        return refusal(mbs, parameters, outputs, solverType=exu.DynamicSolverType.RK44)
-
-    found = refused(pendulum(), {"m": ("mass", "physicsMass")}, {"x": "p"})
-    assert found.reason == "constraints are not available with explicit methods" and "rod" in found.item
-    mass = {"m": ("body", "physicsMass")}
-    found = refused(spatial(connector=bushing), mass, {"x": "p"})
-    assert found.item == "node 0 'node' (RigidBodyRotVecLG)" and "Lie-group" in found.reason
-    found = refused(oscillator(), None, {"a": exu.Final(0, 2)})
-    assert found.reason == "accelerations of explicit methods are not available"
 
 
 def test_adaptive_steps_are_frozen() -> None:
@@ -1013,6 +1004,8 @@ def test_corrected_velocities_are_refused() -> None:
             exu.NotDifferentiable,
             "timeIntegration.startTime, parameter 'p': it is a setting",
         ),
+        ("timeIntegration.nothing", ValueError, "'timeIntegration.nothing', which is no setting"),
+        ("spring", ValueError, r"but expected \(item, parameter\), such as \('spring', 'stiffness'\)"),
         (("spring",), ValueError, "expected \\(item, parameter\\)"),
         ((1, "stiffness"), ValueError, "received 1 as item"),
         ([], ValueError, "received an empty list"),
@@ -1035,6 +1028,15 @@ def test_wrong_parameters(parameter: Any, error: type, message: str) -> None:
         ("y", "output 'o': received 'y'"),
         (exu.At("x", 7.0), "no step ends at time 7 s; .*; it has to lie within the computed time"),
         (exu.Integral("x", end=0.123), "no step ends at time 0.123 s; .*; choose steps that end there"),
+        (exu.At("x", float("nan")), "no step ends at time nan s; .*; it has to lie within the computed time"),
+        (
+            exu.Function(lambda x: float("nan"), ["x"]),
+            "output 'o': its function returned nan, but expected a finite number",
+        ),
+        (
+            exu.Integral("x", lambda x: np.array([1.0, 2.0])),
+            "its function returned array.*, but expected a finite number",
+        ),
         (exu.EventTime("spring"), "number: received 1, but the object has 0 events"),
         (exu.At("x", component=2), "component: received 2, but the sensor has 1 values"),
         (exu.Final(5), "received 5, but the system has 1 ODE2 coordinates"),

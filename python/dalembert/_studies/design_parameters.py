@@ -200,6 +200,11 @@ class _named:
 
 def _target(mbs: Any, where: str, name: str, given: Any, map_: Any) -> _Target:
     if isinstance(given, str):
+        if not _is_setting(given):
+            raise ValueError(
+                f"{where}: received {given!r}, which is no setting of SimulationSettings, but expected "
+                f"(item, parameter), such as ('{given}', 'stiffness'), or '{END_TIME}'"
+            )
         raise NotDifferentiable(
             "it is a setting of the solver",
             item=given,
@@ -250,6 +255,15 @@ def _target(mbs: Any, where: str, name: str, given: Any, map_: Any) -> _Target:
         if not fits:
             raise ValueError(f"{where}: received entry {given[2]!r} of {given[1]}, which has the shape {shape}")
     return _Target(item, kind, given[1], entry, function)
+
+
+def _is_setting(path: str) -> bool:
+    found: Any = _core.SimulationSettings()
+    for name in path.split("."):
+        if not hasattr(found, name):
+            return False
+        found = getattr(found, name)
+    return True
 
 
 def _is_real(value: Any) -> bool:
@@ -512,6 +526,12 @@ class Parameters:
         shift = np.zeros_like(moved)
         shift[turned] = -moved[turned]
         return Variant(made, derivatives, shift if shift.any() else None, now)
+
+    @property
+    def systems(self) -> list[Any]:
+        """The SystemDerivatives of all copies of the model."""
+        variants = (self.base, *(each for group in self.groups for each in group.variants.values()))
+        return [variant.derivatives for variant in variants]
 
     def shifted(self, variant: Variant, z: FloatArray) -> FloatArray:
         """Return a state in the displacements of a copy."""

@@ -54,7 +54,7 @@ class Context(NamedTuple):
         if time is None:
             return len(self.times) - 1
         step = int(np.argmin(np.abs(self.times - time)))
-        if abs(self.times[step] - time) > self._round_off:
+        if not abs(self.times[step] - time) <= self._round_off:  # also if it is no number
             raise ValueError(
                 f"output '{name}': no step ends at time {time:.10g} s; steps of {self._size:.10g} s go from "
                 f"{self.times[0]:.10g} s to {self.times[-1]:.10g} s; {self._advice(time)}"
@@ -283,7 +283,7 @@ class Integral(Output):
     def _integrand(self, name: str, x: FloatArray) -> float:
         if self.function is None:
             return float(_component(name, x, self.component) @ x)
-        return float(self.function(x))
+        return _number(name, self.function(x))
 
     def value(self, name: str, context: Context, values: Values) -> FloatArray:
         samples = self._of_sensor(name, context)
@@ -304,7 +304,7 @@ class Integral(Output):
             elif self.derivative is not None:
                 slope = as_vector(f"output '{name}': derivative", self.derivative(x), len(x))
             else:
-                slope = gradient(self.function, x)
+                slope = gradient(lambda at: self._integrand(name, at), x)
             yield Seed(0, sample, weight * slope)
 
 
@@ -483,26 +483,34 @@ class Function(Output):
             *(output.value(name, context, values) for output in self.outputs),
         ]
 
-    def _call(self, x: FloatArray, sizes: Sequence[int]) -> float:
+    def _call(self, name: str, x: FloatArray, sizes: Sequence[int]) -> float:
         parts = np.split(x, np.cumsum(sizes)[:-1])
         arguments = [
             float(part[0]) if i >= len(self.sensors) and len(part) == 1 else part for i, part in enumerate(parts)
         ]
-        return float(self.function(*arguments))
+        return _number(name, self.function(*arguments))
 
     def value(self, name: str, context: Context, values: Values) -> FloatArray:
         arguments = self._arguments(name, context, values)
-        return np.array([self._call(np.concatenate(arguments), [len(each) for each in arguments])])
+        return np.array([self._call(name, np.concatenate(arguments), [len(each) for each in arguments])])
 
     def seeds(self, name: str, context: Context, values: Values) -> Iterator[Seed]:
         arguments = self._arguments(name, context, values)
         sizes = [len(each) for each in arguments]
-        slopes = np.split(gradient(lambda x: self._call(x, sizes), np.concatenate(arguments)), np.cumsum(sizes)[:-1])
+        by_all = gradient(lambda x: self._call(name, x, sizes), np.concatenate(arguments))
+        slopes = np.split(by_all, np.cumsum(sizes)[:-1])
         for sample, slope in zip(self._of_sensors(name, context), slopes, strict=False):
             yield Seed(0, sample, slope)
         for output, slope in zip(self.outputs, slopes[len(self.sensors) :], strict=True):
             for seed in output.seeds(name, context, values):
                 yield Seed(0, seed.sample, slope[seed.row] * seed.weights)
+
+
+def _number(name: str, value: Any) -> float:
+    """Return a number that a function of the user has computed."""
+    if np.size(value) != 1 or np.asarray(value).dtype.kind not in "fiu" or not np.all(np.isfinite(value)):
+        raise ValueError(f"output '{name}': its function returned {value!r}, but expected a finite number")
+    return float(np.asarray(value).ravel()[0])
 
 
 _POSITIONS = {

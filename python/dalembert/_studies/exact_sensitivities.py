@@ -17,7 +17,6 @@ from dalembert._solving.quiet import assemble_if_needed, given_or_default
 from dalembert._studies.design_parameters import Parameter, Parameters
 from dalembert._studies.difference_formulas import STEP, derivative
 from dalembert._studies.differentiable_outputs import COMPUTED, Context, Output, Sample, entries_read
-from dalembert._studies.explicit_steps import TABLEAUS, ExplicitWalk, refuse_for_stages
 from dalembert._studies.generalized_alpha import LinearStep, Turns, Variation, turns_of_steps
 from dalembert._studies.moving_steps import Moving, Walk
 from dalembert._studies.not_differentiable import NotDifferentiable
@@ -32,6 +31,7 @@ from dalembert._studies.recorded_motion import (
     silent,
 )
 from dalembert._studies.recorded_steps import Steps, find_steps, only_states_of_items, with_data
+from dalembert._studies.runge_kutta_steps import RungeKuttaWalk, refuse_driven
 from dalembert._studies.start_derivatives import Start
 from dalembert._studies.stored_rows import Rows
 from dalembert._tools.missing_names import nearest
@@ -118,9 +118,9 @@ def ComputeSensitivities(
     outputs: by name, exu.At, exu.Integral, exu.Final, exu.Reaction, exu.EventTime or exu.Function; with 'static',
         exu.At, exu.Reaction, exu.Eigenvalue, exu.BucklingLoad or exu.FrequencyResponse. The name of a sensor stands for
         At(sensor).
-    simulationSettings, solverType: as in SolveDynamic: generalized alpha or the trapezoidal rule with equal steps, or
-        an explicit Runge-Kutta method without constraints; 'static': as in SolveStatic. Contact and friction need
-        simulationSettings.events.ofItems=True.
+    simulationSettings, solverType: as in SolveDynamic: generalized alpha or the trapezoidal rule with equal steps,
+        ESDIRK43, or an explicit Runge-Kutta method of up to seven stages; 'static': as in SolveStatic. Contact and
+        friction need simulationSettings.events.ofItems=True.
     method: 'forward': one linear solution per parameter and step; 'adjoint': one per number of the outputs and step;
         'auto': whichever needs less.
     consistentStart: initial values follow constraints that parameters change; otherwise they stay as they are, with a
@@ -440,7 +440,10 @@ class _Integration:
             {"rate_level": rate_level},
             (motion.states[middle], float(motion.times[middle])),
         )
-        base = parameters.base.derivatives
+        base, tableau = parameters.base.derivatives, motion.tableau
+        if tableau is not None:
+            for each in parameters.systems:
+                each.acceleration_level = True
         motion = motion._replace(scheme=_with_rotations(motion, base))
         self.motion = motion
         if np.any(np.asarray(base.static_signs) > 0):
@@ -449,8 +452,7 @@ class _Integration:
                 "algebraic coordinates are not available",
                 item=_core.testing.describe_row(problem.mbs, problem.n + problem.n1 + row),
             )
-        explicit = TABLEAUS.get(problem.solverType)
-        if explicit is None:
+        if tableau is None:
             check_steps(motion, base, problem.n, steps)
         samples.read(parameters)
         state, data = motion.states[middle], base.sizes[3]
@@ -460,12 +462,15 @@ class _Integration:
         walk = None
         if steps is not None:
             typical = samples.steps
-            kind = Walk if explicit is None else ExplicitWalk
+            kind = Walk if tableau is None else RungeKuttaWalk
             walk = kind(parameters, motion.times, motion.states, motion.scheme, steps, typical, end_time)
-            if isinstance(walk, ExplicitWalk):
-                walk.tableau = TABLEAUS[problem.solverType]
-                walk.check_ends()
-                samples.refuse_accelerations()
+            if isinstance(walk, RungeKuttaWalk) and tableau is not None:
+                time = problem.settings.timeIntegration
+                walk.tableau = tableau
+                if time.automaticStepSize and tableau.implicit:
+                    walk.tolerance = time.absoluteTolerance, time.relativeTolerance
+                if not tableau.implicit:
+                    samples.refuse_accelerations()
             elif not walk.tracked and not steps.moves and end_time is None:
                 walk = None
         start = Start(parameters, motion, problem.consistent).variations()
@@ -503,9 +508,10 @@ class _Integration:
         problem, motion = self.problem, self.motion
         derivatives = _core.testing.SystemDerivatives(problem.mbs, rate_level=rate_level)
         watches = problem.settings.events.ofItems and _has_switches(derivatives, motion)
-        explicit = problem.solverType in TABLEAUS
-        if explicit:
-            refuse_for_stages(derivatives, problem.mbs)
+        has_stages = motion.tableau is not None
+        if has_stages:
+            derivatives.acceleration_level = True
+            refuse_driven(derivatives, problem.mbs, motion.states[0], float(motion.times[0]), float(motion.times[-1]))
         plain = not watches and end_time is None and motion.algorithmic is not None
         if plain and (
             not derivatives.sizes[3]
@@ -522,7 +528,8 @@ class _Integration:
             problem.mbs,
             watches=bool(watches),
             memory=problem.memory / 6,
-            implicit=not explicit,
+            has_stages=has_stages,
+            rate_level=rate_level,
         )
         events = tuple((step, event.item) for step, event in sorted(steps.events.items()))
         moves = bool(events) or end_time is not None

@@ -19,6 +19,7 @@ to the first, give the gradient of an output (discrete adjoint).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,7 +31,7 @@ from dalembert._studies.difference_formulas import derivative
 _NONE = np.zeros((0, 3), dtype=int)
 
 
-def _skew(x: FloatArray) -> FloatArray:
+def skew(x: FloatArray) -> FloatArray:
     """Return skew matrices of rows of vectors."""
     matrix = np.zeros((len(x), 3, 3))
     matrix[:, 0, 1], matrix[:, 0, 2], matrix[:, 1, 2] = -x[:, 2], x[:, 1], -x[:, 0]
@@ -57,7 +58,7 @@ def rotation_operators(x: FloatArray) -> tuple[FloatArray, FloatArray]:
         s = np.where(small, s, np.sin(n) / n)
         c = np.where(small, c, (1 - np.cos(n)) / n**2)
         d = np.where(small, d, (n - np.sin(n)) / n**3)
-    k = _skew(x)
+    k = skew(x)
     square = x[:, :, None] * x[:, None, :]
     square[:, (0, 1, 2), (0, 1, 2)] -= n2[:, None]
     inverse = c[:, None, None] * square - s[:, None, None] * k
@@ -153,6 +154,11 @@ class Scheme:
         m_a, m_b = self.memory
         return self.h * self.gamma * m_a, self.h * (1 - self.gamma + self.gamma * m_b)
 
+    @cached_property
+    def coefficients(self) -> tuple[float, ...]:
+        """h, c_v, c_a, c_b, and the factors of a and b in predictions of q', v' and b'."""
+        return (self.h, self.c_v, self.c_a, self.c_b, *self.of_positions, *self.of_velocities, *self.memory)
+
     def increments(self, v: FloatArray, a: FloatArray, b: FloatArray) -> FloatArray:
         """Return predicted increments of q."""
         p_a, p_b = self.of_positions
@@ -238,8 +244,8 @@ def turns_of_steps(scheme: Scheme, v: FloatArray, a: FloatArray, b: FloatArray, 
     found = (
         blocks,
         turn @ first_turn,
-        by_turned @ (np.eye(3) + scheme._half_step * _skew(speed)),
-        by_turned @ (-scheme._half_step * _skew(dq)),
+        by_turned @ (np.eye(3) + scheme._half_step * skew(speed)),
+        by_turned @ (-scheme._half_step * skew(dq)),
         by_turned,
     )
     return Turns(*(steps(part) for part in found))
@@ -265,9 +271,6 @@ class LinearStep:
     def _times(self, matrices: FloatArray, x: FloatArray) -> FloatArray:
         """Return M x for the rotations in rows of x."""
         return np.asarray((matrices @ x[..., None])[..., 0])
-
-    def _transposed(self, matrices: FloatArray, x: FloatArray) -> FloatArray:
-        return np.asarray((x[..., None, :] @ matrices)[..., 0, :])
 
     def forward(self, start: Variation, rates: FloatArray, by_size: _BySize | None = None) -> Variation:
         """Return variations at the end; rates: derivatives of the residual with respect to the parameters, in rows."""
@@ -337,34 +340,8 @@ class LinearStep:
 
     def backward(self, end: Variation) -> tuple[Variation, FloatArray]:
         """Return derivatives with respect to the start of the step, and w: parameters contribute - w dr/dp."""
-        s, d, r = self.scheme, self.derivatives, self.scheme.rotations
-        q = end.q.copy()
-        if len(r):
-            q[:, r] = self._transposed(self.turns.by_x, end.q[:, r])
-        of_x = q + s.c_v * end.v + s.c_a * (end.a + s.c_b * end.b)
-        w = d.solve(np.hstack((of_x, end.y + 2 / s.h * end.y_t, end.lam)))
-        n, n1 = end.q.shape[1], end.y.shape[1]
-        by_k = d.product("K", w, transposed=True)
-        q = end.q - by_k[:, :n]
-        v = end.v - d.product("D", w, transposed=True)
-        y = end.y - by_k[:, n : n + n1]
-        dq = q.copy()
-        if len(r):
-            end_q = q[:, r]
-            q[:, r] = self._transposed(self.turns.by_q, end_q)
-            dq[:, r] = self._transposed(self.turns.by_increment, end_q)
-            if not s.simplified:
-                v[:, r] += self._transposed(self.turns.by_velocity, end_q)
-        p_a, p_b = s.of_positions
-        r_a, r_b = s.of_velocities
-        m_a, m_b = s.memory
-        start = Variation(
-            q,
-            v + s.h * dq,
-            p_a * dq + r_a * v + m_a * end.b,
-            p_b * dq + r_b * v + m_b * end.b,
-            y,
-            0.5 * s.h * y,
-            np.zeros_like(end.lam),
-        )
-        return start, w
+        s = self.scheme
+        turns = self.turns[:4] if len(s.rotations) else None
+        ends = end.q, end.v, end.a, end.b, end.y, end.y_t, end.lam
+        q, v, a, b, y, y_t, w = self.derivatives.step_back(s.coefficients, ends, turns)
+        return Variation(q, v, a, b, y, y_t, np.zeros_like(end.lam)), w

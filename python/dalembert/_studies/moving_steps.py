@@ -28,7 +28,7 @@ from dalembert._studies.design_parameters import Parameters, Variant, describe, 
 from dalembert._studies.difference_formulas import CENTRAL, FORWARD, derivative
 from dalembert._studies.generalized_alpha import LinearStep, Scheme, Variation, turns_of_steps
 from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
-from dalembert._studies.recorded_steps import OF_DATA, OF_MASS, Steps, name_of, over_mass, with_data
+from dalembert._studies.recorded_steps import OF_DATA, OF_MASS, Steps, name_of, of_accelerations, over_mass, with_data
 from dalembert._studies.stored_rows import Rows
 
 _GRAZES = 1e-6  # rate of a switch, relative to its terms
@@ -431,13 +431,15 @@ class Walk:
     def renewed(self, i: int, change: Moving) -> Moving:
         """Return the variation after an event: accelerations follow from positions, velocities and data."""
         z = self._after(i)
-        right = self._acceleration_rates(i, z, change)
-        a = over_mass(self.derivatives, z, float(self.times[i]), float(self.steps.sizes[i]), right)
+        with of_accelerations(*self.parameters.systems):
+            right = self._acceleration_rates(i, z, change)
+            a = over_mass(self.derivatives, z, float(self.times[i]), float(self.steps.sizes[i]), right)[:, : self.n]
         return replace(change, state=replace(change.state, a=a, b=a.copy()))
 
     def _after(self, i: int) -> FloatArray:
         z, n = np.array(self.states[i]), self.n
         z[2 * n : 3 * n] = self.steps.a[i + 1] if i + 1 < len(self.times) else 0.0
+        z[3 * n + 2 * self.n1 : self.count] = self.steps.multipliers[i]
         return z
 
     def _acceleration_rates(self, i: int, z: FloatArray, change: Moving) -> FloatArray:
@@ -509,6 +511,10 @@ class Walk:
             bar.state.add(row, values)
 
     def renew_back(self, i: int, bar: Moving, matrix: FloatArray) -> None:
+        with of_accelerations(*self.parameters.systems):
+            self._renew_back(i, bar, matrix)
+
+    def _renew_back(self, i: int, bar: Moving, matrix: FloatArray) -> None:
         z, time, h, n = self._after(i), float(self.times[i]), float(self.steps.sizes[i]), self.n
         d, s = self.derivatives, bar.state
         d.linearize(z, time, h)
@@ -516,8 +522,8 @@ class Walk:
             raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
         padded = np.zeros((len(s.q), n + self.n1 + self.m))
         padded[:, :n] = s.a + s.b
-        w = np.zeros_like(padded)
-        w[:, :n] = np.asarray(d.solve(padded))[:, :n]
+        w = np.asarray(d.solve(padded))
+        w[:, n : n + self.n1] = 0.0
         by_k = d.product("K", w, transposed=True)
         bar.state = replace(
             s,

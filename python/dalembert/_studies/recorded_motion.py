@@ -14,10 +14,10 @@ from dalembert._core import MainSystem, SimulationSettings
 from dalembert._solving.integrators import IMPLICIT, kind_of
 from dalembert._studies.design_parameters import describe
 from dalembert._studies.difference_formulas import derivative
-from dalembert._studies.explicit_steps import TABLEAUS
 from dalembert._studies.generalized_alpha import Scheme
 from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
 from dalembert._studies.recorded_steps import Steps
+from dalembert._studies.runge_kutta_steps import TABLEAUS, Tableau
 from dalembert._studies.stored_rows import Rows
 
 _NEWTON = {"relativeTolerance": 1e-12, "absoluteTolerance": 1e-13}
@@ -39,8 +39,9 @@ class Motion(NamedTuple):
     times: FloatArray
     states: Rows
     algorithmic: Rows | None  # algorithmic accelerations, if all steps have one size
-    scheme: Scheme  # of explicit methods: the size of regular steps alone
+    scheme: Scheme  # of Runge-Kutta methods: the size of regular steps alone
     computes_start: bool  # accelerations of the start fulfil the equations of motion
+    tableau: Tableau | None = None  # of Runge-Kutta methods
 
 
 def refuse_system(mbs: MainSystem) -> None:
@@ -106,22 +107,25 @@ def refuse_settings(settings: SimulationSettings, solverType: Any) -> None:
     kind_of("ComputeSensitivities", solverType)
     if solverType not in IMPLICIT and solverType not in TABLEAUS:
         raise NotDifferentiable(
-            "only generalized alpha, the trapezoidal rule and explicit Runge-Kutta methods of up to 7 stages are "
-            "available",
+            "only generalized alpha, the trapezoidal rule, ESDIRK43 and explicit Runge-Kutta methods of up to 7 stages "
+            "are available",
             item=str(solverType),
             advice=INSTEAD,
         )
     time = settings.timeIntegration
-    if solverType in TABLEAUS:
-        return
     refused = [
         (
-            time.automaticStepSize and settings.stepSizeControl.implicitSolvers,
+            solverType in IMPLICIT and time.automaticStepSize and settings.stepSizeControl.implicitSolvers,
             "stepSizeControl.implicitSolvers",
             "steps depend on parameters",
             "use equal steps",
         ),
-        (time.newton.useNewtonSolver is False, "timeIntegration.newton.useNewtonSolver", "residuals do not vanish", ""),
+        (
+            solverType in IMPLICIT and time.newton.useNewtonSolver is False,
+            "timeIntegration.newton.useNewtonSolver",
+            "residuals do not vanish",
+            "",
+        ),
         (
             settings.linearSolverSettings.ignoreSingularJacobian,
             "linearSolverSettings.ignoreSingularJacobian",
@@ -141,7 +145,9 @@ def silent(settings: SimulationSettings) -> SimulationSettings:
         part.verboseMode = part.verboseModeFile = 0
         for name, value in _NEWTON.items():
             setattr(part.newton, name, min(value, getattr(part.newton, name)))
-    made.timeIntegration.newton.useModifiedNewton = False  # which converges slowly
+    # One Jacobian per step, and some iterations more: these cost a hundredth of it.
+    newton = made.timeIntegration.newton
+    newton.useModifiedNewton = newton.modifiedNewtonJacUpdatePerStep = True
     solution = made.solutionSettings
     solution.writeSolutionToFile = solution.writeRestartFile = solution.sensorsStoreAndWriteFiles = False
     solution.recordImagesInterval = -1
@@ -189,11 +195,13 @@ def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any, memor
     finally:
         mbs.SetPostStepUserFunction(0)
     used = mbs.sys["dynamicSolver"]
-    if solverType in TABLEAUS:
+    refuse_redundant(used)
+    tableau = TABLEAUS.get(solverType)
+    if tableau is not None:
         time = settings.timeIntegration
         h = (time.endTime - time.startTime) / int(round(time.numberOfSteps))
-        return Motion(np.array(times), states, None, Scheme(h, 0.25, 0.5, 0.0, 0.0, True, False), False)
-    refuse_redundant(used)
+        scheme = Scheme(h, 0.25, 0.5, 0.0, 0.0, True, False)
+        return Motion(np.array(times), states, None, scheme, tableau.implicit, tableau)
     generalized = settings.timeIntegration.generalizedAlpha
     newmark = generalized.useNewmark or solverType == _core.DynamicSolverType.TrapezoidalIndex2
     steps = int(round(settings.timeIntegration.numberOfSteps))
@@ -297,8 +305,8 @@ def check_tangent(derivatives: Any, z: FloatArray, time: float, h: float, steps:
 
     derivatives.linearize(z, time, h)
     parts = [derivatives.product("K", np.concatenate((q, y, lam))[None])[0], derivatives.product("D", v[None])[0]]
-    inertia = np.zeros(count)
-    inertia[:n] = derivatives.product("M", a[None])[0][:n]
+    inertia, of_a = np.zeros(count), derivatives.product("M", a[None])[0]
+    inertia[: len(of_a)] = of_a
     parts.append(inertia)
     size = np.abs(parts).sum(axis=0)
     for scale, tolerance in ((0.1, 1e-6), (1e-3, 1e-5)):  # smaller, if a corner is near

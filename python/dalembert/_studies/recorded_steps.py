@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -17,7 +19,7 @@ from dalembert._studies.stored_rows import Rows
 _SAME_SIZE = 1e-9  # relative
 _BALANCED = 1e-6  # residual of a step, relative to its terms
 OF_DATA = 1e-3  # relative steps of data coordinates
-OF_MASS = (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0)  # weights of derivatives in the matrix of the accelerations
+OF_MASS = (0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)  # weights of derivatives in the matrix of the accelerations
 
 
 class Event(NamedTuple):
@@ -32,7 +34,7 @@ class Steps(NamedTuple):
     """Sizes of all steps (index 0 is not used), and what starts them.
 
     a, b: accelerations at the start of each step; ratio: size relative to that of the step before, by which b has been
-    moved; 0 after an event, and in the first step.
+    moved; 0 after an event, and in the first step. multipliers: those after events.
     """
 
     sizes: FloatArray
@@ -41,6 +43,7 @@ class Steps(NamedTuple):
     b: Rows
     ratios: FloatArray
     events: dict[int, Event]
+    multipliers: dict[int, FloatArray]
 
     @property
     def moves(self) -> bool:
@@ -71,9 +74,15 @@ def find_steps(
     *,
     watches: bool,
     memory: float,
-    implicit: bool = True,
+    has_stages: bool = False,
+    rate_level: bool = False,
 ) -> Steps:
-    """Find events, and the accelerations after them; refuse steps that are not explained by them."""
+    """Find events, and the accelerations after them; refuse steps that are not explained by them.
+
+    has_stages: steps are those of a Runge-Kutta method, whose ends are checked with their stages.
+    rate_level: velocities fulfil constraints at the ends of steps. Otherwise, generalized alpha projects them after an
+    event, and changes them to those of equal steps, by differences of the motion ahead.
+    """
     n, _, m, nd = derivatives.sizes
     count = len(times)
     sizes = np.diff(times, prepend=times[0])
@@ -82,6 +91,7 @@ def find_steps(
     a.append(np.zeros(n))
     b.append(np.zeros(n))
     events: dict[int, Event] = {}
+    multipliers: dict[int, FloatArray] = {}
     before: list[Any] = []
     z_before = states[0]
     a_now, b_now, size = z_before[2 * n : 3 * n], z_before[2 * n : 3 * n], 0.0
@@ -91,7 +101,8 @@ def find_steps(
         z_after = states[i]
         data = z_before[len(z_before) - nd :]
         z = with_data(z_after, data) if nd else z_after
-        _check_balance(derivatives, z, time, h, mbs)
+        if not has_stages:
+            _check_balance(derivatives, z, time, h, mbs)
         if not before and watches:
             before = list(derivatives.switches(z_before, float(times[i - 1]), h))
         regular_step, last = h == regular, i == count - 1
@@ -115,19 +126,20 @@ def find_steps(
         a_end = z_after[2 * n : 3 * n]
         a_now, b_now, size = a_end, own.algorithmic(a_now, b_now, a_end), h
         if found:
-            if m > 0 and implicit:
+            if m > 0 and not has_stages and not rate_level:
                 raise NotDifferentiable(
-                    "events in systems with constraints are not available",
+                    "generalized alpha changes velocities after events in systems with constraints",
                     item=name_of(mbs, found[0]),
                     time=time,
-                    advice=f"replace constraints by minimal coordinates, or {INSTEAD}",
+                    advice="use exu.DynamicSolverType.ESDIRK43, an explicit Runge-Kutta method, or TrapezoidalIndex2",
                 )
             events[i] = found[0]
-            a_now = accelerations(derivatives, z_after, time, h)
+            with of_accelerations(derivatives):
+                a_now, multipliers[i] = accelerations(derivatives, z_after, time, h)
             b_now, size = a_now, 0.0
         before = list(derivatives.switches(z_after, time, h)) if watches else []
         z_before = z_after
-    return Steps(sizes, regular, a, b, ratios, events)
+    return Steps(sizes, regular, a, b, ratios, events, multipliers)
 
 
 def _switched(now: list[Any], before: list[Any], beyond_noise: bool) -> list[Event]:
@@ -196,21 +208,35 @@ def _item_with_history(mbs: Any) -> str:
     return "time integration"
 
 
-def accelerations(derivatives: Any, z: FloatArray, time: float, h: float) -> FloatArray:
-    """Return accelerations of the equations of motion without constraints."""
-    n = derivatives.sizes[0]
+@contextmanager
+def of_accelerations(*systems: Any) -> Iterator[None]:
+    """Take constraints of accelerations."""
+    before = [system.acceleration_level for system in systems]
+    for system in systems:
+        system.acceleration_level = True
+    try:
+        yield
+    finally:
+        for system, level in zip(systems, before, strict=True):
+            system.acceleration_level = level
+
+
+def accelerations(derivatives: Any, z: FloatArray, time: float, h: float) -> tuple[FloatArray, FloatArray]:
+    """Return accelerations and multipliers of the equations of motion, with constraints of accelerations."""
+    n, n1, m, _ = derivatives.sizes
     still = z.copy()
-    still[2 * n : 3 * n] = 0.0
-    return np.asarray(over_mass(derivatives, still, time, h, np.asarray(derivatives.residual(still, time, h))[None])[0])
+    still[2 * n : 3 * n] = still[3 * n + 2 * n1 : 3 * n + 2 * n1 + m] = 0.0
+    found = over_mass(derivatives, still, time, h, np.asarray(derivatives.residual(still, time, h))[None])[0]
+    return found[:n], found[n + n1 :]
 
 
 def over_mass(derivatives: Any, z: FloatArray, time: float, h: float, right: FloatArray) -> FloatArray:
-    """Return - M^-1 of ODE2 equations in rows."""
-    n = derivatives.sizes[0]
+    """Return solutions a and lambda of M a + G^T lambda = - right, G a = - right, in rows."""
+    n, n1, _, _ = derivatives.sizes
     derivatives.linearize(z, time, h)
     failed = derivatives.factorize(OF_MASS)
     if failed >= 0:
         raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
-    padded = np.zeros((len(right), right.shape[1]))
-    padded[:, :n] = right[:, :n]
-    return -np.asarray(derivatives.solve(padded))[:, :n]
+    padded = right.copy()
+    padded[:, n : n + n1] = 0.0
+    return -np.asarray(derivatives.solve(padded))
