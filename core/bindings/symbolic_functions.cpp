@@ -41,7 +41,9 @@ class SymbolicCallback final : public Callback {
  public:
   SymbolicCallback(py::object function, const SymbolicFunction& source, const Row& row)
       : function_(std::move(function)), tape_(source.tape), name_(row.name),
-        takes_time_(row.signature == nullptr || row.signature->takes_time), takes_item_(row.signature == nullptr || row.signature->takes_item) {}
+        takes_time_(row.signature == nullptr || row.signature->takes_time), takes_item_(row.signature == nullptr || row.signature->takes_item) {
+    for (const Node& argument : source.arguments) arguments_.push_back(argument->name);
+  }
   ~SymbolicCallback() override {
     if (Py_IsInitialized() == 0) {
       function_.release();
@@ -54,7 +56,7 @@ class SymbolicCallback final : public Callback {
   SymbolicCallback& operator=(const SymbolicCallback&) = delete;
 
   void call(double time, int item, std::span<const Argument> arguments, std::span<double> results) const override {
-    require_size(results.size());
+    require_size(results.size(), item);
     run(time, item, arguments, results);
   }
   std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const override {
@@ -65,7 +67,7 @@ class SymbolicCallback final : public Callback {
   bool has_derivatives() const override { return true; }
   void linearize(double time, int item, std::span<const Argument> arguments, std::span<const int> numbers, std::span<double> results,
                  std::span<double> slopes) const override {
-    require_size(results.size());
+    require_size(results.size(), item);
     const std::size_t before = static_cast<std::size_t>(takes_time_) + static_cast<std::size_t>(takes_item_);
     with_inputs(time, item, arguments,
                 [&](std::span<const double* const> inputs) { tape_->linearize(inputs, before, numbers, results, slopes); });
@@ -75,9 +77,9 @@ class SymbolicCallback final : public Callback {
  private:
   static constexpr std::size_t most = 24;
 
-  void require_size(std::size_t size) const {
+  void require_size(std::size_t size, int item) const {
     if (static_cast<int>(size) != tape_->shape().size())
-      complain("it gives " + std::to_string(tape_->shape().size()) + " numbers instead of " + std::to_string(size));
+      complain(item, "it gives " + std::to_string(tape_->shape().size()) + " numbers instead of " + std::to_string(size));
   }
   void run(double time, int item, std::span<const Argument> arguments, std::span<double> results) const {
     with_inputs(time, item, arguments, [&](std::span<const double* const> inputs) { tape_->evaluate(inputs, results); });
@@ -92,24 +94,27 @@ class SymbolicCallback final : public Callback {
     if (takes_item_) inputs[n++] = &number;
     const auto shapes = tape_->input_shapes();
     if (n + arguments.size() != shapes.size())
-      complain("it was recorded with " + std::to_string(shapes.size()) + " arguments, but is called with " + std::to_string(n + arguments.size()));
+      complain(item, "it was recorded with " + std::to_string(shapes.size()) + " arguments, but is called with " + std::to_string(n + arguments.size()));
     for (const Argument& argument : arguments) {
       if (argument.size() != shapes[n].size())
-        complain("argument " + std::to_string(n + 1) + " was recorded with " + std::to_string(shapes[n].size()) + " numbers, but has " +
-                 std::to_string(argument.size()));
+        complain(item, "argument '" + arguments_[n] + "' was recorded with " + std::to_string(shapes[n].size()) + " numbers, but has " +
+                           std::to_string(argument.size()));
       inputs[n++] = argument.data;
     }
     use(std::span<const double* const>(inputs.data(), n));
   }
 
-  [[noreturn]] void complain(const std::string& problem) const {
-    refuse(ErrorKind::value, {.item = "symbolic user function '" + std::string(name_) + "'", .problem = problem,
-                              .advice = "Create it with CreateSymbolicUserFunction(...) for the item that uses it."});
+  [[noreturn]] void complain(int item, const std::string& problem) const {
+    refuse(ErrorKind::value, {.item = (takes_item_ ? "object " + std::to_string(item) + ", " : "") + "recorded user function '" + std::string(name_) + "'",
+                              .problem = problem,
+                              .advice = "Record it for the markers and nodes of this item: by CreateSymbolicUserFunction(...), or by a law "
+                                        "with these numbers of coordinates or states."});
   }
 
   py::object function_;
   std::shared_ptr<const symbolic::Tape> tape_;
   std::string_view name_;
+  std::vector<std::string> arguments_;
   bool takes_time_, takes_item_;
 };
 

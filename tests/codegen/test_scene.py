@@ -57,3 +57,21 @@ def test_the_page_explains_each_word(root: Path) -> None:
     page = (root / "docs/developer/scenes.rst").read_text()
     for word in [*FRAMES, *EXEMPT, *(field.name for field in fields(SceneTable))]:
         assert f"``{word}``" in page, word
+
+
+@pytest.mark.parametrize(
+    ("spec", "drawing", "message"),
+    [
+        ("connectors/spring_damper.toml", "sprin", "unknown drawing 'sprin'; did you mean 'spring'?"),
+        (
+            "bodies/mass_point.toml",
+            "spring",
+            "drawing: for objects with markerNumbers; a body has the graphics of its node",
+        ),
+    ],
+)
+def test_drawings_are_those_of_markers(copy: Path, spec: str, drawing: str, message: str) -> None:
+    put_scene(copy / "specs" / spec, f'drawing = "{drawing}"')
+    with pytest.raises(SpecError) as error:
+        load(copy)
+    assert str(error.value).startswith(f"specs/{spec}: scene: {message}")

@@ -4,6 +4,7 @@ shown."""
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 import dalembert as exu
 import dalembert.itemInterface as items
 from codegen.load import load
+from codegen.scene import DRAWINGS
 from dalembert._pictures import connectors, flexible
 from dalembert._pictures.making import RIGID, WITHOUT_PLACE
 from dalembert._pictures.scene import Scene
@@ -83,6 +85,37 @@ def test_every_type_has_a_drawing() -> None:
 def test_lists_name_items_only() -> None:
     names = {item.name for item in SPECS}
     assert names >= {*WITHOUT_PLACE, *BARE}
+
+
+SYMBOLS = {
+    "spring": lambda own: len(own.instances) >= 1,
+    "rod": lambda own: len(own.instances) == 1,
+    "line": lambda own: [len(points) for points, *_ in own.lines] == [2],
+    "spheres": lambda own: np.allclose([center for center, *_ in own.spheres], [[0, 0, 0], [1, 2, 3]]),
+    "boxes": lambda own: np.allclose([box.place for box in own.instances], [[0, 0, 0], [1, 2, 3]]),
+    "frames": lambda own: len(own.instances) == 2 * 3 * 2,  # three arrows of shaft and head at each marker
+}
+
+
+@pytest.mark.parametrize("name", connectors.NAMED)
+def test_symbols_that_specs_of_packages_name(SC: Any, mbs: Any, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Drawn between or at the markers, and nothing else."""
+    assert connectors.NAMED.keys() == SYMBOLS.keys() == set(DRAWINGS)
+    ground = mbs.CreateGround()
+    mass = mbs.CreateMassPoint(referencePosition=[1, 2, 3], physicsMass=1)
+    number = mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=1)
+    mbs.Assemble()
+    monkeypatch.setitem(connectors.DRAWINGS, "ConnectorSpringDamper", connectors.NAMED[name])
+    connectors.drawing.cache_clear()
+    scene = Studio(SC).scene()
+    connectors.drawing.cache_clear()
+    mine = [i for i, item in enumerate(scene.items) if (item.kind, item.number) == ("Object", int(number))]
+    own = SimpleNamespace(
+        instances=[part for part in scene.instances if part.item in mine],
+        spheres=[sphere for sphere in scene.spheres if sphere[3] in mine],
+        lines=[line for line in scene.lines if line[3] in mine],
+    )
+    assert SYMBOLS[name](own), own
 
 
 def test_an_item_is_drawn_before_the_system_is_assembled(SC: Any, mbs: Any) -> None:

@@ -368,7 +368,10 @@ def test_mistakes(wrong: Callable[[], Any], error: type[Exception], text: str) -
     [
         (lambda mbs: [], "received 0 nodes, but expected a NodeGenericODE1"),
         (lambda mbs: Maxwell.AddNodes(mbs) + Maxwell.AddNodes(mbs), "received 2 nodes, but expected a NodeGenericODE1"),
-        (lambda mbs: Mixed.AddNodes(mbs), "it was recorded with 1 numbers, but has 3|recorded with 1 numbers"),
+        (
+            lambda mbs: Mixed.AddNodes(mbs),
+            "object 1, recorded user function '.*': argument 'states' was recorded with 1 numbers, but has 3",
+        ),
     ],
 )
 def test_wrong_nodes(nodes: Callable[[Any], Any], text: str) -> None:
