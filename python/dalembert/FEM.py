@@ -12,7 +12,6 @@ from enum import Enum
 from typing import Any
 
 import numpy.typing as npt
-import scipy
 
 from dalembert._checks import FloatArray, as_array, shape_error
 from dalembert._fem.campbell import dense_frequencies, gyroscopic_matrix, plot_campbell, sparse_frequencies
@@ -50,6 +49,7 @@ from dalembert._io.ansys import (
     ReadNodalCoordinatesFromAnsysTxt,
 )
 from dalembert._names import eii, exu, np
+from dalembert._tools.later import scipy
 from dalembert._tools.modal_body import CMSObjectComputeNorm, ObjectFFRFreducedOrderInterface
 from dalembert.advancedUtilities import IsListOrArray, IsValidURealInt, PlotLineCode, RoundMatrix
 from dalembert.graphicsDataUtilities import ComputeTriangleArea

@@ -10,8 +10,6 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import Any
 
-import numpy as np
-
 from dalembert._checks import check_integer, shape_error
 from dalembert._io.output_paths import CreateDirectoryForFile, OutputFilePath
 from dalembert._tools.missing_names import missing_in
@@ -175,13 +173,21 @@ def Tilde2Vec(m: Sequence[Sequence[float]]) -> list[float]:
     return [-m[1][2], m[0][2], -m[0][1]]
 
 
-def _legendre_rule(nPoints: int) -> tuple[list[float], list[float]]:
-    points, weights = np.polynomial.legendre.leggauss(nPoints)
-    return points.tolist(), weights.tolist()
-
-
-# points and weights in [-1, 1]; list k is for the order 2*k+1
-gaussIntegrationPoints, gaussIntegrationWeights = map(list, zip(*(_legendre_rule(n) for n in range(1, 6)), strict=True))
+# Points and weights in [-1, 1]; list k is for the order 2*k+1. They are those of numpy's leggauss, bit by bit.
+gaussIntegrationPoints = [
+    [0.0],
+    [-0.5773502691896257, 0.5773502691896257],
+    [-0.7745966692414834, 0.0, 0.7745966692414834],
+    [-0.8611363115940526, -0.33998104358485626, 0.33998104358485626, 0.8611363115940526],
+    [-0.906179845938664, -0.5384693101056831, 0.0, 0.5384693101056831, 0.906179845938664],
+]
+gaussIntegrationWeights = [
+    [2.0],
+    [1.0, 1.0],
+    [0.5555555555555557, 0.8888888888888888, 0.5555555555555557],
+    [0.34785484513745357, 0.6521451548625464, 0.6521451548625464, 0.34785484513745357],
+    [0.23692688505618928, 0.4786286704993663, 0.5688888888888887, 0.4786286704993663, 0.23692688505618928],
+]
 lobattoIntegrationPoints = [[-1.0, 1.0], [-1.0, 0.0, 1.0], [-1.0, -math.sqrt(0.2), math.sqrt(0.2), 1.0]]
 lobattoIntegrationWeights = [[1.0, 1.0], [1 / 3, 4 / 3, 1 / 3], [1 / 6, 5 / 6, 5 / 6, 1 / 6]]
 
