@@ -165,7 +165,10 @@ def listed(lines: Sequence[str], most: int = 5) -> list[str]:
 
 def CheckSolverInfoStatistics(solverName: str, infoStat: Sequence[float], numberOfEvaluations: int) -> None:
     """Warn if memory was allocated in every evaluation since infoStat = special.InfoStat(False) was taken."""
-    now = np.asarray(_core.special.InfoStat(False), dtype=float)
+    counts = _core.special.InfoStat(False)
+    if counts == list(infoStat):
+        return
+    now = np.asarray(counts, dtype=float)
     before = np.asarray(infoStat, dtype=float)
     if now.size <= max(_COUNTED) or before.shape != now.shape:
         return
