@@ -109,6 +109,9 @@ def explain() -> None:
     for made in vars(_core).values():
         if type(made) is enum.EnumType:
             made.__class__ = _ExplainingEnum
+            for name, member in made.__members__.items():
+                type.__setattr__(made, name, member)  # as from Python 3.12 on; before, a function returns them
+    _core._look_up_directly(_ExplainingEnum)
 
 
 # ---- modules ---------------------------------------------------------------------------------------------------------
