@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from types import ModuleType
 from typing import Any, NoReturn
 
@@ -109,7 +109,8 @@ def explain() -> None:
     for made in vars(_core).values():
         if type(made) is enum.EnumType:
             made.__class__ = _ExplainingEnum
-            for name, member in made.__members__.items():
+            members: Mapping[str, Any] = made.__members__
+            for name, member in members.items():
                 type.__setattr__(made, name, member)  # as from Python 3.12 on; before, a function returns them
     _core._look_up_directly(_ExplainingEnum)
 

@@ -36,8 +36,8 @@ def triangle_list(
 
     where: the name of the called function, for errors.
     """
-    if not (finite := np.isfinite(points)).all():
-        finite = finite.all(axis=-1)
+    if not np.isfinite(points).all():
+        finite = np.isfinite(points).all(axis=-1)
         raise shape_error(f"{where}: points", "finite coordinates", points[~finite][0].tolist())
     name = f"{where}: color"
     rgba = as_array(name, colors, "4 numbers, red, green, blue and opacity from 0 to 1, such as graphics.color.red")
