@@ -10,6 +10,8 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import Any
 
+import numpy as np
+
 from dalembert._checks import check_integer, shape_error
 from dalembert._io.output_paths import CreateDirectoryForFile, OutputFilePath
 from dalembert._tools.missing_names import missing_in
@@ -111,10 +113,15 @@ def _same_length(where: str, v0: Sequence[Any], v1: Sequence[Any]) -> None:
     _has_length(f"{where}: v1", v1, len(v0), " as v0")
 
 
+def _numbers(v: Sequence[Any]) -> Sequence[Any]:
+    """Return an array as list: Python calculates with numbers of lists in a third of the time."""
+    return v.tolist() if type(v) is np.ndarray else v
+
+
 def NormL2(vector: Sequence[float]) -> float:
     """Return the Euclidean norm of a vector."""
     try:
-        return math.sqrt(sum(x * x for x in vector))
+        return math.sqrt(sum([x * x for x in _numbers(vector)]))
     except TypeError:
         raise shape_error("NormL2: vector", "a vector of numbers", vector) from None
 
@@ -122,7 +129,7 @@ def NormL2(vector: Sequence[float]) -> float:
 def VSum(vector: Sequence[float]) -> float:
     """Return the sum of the components of a vector."""
     try:
-        return sum(vector)
+        return sum(_numbers(vector))
     except TypeError:
         raise shape_error("VSum: vector", "a vector of numbers", vector) from None
 
@@ -130,24 +137,24 @@ def VSum(vector: Sequence[float]) -> float:
 def VAdd(v0: Sequence[float], v1: Sequence[float]) -> list[float]:
     """Return the sum of two vectors of the same length as list."""
     _same_length("VAdd", v0, v1)
-    return [a + b for a, b in zip(v0, v1, strict=True)]
+    return [a + b for a, b in zip(_numbers(v0), _numbers(v1), strict=True)]
 
 
 def VSub(v0: Sequence[float], v1: Sequence[float]) -> list[float]:
     """Return the difference v0 - v1 of two vectors of the same length as list."""
     _same_length("VSub", v0, v1)
-    return [a - b for a, b in zip(v0, v1, strict=True)]
+    return [a - b for a, b in zip(_numbers(v0), _numbers(v1), strict=True)]
 
 
 def VMult(v0: Sequence[float], v1: Sequence[float]) -> float:
     """Return the scalar product of two vectors of the same length."""
     _same_length("VMult", v0, v1)
-    return sum(a * b for a, b in zip(v0, v1, strict=True))
+    return sum([a * b for a, b in zip(_numbers(v0), _numbers(v1), strict=True)])
 
 
 def ScalarMult(scalar: float, v: Sequence[float]) -> list[float]:
     """Return the vector v times a scalar as list."""
-    return [scalar * x for x in v]
+    return [scalar * x for x in _numbers(v)]
 
 
 def Normalize(v: Sequence[float]) -> list[float]:
