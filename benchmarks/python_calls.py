@@ -1,4 +1,5 @@
-"""What single calls from Python cost: parameters in models of several sizes, robots, rotations, imports.
+"""What single calls from Python cost: parameters in models of several sizes, small solves, robots, rotations, graphics,
+imports.
 
 `python benchmarks/python_calls.py` prints microseconds of processor time per call, the least of five rounds.
 `--module exudyn` measures another package with the same interface, in an environment that has it.
@@ -87,6 +88,39 @@ def parameters(package: Package) -> Calls:
         )
 
 
+def solves(package: Package) -> Calls:
+    exu, items = package.exu, package.items
+    mbs = package.system()
+    node = mbs.AddNode(items.NodePoint(initialVelocities=[1, 0, 0]))
+    mbs.AddObject(items.MassPoint(physicsMass=1, nodeNumber=node))
+    position = exu.OutputVariableType.Position
+    sensor = mbs.AddSensor(items.SensorNode(nodeNumber=node, outputVariableType=position, storeInternal=True))
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.solutionSettings.writeSolutionToFile = False
+    settings.solutionSettings.sensorsWritePeriod = 1e-3
+    time_integration = settings.timeIntegration
+    time_integration.verboseMode = 0
+    time_integration.numberOfSteps, time_integration.endTime = 1000, 1
+    mbs.SolveDynamic(settings)
+    yield "GetSensorStoredData of 1000 rows", lambda: mbs.GetSensorStoredData(sensor)
+    yield "OutputVariableType.Position", lambda: exu.OutputVariableType.Position
+    time_integration.numberOfSteps, time_integration.endTime = 1, 1e-6
+    yield "SolveDynamic of one step", lambda: mbs.SolveDynamic(settings)
+    yield "Assemble of one mass", mbs.Assemble
+    large = package.system()
+    for i in range(3000):
+        large.CreateRigidBody(inertia=package.utilities.InertiaSphere(1, 1), referencePosition=[i, 0, 0])
+    yield "Assemble of 3000 rigid bodies", large.Assemble
+
+
+def graphics(package: Package) -> Calls:
+    shapes = package.module("graphics")
+    sphere = shapes.Sphere(nTiles=16)
+    yield "graphics.Brick", lambda: shapes.Brick(size=[1, 1, 1], color=shapes.color.red)
+    yield "graphics.MergeTriangleLists", lambda: shapes.MergeTriangleLists(sphere, sphere)
+
+
 def robots(package: Package) -> Calls:
     robotics, models = package.module("robotics"), package.module("robotics.models")
     tool = robotics.RobotTool(HT=package.utilities.HTtranslate([0, 0, 0.1]))
@@ -132,9 +166,9 @@ def rotations(package: Package) -> Calls:
         yield name, lambda f=getattr(u, name), values=values: f(*values)
 
 
-def import_time(package: Package, module: str) -> float:
-    """Return microseconds that importing takes where numpy is there."""
-    code = f"import numpy, time; t = time.process_time(); import {package.name}{module}; print(time.process_time() - t)"
+def first_time(line: str, prepared: str = "import numpy") -> float:
+    """Return microseconds that a line takes in a new process."""
+    code = f"{prepared}; import time; t = time.process_time(); {line}; print(time.process_time() - t)"
     runs = [
         subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True) for _ in range(ROUNDS)
     ]
@@ -145,11 +179,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--module", default="dalembert")
     package = Package(parser.parse_args().module)
-    for measured in (parameters, robots, rotations):
+    for measured in (parameters, solves, robots, rotations, graphics):
         for name, call in measured(package):
             print(f"{name:40} {cost(call):12.2f}")
     for module in ("", ".utilities", ".robotics", ".FEM"):
-        print(f"{'import ' + package.name + module:40} {import_time(package, module):12.0f}")
+        line = f"import {package.name}{module}"
+        print(f"{line:40} {first_time(line):12.0f}")
+    prepared = f"import {package.name}.utilities; mbs = {package.name}.SystemContainer().AddSystem()"
+    print(f"{'first mbs.CreateGround':40} {first_time('mbs.CreateGround()', prepared):12.0f}")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,11 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
@@ -211,13 +216,18 @@ void register_loads_and_sensors(Class& main_system) {
       [](MainSystem& main, const py::object& sensor) -> py::object {
         const int number = item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorStoredData");
         require_own_thread(main, "mbs.GetSensorStoredData(...)");
-        const SensorTable table = main.sensor_storage.table(number);
+        SensorTable table = main.sensor_storage.table(number);
         if (table.rows() == 0 && !keeps_values(main.model.item(ItemKind::sensor, number))) {
           refuse(ErrorKind::value, {.item = main.model.describe(ItemKind::sensor, number),
                                     .problem = "it has stored no values, because it was added with storeInternal=False",
                                     .advice = "Add it with storeInternal=True."});
         }
-        return new_array({table.rows(), table.columns}, table.values.data());
+        const std::array<py::ssize_t, 2> shape{table.rows(), table.columns};
+        auto values = std::make_unique<std::vector<double>>(std::move(table.values));
+        double* const first = values->data();
+        const py::capsule owner(values.get(), [](void* kept) { delete static_cast<std::vector<double>*>(kept); });
+        values.release();
+        return py::array_t<double>(shape, first, owner);
       },
       py::arg("sensorNumber"), "Rows of time and values that a sensor with storeInternal=True has recorded.");
 }

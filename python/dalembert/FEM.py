@@ -12,7 +12,6 @@ from enum import Enum
 from typing import Any
 
 import numpy.typing as npt
-import scipy
 
 from dalembert._checks import FloatArray, as_array, shape_error
 from dalembert._fem.abaqus import ReadNodesFromAbaqusInp
@@ -51,6 +50,7 @@ from dalembert._fem.sparse import (
 from dalembert._fem.stresses import nodal_strains
 from dalembert._fem.surfaces import ConvertHexToTrigs, ConvertTetToTrigs
 from dalembert._names import eii, exu, np
+from dalembert._tools.later import scipy
 from dalembert.advancedUtilities import IsListOrArray, IsValidURealInt, PlotLineCode, RoundMatrix
 from dalembert.graphicsDataUtilities import ComputeTriangleArea
 from dalembert.rigidBodyUtilities import (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Sequence
 from typing import Any
@@ -38,7 +39,7 @@ def shape_error(name: str, expected: str, received: Any) -> ValueError:
     return ValueError(f"{name}: expected {expected}, received {text} ({type(received).__name__}{detail})")
 
 
-_FLOAT = np.dtype(float)
+_FLOAT, _INTEGER = np.dtype(float), np.dtype(np.int64)
 
 
 def as_array(name: str, value: Any, expected: str = "an array of numbers") -> FloatArray:
@@ -174,7 +175,7 @@ def check_colors(name: str, colors: FloatArray) -> None:
 
 def color_problem(array: FloatArray) -> str:
     """Return the reason why four numbers are not a color; empty if they are one."""
-    return _problem_of("color", array) if np.isfinite(array).all() else "A component is not finite."
+    return _problem_of("color", array) if all(map(math.isfinite, array.tolist())) else "A component is not finite."
 
 
 def as_points(name: str, value: Any, columns: int = 3) -> FloatArray:
@@ -208,8 +209,18 @@ def as_one_each(name: str, value: Any, columns: int, points: int) -> FloatArray 
     return rows
 
 
+def _are_point_numbers(value: Any, columns: int, points: int) -> bool:
+    """Return whether the value is a flat array of integers from 0 to points - 1, in whole rows; False if unsure."""
+    if type(value) is not np.ndarray or value.dtype is not _INTEGER or value.ndim != 1 or value.size == 0:
+        return False
+    return value.size % columns == 0 and bool(np.maximum.reduce(value.view(np.uint64)) < points)  # -1: very large
+
+
 def as_point_numbers(name: str, value: Any, columns: int, points: int) -> IntArray:
     """Convert numbers of points, of which there are so many, to rows; ValueError otherwise."""
+    if _are_point_numbers(value, columns, points):  # the usual case
+        rows: IntArray = value.reshape(-1, columns).copy()
+        return rows
     numbers = as_rows(name, value, columns)
     wrong = numbers[~((numbers >= 0) & (numbers < points) & (numbers == np.floor(numbers)))]
     if wrong.size > 0:

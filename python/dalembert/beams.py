@@ -5,26 +5,48 @@ Stiffness and mass of cross sections, for beams with 6x6 sections: ComputeSectio
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
-from typing import Any
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from dalembert import itemInterface as eii
 from dalembert._checks import FloatArray, as_vector, shape_error
-from dalembert._fem.section_constants import ComputeSectionConstants, SectionConstants
-from dalembert._fem.section_outlines import (
-    SectionCircle,
-    SectionI,
-    SectionL,
-    SectionOutline,
-    SectionPolygon,
-    SectionRectangle,
-    SectionTube,
-)
 from dalembert._geometry.reeving import CreateReevingCurve
 from dalembert._tools.found_items import index_of
+from dalembert._tools.missing_names import missing_in
+
+if TYPE_CHECKING:
+    from dalembert._fem.section_constants import (
+        ComputeSectionConstants as ComputeSectionConstants,
+    )
+    from dalembert._fem.section_constants import (
+        SectionConstants as SectionConstants,
+    )
+    from dalembert._fem.section_outlines import (
+        SectionCircle as SectionCircle,
+    )
+    from dalembert._fem.section_outlines import (
+        SectionI as SectionI,
+    )
+    from dalembert._fem.section_outlines import (
+        SectionL as SectionL,
+    )
+    from dalembert._fem.section_outlines import (
+        SectionOutline as SectionOutline,
+    )
+    from dalembert._fem.section_outlines import (
+        SectionPolygon as SectionPolygon,
+    )
+    from dalembert._fem.section_outlines import (
+        SectionRectangle as SectionRectangle,
+    )
+    from dalembert._fem.section_outlines import (
+        SectionTube as SectionTube,
+    )
 
 __all__ = [
     "ComputeSectionConstants",
@@ -387,3 +409,14 @@ def GenerateAleSlidingJoint(
         penaltyStiffness=penaltyStiffness,
     )
     return [mbs.AddObject(joint)]
+
+
+# ---- cross sections, loaded when they are first used -----------------------------------------------------------------
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> Any:
+        if name in __all__:
+            place = "constants" if name.endswith("SectionConstants") else "outlines"
+            return getattr(import_module(f"dalembert._fem.section_{place}"), name)
+        raise missing_in(sys.modules[__name__], name)

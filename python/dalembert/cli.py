@@ -228,7 +228,7 @@ _DIRECTORY: tuple[str, dict[str, Any]] = (
 
 def _new_item(given: Sequence[str]) -> int:
     """Start an item in a package, which is made if it does not exist."""
-    from dalembert._tools import item_packages
+    from dalembert._tools import item_builds
 
     parser = _package_command(
         "new",
@@ -237,7 +237,7 @@ def _new_item(given: Sequence[str]) -> int:
         ("name", {"help": "name of the item, e.g. HertzSpring"}),
     )
     options = parser.parse_args(given)
-    return _reported("new", lambda: print("\n".join(item_packages.new(options.package, options.kind, options.name))))
+    return _reported("new", lambda: print("\n".join(item_builds.new(options.package, options.kind, options.name))))
 
 
 def _item_from_law(given: Sequence[str]) -> int:
@@ -256,20 +256,20 @@ def _item_from_law(given: Sequence[str]) -> int:
 
 def _build_items(given: Sequence[str]) -> int:
     """Generate and compile the items of a package; only changed files are compiled."""
-    from dalembert._tools import item_packages
+    from dalembert._tools import item_builds
 
     output = ("--output", {"type": Path, "help": "folder of the extension module (default: the Python package)"})
     options = _package_command("build", _DIRECTORY, output).parse_args(given)
-    return _reported("build", lambda: print(item_packages.build(options.directory, options.output)))
+    return _reported("build", lambda: print(item_builds.build(options.directory, options.output)))
 
 
 def _check_items(given: Sequence[str]) -> int:
     """Build a package and run the generated tests of its items."""
-    from dalembert._tools import item_packages
+    from dalembert._tools import item_builds
 
     parser = _package_command("check", _DIRECTORY)
     options, of_pytest = parser.parse_known_args(given)
-    return _reported("check", lambda: item_packages.check(options.directory, of_pytest))
+    return _reported("check", lambda: item_builds.check(options.directory, of_pytest))
 
 
 def _list_packages(given: Sequence[str]) -> int:
@@ -294,7 +294,7 @@ def _list_packages(given: Sequence[str]) -> int:
 
 def _reported(command: str, run: Callable[[], int | None]) -> int:
     """Run a command of packages and print its error, if there is one."""
-    from dalembert._tools.item_packages import BuildError
+    from dalembert._tools.item_builds import BuildError
 
     try:
         return run() or 0

@@ -22,6 +22,7 @@ from dalembert._geometry.transformations import (
     RotationY2T66,
     RotationZ2T66,
     Translation2T66,
+    lower_block,
 )
 
 
@@ -91,14 +92,14 @@ def JointTransformMotionSubspace(jointType: str, q: float) -> list[FloatArray]:
 def JointTransformMotionSubspace66(jointType: str, q: float) -> list[FloatArray]:
     """Return [6x6 transformation from parent to link, 6D motion direction] of a joint with the coordinate q."""
     A, p, rotationAxis, translationAxis = JointTransformMotionSubspace(jointType, q)
-    return [RotationTranslation2T66Inverse(A.T, p), np.concatenate([rotationAxis, translationAxis])]
+    return [lower_block(A, -A @ Skew(p)), np.concatenate([rotationAxis, translationAxis])]
 
 
 def CRM(v: npt.ArrayLike) -> FloatArray:
     """Return the 6x6 matrix of the cross product of the motion vector v with motion vectors."""
     motion = as_vector("CRM: v", v, 6)
     W, V = Skew(motion[:3]), Skew(motion[3:])
-    return np.block([[W, np.zeros((3, 3))], [V, W]])
+    return lower_block(W, V)
 
 
 def CRF(v: npt.ArrayLike) -> FloatArray:

@@ -6,6 +6,7 @@ import functools
 import inspect
 import warnings
 from collections.abc import Callable
+from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dalembert import _core
@@ -81,7 +82,7 @@ def _knows_settings(solve: Callable[..., Finished]) -> Callable[..., Finished]:
 
     @functools.wraps(solve)
     def call(*arguments: Any, **options: Any) -> Finished:
-        if unknown := next((name for name in options if name not in names), None):
+        if options and (unknown := next((name for name in options if name not in names), None)):
             groups = ("staticSolver", "timeIntegration")
             group, other = groups if solve.__name__ == "SolveStatic" else reversed(groups)
             paths = [path for path in paths_of_setting(unknown) if not path.startswith(f"{other}.")]
@@ -165,7 +166,8 @@ def SolveDynamic(
         evaluations = solver.it.newtonStepsCount
     elif kind == "implicit":
         solver = _core.MainSolverImplicitSecondOrder()
-        with trapezoidal_rule(settings, solverType == DynamicSolverType.TrapezoidalIndex2):
+        is_trapezoidal = solverType == DynamicSolverType.TrapezoidalIndex2
+        with trapezoidal_rule(settings) if is_trapezoidal else nullcontext():
             success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
         evaluations = solver.it.newtonStepsCount
     else:

@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 
 from dalembert._core import _item_stamp
-from dalembert._tools import item_packages
+from dalembert._tools import item_builds
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "item_packages"
@@ -44,7 +44,7 @@ def copied(name: str, folder: Path) -> Path:
 @pytest.fixture(scope="module")
 def plastic_spring(tmp_path_factory: pytest.TempPathFactory) -> Path:
     package = copied("plastic_spring", tmp_path_factory.mktemp("packages"))
-    item_packages.build(package)
+    item_builds.build(package)
     return package
 
 
@@ -68,7 +68,7 @@ def test_plastic_spring(plastic_spring: Path, tmp_path: Path) -> None:
 def test_bar_element(tmp_path: Path) -> None:
     """Two-node elements with consistent mass are too stiff by (pi/2)^2 / (24 n^2): 4.0e-4 of the frequency for n = 16."""
     package = copied("bar_element", tmp_path)
-    item_packages.build(package)
+    item_builds.build(package)
     done = python((package / "axial_vibration.py").read_text(), tmp_path, package)
     assert done.returncode == 0, done.stderr
     found, exact = map(float, re.findall(r"(\d+\.\d+) Hz", done.stdout))
@@ -325,15 +325,15 @@ def test_warnings_of_kernels(package: Path) -> None:
 def test_a_changed_header_changes_the_stamp(package: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A package that was built against another header is refused; the command in the error mends it."""
     home = tmp_path / "home"
-    tool = item_packages._header_tool()
+    tool = item_builds._header_tool()
     for file in tool.copied():
         target = home / file.relative_to(tool.ROOT)
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(file, target)
     frames = home / "core/include/dalembert/frames.hpp"
     frames.write_text(frames.read_text() + "\n// changed\n")
-    monkeypatch.setattr(item_packages, "home", lambda: home)
-    item_packages.build(package)
+    monkeypatch.setattr(item_builds, "home", lambda: home)
+    item_builds.build(package)
     monkeypatch.undo()
     done = python("import plastic_spring", tmp_path, package)
     error = re.sub(r"\s+", " ", done.stderr)

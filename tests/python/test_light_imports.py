@@ -11,7 +11,7 @@ import pytest
 import dalembert as exu
 from dalembert import create, mainSystemExtensions
 
-HEAVY = ("scipy", "matplotlib", "PIL", "asyncio", "websockets", "h5py", "sympy", "gymnasium")
+HEAVY = ("scipy", "matplotlib", "PIL", "asyncio", "websockets", "h5py", "sympy", "gymnasium", "email", "socket")
 
 
 @pytest.mark.parametrize(
@@ -22,6 +22,8 @@ HEAVY = ("scipy", "matplotlib", "PIL", "asyncio", "websockets", "h5py", "sympy",
         "from dalembert.utilities import *",
         "from dalembert.beams import *",
         "import dalembert.plot, dalembert.graphics, dalembert.solver, dalembert.rigidBodyUtilities",
+        "import dalembert.FEM",
+        "import dalembert; dalembert.SystemContainer().AddSystem().CreateGround()",
     ],
 )
 def test_heavy_libraries_are_not_loaded(line: str) -> None:

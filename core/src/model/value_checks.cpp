@@ -109,11 +109,11 @@ Verdict judge_inertia(double mass, const Mat3<double>& about_reference, const Ve
       scale = std::max(scale, std::abs(about_reference(i, j)));
     }
   const std::array<double, 3> moment = eigenvalues(about_centre);
-  const std::string about = "a principal moment about the center of mass is ";
+  static constexpr const char* about = "a principal moment about the center of mass is ";
   const auto moments = [&] { return ": they are " + number(moment[0]) + ", " + number(moment[1]) + " and " + number(moment[2]); };
-  if (moment[0] < -digits_typed * scale) return {Fit::wrong, about + "negative" + moments()};
+  if (moment[0] < -digits_typed * scale) return {Fit::wrong, std::string(about) + "negative" + moments()};
   if (moment[0] + moment[1] < moment[2] - digits_typed * scale)
-    return {Fit::doubtful, about + "larger than the sum of the others, which no body has" + moments()};
+    return {Fit::doubtful, std::string(about) + "larger than the sum of the others, which no body has" + moments()};
   return {};
 }
 

@@ -146,14 +146,27 @@ SensorColumns SensorStorage::columns(int sensor) const {
 
 SensorTable SensorStorage::table(int sensor) const {
   const auto i = static_cast<std::size_t>(sensor);
+  const auto has_sensor = [i](const Chunk& chunk) { return i < chunk.columns.size() && chunk.columns[i].first >= 0; };
   SensorTable table;
+  std::size_t size = 0;
   for (const Chunk& chunk : chunks_) {
-    if (i >= chunk.columns.size() || chunk.columns[i].first < 0) continue;
+    if (!has_sensor(chunk)) continue;
+    table.columns = chunk.columns[i].count + 1;
+    size += chunk.values.size() / chunk.width * static_cast<std::size_t>(table.columns);
+  }
+  table.values.resize(size);
+  double* to = table.values.data();
+  for (const Chunk& chunk : chunks_) {
+    if (!has_sensor(chunk)) continue;
     const auto [first, count, framed] = chunk.columns[i];
-    table.columns = count + 1;
-    for (auto row = chunk.values.begin(); row != chunk.values.end(); row += static_cast<std::ptrdiff_t>(chunk.width)) {
-      table.values.push_back(*row);
-      table.values.insert(table.values.end(), row + first, row + first + count);
+    if (chunk.width == static_cast<std::size_t>(count) + 1) {  // no other sensor
+      to = std::ranges::copy(chunk.values, to).out;
+      continue;
+    }
+    const double* const end = chunk.values.data() + chunk.values.size();
+    for (const double* row = chunk.values.data(); row != end; row += chunk.width) {
+      *to++ = *row;
+      for (int k = first; k < first + count; ++k) *to++ = row[k];
     }
   }
   return table;

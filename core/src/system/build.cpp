@@ -44,6 +44,7 @@ class Builder {
     parts_.structure = model_.structure_changes();
     parts_.equations = model_.equation_changes();
     parts_.values = model_.value_changes();
+    parts_.records = model_.record_changes();
   }
 
  private:
@@ -173,8 +174,10 @@ class Builder {
   int place_rotating(const NodePlace& node, int number) {
     auto [batch, is_new] = rotating_.try_emplace({std::max(regions_.of_node(number), Regions::whole), node.type}, nullptr);
     if (is_new)
-      if (auto made = node.physics->make_rotating(); made != nullptr)
+      if (auto made = node.physics->make_rotating(); made != nullptr) {
         batch->second = parts_.rotating_nodes.emplace_back(std::move(made)).get();
+        make_room_for_rotating(counts_[node.type]);
+      }
     if (batch->second == nullptr) return -1;
     Placement p;
     append_range(p.dofs, node.ode2, node.sizes.ode2);
@@ -183,6 +186,15 @@ class Builder {
     parts_.ports.add_rotating_node();
     batch->second->add(node.record.get(), p, parts_.ports);
     return p.rotating_node;
+  }
+
+  // Nodes of a type can be in several regions: there are no more than all nodes.
+  void make_room_for_rotating(int count) {
+    Ports& ports = parts_.ports;
+    const std::size_t most = std::min(ports.node_motions.size() + static_cast<std::size_t>(count), parts_.nodes.capacity());
+    ports.node_motions.reserve(most);
+    ports.node_loads.reserve(most);
+    ports.point_forces.reserve(most);
   }
 
   // An object's nodes and markers, before its markers' coordinates are known.

@@ -6,6 +6,7 @@
 #include "dalembert/math/inline.hpp"
 #include "dalembert/system/large_vectors.hpp"
 #include "dalembert/system/parts.hpp"
+#include "plan.hpp"
 
 namespace dalembert {
 namespace {
@@ -148,6 +149,8 @@ DALEMBERT_INLINE inline void begin_residual(SystemParts& parts, const RegionPlan
   });
 }
 
+enum class Rows { all, algebraic };
+template <Rows rows = Rows::all>
 DALEMBERT_INLINE inline void find_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
   parts.evaluate_resting(e);
@@ -156,9 +159,10 @@ DALEMBERT_INLINE inline void find_residual(SystemParts& parts, const Evaluation&
     begin_residual(parts, region, e, loads, r);
     parts.update_frames(region, e);
     const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };
-    each(region.terms, add);
+    each(rows == Rows::all ? region.terms : region.with_equations, add);
     if (loads) each(region.changing_loads, add);
   });
+  if constexpr (rows == Rows::algebraic) return;
   parts.each_region([&parts, &e, r](const RegionPlan& region) {
     const auto pull_back = [&](const auto& batch) { batch.pull_back(e, parts.ports, r); };
     each(e.reads_nodes ? region.needed_pulled : region.pulled, pull_back);
@@ -177,6 +181,9 @@ void clear_columns(const RegionPlan& region, const Pattern& pattern, double* val
 // Used by infrequent callers.
 [[gnu::noinline]] void find_residual_in_work(SystemParts& parts, const Evaluation& e, bool loads) {
   find_residual(parts, e, parts.work.data(), loads);
+}
+[[gnu::noinline]] void find_gaps_in_work(SystemParts& parts, const Evaluation& e) {
+  find_residual<Rows::algebraic>(parts, e, parts.work.data(), false);
 }
 
 }  // namespace
@@ -283,7 +290,8 @@ std::span<const double> System::negative_forces(const State& state, const Condit
 void System::gaps(const State& state, const Conditions& conditions, std::span<double> g) {
   ports_hold(nullptr);
   SystemParts& parts = *parts_;
-  find_residual_in_work(parts, view_of(parts, state, conditions), false);
+  if (!parts.knows_terms_with_equations) find_terms_with_equations(parts);
+  find_gaps_in_work(parts, view_of(parts, state, conditions));
   for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
 }
 

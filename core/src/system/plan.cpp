@@ -10,6 +10,22 @@
 namespace dalembert {
 namespace {
 
+// Batches, of which there are few while many items name them, one after the other.
+class BatchSet {
+ public:
+  void add(const Batch* batch) {
+    if (batches_.empty() || batches_.back() != batch) batches_.push_back(batch);
+  }
+  void sort() {
+    std::ranges::sort(batches_);
+    batches_.erase(std::ranges::unique(batches_).begin(), batches_.end());
+  }
+  bool contains(const Batch* batch) const { return std::ranges::binary_search(batches_, batch); }  // after sort()
+
+ private:
+  std::vector<const Batch*> batches_;
+};
+
 // Regions of one size, which follow each other in the tree; the smallest come last there and first here.
 void list_sizes(EvaluationPlan& plan, const Division& division) {
   const std::span<const RegionPlan> all = plan.regions;
@@ -46,8 +62,9 @@ void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& di
     if (region != nullptr && (grown.differentiated.contains(batch.get()) || batch->geometric_follows_tangent()))
       region->differentiated.push_back(batch.get());
   }
-  std::unordered_set<const Batch*> loads;
-  for (const LoadPlace& load : parts.loads) loads.insert(load.member.batch);
+  BatchSet loads;
+  for (const LoadPlace& load : parts.loads) loads.add(load.member.batch);
+  loads.sort();
   for (const auto& term : parts.terms)
     if (RegionPlan* region = region_of(term.get())) (loads.contains(term.get()) ? region->loads : region->terms).push_back(term.get());
   list_sizes(plan, division);
@@ -58,24 +75,27 @@ void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& di
 }
 
 void sort_loads(SystemParts& parts) {
-  std::unordered_set<const MarkerBatch*> passing_forces, passing_all, pulled;  // markers by their use
-  std::unordered_set<const Batch*> changing;
+  BatchSet passing_forces, passing_all, pulled, loaded, changing;
   const auto batch_of = [&](int marker) { return parts.markers[static_cast<std::size_t>(marker)].member.batch; };
   for (const auto& batch : parts.marker_batches) {
-    if (batch->constant_pull_back(false)) passing_forces.insert(batch.get());
-    if (batch->constant_pull_back(true)) passing_all.insert(batch.get());
+    if (batch->constant_pull_back(false)) passing_forces.add(batch.get());
+    if (batch->constant_pull_back(true)) passing_all.add(batch.get());
   }
+  passing_forces.sort();
+  passing_all.sort();
   parts.loads_call_functions = false;
   for (const LoadPlace& load : parts.loads) {
     const Term* batch = load.member.batch;
     const auto& passing = batch->has_moments() ? passing_all : passing_forces;
     const bool calls = has_user_function(*load.type, load.record.get());
     parts.loads_call_functions |= calls;
-    if (batch->has_tangent() || calls || !passing.contains(batch_of(load.marker))) changing.insert(batch);
+    if (batch->has_tangent() || calls || !passing.contains(batch_of(load.marker))) changing.add(batch);
   }
-  std::unordered_set<const MarkerBatch*> loaded;
-  for (const LoadPlace& load : parts.loads) (changing.contains(load.member.batch) ? pulled : loaded).insert(batch_of(load.marker));
-  pulled.insert(parts.plan.connected.begin(), parts.plan.connected.end());
+  changing.sort();
+  for (const LoadPlace& load : parts.loads) (changing.contains(load.member.batch) ? pulled : loaded).add(batch_of(load.marker));
+  for (const MarkerBatch* batch : parts.plan.connected) pulled.add(batch);
+  pulled.sort();
+  loaded.sort();
   parts.loads_are_sorted = true;
   ConstantLoads& constant = parts.plan.constant;
   constant = {};
@@ -88,6 +108,22 @@ void sort_loads(SystemParts& parts) {
       if (loaded.contains(batch)) constant.markers.push_back(batch);
     }
   }
+}
+
+void find_terms_with_equations(SystemParts& parts) {
+  std::unordered_set<const Batch*> plain;  // batches of objects alone that neither have equations nor nodes with equations
+  const auto has_equations = [&](const ObjectPlace& object) {
+    const auto nodes = object.nodes.of(parts.references);
+    return object.equations > 0 || std::ranges::any_of(nodes, [&](int node) { return parts.nodes[static_cast<std::size_t>(node)].sizes.ae > 0; });
+  };
+  for (const ObjectPlace& object : parts.objects) plain.insert(object.member.batch);
+  for (const ObjectPlace& object : parts.objects)
+    if (has_equations(object)) plain.erase(object.member.batch);
+  for (RegionPlan& region : parts.plan.regions) {
+    region.with_equations.clear();
+    std::ranges::copy_if(region.terms, std::back_inserter(region.with_equations), [&](const Term* term) { return !plain.contains(term); });
+  }
+  parts.knows_terms_with_equations = true;
 }
 
 void find_needed_markers(SystemParts& parts) {

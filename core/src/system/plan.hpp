@@ -25,6 +25,8 @@ void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& di
 
 // Finds constant loads, which depend on parameters: repeated after a change of parameters.
 void sort_loads(SystemParts& parts);
+// Finds the terms that System::gaps evaluates.
+void find_terms_with_equations(SystemParts& parts);
 // Finds markers that are needed if terms read nodes themselves.
 void find_needed_markers(SystemParts& parts);
 

@@ -29,7 +29,9 @@ void Ports::add_rotating_node() {
   node_motions.emplace_back();
   node_loads.emplace_back();
   point_forces.emplace_back();
-  rotations_.resize(rotations_.size() + rotation_size);
+  const std::size_t size = rotations_.size() + rotation_size;
+  if (size > rotations_.capacity()) rotations_.reserve(node_motions.capacity() * rotation_size);
+  rotations_.resize(size);
 }
 
 void Ports::clear_forces() {

@@ -15,7 +15,8 @@ System::System() : parts_(std::make_unique<SystemParts>()), states_(parts_->stat
 System::~System() = default;
 
 void System::assemble(const Model& model, const Division& division) {
-  model.check();
+  const bool is_checked = assembled_ && parts_->structure == model.structure_changes() && parts_->records == model.record_changes();
+  if (!is_checked || !model.term_sources().empty()) model.check();
   auto parts = std::make_unique<SystemParts>();
   build(*parts, model, division);
   parts->check_sensors();

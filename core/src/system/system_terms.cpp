@@ -28,7 +28,7 @@ void System::add(std::unique_ptr<SystemTerm> term) {
       if (parts.plan.connected.contains(batch) && std::ranges::find(region.differentiated, batch) == region.differentiated.end())
         region.differentiated.push_back(batch);
   sort_loads(parts);
-  parts.plan.resting_evaluated = false;
+  parts.plan.resting_evaluated = parts.knows_terms_with_equations = false;
   parts.plan.regions[Regions::whole].terms.push_back(term.get());
   bool& has_history = term->direct() ? parts.has_direct_history : parts.has_history;
   has_history = has_history || term->has_history();

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-import scipy
 
 from dalembert._checks import FloatArray
 from dalembert._fem.elements import KINDS
 from dalembert._io.files import file_to_read
+from dalembert._tools.later import scipy
 
 
 def ReadMatrixFromAnsysMMF(fileName: str, verbose: bool = False) -> FloatArray:

@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._fem.elements import Block, Kind
+from dalembert._tools.later import scipy
 
 CHUNK = 500  # elements at once: few enough for their numbers to stay in the cache
 

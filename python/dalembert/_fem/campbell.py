@@ -9,10 +9,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import FloatArray
 from dalembert._fem.eigen import SHIFT, first_deformation
+from dalembert._tools.later import scipy
 
 
 def gyroscopic_matrix(mass: Any, axis: int) -> Any:

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._fem.dissection import Front, dissect
+from dalembert._tools.later import scipy
 
 SIZE = 3  # coordinates per node
 

@@ -8,7 +8,6 @@ import warnings
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import FloatArray, shape_error
 from dalembert._fem.elements import blocks
@@ -16,6 +15,7 @@ from dalembert._fem.sparse import CheckForSciPyMatrix, ScipySparseCSRtoCSR, Spar
 from dalembert._io import foreign_pickles
 from dalembert._io.files import file_name, file_to_read, file_to_write
 from dalembert._io.hdf5 import LoadDictFromHDF5, SaveDictToHDF5
+from dalembert._tools.later import scipy
 
 KEPT = (
     *("metaData", "nodes", "elements", "massMatrix", "stiffnessMatrix", "surface", "nodeSets", "elementSets"),

@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import FloatArray, IntArray
+from dalembert._tools.later import scipy
 
 BoolArray = np.typing.NDArray[np.bool_]
 LEAF = 64  # nodes that are eliminated without a further cut

@@ -10,11 +10,11 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import FloatArray
 from dalembert._fem.cholesky import Cholesky, NotPositiveDefiniteError
 from dalembert._fem.lanczos import Solve, inverse_lanczos
+from dalembert._tools.later import scipy
 
 DENSE = 300  # coordinates up to which matrices are dense
 SHIFT = 1e-3  # relative to the first squared frequency of a deformation

@@ -14,9 +14,9 @@ from itertools import product
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import FloatArray, IntArray
+from dalembert._tools.later import scipy
 
 Exponents = tuple[tuple[int, ...], ...]  # powers of x, y and z
 

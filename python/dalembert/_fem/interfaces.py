@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import FloatArray, IntArray, shape_error
 from dalembert._fem.eigen import (
@@ -26,6 +25,7 @@ from dalembert._fem.eigen import (
     signed,
 )
 from dalembert._fem.lanczos import Solve, inverse_lanczos
+from dalembert._tools.later import scipy
 
 
 @dataclass(frozen=True)

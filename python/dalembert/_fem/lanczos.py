@@ -10,9 +10,9 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import FloatArray
+from dalembert._tools.later import scipy
 
 BLOCK = 12  # vectors that are solved for at once
 TOLERANCE = 1e-10  # norm of a residual, as part of the eigenvalue of the inverse, whose error is about its square

@@ -10,13 +10,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-import scipy
 
 from dalembert._checks import IntArray, shape_error
 from dalembert._fem.elements import KINDS, turned
 from dalembert._fem.imports import Imports
 from dalembert._fem.materials import as_material, coefficient_functions
 from dalembert._fem.sparse import ResortIndicesExudyn2NGvector, ResortIndicesOfNGvector
+from dalembert._tools.later import scipy
 
 
 def _ngsolve(function: str) -> Any:

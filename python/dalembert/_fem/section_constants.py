@@ -17,9 +17,10 @@ from dalembert._checks import FloatArray, as_vector, shape_error
 from dalembert._fem.materials import as_material
 from dalembert._fem.section_mesh import SectionMesh, mesh_of
 from dalembert._fem.section_outlines import SectionOutline
+from dalembert.basicUtilities import gaussIntegrationPoints, gaussIntegrationWeights
 
 # Gauss points of a triangle, from a collapsed square
-_X, _W = np.polynomial.legendre.leggauss(4)
+_X, _W = np.array(gaussIntegrationPoints[3]), np.array(gaussIntegrationWeights[3])
 _U, _V = (axis.ravel() for axis in np.meshgrid((_X + 1) / 2, (_X + 1) / 2, indexing="ij"))
 _POINTS = np.stack([_U, _V * (1 - _U)], axis=1)
 _WEIGHTS = np.outer(_W, _W).ravel() / 4 * (1 - _U)

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-import scipy
 
 from dalembert._checks import FloatArray, as_array, as_number, as_vector, check_integer, check_type, shape_error
+from dalembert._tools.later import scipy
 
 
 def _triplets(name: str, value: Any) -> FloatArray:

@@ -16,6 +16,8 @@ from dalembert._checks import FloatArray, as_matrix, as_rotation, as_transformat
 from dalembert._core import _array
 from dalembert._geometry.rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
 
+_FLOAT = np.dtype(float)
+
 
 def HomogeneousTransformation(A: npt.ArrayLike, r: npt.ArrayLike) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a 3x3 rotation matrix A and a translation vector r."""
@@ -76,6 +78,9 @@ def HTrotateZ(angle: float) -> FloatArray:
 
 def HT2translation(T: npt.ArrayLike) -> FloatArray:
     """Return the translation of a 4x4 homogeneous transformation, or of its logarithm (a view of a float array)."""
+    if type(T) is np.ndarray and T.dtype is _FLOAT and T.shape == (4, 4):  # the usual case
+        translation: FloatArray = T[:3, 3]
+        return translation
     return as_matrix("HT2translation: T", T, (4, 4))[:3, 3]
 
 
@@ -153,13 +158,13 @@ def InverseT66toRotationTranslation(T66: npt.ArrayLike) -> list[FloatArray]:
 def RotationTranslation2T66(A: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
     """Return the 6x6 transformation [[A, 0], [Skew(v) @ A, A]]."""
     rotation = as_rotation("RotationTranslation2T66: A", A)
-    return _lower_block(rotation, Skew(as_vector("RotationTranslation2T66: v", v, 3)) @ rotation)
+    return lower_block(rotation, Skew(as_vector("RotationTranslation2T66: v", v, 3)) @ rotation)
 
 
 def RotationTranslation2T66Inverse(A: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
     """Return the inverse of RotationTranslation2T66(A, v): [[A.T, 0], [-A.T @ Skew(v), A.T]]."""
     rotation = as_rotation("RotationTranslation2T66Inverse: A", A)
-    return _lower_block(rotation.T, -rotation.T @ Skew(as_vector("RotationTranslation2T66Inverse: v", v, 3)))
+    return lower_block(rotation.T, -rotation.T @ Skew(as_vector("RotationTranslation2T66Inverse: v", v, 3)))
 
 
 def T66Inverse(T66: npt.ArrayLike) -> FloatArray:
@@ -194,7 +199,8 @@ def Inertia6D2InertiaTensor(inertia6D: npt.ArrayLike) -> FloatArray:
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
-def _lower_block(diagonal: FloatArray, lower: FloatArray) -> FloatArray:
+def lower_block(diagonal: FloatArray, lower: FloatArray) -> FloatArray:
+    """Return the 6x6 matrix [[diagonal, 0], [lower, diagonal]]."""
     result: npt.NDArray[Any] = np.zeros((6, 6))
     result[:3, :3] = result[3:, 3:] = diagonal
     result[3:, :3] = lower

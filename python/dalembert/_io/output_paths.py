@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
 from dalembert import _core
 from dalembert._checks import shape_error
@@ -26,4 +25,5 @@ def OutputFilePath(fileName: str, callerInfo: str = "") -> str:
 
 def CreateDirectoryForFile(fileName: str) -> None:
     """Make the folder of a file if it does not exist."""
-    Path(fileName).parent.mkdir(parents=True, exist_ok=True)
+    if folder := os.path.dirname(fileName):
+        os.makedirs(folder, exist_ok=True)

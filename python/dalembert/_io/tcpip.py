@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-import socket
 import struct
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from dalembert._core import Print
+
+if TYPE_CHECKING:
+    import socket
 
 
 class TCPIPdata:
@@ -39,6 +41,8 @@ def CreateTCPIPconnection(
     verbose: bool = False,
 ) -> TCPIPdata:
     """Wait for another program to connect to address and port; sizes are numbers of doubles per message."""
+    import socket  # here, as all models import this file and few need connections
+
     order = ">" if bigEndian else "<"
     if verbose:
         Print(f"waiting for a TCP/IP connection to {IPaddress}:{port}")

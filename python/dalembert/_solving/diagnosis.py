@@ -22,7 +22,7 @@ _STABILIZER = (
 
 # Parts of the text that the compiled solver gives: the start of the advice, and the items behind a number.
 _ADVICE = "  what to try:"
-_ITEMS = re.compile(r"^(\s*(?:singular at unknown \d+|rows [\d, ]+|equation \d+: \S+|\w+\[\d+\]: \S+))(?:: |  \().*$")
+_ITEMS = r"^(\s*(?:singular at unknown \d+|rows [\d, ]+|equation \d+: \S+|\w+\[\d+\]: \S+))(?:: |  \().*$"
 
 
 class SolverError(_core.ExudynError, RuntimeError, ValueError):
@@ -152,7 +152,7 @@ def SolverErrorMessage(
         lines.append(f"in step {it.currentStepIndex} at time {it.currentTime:.6g} (step size {it.currentStepSize:.3g})")
     if not (showCausingObjects or showCausingNodes):
         sources = solver.GetDiagnosisDictionary()["sources"]
-        lines = [_ITEMS.sub(r"\1", line) for line in lines if line.strip() not in sources]
+        lines = [re.sub(_ITEMS, r"\1", line) for line in lines if line.strip() not in sources]
     if advice.strip():
         lines.append(_ADVICE + advice.rstrip() if showHints else "  showHints=True adds remedies")
     return "\n".join(lines)
@@ -165,7 +165,10 @@ def listed(lines: Sequence[str], most: int = 5) -> list[str]:
 
 def CheckSolverInfoStatistics(solverName: str, infoStat: Sequence[float], numberOfEvaluations: int) -> None:
     """Warn if memory was allocated in every evaluation since infoStat = special.InfoStat(False) was taken."""
-    now = np.asarray(_core.special.InfoStat(False), dtype=float)
+    counts = _core.special.InfoStat(False)
+    if counts == list(infoStat):
+        return
+    now = np.asarray(counts, dtype=float)
     before = np.asarray(infoStat, dtype=float)
     if now.size <= max(_COUNTED) or before.shape != now.shape:
         return

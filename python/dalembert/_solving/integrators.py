@@ -24,19 +24,21 @@ EXPLICIT = {
 
 
 Kind = Literal["implicit", "diagonally implicit", "explicit"]
+_KINDS: dict[DynamicSolverType, Kind] = {
+    **dict.fromkeys(IMPLICIT, "implicit"),
+    **dict.fromkeys(DIAGONALLY_IMPLICIT, "diagonally implicit"),
+    **dict.fromkeys(EXPLICIT, "explicit"),
+}
 
 
 def kind_of(function: str, solverType: Any) -> Kind:
     """Return the kind of method; ValueError, naming `function`, if it is unknown."""
-    everything = IMPLICIT | DIAGONALLY_IMPLICIT | EXPLICIT
-    if solverType not in everything:
-        known = ", ".join(sorted(str(kind) for kind in everything))
+    if solverType not in _KINDS:
+        known = ", ".join(sorted(str(kind) for kind in _KINDS))
         is_name = isinstance(solverType, str) and solverType in DynamicSolverType.__members__
         advice = f". Write DynamicSolverType.{solverType} without quotes" if is_name else ""
         raise ValueError(f"{function}: solverType: expected one of {known}; received {solverType!r}{advice}")
-    if solverType in DIAGONALLY_IMPLICIT:
-        return "diagonally implicit"
-    return "implicit" if solverType in IMPLICIT else "explicit"
+    return _KINDS[solverType]
 
 
 @contextmanager
@@ -51,12 +53,11 @@ def chosen_method(settings: Any, solverType: DynamicSolverType) -> Iterator[None
 
 
 @contextmanager
-def trapezoidal_rule(settings: Any, active: bool) -> Iterator[None]:
+def trapezoidal_rule(settings: Any) -> Iterator[None]:
     """Switch the implicit integrator to the trapezoidal rule with index 2 constraints while a solver runs."""
     integrator = settings.timeIntegration.generalizedAlpha
     before = integrator.useNewmark, integrator.useIndex2Constraints
-    if active:
-        integrator.useNewmark = integrator.useIndex2Constraints = True
+    integrator.useNewmark = integrator.useIndex2Constraints = True
     try:
         yield
     finally:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -193,7 +194,8 @@ def SolveVariations(
     if kind == "explicit" and not isinstance(method, str):
         base.timeIntegration.explicitIntegration.dynamicSolverType = method
     own = base.timeIntegration.solverType if isinstance(method, str) else method
-    with chosen_method(base, own), trapezoidal_rule(base, method == DynamicSolverType.TrapezoidalIndex2):
+    is_trapezoidal = method == DynamicSolverType.TrapezoidalIndex2
+    with chosen_method(base, own), trapezoidal_rule(base) if is_trapezoidal else nullcontext():
         found = _core._SolveVariations(
             mbs, base, kind, variations, given, varied, coordinates, wanted, storeHistories, storeCoordinates,
             number_of_threads(numberOfThreads),

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dalembert._tools.item_packages import BuildError, new
+from dalembert._tools.item_builds import BuildError, new
 from dalembert.laws import Law
 
 # ---- formulas --------------------------------------------------------------------------------------------------------

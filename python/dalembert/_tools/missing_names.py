@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from types import ModuleType
 from typing import Any, NoReturn
 
@@ -109,6 +109,10 @@ def explain() -> None:
     for made in vars(_core).values():
         if type(made) is enum.EnumType:
             made.__class__ = _ExplainingEnum
+            members: Mapping[str, Any] = made.__members__
+            for name, member in members.items():
+                type.__setattr__(made, name, member)  # as from Python 3.12 on; before, a function returns them
+    _core._look_up_directly(_ExplainingEnum)
 
 
 # ---- modules ---------------------------------------------------------------------------------------------------------

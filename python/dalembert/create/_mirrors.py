@@ -140,7 +140,8 @@ def parameters(function: Callable[..., Any]) -> dict[str, inspect.Parameter]:
 
 def of_module(function: Callable[..., Any], table: str) -> dict[str, Any]:
     """Return the entries of a table of the function's module, such as CHECKS, for its arguments."""
-    found: dict[str, Any] = getattr(sys.modules[function.__module__], table, {}).get(function.__name__, {})
+    tables = vars(sys.modules[function.__module__])  # getattr would search all modules for a hint on a missing name
+    found: dict[str, Any] = tables.get(table, {}).get(function.__name__, {})
     return found
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import warnings
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -52,7 +51,8 @@ def _facets_from_text(text: str, fileName: str) -> tuple[FloatArray, FloatArray]
 
 def _read_facets(fileName: str) -> tuple[FloatArray, FloatArray]:
     """Return normals and corner points of a binary or text STL file."""
-    content = Path(file_to_read("FromSTLfile: fileName", fileName)).read_bytes()
+    with open(file_to_read("FromSTLfile: fileName", fileName), "rb") as file:
+        content = file.read()
     if len(content) >= 84:
         nFacets = int.from_bytes(content[80:84], "little")
         if len(content) == 84 + nFacets * _BINARY_FACET.itemsize:
@@ -76,7 +76,8 @@ def FromSTLfileASCII(
     Normals and orientation of the triangles are inverted by default. Errors name the line of the file.
     """
     fileName = file_to_read("FromSTLfileASCII: fileName", fileName)
-    normals, corners = _facets_from_text(Path(fileName).read_text(), fileName)
+    with open(fileName) as file:
+        normals, corners = _facets_from_text(file.read(), fileName)
     if verbose:
         print(f"FromSTLfileASCII: {fileName}: {len(normals)} triangles")
     order = [0, 2, 1] if invertTriangles else [0, 1, 2]
@@ -263,5 +264,5 @@ def ExportSTL(
         lines += ["facet normal {!r} {!r} {!r}".format(*normal), "outer loop"]
         lines += ["vertex {!r} {!r} {!r}".format(*corner) for corner in facet]
         lines += ["endloop", "endfacet"]
-    with replacing(fileName) as written:
-        Path(written).write_text("\n".join([*lines, f"endsolid {solidName}", ""]))
+    with replacing(fileName) as written, open(written, "w") as file:
+        file.write("\n".join([*lines, f"endsolid {solidName}", ""]))

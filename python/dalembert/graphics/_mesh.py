@@ -36,12 +36,13 @@ def triangle_list(
 
     where: the name of the called function, for errors.
     """
-    if not (finite := np.isfinite(points).all(axis=-1)).all():
+    if not np.isfinite(points).all():
+        finite = np.isfinite(points).all(axis=-1)
         raise shape_error(f"{where}: points", "finite coordinates", points[~finite][0].tolist())
     name = f"{where}: color"
     rgba = as_array(name, colors, "4 numbers, red, green, blue and opacity from 0 to 1, such as graphics.color.red")
     if rgba.ndim != 2:
-        rgba = np.tile(as_color(name, rgba), len(points))
+        rgba = as_color(name, rgba)[None].repeat(len(points), axis=0)
     else:
         if rgba.shape != (len(points), 4):
             raise shape_error(name, f"4 numbers, or 4 for each of {len(points)} points", colors)

@@ -178,7 +178,11 @@ def MergeTriangleLists(g1: GraphicsData, g2: GraphicsData) -> GraphicsData:
     before = 0
     for name, g in (("g1", g1), ("g2", g2)):
         where = f"MergeTriangleLists: {name}"
-        points, triangles = mesh_of(where, g)
+        require_type(where, g, "TriangleList")
+        points = place_of(where, g)
+        triangles = as_point_numbers(
+            f"{where}: graphicsData['triangles']", entry_of(where, g, "triangles"), 3, len(points)
+        )
         parts["points"].append(points.ravel())
         parts["triangles"].append(triangles.ravel() + before)
         for key, size in (("colors", 4), ("normals", 3)):

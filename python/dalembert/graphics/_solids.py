@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import asin, pi, sin, sqrt
+from math import asin, inf, pi, sin, sqrt
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from dalembert._calls import checked
 from dalembert._checks import (
     FloatArray,
+    IntArray,
     as_array,
     as_color,
     as_number,
@@ -142,7 +143,11 @@ _CUBOID_TRIANGLES = np.array(
 _CUBOID_EDGES = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]]
 
 
-def _cuboid_corner_edges(faces: Sequence[int]) -> list[list[int]]:
+_ALL_FACES = np.arange(6)
+_IS_HIGH = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], dtype=bool)
+
+
+def _cuboid_corner_edges(faces: Sequence[int] | IntArray) -> list[list[int]]:
     """Return each edge of a cuboid once, in terms of the 6 corners that every drawn face has of its own."""
     edges, seen = [], set()
     for n, face in enumerate(faces):
@@ -218,7 +223,7 @@ def _cuboid(
     where: str,
     points: FloatArray,
     color: npt.ArrayLike,
-    drawn: Sequence[int],
+    drawn: Sequence[int] | IntArray,
     addNormals: bool,
     addEdges: bool | int,
     edgeColor: npt.ArrayLike,
@@ -251,13 +256,12 @@ def BrickXYZ(
 ) -> GraphicsData:
     """Return a block between minimal and maximal coordinates; Brick replaces this function."""
     corners = _corners([xMin, yMin, zMin], [xMax, yMax, zMax])
-    return _cuboid("BrickXYZ", corners, color, range(6), addNormals, addEdges, edgeColor, addFaces)
+    return _cuboid("BrickXYZ", corners, color, _ALL_FACES, addNormals, addEdges, edgeColor, addFaces)
 
 
 def _corners(low: npt.ArrayLike, high: npt.ArrayLike) -> FloatArray:
     """Return the corners of a block between minimal and maximal coordinates: 4 of the bottom, and 4 of the top."""
-    (x0, y0, z0), (x1, y1, z1) = np.asarray(low, float), np.asarray(high, float)
-    return np.array([[x, y, z] for z in (z0, z1) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))])
+    return np.where(_IS_HIGH, np.asarray(high, float), np.asarray(low, float))
 
 
 def _rounded_radius(angles: FloatArray, roundness: float) -> FloatArray:
@@ -287,11 +291,11 @@ def Brick(
     """
     center = as_vector("Brick: centerPoint", centerPoint, 3)
     half = 0.5 * as_vector("Brick: size", size, 3)
-    if not ((half >= 0) & np.isfinite(half)).all():
+    if not all(0 <= length < inf for length in half.tolist()):
         raise shape_error("Brick: size", "finite side lengths that are not negative", size)
     if roundness == 0:
         corners = _corners(center - half, center + half)
-        return _cuboid("Brick", corners, color, range(6), addNormals, addEdges, edgeColor, addFaces)
+        return _cuboid("Brick", corners, color, _ALL_FACES, addNormals, addEdges, edgeColor, addFaces)
     nTiles = at_least("graphics.Brick", nTiles, 8)
     nRows = nTiles // 2 + 1
     u = np.linspace(0, 2 * pi, nTiles, endpoint=False)[None, :]

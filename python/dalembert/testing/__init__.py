@@ -30,7 +30,7 @@ else:
     try:
         import codegen  # noqa: F401
     except ModuleNotFoundError:  # not in the repository: that of the wheel
-        from dalembert._tools.item_packages import home
+        from dalembert._tools.item_builds import home
 
         sys.path.append(str(home()))
 

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from codegen.load import known_specs
 from codegen.model import Item
-from dalembert._tools.item_packages import GROUP, home, load_installed, module_name
+from dalembert._tools.item_builds import home, module_name
+from dalembert._tools.item_packages import GROUP, load_installed
 
 
 def _package() -> Path | None:

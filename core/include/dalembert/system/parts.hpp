@@ -155,6 +155,7 @@ struct RegionPlan {
   std::vector<const MarkerBatch*> needed, needed_pulled;  // subset that is needed if terms read nodes themselves
   std::vector<const Term*> terms, loads;
   std::vector<const Term*> changing_loads;
+  std::vector<const Term*> with_equations;  // terms of objects and nodes that have algebraic equations
   int entries = 0;  // sum over these batches
 };
 
@@ -205,6 +206,7 @@ struct SystemParts {
   bool leaves_markers_to_terms = false;  // some are not needed, where these read nodes themselves;
   bool needs_totals = true;              // there,
   bool knows_needed_markers = false;  // for the current parameters
+  bool knows_terms_with_equations = false;
   bool loads_are_sorted = true;  // into constant and other loads, for the current parameters
   // user functions may only be called by the thread of the solver, which then evaluates everything
   bool functions_in_regions = false;
@@ -223,7 +225,7 @@ struct SystemParts {
   using States = std::array<State, 6>;  // by ConfigurationType
   std::shared_ptr<States> kept_states = std::make_shared<States>();  // views from outside keep them
   States& states = *kept_states;
-  std::uint64_t structure = 0, equations = 0, values = 0;  // changes of the model, as assembled
+  std::uint64_t structure = 0, equations = 0, values = 0, records = 0;  // changes of the model, as assembled
 
   std::optional<Pattern> dense_pattern, mass_pattern;  // made when asked for
   std::vector<const Term*> without_matrix;  // terms without a part in the current mass pattern

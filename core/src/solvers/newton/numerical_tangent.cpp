@@ -29,10 +29,11 @@ class Differences {
   Differences(const Differences&) = delete;
   Differences& operator=(const Differences&) = delete;
 
-  // Moves some unknowns, none of which acts on the rows of another one, to both sides.
-  void find(std::span<const Move> moves) {
-    evaluate(moves, 1, up_);
-    evaluate(moves, -1, down_);
+  // Moves some unknowns, none of which acts on the rows of another one, to both sides; `rows`: only algebraic ones are needed.
+  enum class Rows { all, algebraic };
+  void find(std::span<const Move> moves, Rows rows) {
+    evaluate(moves, 1, rows, up_);
+    evaluate(moves, -1, rows, down_);
   }
   // (r(+eps) - r(-eps)) / (2 eps) in a row of one of them.
   double slope(int row, double eps) const {
@@ -41,11 +42,12 @@ class Differences {
   }
 
  private:
-  void evaluate(std::span<const Move> moves, double side, std::vector<double>& r) {
+  void evaluate(std::span<const Move> moves, double side, Rows rows, std::vector<double>& r) {
     for (const Move& move : moves) shift(move.column, side * move.eps);
     const bool turns = system_.has_lie_nodes() && std::ranges::any_of(moves, [&](const Move& move) { return move.column < system_.sizes().ode2; });
     if (turns) system_.compose(state_.q, increment_, moved_.q);
-    system_.residual(moved_, conditions_, r);
+    if (rows == Rows::all) system_.residual(moved_, conditions_, r);
+    else system_.gaps(moved_, conditions_, std::span(r).subspan(static_cast<std::size_t>(system_.sizes().first_ae())));
     if (turns) moved_.q = state_.q;
     for (const Move& move : moves) put_back(move.column);
   }
@@ -101,35 +103,51 @@ class Choice {
         first_ae_(system.sizes().first_ae()), of_items_(all_ ? nullptr : &system.pattern(false)) {}
 
   bool everything() const { return all_; }
-  // Columns without a row in common can be moved at the same time: A. R. Curtis, M. J. D. Powell, J. K. Reid, On the estimation of sparse
-  // Jacobian matrices, IMA J. Appl. Math. 13, 1974. Each column is separate if dependencies are unknown.
+  // Only algebraic rows are chosen in these columns: in others, all rows may be.
+  bool only_algebraic_rows(int column) const { return !all_ && !motion_ && column < first_ae_; }
+  // Columns can be moved at the same time if none of them changes a row in which an entry of another one is chosen: A. R. Curtis,
+  // M. J. D. Powell, J. K. Reid, On the estimation of sparse Jacobian matrices, IMA J. Appl. Math. 13, 1974. Each column is
+  // separate if dependencies are unknown.
   std::vector<std::vector<int>> groups(const Sizes& s) const {
+    constexpr char changed = 1, chosen = 2;
     std::vector<std::vector<int>> groups;
-    std::vector<std::vector<char>> occupied;  // rows of each group
+    std::vector<std::vector<char>> uses;  // of the rows of each group
     for (int column = 0; column < s.total(); ++column) {
       if (!any_in(column)) continue;
+      const auto conflicts = [&](int row) { return selects(row, column) ? changed : chosen; };
       std::size_t g = all_ ? groups.size() : 0;
       for (; g < groups.size(); ++g) {
-        bool is_free = true;
-        for_each_row(*of_items_, column, [&](int row) { is_free = is_free && occupied[g][static_cast<std::size_t>(row)] == 0; });
-        if (is_free) break;
+        if (only_algebraic_rows(column) != only_algebraic_rows(groups[g].front())) continue;
+        if (!any_row(column, [&](int row) { return (uses[g][static_cast<std::size_t>(row)] & conflicts(row)) != 0; })) break;
       }
       if (g == groups.size()) {
         groups.emplace_back();
-        occupied.emplace_back(all_ ? 0 : static_cast<std::size_t>(s.total()), 0);
+        uses.emplace_back(all_ ? 0 : static_cast<std::size_t>(s.total()), 0);
       }
       groups[g].push_back(column);
-      if (!all_) for_each_row(*of_items_, column, [&](int row) { occupied[g][static_cast<std::size_t>(row)] = 1; });
+      if (!all_) for_each_row(*of_items_, column, [&](int row) { uses[g][static_cast<std::size_t>(row)] |= selects(row, column) ? changed | chosen : changed; });
     }
     return groups;
   }
-  bool any_in(int column) const { return all_ || algebraic_ || column < first_ae_; }
   bool operator()(int row, int column) const {
-    if (all_) return true;
-    return (row < first_ae_ && column < first_ae_ ? motion_ : algebraic_) && of_items_->contains(row, column);
+    return all_ || (selects(row, column) && of_items_->contains(row, column));
   }
 
  private:
+  bool selects(int row, int column) const { return row < first_ae_ && column < first_ae_ ? motion_ : algebraic_; }
+  bool any_in(int column) const {
+    return all_ || any_row(column, [&](int row) { return selects(row, column); });
+  }
+  // From the last row, as algebraic ones are shared by most columns.
+  template <class F>
+  bool any_row(int column, const F& f) const {
+    const auto rows = of_items_->row_index();
+    const int begin = of_items_->column_start()[column];
+    for (int k = of_items_->column_start()[column + 1]; k-- > begin;)
+      if (f(rows[k])) return true;
+    return false;
+  }
+
   bool all_, algebraic_, motion_;
   int first_ae_;
   const Pattern* of_items_;  // dependencies declared by items
@@ -164,7 +182,7 @@ void numerical_tangent(System& system, const State& state, const Conditions& con
       const double size = size_of_unknown(s, state, reference, options.addReferenceCoordinatesToEpsilon, column);
       moves.push_back({column, options.relativeEpsilon * std::max(options.minimumCoordinateSize, std::abs(size))});
     }
-    differences.find(moves);
+    differences.find(moves, chosen.only_algebraic_rows(group.front()) ? Differences::Rows::algebraic : Differences::Rows::all);
     for (const auto& [column, eps] : moves)
       for_each_row(pattern, column, [&, column = column, eps = eps](int row) {
         if (!chosen(row, column)) return;

@@ -240,9 +240,13 @@ void OutputWriter::announce_end(const std::vector<std::string>& doubts) {
 
 void OutputWriter::write_footers() {
   const auto& s = settings().solutionSettings;
-  const std::string footer = solution_footer(it, conv, timer.total);
-  if (s.writeFileFooter && output.writeToSolutionFile) solution_file_.write_footer(footer, it, conv);
-  if (s.sensorsWriteFileFooter) sensors_.write_footer(footer);
+  const bool of_solution = s.writeFileFooter && output.writeToSolutionFile;
+  const bool of_sensors = s.sensorsWriteFileFooter && !sensors_.files().empty();
+  if (of_solution || of_sensors) {
+    const std::string footer = solution_footer(it, conv, timer.total);
+    if (of_solution) solution_file_.write_footer(footer, it, conv);
+    if (of_sensors) sensors_.write_footer(footer);
+  }
   close(solution_file_);
   close(sensors_);
 }

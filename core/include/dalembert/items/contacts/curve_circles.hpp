@@ -44,14 +44,22 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       data[Data::which] = -1;
       data[Data::distance] = std::numeric_limits<double>::max();
       double error = 0;
-      for (int circle = 0; circle < circles(p); ++circle) {
-        if (!(centres.gap(at, circle) < data[Data::distance])) continue;
-        const Meeting<double> touch(p, x, segment, circle);
+      const auto meet = [&](int circle) {
+        const Meeting<double> touch(p, x, at, circle, centres.of(circle));
         data[Data::distance] = touch.gap;
         data[Data::slip] = touch.slip;
         error = std::abs(p.contactDamping * touch.rate - p.contactStiffness * touch.gap);
         if (touch.gap < 0 && touch.normal_force(p) > 0) data[Data::which] = circle;
+      };
+      int nearest = -1;
+      for (int circle = 0; circle < circles(p); ++circle) {
+        const double gap = centres.gap(at, circle);
+        if (!(gap < data[Data::distance])) continue;
+        data[Data::distance] = gap;
+        nearest = circle;
+        if (gap < 0) meet(circle);
       }
+      if (nearest >= 0 && data[Data::distance] >= 0) meet(nearest);
       if ((now.gap() > 0) != (before > 0)) verdict.error = std::max(verdict.error, error);
     }
     return verdict;
@@ -66,12 +74,18 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       const Data at(c.data, segment);
       const int touched = at.touches(circles(p)) ? at.circle() : -1;
       double own = 0, nearest = std::numeric_limits<double>::max(), pressed = 0, slip = 0;
+      int tested = touched;  // without a contact: the nearest circle
       for (int circle = 0; circle < circles(p); ++circle) {
-        if (circle != touched && !(centres.gap(line, circle) < nearest)) continue;
-        const Meeting<double> touch(p, x, segment, circle);
-        if (circle == touched) own = touch.gap, slip = touch.slip;
-        else nearest = touch.gap;
-        if (circle == touched || touched < 0) pressed = touch.normal_force(p, false);
+        if (circle == touched) continue;
+        const double gap = centres.gap(line, circle);
+        if (!(gap < nearest)) continue;
+        nearest = gap;
+        if (touched < 0) tested = circle;
+      }
+      if (tested >= 0) {
+        const Meeting<double> touch(p, x, line, tested, centres.of(tested));
+        pressed = touch.normal_force(p, false);
+        if (touched >= 0) own = touch.gap, slip = touch.slip;
       }
       if (touched < 0) {
         switches.holds("contact", false, std::max(nearest, -pressed));
@@ -164,24 +178,35 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     }
   };
 
-  // Centre points of the circles, in the axes of the curve.
+  // A circle in the axes of the curve.
+  template <class S>
+  struct Centre {
+    Mat3<S> axes;
+    Vec3<S> span;     // from the marker of the curve to the centre, in global axes
+    Vec<S, 2> place;  // of the centre
+    Centre(const Parameters& p, const Exchange<S>& x, int circle)
+        : Centre(x.template frame<RigidPort>(0).rotation * p.rotationMarker0, x, circle) {}
+    Centre(const Mat3<S>& axes_of_curve, const Exchange<S>& x, int circle)
+        : axes(axes_of_curve), span(x.template frame<RigidPort>(1 + circle).position - x.template frame<RigidPort>(0).position) {
+      const Vec3<S> at = transposed_times(axes, span);
+      place = {at[0], at[1]};
+    }
+  };
+
+  // All circles: they are the same for all segments.
   class Centres {
    public:
     Centres(const Parameters& p, const Exchange<double>& x) : radii_(p.circlesRadii) {
-      const RigidFrame<double>& curve = x.frame<RigidPort>(0);
-      const Mat3<double> axes = curve.rotation * p.rotationMarker0;
-      for (int circle = 0; circle < circles(p); ++circle) {
-        const Vec3<double> at = transposed_times(axes, x.frame<RigidPort>(1 + circle).position - curve.position);
-        positions_.push_back({at[0], at[1]});
-      }
+      const Mat3<double> axes = x.frame<RigidPort>(0).rotation * p.rotationMarker0;
+      for (int circle = 0; circle < circles(p); ++circle) centres_.emplace_back(axes, x, circle);
     }
+    const Centre<double>& of(int circle) const { return centres_[static_cast<std::size_t>(circle)]; }
     double gap(const Segment& at, int circle) const {
-      const auto i = static_cast<std::size_t>(circle);
-      return norm_or_zero(at.distance_to(positions_[i] - at.begin)) - radii_[i];
+      return norm_or_zero(at.distance_to(of(circle).place - at.begin)) - radii_[static_cast<std::size_t>(circle)];
     }
 
    private:
-    std::vector<Vec<double, 2>> positions_;
+    std::vector<Centre<double>> centres_;
     const std::vector<double>& radii_;
   };
 
@@ -201,19 +226,19 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     S gap, rate, slip;  // rate: of penetration; slip: of the circle relative to the curve, along the tangent
     S extent{}, extent_rate{};  // length times penetration, or the area that both share
 
-    Meeting(const Parameters& p, const Exchange<S>& x, int segment, int circle) {
+    Meeting(const Parameters& p, const Exchange<S>& x, int segment, int circle)
+        : Meeting(p, x, Segment(p, segment), circle, Centre<S>(p, x, circle)) {}
+    Meeting(const Parameters& p, const Exchange<S>& x, const Segment& at, int circle, const Centre<S>& centre)
+        : axes(centre.axes), span(centre.span) {
       const RigidFrame<S>&m0 = x.template frame<RigidPort>(0), &m1 = x.template frame<RigidPort>(1 + circle);
-      const Segment at(p, segment);
       const double radius = p.circlesRadii[static_cast<std::size_t>(circle)];
-      axes = m0.rotation * p.rotationMarker0;
-      span = m1.position - m0.position;
-      const Vec3<S> centre = transposed_times(axes, span);
-      const Vec<S, 2> from_begin{centre[0] - at.begin[0], centre[1] - at.begin[1]};
+      const Vec<S, 2> from_begin{centre.place[0] - at.begin[0], centre.place[1] - at.begin[1]};
       const Vec<S, 2> distance = at.distance_to(from_begin);
-      gap = norm_or_zero(distance) - radius;
+      const S length = norm_or_zero(distance);
+      gap = length - radius;
       S depth = gap;
       if (p.contactModel == 0) {
-        normal = dalembert::direction(distance);
+        if (value_of(length) > 0) normal = (1.0 / length) * distance;
       } else {
         normal = {S(at.outward()[0]), S(at.outward()[1])};
         depth = dot(normal, from_begin) - radius;
