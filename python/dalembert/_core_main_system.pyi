@@ -42,6 +42,7 @@ from dalembert.create import (
     drives,
     flexible,
     joints,
+    lines,
     loads,
     robots,
     sensors,

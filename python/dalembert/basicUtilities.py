@@ -115,7 +115,7 @@ def _same_length(where: str, v0: Sequence[Any], v1: Sequence[Any]) -> None:
 
 def _numbers(v: Sequence[Any]) -> Sequence[Any]:
     """Return an array as list: Python calculates with numbers of lists in a third of the time."""
-    return v.tolist() if type(v) is np.ndarray else v
+    return v.tolist() if isinstance(v, np.ndarray) else v
 
 
 def NormL2(vector: Sequence[float]) -> float:

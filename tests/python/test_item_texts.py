@@ -33,6 +33,13 @@ OTHER_DEFAULTS = {
     ("CreateFFRFReducedOrderObject", "color"): [0, 1, 0, 1],
     ("CreateSphereQuadContact", "includeEdges"): 15,
     ("CreateSphereTriangleContact", "trianglePoints"): TRIANGLE,
+    **{
+        ("CreateHydraulicCylinder", argument): value
+        for argument, value in (
+            *(("strokeLength", 0.5), ("systemPressure", 1e7), ("tankPressure", 1e5)),
+            *(("nominalFlow", 2e-7), ("oilBulkModulus", 1.5e9)),
+        )
+    },
     **{(f"CreateSphere{other}Contact", "color"): [-1, -1, -1, -1] for other in ("Sphere", "Triangle", "Quad")},
 }
 

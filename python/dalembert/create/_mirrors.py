@@ -107,6 +107,7 @@ TEXTS = {
 TYPES = {
     "bodyNumber": "ObjectIndex, MarkerIndex or name",
     "position": "3 numbers",
+    "section": "outline of a section",
     "referenceHT": "HT or 4 x 4 matrix",
     "initialHT": "HT or 4 x 4 matrix",
     "quadPoints": "4 points of 3 numbers",

@@ -349,8 +349,8 @@ def CreateForceFromTable(
 ) -> LoadIndex:
     """Add a force (N) in a direction, whose magnitude is given over time, at a point of a body; return its LoadIndex.
 
-    table: rows [t, force], the name of a file with these columns, or a function of t. Between rows it is linear or, if
-    smooth, a cubic spline; before and after the table, it is constant.
+    The table has rows [t, force]; it may be the name of a file with these columns, or a function of t. Between rows it
+    is linear or, if smooth, a cubic spline; before and after the table, it is constant.
     """
     index: LoadIndex = _force(
         mbs, "CreateForceFromTable", items.LoadForceVector, bool(bodyFixed), name, bodyNumber, table, direction,
@@ -371,7 +371,7 @@ def CreateTorqueFromTable(
 ) -> LoadIndex:
     """Add a torque (Nm) about a direction, whose magnitude is given over time, on a body; return its LoadIndex.
 
-    table: as in CreateForceFromTable.
+    The table is as in CreateForceFromTable.
     """
     index: LoadIndex = _force(
         mbs, "CreateTorqueFromTable", items.LoadTorqueVector, True, name, bodyNumber, table, direction, ZERO3,

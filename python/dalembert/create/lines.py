@@ -23,6 +23,7 @@ from dalembert.create._arguments import (
     argument_error,
     vector,
 )
+from dalembert.create._arguments import color as color_check
 from dalembert.create._frames import add_end_markers, connector_ends, end_distance
 from dalembert.rigidBodyUtilities import ComputeOrthonormalBasis
 
@@ -260,8 +261,6 @@ _LINE = {
     "density": "density (kg/m^3)",
     "supports": "how both ends are held by the ground: 'free', 'hinged' (position fixed) or 'clamped'",
     "name": "name of the markers of the ends, which get ':start' and ':end'",
-    "color": "red, green, blue and opacity; a negative red selects the default",
-    "show": "False: it is not drawn",
 }
 TEXTS = {
     "CreateCable": {
@@ -312,6 +311,7 @@ CHECKS: dict[str, dict[str, Check]] = {
         "diameter": POSITIVE.optional(),
     },
     "CreateHydraulicCylinder": {
+        "color": color_check(),
         "pistonDiameter": POSITIVE,
         "rodDiameter": POSITIVE,
         "strokeLength": POSITIVE,
