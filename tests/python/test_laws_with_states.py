@@ -382,6 +382,14 @@ def test_wrong_nodes(nodes: Callable[[Any], Any], text: str) -> None:
         mbs.SolveDynamic(settings(1, 0.1))
 
 
+@pytest.mark.parametrize("law", [Maxwell, Slider])
+def test_two_items_with_one_node(law: Any) -> None:
+    mbs, _, nodes = one_coordinate(law)
+    mbs.AddObject(law([0, 1], nodeNumbers=nodes))
+    with pytest.warns(UserWarning, match=r"object 2 .*: it shares node 2 .* with object 1 .*; add a node for each"):
+        mbs.Assemble()
+
+
 def test_wrong_markers() -> None:
     mbs, item, _ = one_coordinate(Maxwell)
     ground = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=mbs.AddObject(exu.ObjectGround())))

@@ -252,6 +252,34 @@ class Checker {
   const Item& item_;
 };
 
+// Objects with one node for their states: histories overwrite each other, and rates are added. Empty: there are none.
+std::string doubt_of_shared_states(const Model& model) {
+  const auto has_states = [&](int node) {
+    const Item* found = model.find_item(ItemKind::node, node);
+    return found != nullptr && (found->type->name == "NodeGenericData" || found->type->name == "NodeGenericODE1");
+  };
+  bool any = false;
+  for (int i = 0; i < model.count(ItemKind::node) && !any; ++i) any = has_states(i);
+  if (!any) return "";
+  std::vector<int> users(static_cast<std::size_t>(model.count(ItemKind::node)), -1);
+  for (int i = 0; i < model.count(ItemKind::object); ++i) {
+    const Item& object = model.item(ItemKind::object, i);
+    if (object.type->category != "Connector") continue;
+    for (const Row& row : object.type->rows) {
+      if (const IndexStorage index = index_storage(row.storage); !index.is_index || index.kind != ItemKind::node) continue;
+      for (const int node : index_values(row, object.record.get())) {
+        if (!has_states(node)) continue;
+        int& user = users[static_cast<std::size_t>(node)];
+        if (user >= 0 && user != i)
+          return model.describe(ItemKind::object, i) + ": it shares " + model.describe(ItemKind::node, node) + " with " +
+                 model.describe(ItemKind::object, user) + ", so that their histories overwrite each other, or their rates are added; add a node for each.";
+        user = i;
+      }
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 void Model::check() const {
@@ -278,7 +306,9 @@ std::string Model::doubt() const {
     if (first.empty()) first = describe(ItemKind::object, i) + ": " + doubt + ".";
     ++others;
   }
-  return others > 0 ? first + " So have " + std::to_string(others) + " other objects." : first;
+  if (others > 0) first += " So have " + std::to_string(others) + " other objects.";
+  const std::string shared = doubt_of_shared_states(*this);
+  return first.empty() || shared.empty() ? first + shared : first + " " + shared;
 }
 
 }  // namespace dalembert
