@@ -9,45 +9,52 @@ mbs = SC.AddSystem()
 
 from __future__ import annotations
 
+import gc as _gc
 import sys as _sys
 from typing import TYPE_CHECKING, Any
 
+_collects = _gc.isenabled()
+_gc.disable()  # importing makes many objects that stay: looking at them takes a sixth of the time
 try:
-    from dalembert import _core as _core
-except ImportError as _error:
-    raise ImportError(
-        f"the compiled module dalembert._core cannot be loaded ({_error}); "
-        "install the package, e.g. by 'pip install .' in the source folder"
-    ) from _error
-from dalembert import _planned
-from dalembert._tools import completion as _completion, missing_names as _missing_names
-from dalembert._tools import user_interface as _user_interface  # noqa: F401  importing it reads the environment
-from dalembert._core import *
-from dalembert._planned import (
-    SolverFileData as SolverFileData,
-    SolverLocalData as SolverLocalData,
-)
-from dalembert._version import (
-    RequireVersion as RequireVersion,
-    __version__ as __version__,
-    interface_version as interface_version,
-)
-from dalembert import mainSystemExtensions as _extensions  # noqa: F401  importing it extends MainSystem
-from dalembert._solving.diagnosis import FinishedNotTrusted as FinishedNotTrusted, SolverError as SolverError
-from dalembert._geometry.rigid_transformation import HT as HT
-from dalembert._solving.item_computations import (
-    ComputeItemType as ComputeItemType,
-    InspectType as InspectType,
-    MarkerType as MarkerType,
-)
-from dalembert.solver import (
-    ComputeLinearizedSystem as ComputeLinearizedSystem,
-    ComputeODE2Eigenvalues as ComputeODE2Eigenvalues,
-    ComputeSystemDegreeOfFreedom as ComputeSystemDegreeOfFreedom,
-    SolveDynamic as SolveDynamic,
-    SolverSuccess as SolverSuccess,
-    SolveStatic as SolveStatic,
-)
+    try:
+        from dalembert import _core as _core
+    except ImportError as _error:
+        raise ImportError(
+            f"the compiled module dalembert._core cannot be loaded ({_error}); "
+            "install the package, e.g. by 'pip install .' in the source folder"
+        ) from _error
+    from dalembert import _planned
+    from dalembert._tools import completion as _completion, missing_names as _missing_names
+    from dalembert._tools import user_interface as _user_interface  # noqa: F401  importing it reads the environment
+    from dalembert._core import *
+    from dalembert._planned import (
+        SolverFileData as SolverFileData,
+        SolverLocalData as SolverLocalData,
+    )
+    from dalembert._version import (
+        RequireVersion as RequireVersion,
+        __version__ as __version__,
+        interface_version as interface_version,
+    )
+    from dalembert import mainSystemExtensions as _extensions  # noqa: F401  importing it extends MainSystem
+    from dalembert._solving.diagnosis import FinishedNotTrusted as FinishedNotTrusted, SolverError as SolverError
+    from dalembert._geometry.rigid_transformation import HT as HT
+    from dalembert._solving.item_computations import (
+        ComputeItemType as ComputeItemType,
+        InspectType as InspectType,
+        MarkerType as MarkerType,
+    )
+    from dalembert.solver import (
+        ComputeLinearizedSystem as ComputeLinearizedSystem,
+        ComputeODE2Eigenvalues as ComputeODE2Eigenvalues,
+        ComputeSystemDegreeOfFreedom as ComputeSystemDegreeOfFreedom,
+        SolveDynamic as SolveDynamic,
+        SolverSuccess as SolverSuccess,
+        SolveStatic as SolveStatic,
+    )
+finally:
+    if _collects:
+        _gc.enable()
 
 if TYPE_CHECKING:
     from dalembert._io.model_files import ModelFileError as ModelFileError

@@ -45,7 +45,11 @@ def without_noise(matrix: FloatArray, relative: float) -> FloatArray:
 
 def blocks_of(coordinates: Any) -> FloatArray:
     """A multiple of the 3 x 3 identity for each coordinate, one below the other."""
-    return np.asarray(np.kron(np.reshape(coordinates, (-1, 1)), np.eye(3)), dtype=float)
+    values = np.ravel(coordinates)
+    blocks = np.zeros((len(values), 3, 3))
+    for i in range(3):
+        blocks[:, i, i] = values
+    return blocks.reshape(-1, 3)
 
 
 def triangles_of(femInterface: Any) -> list[Any]:
@@ -316,14 +320,12 @@ class ObjectFFRFreducedOrderInterface:
         u, u_t = np.array(qReduced[n:]), np.array(qReduced_t[n:])
         zeta, zeta_t = blocks_of(u), blocks_of(u_t)
         w, weight = g @ np.array(qReduced_t[3:n]), turned.T @ self.gravity
-        moment = self.totalMass * self.chiUtilde + self.mPhitTPsiTilde @ zeta
+        spin, moment = Skew(w), self.totalMass * self.chiUtilde + self.mPhitTPsiTilde @ zeta
         inertia, by_modes = self._inertia(zeta), self.mXRefTildePsiTilde.T + self.mPsiTildePsiTilde @ zeta
         changing = (self.mXRefTildePsiTilde + zeta.T @ self.mPsiTildePsiTilde) @ zeta_t
         arms = self.mXRefTildePsi + zeta.T @ self.mPsiTildePsi
-        translation = (
-            Skew(w) @ moment @ w + 2 * self.mPhitTPsiTilde @ zeta_t @ w + moment @ bias + self.totalMass * weight
-        )
-        rotation = -Skew(w) @ inertia @ w - 2 * changing @ w - inertia @ bias + moment @ weight
+        translation = spin @ moment @ w + 2 * self.mPhitTPsiTilde @ zeta_t @ w + moment @ bias + self.totalMass * weight
+        rotation = -spin @ inertia @ w - 2 * changing @ w - inertia @ bias + moment @ weight
         modes = (
             (by_modes @ w).reshape(-1, 3) @ w
             + 2 * self.mPsiTildePsi.T @ (zeta_t @ w)
