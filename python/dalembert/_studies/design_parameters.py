@@ -172,6 +172,12 @@ class Parameter:
             target.restore(trial, before if np.ndim(before) else float(before))
         if assembles:
             trial.Assemble()
+        if not trial.systemIsConsistent:
+            raise NotDifferentiable(
+                f"{self.targets[0].parameter} cannot change in an assembled model",
+                item=describe(trial, self.targets[0].item),
+                parameter=self.name,
+            )
         if not self.formula:
             raise NotDifferentiable(
                 f"it cannot be varied by {self.step:.3g} to any side ({refused})",
@@ -429,20 +435,27 @@ class Parameters:
         self.groups = [self._group(base, members) for members in self._colours()]
 
     def _check_rows(self, trial: Any, z: FloatArray, time: float) -> None:
-        """Refuse parameters that act on more equations than those of their items."""
+        """Refuse parameters with a jump at their value, and those that act on equations of other items."""
         derivatives = testing.SystemDerivatives(trial, **self._options)
         count = len(z) - derivatives.sizes[3]
         moved = z.copy()
         moved[:count] += 1e-2 * np.cos(np.arange(count)) * (1e-2 + np.abs(z[:count]).max(initial=0.0))
         for parameter, rows in zip(self.all, self.rows, strict=True):
-            if rows is None or not parameter.changes_model:
+            if not parameter.changes_model or any(target.kind == "Node" for target in parameter.targets):
                 continue
-            parameter.set(trial, parameter.value)
-            before = np.asarray(derivatives.residual(moved, time, 1.0))
-            parameter.set(trial, parameter.value + max(parameter.formula, key=abs) * parameter.step)
-            change = np.abs(derivatives.residual(moved, time, 1.0) - before)
-            changed = np.flatnonzero(change > _ROUND_OFF * np.abs(before).max(initial=0.0))
-            parameter.set(trial, parameter.value)
+            before, near, far = self._at_distances(trial, parameter, derivatives, moved, time)
+            noise = _ROUND_OFF * np.abs(before).max(initial=0.0)
+            change = np.abs(far - before)
+            if np.abs(near - before).max(initial=0.0) > 0.1 * change.max(initial=0.0) + noise:
+                raise NotDifferentiable(
+                    f"{parameter.targets[0].parameter} switches something on or off at {parameter.value:.6g}",
+                    item=describe(trial, parameter.targets[0].item),
+                    parameter=parameter.name,
+                    advice="choose another value",
+                )
+            if rows is None:
+                continue
+            changed = np.flatnonzero(change > noise)
             own = np.zeros(self.size, dtype=bool)
             own[rows] = True
             others = changed[~own[changed]]
@@ -452,6 +465,18 @@ class Parameters:
                     item=describe(trial, parameter.targets[0].item),
                     parameter=parameter.name,
                 )
+
+    def _at_distances(
+        self, trial: Any, parameter: Parameter, derivatives: Any, z: FloatArray, time: float
+    ) -> list[FloatArray]:
+        """Return residuals at the value of a parameter, very close to it, and at the largest step from it."""
+        largest = max(parameter.formula, key=abs) * parameter.step
+        found = []
+        for part in (0.0, 1e-3, 1.0):
+            parameter.set(trial, parameter.value + part * largest)
+            found.append(np.asarray(derivatives.residual(z, time, 1.0)))
+        parameter.set(trial, parameter.value)
+        return found
 
     def _affected(self, parameter: Parameter) -> set[int] | None:
         found: set[int] = set()
