@@ -202,8 +202,14 @@ py::dict item_dictionary(const ItemType& type, const void* record, const std::st
 
 namespace {
 
-// Entries of old releases that have no effect any more, but occur in models that still run there.
-bool is_obsolete(ItemKind kind, std::string_view word) { return kind == ItemKind::marker && word == "bodyFixed"; }
+// Why an entry that occurs in models of old releases has no effect; empty for others.
+std::string obsolete(const ItemClass& item_class, const std::string& word) {
+  if (item_class.type->kind == ItemKind::marker && word == "bodyFixed") return " has no effect on markers";
+  const std::string drawn = "V" + word;
+  for (const auto& entry : item_class.entries)
+    if (to_string(entry.name) == drawn) return " has no effect, " + drawn + " has";
+  return {};
+}
 
 // The entry of a key that is not interned; nullptr: there is nothing to set.
 const ItemClass::Argument* find_spelt(const ItemClass& item_class, PyObject* key, const Label& where) {
@@ -212,8 +218,8 @@ const ItemClass::Argument* find_spelt(const ItemClass& item_class, PyObject* key
   if (word == type_key(type.kind)) return nullptr;
   for (const auto& entry : item_class.entries)
     if (to_string(entry.name) == word) return &entry;
-  if (is_obsolete(type.kind, word)) {
-    warn(Complaint{where.text(), "", in_quotes(word) + " has no effect on markers", "", "", ""}.text() + " The entry is ignored.");
+  if (const std::string reason = obsolete(item_class, word); !reason.empty()) {
+    warn(Complaint{where.text(), "", in_quotes(word) + reason, "", "", ""}.text() + " The entry is ignored.");
     return nullptr;
   }
   refuse(ErrorKind::value, {where.text(), "", "there is no parameter " + in_quotes(word), "", "", suggest_parameter(type, word)});

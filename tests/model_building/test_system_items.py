@@ -390,3 +390,40 @@ def test_parameters_are_set_by_position_and_by_name() -> None:
         mbs.SetNodeParameter(node, "referenceCoordinates", val=[0, 0, 0])
     with pytest.raises(TypeError, match="the argument 'parameterName' must be a text, received 3"):
         mbs.SetNodeParameter(node, 3, [0, 0, 0])
+
+
+def test_entries_of_the_drawing_without_their_letter_have_no_effect() -> None:
+    """Models of Exudyn have them, where they are ignored."""
+    mbs = exu.SystemContainer().AddSystem()
+    with pytest.warns(UserWarning, match="ObjectGround: 'graphicsData' has no effect, VgraphicsData has"):
+        mbs.AddObject({"objectType": "Ground", "graphicsData": []})
+    with pytest.raises(ValueError, match="there is no parameter 'graphics'"):
+        mbs.AddObject({"objectType": "Ground", "graphics": []})
+
+
+def test_open_contacts_of_cables_refuse_unknown_outputs() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    nodes = [mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, 1)]
+    cable = mbs.AddObject(
+        exu.Cable2D(
+            physicsLength=1,
+            physicsMassPerLength=1,
+            physicsBendingStiffness=1,
+            physicsAxialStiffness=1,
+            nodeNumbers=nodes,
+        )
+    )
+    disc = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=mbs.AddObject(exu.ObjectGround(referencePosition=[0, 3, 0]))))
+    shape = mbs.AddMarker(exu.MarkerBodyCable2DShape(bodyNumber=cable, numberOfSegments=3))
+    states = mbs.AddNode(
+        exu.NodeGenericData(numberOfDataCoordinates=9, initialCoordinates=[1] * 3 + [-2] * 3 + [0] * 3)
+    )
+    contact = mbs.AddObject(
+        exu.ObjectContactFrictionCircleCable2D(
+            markerNumbers=[disc, shape], nodeNumber=states, contactStiffness=1e3, circleRadius=0.2
+        )
+    )
+    mbs.Assemble()
+    assert len(mbs.GetObjectOutput(contact, exu.OutputVariableType.ForceLocal)) == 6
+    with pytest.raises(ValueError, match="has no output variable Position"):
+        mbs.GetObjectOutput(contact, exu.OutputVariableType.Position)

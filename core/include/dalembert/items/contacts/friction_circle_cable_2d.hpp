@@ -88,6 +88,8 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
   }
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+    using enum OutputVariableType;
+    if (variable != Coordinates && variable != Coordinates_t && variable != ForceLocal) return false;
     values.assign(2 * static_cast<std::size_t>(p.numberOfContactSegments), 0.0);
     for (int i = 0; i < p.numberOfContactSegments; ++i) {
       if (c.data[i] > 0) continue;
@@ -95,10 +97,9 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
       const double normal = normal_force(p, touch);
       double &along = values[2 * static_cast<std::size_t>(i)], &across = values[2 * static_cast<std::size_t>(i) + 1];
       switch (variable) {
-        case OutputVariableType::Coordinates: along = sticks(p, c.data, i) ? way_from(p, touch, c.data[2 * p.numberOfContactSegments + i]) : 0, across = touch.gap; break;
-        case OutputVariableType::Coordinates_t: along = touch.along, across = touch.away; break;
-        case OutputVariableType::ForceLocal: along = tangential_force(p, c.data, i, touch, normal), across = normal; break;
-        default: return false;
+        case Coordinates: along = sticks(p, c.data, i) ? way_from(p, touch, c.data[2 * p.numberOfContactSegments + i]) : 0, across = touch.gap; break;
+        case Coordinates_t: along = touch.along, across = touch.away; break;
+        default: along = tangential_force(p, c.data, i, touch, normal), across = normal;
       }
     }
     return true;
