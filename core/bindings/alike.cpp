@@ -40,9 +40,11 @@ bool same_dictionary(py::handle a, py::handle b) {
 }
 
 bool same_array(const py::array& a, const py::array& b) {
-  const bool comparable = a.dtype().is(b.dtype()) && a.dtype().kind() != 'O' && a.ndim() == b.ndim() && std::equal(a.shape(), a.shape() + a.ndim(), b.shape());
+  const bool comparable = a.dtype().is(b.dtype()) && a.dtype().kind() != 'O' && a.ndim() == b.ndim() &&
+                          std::equal(a.shape(), a.shape() + a.ndim(), b.shape());
   constexpr int packed = py::array::c_style;
-  return comparable && (a.flags() & b.flags() & packed) != 0 && std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.nbytes())) == 0;
+  return comparable && (a.flags() & b.flags() & packed) != 0 &&
+         std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.nbytes())) == 0;
 }
 
 // Compares lists, tuples, dictionaries and arrays of numbers by their contents, other objects by ==.
@@ -51,7 +53,8 @@ bool same_graphics(py::handle a, py::handle b) {
   if (Py_TYPE(a.ptr()) != Py_TYPE(b.ptr())) return false;
   if (PyList_Check(a.ptr()) || PyTuple_Check(a.ptr())) return same_sequence(a, b);
   if (PyDict_Check(a.ptr())) return same_dictionary(a, b);
-  if (py::isinstance<py::array>(a)) return same_array(py::reinterpret_borrow<py::array>(a), py::reinterpret_borrow<py::array>(b));
+  if (py::isinstance<py::array>(a))
+    return same_array(py::reinterpret_borrow<py::array>(a), py::reinterpret_borrow<py::array>(b));
   const int equal = PyObject_RichCompareBool(a.ptr(), b.ptr(), Py_EQ);
   if (equal < 0) PyErr_Clear();
   return equal == 1;

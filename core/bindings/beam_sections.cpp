@@ -116,8 +116,8 @@ void register_section(py::module_& module, const char* name, const char* doc,
       std::vector<std::string_view> known;
       for (const auto& row : rows) known.emplace_back(row.name);
       if (found == rows.end())
-        refuse(ErrorKind::name,
-               {.problem = std::string(name) + " has no parameter " + in_quotes(word), .advice = suggestion(word, known)});
+        refuse(ErrorKind::name, {.problem = std::string(name) + " has no parameter " + in_quotes(word),
+                                 .advice = suggestion(word, known)});
       found->set(changed, value.ptr());
     }
     section = std::move(changed);

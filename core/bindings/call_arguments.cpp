@@ -47,7 +47,8 @@ std::size_t find_argument(const CallTarget& target, PyObject* name) {
   const ItemType& type = *target.item_class.type;
   const Row* row = target.visualization ? find_visualization_row(type, word) : find_row(type, word);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (row != nullptr && arguments[i].row == row && (target.visualization || row->role != Role::visualization)) return i;
+    if (row != nullptr && arguments[i].row == row && (target.visualization || row->role != Role::visualization))
+      return i;
     if (row == nullptr && to_string(arguments[i].name) == word) return i;
   }
   std::vector<std::string> names;
@@ -65,16 +66,21 @@ void assign_arguments(const CallTarget& target, PyObject* const* values, std::si
   const std::size_t most = target.arguments().size();
   if (positional > most) {
     refuse(ErrorKind::type, {target.where(), "", "", std::to_string(positional) + " positional arguments",
-                             "at most " + std::to_string(most), "Name the parameters: " + std::string(target.item_class.type->name) +
-                             "(" + to_string(target.arguments()[0].name) + "=...)"});
+                             "at most " + std::to_string(most),
+                             "Name the parameters: " + std::string(target.item_class.type->name) + "(" +
+                                 to_string(target.arguments()[0].name) + "=...)"});
   }
   for (std::size_t i = 0; i < positional; ++i) target.assign(i, values[i]);
   std::bitset<64> by_name;  // more than the arguments of any item
   const Py_ssize_t named = keywords == nullptr ? 0 : PyTuple_GET_SIZE(keywords);
   for (Py_ssize_t k = 0; k < named; ++k) {
     const auto take = [&](std::size_t i) {
-      if (i < positional) refuse(ErrorKind::type, {target.where(), to_string(target.arguments()[i].name), "given by position and by name", "", "", ""});
-      if (by_name.test(i)) refuse(ErrorKind::type, {target.where(), to_string(target.arguments()[i].name), "given twice, by two of its names", "", "", ""});
+      if (i < positional)
+        refuse(ErrorKind::type,
+               {target.where(), to_string(target.arguments()[i].name), "given by position and by name", "", "", ""});
+      if (by_name.test(i))
+        refuse(ErrorKind::type,
+               {target.where(), to_string(target.arguments()[i].name), "given twice, by two of its names", "", "", ""});
       by_name.set(i);
     };
     PyObject* const name = PyTuple_GET_ITEM(keywords, k);
@@ -82,7 +88,9 @@ void assign_arguments(const CallTarget& target, PyObject* const* values, std::si
     if (const auto* transformation = target.visualization ? nullptr : find_transformation(target.item_class, name)) {
       if (value == Py_None) continue;
       for (std::size_t i = 0; i < target.arguments().size(); ++i)
-        if (const Row* row = target.arguments()[i].row; row != nullptr && (row == transformation->position || row == transformation->rotation)) take(i);
+        if (const Row* row = target.arguments()[i].row;
+            row != nullptr && (row == transformation->position || row == transformation->rotation))
+          take(i);
       set_transformation(target.item_class, *transformation, value, target.record, [&] { return target.where(); });
       continue;
     }

@@ -8,7 +8,9 @@ namespace {
 
 constexpr auto shown = ConfigurationType::Visualization;
 
-NumberRange both(const NumberRange& a, const NumberRange& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+NumberRange both(const NumberRange& a, const NumberRange& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
 
 }  // namespace
 
@@ -33,7 +35,8 @@ bool ColoredParts::find(const MovingParts& moving) {
     range = range ? both(*range, *own) : *own;
   }
   NumberRange now = rule_.automatic && range ? *range : rule_.limits;
-  if (rule_.automatic && range && !(now.high > now.low)) now.high = now.low + std::max(std::abs(now.low), 1.0) * least_range;
+  if (rule_.automatic && range && !(now.high > now.low))
+    now.high = now.low + std::max(std::abs(now.low), 1.0) * least_range;
   rule_.shown = rule_.grows ? both(now, rule_.shown) : now;
   return true;
 }
@@ -66,7 +69,8 @@ bool ColoredParts::find_ball(Part& part, const MovingParts& moving) {
 void ColoredParts::write_points(std::size_t number, float* to) {
   const Part& part = parts_[number];
   if (part.object >= 0) return meshes_->find(*main_, part.object)->points(*main_, part.rows, to);
-  for (std::size_t k = 0; k < part.local.size(); ++k) to[k] = static_cast<float>(part.local[k] + part.rows[4 * (k % 3) + 3]);
+  for (std::size_t k = 0; k < part.local.size(); ++k)
+    to[k] = static_cast<float>(part.local[k] + part.rows[4 * (k % 3) + 3]);
 }
 
 void ColoredParts::write_shades(std::size_t part, std::uint8_t* to) const {

@@ -19,7 +19,7 @@ class ColoredParts {
     OutputVariableType variable = OutputVariableType::_None;
     int component = 0;
     bool automatic = false, grows = false;  // whether the range is that of the numbers, and also that of all before
-    NumberRange limits, shown;              // unless it is automatic, and before
+    NumberRange limits, shown;  // unless it is automatic, and before
     std::vector<std::uint8_t> table;  // same layout as contour_shades
   };
 
@@ -44,7 +44,7 @@ class ColoredParts {
     std::size_t points;
     std::vector<double> local;
     std::array<double, 12> rows;  // pose of the object or of the moving part
-    LargeVector<double> numbers;   // empty: it has no colors
+    LargeVector<double> numbers;  // empty: it has no colors
   };
   bool find_mesh(Part& part);
   bool find_ball(Part& part, const MovingParts& moving);

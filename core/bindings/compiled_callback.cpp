@@ -97,7 +97,8 @@ py::object signature_of(const std::string& type_name, const std::string& functio
   constexpr std::string_view ending = "UserFunction";
   if (type_name == "MainSystem" && function_name.ends_with(ending))
     return py::str(system_signature(function_name.substr(0, function_name.size() - ending.size())));
-  if (type_name == "Controller" && function_name == "desired") return py::str("void(double, int64, double*, double*, double*)");
+  if (type_name == "Controller" && function_name == "desired")
+    return py::str("void(double, int64, double*, double*, double*)");
   for (const ItemType* type : item_types()) {
     if (type->name != type_name) continue;
     for (const Row& row : type->rows)

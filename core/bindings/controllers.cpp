@@ -41,12 +41,15 @@ class ControllerCallback : public ItemCallback {
 
  protected:
   const Controller& controller() const { return controller_; }
-  void find_forces(double time, int item, std::span<const double> q, std::span<const double> v, std::span<double> forces) const {
+  void find_forces(double time, int item, std::span<const double> q, std::span<const double> v,
+                   std::span<double> forces) const {
     require_size(item, forces.size());
     controller_.law->forces(time, item, q, v, forces);
-    if (const auto wrong = std::ranges::find_if_not(forces, [](double x) { return std::isfinite(x); }); wrong != forces.end())
-      refuse(ErrorKind::value, {describe(item), "", "", std::to_string(*wrong) + " as force, at time " + std::to_string(time), "finite numbers",
-                                "Check the controller, and the motion that it follows."});
+    if (const auto wrong = std::ranges::find_if_not(forces, [](double x) { return std::isfinite(x); });
+        wrong != forces.end())
+      refuse(ErrorKind::value,
+             {describe(item), "", "", std::to_string(*wrong) + " as force, at time " + std::to_string(time),
+              "finite numbers", "Check the controller, and the motion that it follows."});
   }
   void require_size(int item, std::size_t coordinates) const {
     if (const std::size_t count = controller_.law->count(); count != 0 && count != coordinates)
@@ -55,7 +58,9 @@ class ControllerCallback : public ItemCallback {
   }
 
  private:
-  std::shared_ptr<ItemCallback> copy() const override { return std::make_shared<ControllerCallback>(function(), row(), controller_); }
+  std::shared_ptr<ItemCallback> copy() const override {
+    return std::make_shared<ControllerCallback>(function(), row(), controller_);
+  }
 
   Controller controller_;
 };
@@ -68,8 +73,10 @@ class SampledCallback final : public ControllerCallback {
 
   void call(double, int item, std::span<const Argument>, std::span<double> results) const override {
     require_size(item, results.size());
-    if (sampled_.begun()) std::ranges::copy(sampled_.held(), results.begin());
-    else std::ranges::fill(results, 0.0);
+    if (sampled_.begun())
+      std::ranges::copy(sampled_.held(), results.begin());
+    else
+      std::ranges::fill(results, 0.0);
   }
   bool act(const State& state, const State& reference, int item, std::span<const int> coordinates) const {
     std::vector<double> q, v;
@@ -82,7 +89,9 @@ class SampledCallback final : public ControllerCallback {
   SampledForces& sampled() const { return sampled_; }
 
  private:
-  std::shared_ptr<ItemCallback> copy() const override { return std::make_shared<SampledCallback>(function(), row(), controller()); }
+  std::shared_ptr<ItemCallback> copy() const override {
+    return std::make_shared<SampledCallback>(function(), row(), controller());
+  }
 
   mutable SampledForces sampled_;
 };
@@ -118,7 +127,8 @@ class SampledControllers final : public Schedule {
     const auto main = main_.lock();
     find_objects(*main);
     if (is_static && !objects_.empty())
-      refuse(ErrorKind::state, {.item = "user function 'forceUserFunction' of " + main->model.describe(ItemKind::object, objects_.front().number),
+      refuse(ErrorKind::state, {.item = "user function 'forceUserFunction' of " +
+                                        main->model.describe(ItemKind::object, objects_.front().number),
                                 .problem = "a sampled controller acts in time, which static solutions do not know",
                                 .advice = "Use its law without sampling."});
     for (const SampledObject& o : objects_) o.callback->sampled().begin(state.time, o.coordinates.size());
@@ -135,7 +145,8 @@ class SampledControllers final : public Schedule {
     const State& reference = main->system.state(ConfigurationType::Reference);
     bool changed = false;
     for (const SampledObject& o : objects_) {
-      if (!o.callback->sampled().begun()) o.callback->sampled().begin(state.time, o.coordinates.size());  // the user has set another one
+      if (!o.callback->sampled().begun())
+        o.callback->sampled().begin(state.time, o.coordinates.size());  // the user has set another one
       changed = o.callback->act(state, reference, o.number, o.coordinates) || changed;
     }
     return changed;
@@ -154,12 +165,14 @@ class SampledControllers final : public Schedule {
     for (const SampledObject& o : objects_) {
       const std::size_t size = at < numbers.size() ? static_cast<std::size_t>(numbers[at]) : 0;
       const auto count = static_cast<double>(o.coordinates.size());
-      if (size < 4 || at + size >= numbers.size() || numbers[at + 3] != count || static_cast<double>(size) != 4 + count * (1 + numbers[at + 4]))
+      if (size < 4 || at + size >= numbers.size() || numbers[at + 3] != count ||
+          static_cast<double>(size) != 4 + count * (1 + numbers[at + 4]))
         throw ModelError(ErrorKind::value, "restart file: it has other sampled controllers than the system");
       o.callback->sampled().take_numbers(numbers.subspan(at + 1, size));
       at += size + 1;
     }
-    if (at != numbers.size()) throw ModelError(ErrorKind::value, "restart file: it has other sampled controllers than the system");
+    if (at != numbers.size())
+      throw ModelError(ErrorKind::value, "restart file: it has other sampled controllers than the system");
   }
 
  private:
@@ -180,7 +193,8 @@ class SampledControllers final : public Schedule {
   std::uint64_t structure_ = 0, values_ = 0;  // versions of the model at the last search
 };
 
-std::vector<double> forces(const Controller& controller, double time, const std::vector<double>& q, const std::vector<double>& v) {
+std::vector<double> forces(const Controller& controller, double time, const std::vector<double>& q,
+                           const std::vector<double>& v) {
   std::vector<double> f(q.size());
   controller.law->forces(time, -1, q, v, f);
   return f;
@@ -191,9 +205,11 @@ std::vector<double> forces(const Controller& controller, double time, const std:
 std::shared_ptr<const Callback> controller_callback(PyObject* value, const Row& row) {
   if (!py::isinstance<Controller>(value)) return nullptr;
   const auto& controller = py::handle(value).cast<const Controller&>();
-  const bool of_forces = row.name == "forceUserFunction" && row.signature != nullptr && row.signature->result == Signature::Kind::open_vector &&
-                         row.signature->arguments.size() == 2;
-  if (!of_forces) throw Refusal{ErrorKind::type, "another function", "Controllers take the place of forceUserFunction of kinematic trees and of generic objects."};
+  const bool of_forces = row.name == "forceUserFunction" && row.signature != nullptr &&
+                         row.signature->result == Signature::Kind::open_vector && row.signature->arguments.size() == 2;
+  if (!of_forces)
+    throw Refusal{ErrorKind::type, "another function",
+                  "Controllers take the place of forceUserFunction of kinematic trees and of generic objects."};
   py::object function = py::reinterpret_borrow<py::object>(value);
   if (controller.period > 0) return std::make_shared<SampledCallback>(std::move(function), row, controller);
   return std::make_shared<ControllerCallback>(std::move(function), row, controller);
@@ -206,26 +222,35 @@ std::shared_ptr<Schedule> schedule_of(const std::shared_ptr<MainSystem>& main) {
 }
 
 void register_controllers(py::module_& module) {
-  py::class_<DesiredMotion, std::shared_ptr<DesiredMotion>>(module, "_DesiredMotion", "What a controller is to follow. See dalembert.control.")
-      .def(py::init<std::size_t, std::vector<double>, std::vector<double>, std::vector<double>>(), py::arg("count"), py::arg("times"),
-           py::arg("coefficients"), py::arg("ends"))
+  py::class_<DesiredMotion, std::shared_ptr<DesiredMotion>>(module, "_DesiredMotion",
+                                                            "What a controller is to follow. See dalembert.control.")
+      .def(py::init<std::size_t, std::vector<double>, std::vector<double>, std::vector<double>>(), py::arg("count"),
+           py::arg("times"), py::arg("coefficients"), py::arg("ends"))
       .def(py::init([](std::size_t count, std::uintptr_t address) {
              return std::make_shared<DesiredMotion>(count, reinterpret_cast<DesiredMotion::Function>(address));
            }),
            py::arg("count"), py::arg("address"));
   py::class_<Controller>(module, "_Controller", "A controller without Python. See dalembert.control.")
-      .def(py::init([](std::shared_ptr<DesiredMotion> desired, std::vector<double> stiffness, std::vector<double> damping, std::vector<double> forces) {
-             return Controller{std::make_shared<ProportionalDerivative>(std::move(desired), Gains{std::move(stiffness), std::move(damping)}, std::move(forces))};
+      .def(py::init([](std::shared_ptr<DesiredMotion> desired, std::vector<double> stiffness,
+                       std::vector<double> damping, std::vector<double> forces) {
+             return Controller{std::make_shared<ProportionalDerivative>(
+                 std::move(desired), Gains{std::move(stiffness), std::move(damping)}, std::move(forces))};
            }),
            py::arg("desired"), py::arg("stiffness"), py::arg("damping"), py::arg("forces"))
-      .def(py::init([](std::shared_ptr<DesiredMotion> desired, std::vector<double> stiffness, std::vector<double> damping, const TreeFunctions& tree) {
-             return Controller{std::make_shared<ComputedTorque>(tree.tree(), tree.gravity(), std::move(desired), Gains{std::move(stiffness), std::move(damping)})};
+      .def(py::init([](std::shared_ptr<DesiredMotion> desired, std::vector<double> stiffness,
+                       std::vector<double> damping, const TreeFunctions& tree) {
+             return Controller{std::make_shared<ComputedTorque>(tree.tree(), tree.gravity(), std::move(desired),
+                                                                Gains{std::move(stiffness), std::move(damping)})};
            }),
            py::arg("desired"), py::arg("stiffness"), py::arg("damping"), py::arg("tree"))
-      .def(py::init([](std::uintptr_t address) { return Controller{std::make_shared<CompiledLaw>(reinterpret_cast<CompiledLaw::Function>(address))}; }),
+      .def(py::init([](std::uintptr_t address) {
+             return Controller{std::make_shared<CompiledLaw>(reinterpret_cast<CompiledLaw::Function>(address))};
+           }),
            py::arg("address"))
-      .def(py::init([](const Controller& law, double period, double dead_time) { return Controller{law.law, period, dead_time}; }), py::arg("law"),
-           py::arg("period"), py::arg("dead_time"))
+      .def(py::init([](const Controller& law, double period, double dead_time) {
+             return Controller{law.law, period, dead_time};
+           }),
+           py::arg("law"), py::arg("period"), py::arg("dead_time"))
       .def("_forces", &forces, py::arg("time"), py::arg("q"), py::arg("q_t"));
 }
 

@@ -23,7 +23,8 @@ py::handle module_handle;
 std::string counted(Py_ssize_t n, const std::string& noun) { return std::to_string(n) + " " + noun; }
 
 std::string length_advice(Py_ssize_t given, Py_ssize_t wanted) {
-  return "The length is " + std::to_string(given) + "; pass a list or numpy array of length " + std::to_string(wanted) + ".";
+  return "The length is " + std::to_string(given) + "; pass a list or numpy array of length " + std::to_string(wanted) +
+         ".";
 }
 
 void require_length(Py_ssize_t given, Py_ssize_t wanted, const std::string& what) {
@@ -96,7 +97,8 @@ void read(PyObject* value, const Row&, std::vector<std::string>& out) {
   const Items items(value, what);
   std::vector<std::string> texts;
   for (Py_ssize_t i = 0; i < items.size(); ++i) {
-    if (!PyUnicode_Check(items[i])) throw Refusal{ErrorKind::type, what, "Entry " + std::to_string(i) + " is " + show(items[i]) + "."};
+    if (!PyUnicode_Check(items[i]))
+      throw Refusal{ErrorKind::type, what, "Entry " + std::to_string(i) + " is " + show(items[i]) + "."};
     texts.push_back(to_string(items[i]));
   }
   out = std::move(texts);
@@ -151,10 +153,13 @@ DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const 
   constexpr bool integers = std::is_same_v<Number, int>;
   const auto take = [&](double number) {
     if (integers && number != std::floor(number)) throw Refusal{ErrorKind::type, what, "Entries must be integers."};
-    if (integers && std::abs(number) > std::numeric_limits<int>::max()) throw Refusal{ErrorKind::value, what, "An entry is too large."};
+    if (integers && std::abs(number) > std::numeric_limits<int>::max())
+      throw Refusal{ErrorKind::value, what, "An entry is too large."};
     values.push_back(static_cast<Number>(number));
   };
-  const auto is_right = [&](Py_ssize_t r, Py_ssize_t c) { return (rows < 0 || r == rows) && (columns < 0 || c == columns); };
+  const auto is_right = [&](Py_ssize_t r, Py_ssize_t c) {
+    return (rows < 0 || r == rows) && (columns < 0 || c == columns);
+  };
   if (is_number_array(value)) {
     const auto array = py::reinterpret_borrow<py::array>(value);
     if (integers && array.dtype().kind() == 'f' && array.size() > 0)
@@ -166,7 +171,8 @@ DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const 
     const auto numbers = py::array_t<Wide, py::array::c_style | py::array::forcecast>::ensure(value);
     result.rows = static_cast<int>(array.shape(0));
     result.columns = static_cast<int>(array.shape(1));
-    for (const Wide number : std::span(numbers.data(), static_cast<std::size_t>(numbers.size()))) take(static_cast<double>(number));
+    for (const Wide number : std::span(numbers.data(), static_cast<std::size_t>(numbers.size())))
+      take(static_cast<double>(number));
   } else {
     const Items lines(value, what);
     result.rows = static_cast<int>(lines.size());
@@ -178,7 +184,8 @@ DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const 
       for (const double number : line) take(number);
     }
     if (values.empty() && rows < 0) return {};
-    if (!is_right(result.rows, result.columns)) throw Refusal{ErrorKind::value, what, "Check the number of rows and columns."};
+    if (!is_right(result.rows, result.columns))
+      throw Refusal{ErrorKind::value, what, "Check the number of rows and columns."};
   }
   if constexpr (!integers) {
     if (!std::ranges::all_of(values, [](double x) { return std::isfinite(x); }))
@@ -305,8 +312,8 @@ int read_item_number(PyObject* value, ItemKind wanted) {
   if (read_index(value, kind, number)) {
     if (kind == wanted) return number;
     throw Refusal{ErrorKind::type, what(),
-                  "The value is " + with_article(index_name(kind)) + ": it counts " + std::string(kind_name(kind)) + "s, not " +
-                      std::string(kind_name(wanted)) + "s. " + advice()};
+                  "The value is " + with_article(index_name(kind)) + ": it counts " + std::string(kind_name(kind)) +
+                      "s, not " + std::string(kind_name(wanted)) + "s. " + advice()};
   }
   if (PyBool_Check(value)) throw Refusal{ErrorKind::type, what(), advice()};
   if (is_name(value)) return named_reference(to_string(value));
@@ -349,7 +356,9 @@ void read(PyObject* value, const Row& row, std::vector<ItemIndex<K>>& out) {
     const Py_ssize_t n = PySequence_Fast_GET_SIZE(value);
     std::vector<ItemIndex<K>> numbers(static_cast<std::size_t>(n));
     Py_ssize_t i = 0;
-    for (; i < n && quick_item_number(PySequence_Fast_GET_ITEM(value, i), K, numbers[static_cast<std::size_t>(i)].value); ++i) {
+    for (;
+         i < n && quick_item_number(PySequence_Fast_GET_ITEM(value, i), K, numbers[static_cast<std::size_t>(i)].value);
+         ++i) {
     }
     if (i == n) {
       out = std::move(numbers);
@@ -485,7 +494,8 @@ py::object write(const std::vector<JointType>& value, Form, PyObject*) {
 py::object write(std::uint32_t value, Form, PyObject*) { return py::int_(value); }
 // The item's own section, whose attributes may be set, or a copy.
 py::object write(const BeamSection& value, Form form, PyObject* owner) {
-  if (form == Form::view) return py::cast(&const_cast<BeamSection&>(value), py::return_value_policy::reference_internal, py::handle(owner));
+  if (form == Form::view)
+    return py::cast(&const_cast<BeamSection&>(value), py::return_value_policy::reference_internal, py::handle(owner));
   return py::cast(value);
 }
 py::object write(const UserFunction& value, Form, PyObject*) {
@@ -521,7 +531,8 @@ PyObject* to_python(const Row& row, const void* member, Form form, PyObject* own
   if (row.storage == Storage::opaque && opaque_object(*static_cast<const Opaque*>(member)) == nullptr)
     return empty_opaque(row).release().ptr();
   if (row.named != Named::no)
-    if (const int number = *static_cast<const int*>(member); is_named_reference(number)) return py::str(referred_name(number)).release().ptr();
+    if (const int number = *static_cast<const int*>(member); is_named_reference(number))
+      return py::str(referred_name(number)).release().ptr();
   return with_type(row.storage, [&]<class T>(TypeTag<T>) {
     return write(*static_cast<const T*>(member), form, owner).release().ptr();
   });
@@ -558,7 +569,8 @@ std::string member_advice(const std::string& enumeration, PyObject* value) {
   std::string word = to_string(value);
   word = word.substr(word.rfind('.') + 1);
   std::vector<std::string> names;
-  for (const py::handle name : py::list(core_module().attr(enumeration.c_str()).attr("__members__"))) names.push_back(to_string(name.ptr()));
+  for (const py::handle name : py::list(core_module().attr(enumeration.c_str()).attr("__members__")))
+    names.push_back(to_string(name.ptr()));
   const std::vector<std::string_view> known(names.begin(), names.end());
   const bool is_one = std::ranges::find(names, word) != names.end();
   const std::string meant = is_one ? word : nearest(word, known);

@@ -37,9 +37,9 @@ const std::string call = "mbs.SolveVariations(...)";
 // The vectors of a state, by the words that methods of systemData are made of.
 struct Part {
   const char* name;
-  std::vector<double> State::*member;
+  std::vector<double> State::* member;
 };
-constexpr Part parts[] = {{"ODE2", &State::q},   {"ODE2_t", &State::v},   {"ODE2_tt", &State::a}, {"ODE1", &State::y},
+constexpr Part parts[] = {{"ODE2", &State::q},     {"ODE2_t", &State::v},  {"ODE2_tt", &State::a}, {"ODE1", &State::y},
                           {"ODE1_t", &State::y_t}, {"AE", &State::lambda}, {"Data", &State::data}};
 
 std::unique_ptr<Solver> make_solver(const std::string& kind) {
@@ -52,11 +52,11 @@ std::unique_ptr<Solver> make_solver(const std::string& kind) {
 // ---- items that need the interpreter --------------------------------------------------------------------------------
 
 void refuse_function(const std::string& problem) {
-  refuse(ErrorKind::state,
-         {.item = call,
-          .problem = problem,
-          .advice = "Write it with dalembert.symbolic or as a C function, or use dalembert.processing.ParameterVariation, which runs "
-                    "Python in several processes."});
+  refuse(ErrorKind::state, {.item = call,
+                            .problem = problem,
+                            .advice = "Write it with dalembert.symbolic or as a C function, or use "
+                                      "dalembert.processing.ParameterVariation, which runs "
+                                      "Python in several processes."});
 }
 
 void refuse_python_functions(const MainSystem& main) {
@@ -70,8 +70,12 @@ void refuse_python_functions(const MainSystem& main) {
         if (row.storage != Storage::user_function || row.role == Role::visualization) continue;
         const auto& function = *static_cast<const UserFunction*>(member(item.record.get(), row));
         if (function && is_sampled(*function.callback))
-          refuse(ErrorKind::state, {.item = call, .problem = main.model.describe(kind, i) + " has a sampled controller, and variations are solved in steps that do not wait for samples",
-                                    .advice = "Use its law without sampling, or dalembert.processing.ParameterVariation"});
+          refuse(
+              ErrorKind::state,
+              {.item = call,
+               .problem = main.model.describe(kind, i) +
+                          " has a sampled controller, and variations are solved in steps that do not wait for samples",
+               .advice = "Use its law without sampling, or dalembert.processing.ParameterVariation"});
         if (needs_interpreter(function))
           refuse_function(main.model.describe(kind, i) + " has the Python function " + in_quotes(row.name) +
                           ", and variations are solved without the interpreter");
@@ -109,10 +113,12 @@ void each_variation(const py::sequence& values, Write&& write) {
 }
 
 // A constant of a recorded function, of which other constants may vary as well: those that were read before.
-void read_constant(const Model& model, ItemKind kind, int number, const RecordedConstant& constant, const py::sequence& given, int variations,
-                   std::vector<VariedParameter>& parameters) {
+void read_constant(const Model& model, ItemKind kind, int number, const RecordedConstant& constant,
+                   const py::sequence& given, int variations, std::vector<VariedParameter>& parameters) {
   VariedParameter p{kind, number, &constant.row, make_varied_values(Storage::user_function, variations)};
-  const auto same = [&](const VariedParameter& other) { return other.kind == p.kind && other.number == p.number && other.row == p.row; };
+  const auto same = [&](const VariedParameter& other) {
+    return other.kind == p.kind && other.number == p.number && other.row == p.row;
+  };
   const auto last = std::find_if(parameters.rbegin(), parameters.rend(), same);
   each_variation(given, [&](int k, PyObject* value) {
     UserFunction function{constant.function};
@@ -121,7 +127,8 @@ void read_constant(const Model& model, ItemKind kind, int number, const Recorded
     try {
       x = read_real(value);
     } catch (const Refusal& refusal) {
-      refuse(refusal.kind, {model.describe(p.kind, p.number), std::string(constant.row.name) + "." + constant.name, "", show(value), "a finite number", ""});
+      refuse(refusal.kind, {model.describe(p.kind, p.number), std::string(constant.row.name) + "." + constant.name, "",
+                            show(value), "a finite number", ""});
     }
     function = read_user_function(with_constant(*function.callback, constant.name, x).ptr(), constant.row);
     p.values->keep(k, &function);
@@ -129,13 +136,17 @@ void read_constant(const Model& model, ItemKind kind, int number, const Recorded
   parameters.push_back(std::move(p));
 }
 
-void read_parameter(const MainSystem& main, const py::tuple& entry, int variations, std::vector<VariedParameter>& parameters) {
+void read_parameter(const MainSystem& main, const py::tuple& entry, int variations,
+                    std::vector<VariedParameter>& parameters) {
   VariedParameter p;
   const py::object index = entry[0];
   if (!read_index(index.ptr(), p.kind, p.number))
-    refuse(ErrorKind::type, {.item = call, .parameter = "parameters", .received = show(entry.ptr()),
-                             .expected = "(index of an item, name of a parameter)",
-                             .advice = "Use the index that AddObject(...) or AddNode(...) returned: it knows its kind."});
+    refuse(ErrorKind::type,
+           {.item = call,
+            .parameter = "parameters",
+            .received = show(entry.ptr()),
+            .expected = "(index of an item, name of a parameter)",
+            .advice = "Use the index that AddObject(...) or AddNode(...) returned: it knows its kind."});
   p.number = item_number_argument(main, p.kind, index.ptr(), method);
   const Item& item = main.model.item(p.kind, p.number);
   const std::string where = main.model.describe(p.kind, p.number), name = entry[1].cast<std::string>();
@@ -146,8 +157,10 @@ void read_parameter(const MainSystem& main, const py::tuple& entry, int variatio
   }
   p.row = find_row(*item.type, name);
   if (p.row == nullptr)
-    refuse(ErrorKind::value, {where, "", "there is no parameter " + in_quotes(name), "", "", suggest_parameter(*item.type, name)});
-  if (p.row->internal) refuse(ErrorKind::value, {where, name, "cannot be set", "", "", "It is computed by the system."});
+    refuse(ErrorKind::value,
+           {where, "", "there is no parameter " + in_quotes(name), "", "", suggest_parameter(*item.type, name)});
+  if (p.row->internal)
+    refuse(ErrorKind::value, {where, name, "cannot be set", "", "", "It is computed by the system."});
   if (p.row->role != Role::parameter || !numeric(p.row->storage))
     refuse(ErrorKind::type, {where, name, "cannot be varied", "", "a parameter that is made of numbers", ""});
   p.values = make_varied_values(p.row->storage, variations);
@@ -178,11 +191,15 @@ VariedSetting read_setting(const SimulationSettings& simulation, const py::tuple
   const auto path = entry[0].cast<std::string>();
   const SettingsField field = find_setting({&tree, tree.group, scratch, scratch.get(), ""}, path);
   if (field.row == nullptr || !numeric(field.row->storage))
-    refuse(ErrorKind::type, {.item = call, .parameter = "settings", .received = in_quotes(path),
-                             .expected = "the path of a setting that is made of numbers, e.g. 'timeIntegration.endTime'"});
+    refuse(ErrorKind::type,
+           {.item = call,
+            .parameter = "settings",
+            .received = in_quotes(path),
+            .expected = "the path of a setting that is made of numbers, e.g. 'timeIntegration.endTime'"});
   const void* place = member(field.view.data, *field.row);
-  VariedSetting s{static_cast<std::size_t>(static_cast<const char*>(place) - reinterpret_cast<const char*>(scratch.get())),
-                  make_varied_values(field.row->storage, variations)};
+  VariedSetting s{
+      static_cast<std::size_t>(static_cast<const char*>(place) - reinterpret_cast<const char*>(scratch.get())),
+      make_varied_values(field.row->storage, variations)};
   each_variation(py::sequence(entry[1]), [&](int k, PyObject* value) {
     write_setting(field.view, *field.row, value);
     s.values->keep(k, place);
@@ -200,13 +217,16 @@ VariedCoordinates read_coordinates(const State& initial, const py::tuple& entry,
     const auto size = static_cast<py::ssize_t>((initial.*part.member).size());
     if (values.ndim() != 2 || values.shape(1) != size || values.shape(0) != variations)
       refuse(ErrorKind::value,
-             {.item = call, .parameter = "initialCoordinates[" + in_quotes(name) + "]",
+             {.item = call,
+              .parameter = "initialCoordinates[" + in_quotes(name) + "]",
               .received = "an array of shape " + py::repr(entry[1].attr("shape")).cast<std::string>(),
               .expected = "shape (" + std::to_string(variations) + ", " + std::to_string(size) + ")",
               .advice = "A row for each variation, a column for each coordinate of the assembled system."});
     return {part.member, {values.data(), values.data() + values.size()}};
   }
-  refuse(ErrorKind::value, {.item = call, .parameter = "initialCoordinates", .received = in_quotes(name),
+  refuse(ErrorKind::value, {.item = call,
+                            .parameter = "initialCoordinates",
+                            .received = in_quotes(name),
                             .advice = suggestion(name, known)});
 }
 
@@ -231,7 +251,8 @@ Array table(const std::vector<VariationResult>& results, py::ssize_t columns, Va
 }
 
 // Times and values of all sensors, row by row; shorter histories are padded with NaN.
-std::pair<Array, py::array_t<int>> history_arrays(const std::vector<VariationResult>& results, const std::vector<int>& sensors, py::ssize_t columns) {
+std::pair<Array, py::array_t<int>> history_arrays(const std::vector<VariationResult>& results,
+                                                  const std::vector<int>& sensors, py::ssize_t columns) {
   const auto rows_of = [&](const VariationResult& r) {
     return sensors.empty() || r.histories.empty() ? 0 : r.histories[static_cast<std::size_t>(sensors.front())].rows();
   };
@@ -256,7 +277,8 @@ std::pair<Array, py::array_t<int>> history_arrays(const std::vector<VariationRes
   return {array, rows};
 }
 
-py::dict arrays(const std::vector<VariationResult>& results, const Ensemble& ensemble, const State& initial, int columns) {
+py::dict arrays(const std::vector<VariationResult>& results, const Ensemble& ensemble, const State& initial,
+                int columns) {
   py::dict all;
   const auto n = static_cast<py::ssize_t>(results.size());
   py::array_t<bool> success(n);
@@ -283,20 +305,25 @@ py::dict arrays(const std::vector<VariationResult>& results, const Ensemble& ens
   for (const Part& part : parts) {
     if (!ensemble.states) break;
     const auto size = static_cast<py::ssize_t>((initial.*part.member).size());
-    states[part.name] = table(results, size, [&](const VariationResult& r) -> const auto& { return r.state.*part.member; });
+    states[part.name] =
+        table(results, size, [&](const VariationResult& r) -> const auto& { return r.state.*part.member; });
   }
   all["coordinates"] = states;
   return all;
 }
 
-py::dict solve(const std::shared_ptr<MainSystem>& main, const py::object& settings, const std::string& kind, int variations,
-               const py::list& parameters, const py::list& varied_settings, const py::list& coordinates,
+py::dict solve(const std::shared_ptr<MainSystem>& main, const py::object& settings, const std::string& kind,
+               int variations, const py::list& parameters, const py::list& varied_settings, const py::list& coordinates,
                const std::vector<int>& sensors, bool histories, bool states, int threads) {
   require_idle(*main, call);
   System& system = main->assembled(method);
   refuse_python_functions(*main);
-  Ensemble ensemble{.variations = variations, .simulation = *simulation_settings_of(settings), .sensors = sensors,
-                    .histories = histories, .states = states, .timeout = solver_switches().timeout};
+  Ensemble ensemble{.variations = variations,
+                    .simulation = *simulation_settings_of(settings),
+                    .sensors = sensors,
+                    .histories = histories,
+                    .states = states,
+                    .timeout = solver_switches().timeout};
   ensemble.make_solver = [kind] { return make_solver(kind); };
   const State initial = system.state(ConfigurationType::Initial);
   for (const auto& entry : parameters) read_parameter(*main, entry.cast<py::tuple>(), variations, ensemble.parameters);

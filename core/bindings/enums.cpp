@@ -49,7 +49,8 @@ PyObject* enum_attribute(PyObject* made, PyObject* name) {
   PyObject* const found = PyType_Type.tp_getattro(made, name);
   if (found != nullptr || PyErr_ExceptionMatches(PyExc_AttributeError) == 0) return found;
   PyErr_Clear();
-  const auto explain = py::reinterpret_steal<py::object>(PyObject_GetAttrString(reinterpret_cast<PyObject*>(Py_TYPE(made)), "__getattr__"));
+  const auto explain = py::reinterpret_steal<py::object>(
+      PyObject_GetAttrString(reinterpret_cast<PyObject*>(Py_TYPE(made)), "__getattr__"));
   return explain ? PyObject_CallFunctionObjArgs(explain.ptr(), made, name, nullptr) : nullptr;
 }
 
@@ -67,8 +68,11 @@ void register_enums(py::module_& module) {
     module.attr(name) = base(name, members, py::arg("module") = module.attr("__name__"));
     document(module.attr(name), table, *text++);
   }
-  module.def("_look_up_directly", [](const py::type& metaclass) { reinterpret_cast<PyTypeObject*>(metaclass.ptr())->tp_getattro = enum_attribute; },
-             py::arg("metaclass"), py::pos_only(), "Make attribute lookup of enumerations fast, whose metaclass has a __getattr__.");
+  module.def(
+      "_look_up_directly",
+      [](const py::type& metaclass) { reinterpret_cast<PyTypeObject*>(metaclass.ptr())->tp_getattro = enum_attribute; },
+      py::arg("metaclass"), py::pos_only(),
+      "Make attribute lookup of enumerations fast, whose metaclass has a __getattr__.");
 }
 
 }  // namespace dalembert

@@ -30,7 +30,9 @@ py::array_t<double> array(const std::vector<double>& values) {
 
 std::vector<double> numbers(const Array& values, std::size_t size, const char* name) {
   if (values.ndim() != 1 || static_cast<std::size_t>(values.size()) != size)
-    refuse(ErrorKind::value, {.item = "testing.State", .parameter = name, .received = std::to_string(values.size()) + " numbers",
+    refuse(ErrorKind::value, {.item = "testing.State",
+                              .parameter = name,
+                              .received = std::to_string(values.size()) + " numbers",
                               .expected = std::to_string(size) + " numbers, as the assembled system has"});
   return {values.data(), values.data() + values.size()};
 }
@@ -43,8 +45,10 @@ System& checked(MainSystem& main, const EvaluationState& s, const char* method) 
   const State& x = s.state;
   if (!(fits(x.q, n.ode2) && fits(x.v, n.ode2) && fits(x.a, n.ode2) && fits(x.y, n.ode1) && fits(x.y_t, n.ode1) &&
         fits(x.lambda, n.ae) && fits(x.data, n.data)))
-    refuse(ErrorKind::value, {.item = std::string("testing.") + method, .parameter = "state",
-                              .received = "a state of another system or of an earlier Assemble()", .expected = "testing.State(mbs)"});
+    refuse(ErrorKind::value, {.item = std::string("testing.") + method,
+                              .parameter = "state",
+                              .received = "a state of another system or of an earlier Assemble()",
+                              .expected = "testing.State(mbs)"});
   return system;
 }
 
@@ -53,7 +57,8 @@ py::array_t<double> square(const Pattern& pattern, const std::vector<double>& va
   py::array_t<double> matrix({size, size});
   auto to = matrix.mutable_unchecked<2>();
   for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) to(i, j) = pattern.is_dense() ? values[static_cast<std::size_t>(pattern.slot(i, j))] : 0.0;
+    for (int j = 0; j < size; ++j)
+      to(i, j) = pattern.is_dense() ? values[static_cast<std::size_t>(pattern.slot(i, j))] : 0.0;
   if (pattern.is_dense()) return matrix;
   for (int j = 0; j < size; ++j)
     for (int k = pattern.column_start()[j]; k < pattern.column_start()[j + 1]; ++k)
@@ -90,10 +95,13 @@ py::tuple entries(System& system, Evaluate&& evaluate) {
 }
 
 void register_state(py::module_& module) {
-  py::class_<EvaluationState> cls(module, "State",
-                                  "A copy of the current state of mbs, and of all other arguments of the equations. ODE2 "
-                                  "coordinates count from the reference configuration. Arrays are copied in and out.");
-  cls.def(py::init([](MainSystem& main) { return EvaluationState{main.assembled("testing.State").state(ConfigurationType::Current), {}}; }),
+  py::class_<EvaluationState> cls(
+      module, "State",
+      "A copy of the current state of mbs, and of all other arguments of the equations. ODE2 "
+      "coordinates count from the reference configuration. Arrays are copied in and out.");
+  cls.def(py::init([](MainSystem& main) {
+            return EvaluationState{main.assembled("testing.State").state(ConfigurationType::Current), {}};
+          }),
           py::arg("mbs"));
   cls.def("copy", [](const EvaluationState& s) { return s; }, "An independent copy.");
   const auto vector = [&cls](const char* name, Member member, const char* doc) {
@@ -111,16 +119,21 @@ void register_state(py::module_& module) {
   vector("y_t", &State::y_t, "rates of ODE1 coordinates");
   vector("lam", &State::lambda, "Lagrange multipliers");
   vector("data", &State::data, "data coordinates");
-  cls.def_property("t", [](const EvaluationState& s) { return s.state.time; },
-                   [](EvaluationState& s, double t) { s.state.time = t; }, "time");
-  cls.def_property("load_factor", [](const EvaluationState& s) { return s.conditions.load_factor; },
-                   [](EvaluationState& s, double x) { s.conditions.load_factor = x; }, "factor of loads in static solutions");
-  cls.def_property("step_size", [](const EvaluationState& s) { return s.conditions.step_size; },
-                   [](EvaluationState& s, double x) { s.conditions.step_size = x; }, "step size that friction and contact see");
-  cls.def_property("rate_level", [](const EvaluationState& s) { return s.conditions.rate_level; },
-                   [](EvaluationState& s, bool x) { s.conditions.rate_level = x; }, "constraints as rates of their gaps (index 2)");
-  cls.def_property("inertia", [](const EvaluationState& s) { return s.conditions.inertia; },
-                   [](EvaluationState& s, bool x) { s.conditions.inertia = x; }, "False: static, without accelerations");
+  cls.def_property(
+      "t", [](const EvaluationState& s) { return s.state.time; },
+      [](EvaluationState& s, double t) { s.state.time = t; }, "time");
+  cls.def_property(
+      "load_factor", [](const EvaluationState& s) { return s.conditions.load_factor; },
+      [](EvaluationState& s, double x) { s.conditions.load_factor = x; }, "factor of loads in static solutions");
+  cls.def_property(
+      "step_size", [](const EvaluationState& s) { return s.conditions.step_size; },
+      [](EvaluationState& s, double x) { s.conditions.step_size = x; }, "step size that friction and contact see");
+  cls.def_property(
+      "rate_level", [](const EvaluationState& s) { return s.conditions.rate_level; },
+      [](EvaluationState& s, bool x) { s.conditions.rate_level = x; }, "constraints as rates of their gaps (index 2)");
+  cls.def_property(
+      "inertia", [](const EvaluationState& s) { return s.conditions.inertia; },
+      [](EvaluationState& s, bool x) { s.conditions.inertia = x; }, "False: static, without accelerations");
 }
 
 void register_vectors(py::module_& module) {
@@ -135,29 +148,34 @@ void register_vectors(py::module_& module) {
         },
         py::arg("mbs"), py::arg("state"), doc);
   };
-  vector("residual", [](const Sizes& n) { return n.total(); }, &System::residual,
-         "Residual of [ODE2, ODE1, AE]: M a + f + G^T lam = 0; rates - y_t = 0; gaps (or their rates) = 0.");
+  vector(
+      "residual", [](const Sizes& n) { return n.total(); }, &System::residual,
+      "Residual of [ODE2, ODE1, AE]: M a + f + G^T lam = 0; rates - y_t = 0; gaps (or their rates) = 0.");
   vector("forces", [](const Sizes& n) { return n.ode2; }, &System::forces, "Q of M a = Q, without constraint forces.");
   vector("rates", [](const Sizes& n) { return n.ode1; }, &System::rates, "Right-hand side of the ODE1 equations.");
   vector("gaps", [](const Sizes& n) { return n.ae; }, &System::gaps, "Algebraic equations alone.");
   module.def(
-      "switch_over", [](MainSystem& main, EvaluationState& s) { checked(main, s, "switch_over").switch_over(s.state, s.conditions); },
-      py::arg("mbs"), py::arg("state"), "Set the data coordinates of items with events, such as contacts, to those of the state.");
+      "switch_over",
+      [](MainSystem& main, EvaluationState& s) { checked(main, s, "switch_over").switch_over(s.state, s.conditions); },
+      py::arg("mbs"), py::arg("state"),
+      "Set the data coordinates of items with events, such as contacts, to those of the state.");
 }
 
 void register_matrices(py::module_& module) {
   module.def(
       "tangent",
-      [](MainSystem& main, const EvaluationState& s, double cq, double cv, double ca, double cy, double cy_t, bool dense) {
+      [](MainSystem& main, const EvaluationState& s, double cq, double cv, double ca, double cy, double cy_t,
+         bool dense) {
         System& system = checked(main, s, "tangent");
         const Weights weights{.q = cq, .v = cv, .a = ca, .y = cy, .y_t = cy_t};
         return matrix(system, dense, system.sizes().total(), [&](const Pattern& pattern, std::vector<double>& values) {
           system.tangent(s.state, s.conditions, weights, pattern, values);
         });
       },
-      py::arg("mbs"), py::arg("state"), py::kw_only(), py::arg("cq") = 1.0, py::arg("cv") = 0.0, py::arg("ca") = 0.0, py::arg("cy") = 1.0,
-      py::arg("cy_t") = 0.0, py::arg("dense") = true,
-      "cq dr/dq + cv dr/dv + ca dr/da in the ODE2 columns, cy dr/dy + cy_t dr/dy_t in the ODE1 columns, dr/dlam in the AE "
+      py::arg("mbs"), py::arg("state"), py::kw_only(), py::arg("cq") = 1.0, py::arg("cv") = 0.0, py::arg("ca") = 0.0,
+      py::arg("cy") = 1.0, py::arg("cy_t") = 0.0, py::arg("dense") = true,
+      "cq dr/dq + cv dr/dv + ca dr/da in the ODE2 columns, cy dr/dy + cy_t dr/dy_t in the ODE1 columns, dr/dlam in the "
+      "AE "
       "columns. Rows of constraints are divided by cq (by cv if cq is 0). Rotations of Lie-group nodes are varied by "
       "increments. dense: which storage is used inside; the result is a full square array in either case.");
   module.def(
@@ -183,11 +201,15 @@ void register_matrices(py::module_& module) {
       "mass_entries",
       [](MainSystem& main, const EvaluationState& s) {
         System& system = checked(main, s, "mass_entries");
-        return entries(system, [&](const Pattern& pattern, std::vector<double>& values) { system.mass_matrix(s.state, pattern, values); });
+        return entries(system, [&](const Pattern& pattern, std::vector<double>& values) {
+          system.mass_matrix(s.state, pattern, values);
+        });
       },
       py::arg("mbs"), py::arg("state"), "The entries of `mass_matrix` that are not zero: (rows, columns, values).");
-  module.def("constant_mass_matrix", [](MainSystem& main) { return main.assembled("constant_mass_matrix").constant_mass_matrix(); },
-             py::arg("mbs"), "True if M does not depend on the coordinates.");
+  module.def(
+      "constant_mass_matrix",
+      [](MainSystem& main) { return main.assembled("constant_mass_matrix").constant_mass_matrix(); }, py::arg("mbs"),
+      "True if M does not depend on the coordinates.");
 }
 
 void register_constraints(py::module_& module) {
@@ -199,7 +221,8 @@ void register_constraints(py::module_& module) {
         return py::make_tuple(array(now.rates), array(now.speeds), array(of_velocities));
       },
       py::arg("mbs"), py::arg("state"),
-      "Of all constraint equations: the rates of their gaps, the sums of the magnitudes of the velocities that meet in them, and 1 for "
+      "Of all constraint equations: the rates of their gaps, the sums of the magnitudes of the velocities that meet in "
+      "them, and 1 for "
       "those that constrain velocities.");
   module.def(
       "open_constraints",
@@ -211,18 +234,21 @@ void register_constraints(py::module_& module) {
         return found;
       },
       py::arg("mbs"), py::arg("state"), py::arg("position"), py::arg("velocity"), py::arg("rates") = true,
-      "Constraints that the state does not fulfil, the worst first: (AE number, whether the rate is meant, gap, gap / tolerance, text).");
+      "Constraints that the state does not fulfil, the worst first: (AE number, whether the rate is meant, gap, gap / "
+      "tolerance, text).");
   module.def(
       "redundant_constraints",
       [](MainSystem& main, const EvaluationState& s, double moment_length) {
         System& system = checked(main, s, "redundant_constraints");
-        const ConstraintRank found(system, s.state, s.conditions, constraint_metric(system, s.state, s.conditions, moment_length));
+        const ConstraintRank found(system, s.state, s.conditions,
+                                   constraint_metric(system, s.state, s.conditions, moment_length));
         py::dict result = redundancy_dictionary(found, system);
         result["dependent"] = found.dependent();
         return result;
       },
       py::arg("mbs"), py::arg("state"), py::arg("momentLength") = 0.0,
-      "Constraint equations that follow from others, as GetRedundantConstraints of the solvers gives them; dependent: as many of them as could be "
+      "Constraint equations that follow from others, as GetRedundantConstraints of the solvers gives them; dependent: "
+      "as many of them as could be "
       "left out.");
   module.def(
       "constraint_metric",
@@ -231,9 +257,11 @@ void register_constraints(py::module_& module) {
         return py::make_tuple(array(metric.weights), array(metric.units));
       },
       py::arg("mbs"), py::arg("state"),
-      "By constraint equation: what solvers weigh it with where some contradict each other (0: they never do), and what counts as one in its gap.");
-  module.def("extent", [](MainSystem& main) { return main.assembled("extent").extent(); }, py::arg("mbs"),
-             "The diagonal of the box around all markers in space, as evaluated last, in m; 1 without such markers.");
+      "By constraint equation: what solvers weigh it with where some contradict each other (0: they never do), and "
+      "what counts as one in its gap.");
+  module.def(
+      "extent", [](MainSystem& main) { return main.assembled("extent").extent(); }, py::arg("mbs"),
+      "The diagonal of the box around all markers in space, as evaluated last, in m; 1 without such markers.");
 }
 
 void register_division(py::module_& module) {
@@ -247,7 +275,8 @@ void register_division(py::module_& module) {
         return main.system.threads();
       },
       py::arg("mbs"), py::arg("coordinates"), py::arg("threads"),
-      "Assemble again, in regions of so many ODE2 coordinates at least, which so many threads share; returns how many there are.");
+      "Assemble again, in regions of so many ODE2 coordinates at least, which so many threads share; returns how many "
+      "there are.");
 }
 
 void register_updates(py::module_& module) {
@@ -269,17 +298,24 @@ void register_updates(py::module_& module) {
         const Discontinuity verdict = checked(main, s, "post_newton").post_newton(s.state, s.conditions);
         return py::make_tuple(verdict.error, verdict.recommended_step_size);
       },
-      py::arg("mbs"), py::arg("state"), "Update the data coordinates of `state`; returns (error, recommended step size or -1).");
-  module.def("describe_row", [](MainSystem& main, int row) { return main.assembled("describe_row").describe_row(row); }, py::arg("mbs"),
-             py::arg("row"), "Which items act on a row of the residual.");
+      py::arg("mbs"), py::arg("state"),
+      "Update the data coordinates of `state`; returns (error, recommended step size or -1).");
+  module.def(
+      "describe_row", [](MainSystem& main, int row) { return main.assembled("describe_row").describe_row(row); },
+      py::arg("mbs"), py::arg("row"), "Which items act on a row of the residual.");
 }
 
 void register_system_terms(py::module_& module) {
   module.def(
-      "search", [](MainSystem& main, const EvaluationState& s) { return checked(main, s, "search").search(s.state, s.conditions); }, py::arg("mbs"), py::arg("state"),
+      "search",
+      [](MainSystem& main, const EvaluationState& s) {
+        return checked(main, s, "search").search(s.state, s.conditions);
+      },
+      py::arg("mbs"), py::arg("state"),
       "Let terms that are not items update their contacts in a state; returns whether the sparse pattern has changed.");
-  module.def("pattern_revisions", [](MainSystem& main) { return main.assembled("pattern_revisions").pattern_revisions(); }, py::arg("mbs"),
-             "How often the sparse pattern of the system matrix has been made anew.");
+  module.def(
+      "pattern_revisions", [](MainSystem& main) { return main.assembled("pattern_revisions").pattern_revisions(); },
+      py::arg("mbs"), "How often the sparse pattern of the system matrix has been made anew.");
 }
 
 }  // namespace

@@ -24,27 +24,33 @@ struct ValueSource {
   std::string name() const { return method == nullptr ? place : "GeneralContact." + std::string(method) + "(...)"; }
 };
 
-[[noreturn]] inline void refuse_value(const ValueSource& by, const std::string& parameter, const std::string& received, const std::string& expected) {
+[[noreturn]] inline void refuse_value(const ValueSource& by, const std::string& parameter, const std::string& received,
+                                      const std::string& expected) {
   refuse(ErrorKind::value, {by.name(), parameter, "", received, expected, ""});
 }
 inline std::string text_of(double x) { return py::str(py::float_(x)); }
 
-inline double require(const ValueSource& by, const std::string& parameter, double value, bool positive, const char* unit) {
+inline double require(const ValueSource& by, const std::string& parameter, double value, bool positive,
+                      const char* unit) {
   if (std::isfinite(value) && (positive ? value > 0 : value >= 0)) return value;
-  refuse_value(by, parameter, text_of(value), std::string(positive ? "a positive number" : "a number that is not negative") + " (unit " + unit + ")");
+  refuse_value(by, parameter, text_of(value),
+               std::string(positive ? "a positive number" : "a number that is not negative") + " (unit " + unit + ")");
 }
 constexpr bool is_material(int index) { return index >= -1; }
 inline int require_material(const ValueSource& by, int material) {
   if (is_material(material)) return material;
-  refuse_value(by, "frictionMaterialIndex", std::to_string(material), "a number from 0, of a row of frictionPairings, or -1: without friction");
+  refuse_value(by, "frictionMaterialIndex", std::to_string(material),
+               "a number from 0, of a row of frictionPairings, or -1: without friction");
 }
 inline ContactSurface surface_of(const ValueSource& by, double stiffness, double damping, int material) {
-  return {require(by, "contactStiffness", stiffness, true, "N/m"), require(by, "contactDamping", damping, false, "Ns/m"), require_material(by, material)};
+  return {require(by, "contactStiffness", stiffness, true, "N/m"),
+          require(by, "contactDamping", damping, false, "Ns/m"), require_material(by, material)};
 }
 inline void require_area(const ValueSource& by, const std::string& parameter, const Triangle& points) {
   const Vec3<double> area = area_vector(points);
   double longest = 0;
-  for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, dot(points[(i + 1) % 3] - points[i], points[(i + 1) % 3] - points[i]));
+  for (std::size_t i = 0; i < 3; ++i)
+    longest = std::max(longest, dot(points[(i + 1) % 3] - points[i], points[(i + 1) % 3] - points[i]));
   if (!(norm(area) > 1e-14 * longest)) refuse_value(by, parameter, "points on one line", "a triangle with an area");
 }
 
@@ -65,12 +71,15 @@ struct KeptSetting {
   bool is_flag;
   const char* reason;
 };
-inline constexpr const char *own_search = "the search finds its own way, by which results do not change", *own_threads = "threads share the work by themselves",
-                            *exact_stretches = "stretches of cables in contact are found exactly, as zeros of a polynomial";
+inline constexpr const char *own_search = "the search finds its own way, by which results do not change",
+                            *own_threads = "threads share the work by themselves",
+                            *exact_stretches =
+                                "stretches of cables in contact are found exactly, as zeros of a polynomial";
 inline constexpr KeptSetting kept_settings[] = {
     {"verboseMode", 0, false, "the verboseMode of the solver selects the output"},
     {"resetSearchTreeInterval", 10000, false, own_search},
-    {"sphereSphereFrictionRecycle", 0, true, "sticking and sliding states are fixed during Newton's method, and updated after it"},
+    {"sphereSphereFrictionRecycle", 0, true,
+     "sticking and sliding states are fixed during Newton's method, and updated after it"},
     {"excludeOverlappingTrigSphereContacts", 1, true, "coinciding contact points of a mesh count once"},
     {"excludeDuplicatedTrigSphereContactPoints", 0, true, ""},
     {"computeExactStaticTriangleBins", 1, true, own_search},

@@ -23,7 +23,8 @@ struct ContactHandle {
     const auto sources = main->model.term_sources();
     for (std::size_t i = 0; i < sources.size(); ++i)
       if (sources[i] == set) return static_cast<int>(i);
-    refuse(ErrorKind::state, {"GeneralContact", "", "it was deleted from its system", "", "", "Take another one by mbs.AddGeneralContact()."});
+    refuse(ErrorKind::state, {"GeneralContact", "", "it was deleted from its system", "", "",
+                              "Take another one by mbs.AddGeneralContact()."});
   }
   static std::string called(const char* method) { return "GeneralContact." + std::string(method) + "(...)"; }
   // Assembled, with the frames of the current state.
@@ -43,7 +44,8 @@ void register_convex_contact(py::class_<ContactHandle>& contact);
 
 inline int require_number(const char* method, int number, std::size_t count, const char* of) {
   if (number >= 0 && number < static_cast<int>(count)) return number;
-  refuse(ErrorKind::index, {ContactHandle::called(method), "localIndex", "", std::to_string(number), "the number of a " + std::string(of) + "; there are " + std::to_string(count), ""});
+  refuse(ErrorKind::index, {ContactHandle::called(method), "localIndex", "", std::to_string(number),
+                            "the number of a " + std::string(of) + "; there are " + std::to_string(count), ""});
 }
 
 inline Vec3<double> vector_argument(const char* method, const char* parameter, const py::object& value) {
@@ -63,12 +65,14 @@ A table_argument(const char* method, const char* parameter, const py::object& va
   A array = A::ensure(value);
   if (!array) PyErr_Clear();
   if (!array || array.ndim() != 2 || array.shape(1) != columns)
-    refuse_value(method, parameter, show(value.ptr()), "a list or an array with " + std::to_string(columns) + " columns");
+    refuse_value(method, parameter, show(value.ptr()),
+                 "a list or an array with " + std::to_string(columns) + " columns");
   return array;
 }
 
 // All of one body; returns the number of the first of them.
-inline int add_triangles_of_body(const ContactHandle& self, const char* method, int marker, const ContactSurface& surface, const std::vector<Triangle>& triangles) {
+inline int add_triangles_of_body(const ContactHandle& self, const char* method, int marker,
+                                 const ContactSurface& surface, const std::vector<Triangle>& triangles) {
   Model& model = self.main->restructure(ContactHandle::called(method));
   const int first = static_cast<int>(self.set->triangles.size()), carrier = static_cast<int>(self.set->carriers.size());
   self.set->carriers.push_back({marker, surface});

@@ -34,7 +34,10 @@ int assign_item(PyObject* self, Py_ssize_t i, PyObject* value) {
   return change(self, [&] { return PyList_Type.tp_as_sequence->sq_ass_item(self, i, value) == 0; }) ? 0 : -1;
 }
 PyObject* add_in_place(PyObject* self, PyObject* more) {
-  const auto add = [&] { return py::reinterpret_steal<py::object>(PyList_Type.tp_as_sequence->sq_inplace_concat(self, more)).ptr() != nullptr; };
+  const auto add = [&] {
+    return py::reinterpret_steal<py::object>(PyList_Type.tp_as_sequence->sq_inplace_concat(self, more)).ptr() !=
+           nullptr;
+  };
   return change(self, add) ? Py_NewRef(self) : nullptr;
 }
 
@@ -43,12 +46,14 @@ constexpr std::array names{"append", "extend", "insert", "pop", "remove", "clear
 
 template <std::size_t method>
 PyObject* changing_method(PyObject* self, PyObject* arguments, PyObject* keywords) {
-  const auto of_list = py::reinterpret_steal<py::object>(PyObject_GetAttrString(reinterpret_cast<PyObject*>(&PyList_Type), names[method]));
+  const auto of_list = py::reinterpret_steal<py::object>(
+      PyObject_GetAttrString(reinterpret_cast<PyObject*>(&PyList_Type), names[method]));
   const auto first = py::reinterpret_steal<py::object>(PyTuple_Pack(1, self));
   if (!of_list || !first) return nullptr;
   const auto all = py::reinterpret_steal<py::object>(PySequence_Concat(first.ptr(), arguments));
   PyObject* result = nullptr;
-  const bool done = all && change(self, [&] { return (result = PyObject_Call(of_list.ptr(), all.ptr(), keywords)) != nullptr; });
+  const bool done =
+      all && change(self, [&] { return (result = PyObject_Call(of_list.ptr(), all.ptr(), keywords)) != nullptr; });
   if (done) return result;
   Py_XDECREF(result);
   return nullptr;
@@ -73,8 +78,8 @@ void deallocate(PyObject* self) {
 PyTypeObject* make_list_type() {
   static std::array<PyMethodDef, names.size() + 2> methods{};
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    ((methods[i] = {names[i], reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(changing_method<i>)), METH_VARARGS | METH_KEYWORDS,
-                    "As that of list."}),
+    ((methods[i] = {names[i], reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(changing_method<i>)),
+                    METH_VARARGS | METH_KEYWORDS, "As that of list."}),
      ...);
   }(std::make_index_sequence<names.size()>{});
   methods[names.size()] = {"__reduce__", reduce, METH_NOARGS, "A list."};

@@ -10,8 +10,7 @@ namespace dalembert {
 namespace {
 
 struct IndexObject {
-  PyObject_HEAD
-  int number;
+  PyObject_HEAD int number;
 };
 
 std::array<PyTypeObject*, item_kinds> types{};
@@ -190,7 +189,8 @@ PyTypeObject* make_type(ItemKind kind) {
 PyObject* created(PyObject*, PyObject* const* arguments, Py_ssize_t count) {
   static PyObject* owner = PyUnicode_InternFromString("_mbs");
   PyTypeObject* object_index = types[static_cast<std::size_t>(ItemKind::object)];
-  if (count != 3 || !PyType_Check(arguments[0]) || !PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(arguments[0]), object_index))
+  if (count != 3 || !PyType_Check(arguments[0]) ||
+      !PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(arguments[0]), object_index))
     return PyErr_Format(PyExc_TypeError, "_created(cls, mbs, index) takes a class of ObjectIndex");
   if (Py_TYPE(arguments[2]) != object_index) return Py_NewRef(arguments[2]);
   auto* type = reinterpret_cast<PyTypeObject*>(arguments[0]);
@@ -223,12 +223,14 @@ void register_index_types(py::module_& module) {
   for (int k = 0; k < item_kinds; ++k) {
     const ItemKind kind = static_cast<ItemKind>(k);
     types[static_cast<std::size_t>(k)] = make_type(kind);
-    module.add_object(std::string(index_name(kind)).c_str(),
-                      py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(types[static_cast<std::size_t>(k)])));
+    module.add_object(
+        std::string(index_name(kind)).c_str(),
+        py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(types[static_cast<std::size_t>(k)])));
   }
-  static PyMethodDef definition{"_created", reinterpret_cast<PyCFunction>(reinterpret_cast<void*>(created)), METH_FASTCALL,
-                                "_created(cls, mbs, index, /)\n--\n\nThe index as one of the class, with the attribute _mbs; what is no "
-                                "ObjectIndex, as it is."};
+  static PyMethodDef definition{
+      "_created", reinterpret_cast<PyCFunction>(reinterpret_cast<void*>(created)), METH_FASTCALL,
+      "_created(cls, mbs, index, /)\n--\n\nThe index as one of the class, with the attribute _mbs; what is no "
+      "ObjectIndex, as it is."};
   module.add_object("_created", py::reinterpret_steal<py::object>(PyCFunction_New(&definition, nullptr)));
 }
 

@@ -46,7 +46,9 @@ bool ItemCallback::has_this(const MainSystem& main, int number) const {
 }
 
 RunningFunction ItemCallback::running(int item) const {
-  const auto words = [](const void* callback, int number) { return static_cast<const ItemCallback*>(callback)->describe(number); };
+  const auto words = [](const void* callback, int number) {
+    return static_cast<const ItemCallback*>(callback)->describe(number);
+  };
   return RunningFunction(main_, RunningFunction::Place::in_evaluation, words, this, item);
 }
 

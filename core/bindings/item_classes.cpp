@@ -80,7 +80,8 @@ template <class Object>
 int object_init(PyObject* self, PyObject* args, PyObject* kwargs) {
   return guarded_status([&] {
     auto* object = reinterpret_cast<Object*>(self);
-    assign_init_arguments({*object->item_class, object->record.get(), std::is_same_v<Object, VisualizationObject>}, args, kwargs);
+    assign_init_arguments({*object->item_class, object->record.get(), std::is_same_v<Object, VisualizationObject>},
+                          args, kwargs);
   });
 }
 
@@ -147,8 +148,8 @@ int set_attribute(PyObject* self, PyObject* value, void* closure) {
     detach(object);
     const CallTarget target{*object->item_class, object->record.get(), std::is_same_v<Object, VisualizationObject>};
     if (value == nullptr || row.internal) {
-      refuse(ErrorKind::name, {target.where(), std::string(row.name), value == nullptr ? "cannot be deleted" : "cannot be set", "",
-                               "", ""});
+      refuse(ErrorKind::name, {target.where(), std::string(row.name),
+                               value == nullptr ? "cannot be deleted" : "cannot be set", "", "", ""});
     }
     set_member(*object->item_class, row, value, object->record.get(), [&] { return target.where(); });
   });
@@ -157,7 +158,10 @@ int set_attribute(PyObject* self, PyObject* value, void* closure) {
 PyObject* get_transformation_attribute(PyObject* self, void* closure) {
   return guarded([&] {
     auto* item = reinterpret_cast<ItemObject*>(self);
-    return get_transformation(item->item_class->transformations[reinterpret_cast<std::size_t>(closure)], item->record.get()).release().ptr();
+    return get_transformation(item->item_class->transformations[reinterpret_cast<std::size_t>(closure)],
+                              item->record.get())
+        .release()
+        .ptr();
   });
 }
 int set_transformation_attribute(PyObject* self, PyObject* value, void* closure) {
@@ -198,7 +202,8 @@ int set_any_attribute(PyObject* self, PyObject* name, PyObject* value) {
     const std::string word = to_string(name);
     if (find_row(type, word) != nullptr || word == "visualization") throw py::error_already_set();
     PyErr_Clear();
-    refuse(ErrorKind::name, {std::string(type.name), "", "there is no parameter " + in_quotes(word), "", "", suggest_parameter(type, word)});
+    refuse(ErrorKind::name, {std::string(type.name), "", "there is no parameter " + in_quotes(word), "", "",
+                             suggest_parameter(type, word)});
   });
 }
 
@@ -216,15 +221,17 @@ PyObject* item_iterate(PyObject* self) {
 py::dict visualization_dictionary(const ItemClass& item_class, const void* record) {
   py::dict all;
   for (const auto& argument : item_class.visualization_arguments)
-    all[argument.name] = py::reinterpret_steal<py::object>(
-        to_python(*argument.row, member(record, *argument.row), Form::copy, nullptr));
+    all[argument.name] =
+        py::reinterpret_steal<py::object>(to_python(*argument.row, member(record, *argument.row), Form::copy, nullptr));
   return all;
 }
 
 PyObject* visualization_iterate(PyObject* self) {
   return guarded([&] {
     auto* object = reinterpret_cast<VisualizationObject*>(self);
-    return py::iter(visualization_dictionary(*object->item_class, object->record.get()).attr("items")()).release().ptr();
+    return py::iter(visualization_dictionary(*object->item_class, object->record.get()).attr("items")())
+        .release()
+        .ptr();
   });
 }
 
@@ -271,7 +278,9 @@ PyObject* item_reduce(PyObject* self, PyObject*) {
   return guarded([&] {
     auto* item = reinterpret_cast<ItemObject*>(self);
     return py::make_tuple(py::handle(reinterpret_cast<PyObject*>(Py_TYPE(self))),
-                          argument_values(*item->item_class, item->record.get())).release().ptr();
+                          argument_values(*item->item_class, item->record.get()))
+        .release()
+        .ptr();
   });
 }
 PyObject* visualization_reduce(PyObject* self, PyObject*) {
@@ -284,7 +293,8 @@ PyObject* visualization_reduce(PyObject* self, PyObject*) {
 
 template <class Object>
 PyObject* object_compare(PyObject* self, PyObject* other, int operation) {
-  if ((operation != Py_EQ && operation != Py_NE) || PyObject_TypeCheck(other, Py_TYPE(self)) == 0) Py_RETURN_NOTIMPLEMENTED;
+  if ((operation != Py_EQ && operation != Py_NE) || PyObject_TypeCheck(other, Py_TYPE(self)) == 0)
+    Py_RETURN_NOTIMPLEMENTED;
   return guarded([&] {
     auto* a = reinterpret_cast<Object*>(self);
     auto* b = reinterpret_cast<Object*>(other);
@@ -319,12 +329,11 @@ PyMethodDef visualization_methods[] = {
     {nullptr, nullptr, 0, nullptr},
 };
 
-PyTypeObject* make_type(const std::string& name, const std::string& doc, std::size_t size, std::vector<PyType_Slot> slots,
-                        PyTypeObject* base) {
+PyTypeObject* make_type(const std::string& name, const std::string& doc, std::size_t size,
+                        std::vector<PyType_Slot> slots, PyTypeObject* base) {
   slots.push_back({Py_tp_doc, const_cast<char*>(keep(doc))});
   slots.push_back({0, nullptr});
-  PyType_Spec spec{keep(name), static_cast<int>(size), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE,
-                   slots.data()};
+  PyType_Spec spec{keep(name), static_cast<int>(size), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE, slots.data()};
   PyObject* type = PyType_FromSpecWithBases(&spec, reinterpret_cast<PyObject*>(base));
   if (type == nullptr) throw py::error_already_set();
   return reinterpret_cast<PyTypeObject*>(type);
@@ -359,9 +368,11 @@ PyGetSetDef* make_attributes(const ItemClass& item_class, bool visualization) {
   }
   if (!visualization)
     for (std::size_t i = 0; i < item_class.transformations.size(); ++i)
-      attributes.push_back({PyUnicode_AsUTF8(item_class.transformations[i].name), get_transformation_attribute, set_transformation_attribute,
-                            "Position and rotation as exu.HT.", reinterpret_cast<void*>(i)});
-  if (!visualization) attributes.push_back({"visualization", get_visualization, assign_visualization, "How the item is drawn.", nullptr});
+      attributes.push_back({PyUnicode_AsUTF8(item_class.transformations[i].name), get_transformation_attribute,
+                            set_transformation_attribute, "Position and rotation as exu.HT.",
+                            reinterpret_cast<void*>(i)});
+  if (!visualization)
+    attributes.push_back({"visualization", get_visualization, assign_visualization, "How the item is drawn.", nullptr});
   attributes.push_back({nullptr, nullptr, nullptr, nullptr, nullptr});
   return attributes.data();
 }
@@ -375,13 +386,15 @@ void add_names(ItemClass& item_class) {
     const bool visualization = row.role == Role::visualization;
     const std::string prefix = visualization ? "V" : "", name(row.name);
     item_class.entries.push_back({&row, interned(prefix + name)});
-    for (const std::string_view alias : row.aliases) item_class.entries.push_back({&row, interned(prefix + std::string(alias))});
+    for (const std::string_view alias : row.aliases)
+      item_class.entries.push_back({&row, interned(prefix + std::string(alias))});
     if (row.internal) continue;
     (visualization ? item_class.visualization_arguments : item_class.arguments).push_back({&row, interned(name)});
   }
   for (const ItemTransformation& each : item_transformations())
     if (each.item == type.name)
-      item_class.transformations.push_back({interned(std::string(each.name)), each.position.empty() ? nullptr : find_row(type, each.position),
+      item_class.transformations.push_back({interned(std::string(each.name)),
+                                            each.position.empty() ? nullptr : find_row(type, each.position),
                                             find_row(type, each.rotation)});
   item_class.arguments.push_back({nullptr, interned("visualization")});
   item_class.entries.push_back({nullptr, interned("visualization")});
@@ -411,7 +424,8 @@ const ItemClass& make_class(const ItemType& type, const std::string& module) {
   slots.push_back({Py_tp_iter, reinterpret_cast<void*>(item_iterate)});
   slots.push_back({Py_tp_methods, item_methods});
   slots.push_back({Py_tp_getset, make_attributes<ItemObject>(*item_class, false)});
-  item_class->python_type = make_type(module + "." + name, class_doc(*item_class, false), sizeof(ItemObject), slots, item_base);
+  item_class->python_type =
+      make_type(module + "." + name, class_doc(*item_class, false), sizeof(ItemObject), slots, item_base);
   item_class->python_type->tp_vectorcall = object_call<ItemObject>;
 
   slots = common_slots<VisualizationObject>();
@@ -420,8 +434,8 @@ const ItemClass& make_class(const ItemType& type, const std::string& module) {
   slots.push_back({Py_mp_ass_subscript, reinterpret_cast<void*>(visualization_set_item)});
   slots.push_back({Py_tp_methods, visualization_methods});
   slots.push_back({Py_tp_getset, make_attributes<VisualizationObject>(*item_class, true)});
-  item_class->visualization_type =
-      make_type(module + ".V" + name, class_doc(*item_class, true), sizeof(VisualizationObject), slots, visualization_base);
+  item_class->visualization_type = make_type(module + ".V" + name, class_doc(*item_class, true),
+                                             sizeof(VisualizationObject), slots, visualization_base);
   item_class->visualization_type->tp_vectorcall = object_call<VisualizationObject>;
 
   by_python_type[item_class->python_type] = by_python_type[item_class->visualization_type] = item_class.get();
@@ -454,20 +468,31 @@ Item take_item(ItemObject* object) {
 
 void register_items(py::module_& module) {
   item_base = make_base("dalembert._core.Item", "Base of all item classes.", sizeof(ItemObject));
-  visualization_base = make_base("dalembert._core.Visualization", "Base of all visualization classes.", sizeof(VisualizationObject));
+  visualization_base =
+      make_base("dalembert._core.Visualization", "Base of all visualization classes.", sizeof(VisualizationObject));
   const auto add = [&](const std::string& name, PyTypeObject* type) {
     module.add_object(name.c_str(), py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(type)), true);
   };
-  module.def("_parameters_of", [](const py::type& cls) {
-    const auto found = by_python_type.find(reinterpret_cast<const PyTypeObject*>(cls.ptr()));
-    if (found == by_python_type.end()) throw py::type_error("_parameters_of: " + py::repr(cls).cast<std::string>() + " is no item class");
-    return described_parameters(*found->second, found->first == found->second->visualization_type);
-  }, py::arg("cls"), py::pos_only(), "(name, type, check, facts, text, other names) of the parameters of an item class or a visualization class.");
-  module.def("_outputs_of", [](const py::type& cls) {
-    const auto found = by_python_type.find(reinterpret_cast<const PyTypeObject*>(cls.ptr()));
-    if (found == by_python_type.end()) throw py::type_error("_outputs_of: " + py::repr(cls).cast<std::string>() + " is no item class");
-    return described_outputs(*found->second);
-  }, py::arg("cls"), py::pos_only(), "(name, size, unit, text) of the output variables of an item class; size 0: it depends on the item.");
+  module.def(
+      "_parameters_of",
+      [](const py::type& cls) {
+        const auto found = by_python_type.find(reinterpret_cast<const PyTypeObject*>(cls.ptr()));
+        if (found == by_python_type.end())
+          throw py::type_error("_parameters_of: " + py::repr(cls).cast<std::string>() + " is no item class");
+        return described_parameters(*found->second, found->first == found->second->visualization_type);
+      },
+      py::arg("cls"), py::pos_only(),
+      "(name, type, check, facts, text, other names) of the parameters of an item class or a visualization class.");
+  module.def(
+      "_outputs_of",
+      [](const py::type& cls) {
+        const auto found = by_python_type.find(reinterpret_cast<const PyTypeObject*>(cls.ptr()));
+        if (found == by_python_type.end())
+          throw py::type_error("_outputs_of: " + py::repr(cls).cast<std::string>() + " is no item class");
+        return described_outputs(*found->second);
+      },
+      py::arg("cls"), py::pos_only(),
+      "(name, size, unit, text) of the output variables of an item class; size 0: it depends on the item.");
   add("Item", item_base);
   add("Visualization", visualization_base);
   for (const ItemType* type : item_types()) add_classes(module, make_class(*type, "dalembert._core"));

@@ -31,22 +31,20 @@ struct ItemClass {
   };
   std::vector<Transformation> transformations;
   std::vector<Argument> entries;  // entries of dictionaries, with aliases; visualization parameters begin with 'V'
-  std::shared_ptr<const void> defaults;           // a record as the spec gives it
+  std::shared_ptr<const void> defaults;  // a record as the spec gives it
 };
 
 // A Python item. Its record is either used only by Python, or shared with a system and then never written.
 struct ItemObject {
-  PyObject_HEAD
-  const ItemClass* item_class;
+  PyObject_HEAD const ItemClass* item_class;
   std::shared_ptr<void> record;
   bool exposed;  // numpy views or V objects write to the record: systems must copy it
-  bool shared;   // a system has it: Python must copy it before a change
+  bool shared;  // a system has it: Python must copy it before a change
 };
 
 // VNodePoint(...), or the attribute `visualization` of an item, whose record it then shares.
 struct VisualizationObject {
-  PyObject_HEAD
-  const ItemClass* item_class;
+  PyObject_HEAD const ItemClass* item_class;
   std::shared_ptr<void> record;
 };
 
@@ -54,8 +52,9 @@ const std::vector<std::unique_ptr<ItemClass>>& item_classes();
 const ItemClass& class_of(const ItemType& type);
 // lookup by type name; nullptr if it does not exist or is not interned
 const ItemClass* find_class(ItemKind kind, PyObject* name);
-const ItemClass::Argument* find_interned(const std::vector<ItemClass::Argument>& arguments, PyObject* name);  // nullptr: as before
-ItemObject* as_item(PyObject* value);                    // nullptr: not an item
+const ItemClass::Argument* find_interned(const std::vector<ItemClass::Argument>& arguments,
+                                         PyObject* name);  // nullptr: as before
+ItemObject* as_item(PyObject* value);  // nullptr: not an item
 VisualizationObject* as_visualization(PyObject* value);  // nullptr: not a V object
 
 // The item for a model; a planned or changed record is not looked at here.
@@ -64,8 +63,10 @@ Item take_item(ItemObject* object);
 // Sets one member; errors name item and parameter. `where` describes the item.
 void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const Label& where);
 // A transformation sets position and rotation together. The value None leaves both unchanged.
-const ItemClass::Transformation* find_transformation(const ItemClass& item_class, PyObject* name);  // nullptr: there is none
-void set_transformation(const ItemClass& item_class, const ItemClass::Transformation& transformation, PyObject* value, void* record, const Label& where);
+const ItemClass::Transformation* find_transformation(const ItemClass& item_class,
+                                                     PyObject* name);  // nullptr: there is none
+void set_transformation(const ItemClass& item_class, const ItemClass::Transformation& transformation, PyObject* value,
+                        void* record, const Label& where);
 py::object get_transformation(const ItemClass::Transformation& transformation, const void* record);
 // Set visualization parameters from a V object, a dictionary or another mapping.
 void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const Label& where);

@@ -37,8 +37,10 @@ bool is_default(const ItemClass& item_class, const Row& row, PyObject* value) {
   const auto equals_default = [&]<class T>(T given) {
     from_python(value, unchecked, &given);
     const T& standard = *static_cast<const T*>(member(item_class.defaults.get(), row));
-    if constexpr (is_vec<T>) return given.x == standard.x;
-    else return given == standard;
+    if constexpr (is_vec<T>)
+      return given.x == standard.x;
+    else
+      return given == standard;
   };
   try {
     switch (row.storage) {
@@ -61,10 +63,12 @@ void warn(const std::string& message) {
   if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 1) != 0) throw py::error_already_set();
 }
 
-void warn_if_doubtful(const Row& row, const void* record, PyObject* value, const std::string& name, const Label& where) {
+void warn_if_doubtful(const Row& row, const void* record, PyObject* value, const std::string& name,
+                      const Label& where) {
   const Verdict verdict = judge(row, member(record, row));
   if (verdict.fit != Fit::doubtful) return;
-  warn(Complaint{where.text(), name, "", show(value), demand(row.check), verdict.problem + " " + advice(row.check)}.text() +
+  warn(Complaint{where.text(), name, "", show(value), demand(row.check), verdict.problem + " " + advice(row.check)}
+           .text() +
        " The value is used as it is.");
 }
 
@@ -72,7 +76,8 @@ void warn_if_doubtful(const Row& row, const void* record, PyObject* value, const
 PyObject* type_key_name(ItemKind kind) {
   static const auto names = [] {
     std::array<PyObject*, item_kinds> made{};
-    for (std::size_t k = 0; k < made.size(); ++k) made[k] = PyUnicode_InternFromString(std::string(type_key(static_cast<ItemKind>(k))).c_str());
+    for (std::size_t k = 0; k < made.size(); ++k)
+      made[k] = PyUnicode_InternFromString(std::string(type_key(static_cast<ItemKind>(k))).c_str());
     return made;
   }();
   return names[static_cast<std::size_t>(kind)];
@@ -126,14 +131,19 @@ const ItemClass::Transformation* find_transformation(const ItemClass& item_class
 
 namespace {
 py::module_ transformation_module() { return py::module_::import("dalembert._geometry.rigid_transformation"); }
-bool is_list(const ItemClass::Transformation& transformation) { return transformation.rotation->storage == Storage::matrix3s; }
+bool is_list(const ItemClass::Transformation& transformation) {
+  return transformation.rotation->storage == Storage::matrix3s;
+}
 }  // namespace
 
-void set_transformation(const ItemClass& item_class, const ItemClass::Transformation& transformation, PyObject* value, void* record, const Label& where) {
+void set_transformation(const ItemClass& item_class, const ItemClass::Transformation& transformation, PyObject* value,
+                        void* record, const Label& where) {
   if (value == Py_None) return;
   const std::string name = where.text() + ": " + to_string(transformation.name);
-  const py::tuple parts = transformation_module().attr("parts")(name, py::handle(value), is_list(transformation), transformation.position != nullptr);
-  if (transformation.position != nullptr) set_member(item_class, *transformation.position, parts[0].ptr(), record, where);
+  const py::tuple parts = transformation_module().attr("parts")(name, py::handle(value), is_list(transformation),
+                                                                transformation.position != nullptr);
+  if (transformation.position != nullptr)
+    set_member(item_class, *transformation.position, parts[0].ptr(), record, where);
   set_member(item_class, *transformation.rotation, parts[1].ptr(), record, where);
 }
 
@@ -142,7 +152,8 @@ py::object get_transformation(const ItemClass::Transformation& transformation, c
     if (row == nullptr) return py::none();
     return py::reinterpret_steal<py::object>(to_python(*row, member(record, *row), Form::copy, nullptr));
   };
-  return transformation_module().attr("of_parts")(read(transformation.position), read(transformation.rotation), is_list(transformation));
+  return transformation_module().attr("of_parts")(read(transformation.position), read(transformation.rotation),
+                                                  is_list(transformation));
 }
 
 void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const Label& where) {
@@ -151,13 +162,15 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
   if (other != nullptr && other->item_class == &item_class) {
     for (const auto& argument : item_class.visualization_arguments) {
       with_type(argument.row->storage, [&]<class T>(TypeTag<T>) {
-        *static_cast<T*>(member(record, *argument.row)) = *static_cast<const T*>(member(other->record.get(), *argument.row));
+        *static_cast<T*>(member(record, *argument.row)) =
+            *static_cast<const T*>(member(other->record.get(), *argument.row));
       });
     }
     return;
   }
   const auto complain = [&](const std::string& problem, const std::string& advice) {
-    refuse(ErrorKind::type, {where.text(), "visualization", problem, show(value), "V" + std::string(type.name) + "(...) or a dictionary", advice});
+    refuse(ErrorKind::type, {where.text(), "visualization", problem, show(value),
+                             "V" + std::string(type.name) + "(...) or a dictionary", advice});
   };
   py::dict entries;
   if (PyDict_Check(value)) {
@@ -222,7 +235,8 @@ const ItemClass::Argument* find_spelt(const ItemClass& item_class, PyObject* key
     warn(Complaint{where.text(), "", in_quotes(word) + reason, "", "", ""}.text() + " The entry is ignored.");
     return nullptr;
   }
-  refuse(ErrorKind::value, {where.text(), "", "there is no parameter " + in_quotes(word), "", "", suggest_parameter(type, word)});
+  refuse(ErrorKind::value,
+         {where.text(), "", "there is no parameter " + in_quotes(word), "", "", suggest_parameter(type, word)});
 }
 
 }  // namespace
@@ -262,7 +276,8 @@ const ItemClass& class_in(ItemKind kind, const py::dict& dictionary, const Label
                               "Name the type, e.g. {" + in_quotes(key) + ": " +
                                   in_quotes(find_type(kind, "Point") != nullptr ? "Point" : "...") + ", ...}"});
   }
-  if (!PyUnicode_Check(name)) refuse(ErrorKind::type, {where.text(), key, "", show(name), "the name of a type as a string", ""});
+  if (!PyUnicode_Check(name))
+    refuse(ErrorKind::type, {where.text(), key, "", show(name), "the name of a type as a string", ""});
   return class_of(require_type_of_any_package(kind, to_string(name), where.text()));
 }
 
@@ -272,7 +287,8 @@ Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const Label
   const ItemClass& item_class = class_in(kind, dictionary, where);
   const ItemType& type = *item_class.type;
   std::shared_ptr<void> record = type.record.create();
-  update_from_dictionary(item_class, dictionary, record.get(), [&] { return where.text() + ": " + std::string(type.name); });
+  update_from_dictionary(item_class, dictionary, record.get(),
+                         [&] { return where.text() + ": " + std::string(type.name); });
   return {&type, std::move(record)};
 }
 

@@ -124,7 +124,8 @@ std::string facts_after_type(const Row& row) {
   std::string text;
   if (row.check == Check::positive) text += ", > 0";
   if (row.check == Check::non_negative) text += ", >= 0";
-  if (row.named != Named::no) text += row.named == Named::links ? ", or the name of a link" : ", or the name of a joint";
+  if (row.named != Named::no)
+    text += row.named == Named::links ? ", or the name of a link" : ", or the name of a joint";
   if (const std::string demanded = demand(row.check); !demanded.empty()) text += ", " + demanded;
   if (!row.unit.empty()) text += ", unit " + std::string(row.unit);
   if (row.needs_assemble) text += "; changes need Assemble()";
@@ -133,7 +134,9 @@ std::string facts_after_type(const Row& row) {
 }
 
 std::string output_line(const OutputText& output) {
-  const std::string size = output.size == 1 ? "float" : output.size == 0 ? "numbers" : std::to_string(output.size) + " numbers";
+  const std::string size = output.size == 1   ? "float"
+                           : output.size == 0 ? "numbers"
+                                              : std::to_string(output.size) + " numbers";
   return "    " + std::string(output.name) + ": " + size + ", unit " + std::string(output.unit) + "\n        " +
          std::string(output.text) + "\n";
 }
@@ -185,8 +188,8 @@ std::string class_doc(const ItemClass& item_class, bool visualization) {
     const Row& row = *argument.row;
     const std::string value = literal(row, item_class.defaults.get());
     signature += std::string(row.name) + "=" + value;
-    parameters += "    " + std::string(row.name) + ": " + type_words(row) + " = " + value + facts_after_type(row) + "\n        " +
-                  std::string(row_text(type, row)) + "\n";
+    parameters += "    " + std::string(row.name) + ": " + type_words(row) + " = " + value + facts_after_type(row) +
+                  "\n        " + std::string(row_text(type, row)) + "\n";
   }
   if (!visualization) {
     std::string others;
@@ -195,7 +198,8 @@ std::string class_doc(const ItemClass& item_class, bool visualization) {
         for (const std::string_view alias : argument.row->aliases) others += ", " + std::string(alias) + "=...";
     for (const auto& each : item_class.transformations) {
       others += ", " + to_string(each.name) + "=None";
-      parameters += "    " + to_string(each.name) + ": exu.HT or 4x4 matrix\n        " + (each.position != nullptr ? std::string(each.position->name) + " and " : "") +
+      parameters += "    " + to_string(each.name) + ": exu.HT or 4x4 matrix\n        " +
+                    (each.position != nullptr ? std::string(each.position->name) + " and " : "") +
                     std::string(each.rotation->name) + " as rigid transformation\n";
     }
     if (!others.empty()) signature += ", *" + others;

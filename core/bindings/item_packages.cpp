@@ -39,10 +39,12 @@ constexpr CoreFunctions core_functions{
 void require_stamp(const ItemPackage& package) {
   if (own_stamp() == package.stamp) return;
   const bool has_source = std::filesystem::exists(std::filesystem::path(package.source) / "pyproject.toml");
-  const std::string rebuild = has_source ? std::string(package.rebuild) + " \"" + package.source + "\""
-                                         : "pip install --force-reinstall --no-deps --no-cache-dir " + std::string(package.module);
-  throw py::import_error("the item package '" + std::string(package.module) + "' was built for another dalembert or compiler: its stamp is " +
-                         package.stamp + ", but this core has " + own_stamp() + ". Build it again: " + rebuild);
+  const std::string rebuild =
+      has_source ? std::string(package.rebuild) + " \"" + package.source + "\""
+                 : "pip install --force-reinstall --no-deps --no-cache-dir " + std::string(package.module);
+  throw py::import_error("the item package '" + std::string(package.module) +
+                         "' was built for another dalembert or compiler: its stamp is " + package.stamp +
+                         ", but this core has " + own_stamp() + ". Build it again: " + rebuild);
 }
 
 // All names of the classes of an item type: full and short ones, of items and of their visualization.
@@ -64,7 +66,8 @@ py::dict classes_by_name() {
   py::dict all;
   for (const auto& item_class : item_classes())
     for_names(*item_class->type, [&](const std::string& name, bool visualization) {
-      all[py::str(name)] = py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(class_of_name(*item_class, visualization)));
+      all[py::str(name)] =
+          py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(class_of_name(*item_class, visualization)));
     });
   return all;
 }
@@ -72,8 +75,9 @@ py::dict classes_by_name() {
 void require_new_names(const ItemPackage& package) {
   const py::dict known = classes_by_name();
   const auto complain = [&](const std::string& name, const py::handle& owner) {
-    throw py::import_error("the item package '" + std::string(package.module) + "' defines the item '" + name + "', which exists already in '" +
-                           py::str(owner.attr("__module__")).cast<std::string>() + "'. Give it another name, or import one of both packages only.");
+    throw py::import_error("the item package '" + std::string(package.module) + "' defines the item '" + name +
+                           "', which exists already in '" + py::str(owner.attr("__module__")).cast<std::string>() +
+                           "'. Give it another name, or import one of both packages only.");
   };
   for (const ItemType* type : package.types) {
     for_names(*type, [&](const std::string& name, bool) {
@@ -119,7 +123,8 @@ py::list packages_of(const Model& model) {
       if (type == last) continue;
       last = type;
       const py::handle cls(reinterpret_cast<PyObject*>(class_of(*type).python_type));
-      if (std::string module = cls.attr("__module__").cast<std::string>(); module != "dalembert._core") modules.insert(std::move(module));
+      if (std::string module = cls.attr("__module__").cast<std::string>(); module != "dalembert._core")
+        modules.insert(std::move(module));
     }
   py::list names;
   for (const std::string& module : modules) names.append(module);
@@ -133,7 +138,8 @@ void load_packages(const py::handle& names, const std::string& where) {
 void register_item_packages(py::module_& module) {
   module.def("_add_item_package", &add_item_package, py::arg("package"), py::arg("module"), py::pos_only(),
              "Take over the item types of an extension module, and add their classes to it.");
-  module.def("_item_classes", &classes_by_name, "The classes of items and of their visualization, of packages too, by full and short names.");
+  module.def("_item_classes", &classes_by_name,
+             "The classes of items and of their visualization, of packages too, by full and short names.");
   module.def("_item_stamp", [] { return own_stamp(); }, "The binary interface that item packages must be built for.");
 }
 

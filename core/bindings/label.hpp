@@ -10,9 +10,12 @@ namespace dalembert {
 class Label {
  public:
   template <std::invocable Words>
-  Label(const Words& words) : words_(&words), speak_([](const void* w) { return std::string((*static_cast<const Words*>(w))()); }) {}
-  Label(const std::string& text) : words_(&text), speak_([](const void* t) { return *static_cast<const std::string*>(t); }) {}
-  Label(const char* text) : words_(text), speak_([](const void* t) { return std::string(static_cast<const char*>(t)); }) {}
+  Label(const Words& words)
+      : words_(&words), speak_([](const void* w) { return std::string((*static_cast<const Words*>(w))()); }) {}
+  Label(const std::string& text)
+      : words_(&text), speak_([](const void* t) { return *static_cast<const std::string*>(t); }) {}
+  Label(const char* text)
+      : words_(text), speak_([](const void* t) { return std::string(static_cast<const char*>(t)); }) {}
   std::string text() const { return speak_(words_); }
 
  private:

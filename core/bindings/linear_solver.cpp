@@ -20,7 +20,8 @@ using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
 // A pattern in compressed-column storage, made symmetric, with its solver.
 class PatternSolver {
  public:
-  PatternSolver(const Integers& column_start, const Integers& row_index, bool dense, const LinearSolverOptions& options) {
+  PatternSolver(const Integers& column_start, const Integers& row_index, bool dense,
+                const LinearSolverOptions& options) {
     const int size = static_cast<int>(column_start.size()) - 1;
     const auto for_each_entry = [&](auto&& f) {
       for (int j = 0; j < size; ++j) {
@@ -68,7 +69,9 @@ class PatternSolver {
   static void check(const DoubleArray& received, std::size_t size, const char* where) {
     if (received.ndim() == 1 && static_cast<std::size_t>(received.size()) == size) return;
     const auto numbers = [](auto count) { return std::to_string(count) + " numbers"; };
-    refuse(ErrorKind::value, {.item = "testing.LinearSolver", .parameter = where, .received = numbers(received.size()),
+    refuse(ErrorKind::value, {.item = "testing.LinearSolver",
+                              .parameter = where,
+                              .received = numbers(received.size()),
                               .expected = numbers(size)});
   }
 
@@ -83,23 +86,26 @@ class PatternSolver {
 
 void register_linear_solver(py::module_& module) {
   py::module_ testing = module.attr("testing");
-  py::class_<PatternSolver>(testing, "LinearSolver",
-                            "Solver of A x = b for matrices with one pattern, in compressed columns as scipy.sparse.csc_array "
-                            "has them. instructions: one of instruction_sets(), by default the first.")
+  py::class_<PatternSolver>(
+      testing, "LinearSolver",
+      "Solver of A x = b for matrices with one pattern, in compressed columns as scipy.sparse.csc_array "
+      "has them. instructions: one of instruction_sets(), by default the first.")
       .def(py::init([](const Integers& column_start, const Integers& row_index, bool dense, double pivot_threshold,
                        bool ignore_singular, int unsettled_matrices, const std::string& instructions) {
              const LinearSolverOptions options{pivot_threshold, ignore_singular, unsettled_matrices, instructions};
              return std::make_unique<PatternSolver>(column_start, row_index, dense, options);
            }),
-           py::arg("indptr"), py::arg("indices"), py::kw_only(), py::arg("dense") = false, py::arg("pivot_threshold") = 0.0,
-           py::arg("ignore_singular") = false, py::arg("unsettled_matrices") = 0, py::arg("instructions") = "")
+           py::arg("indptr"), py::arg("indices"), py::kw_only(), py::arg("dense") = false,
+           py::arg("pivot_threshold") = 0.0, py::arg("ignore_singular") = false, py::arg("unsettled_matrices") = 0,
+           py::arg("instructions") = "")
       .def("factorize", &PatternSolver::factorize, py::arg("data"),
            "Factors of the matrix with these values, which stand in the order of indices. Returns -1, or the column at "
            "which no pivot was left.")
       .def("solve", &PatternSolver::solve, py::arg("b"), "x of A x = b.")
-      .def_property_readonly("statistics", &PatternSolver::statistics,
-                             "factorizations; pivot_searches: how many of them chose their pivots; entries: numbers in the "
-                             "factors.");
+      .def_property_readonly(
+          "statistics", &PatternSolver::statistics,
+          "factorizations; pivot_searches: how many of them chose their pivots; entries: numbers in the "
+          "factors.");
   testing.def("instruction_sets", &instruction_sets,
               "Those of this processor for which the factorization has code of its own, best first.");
 }

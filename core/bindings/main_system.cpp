@@ -23,16 +23,32 @@ struct SystemFunctionWords {
   const char* doc;
 };
 constexpr SystemFunctionWords system_functions[] = {
-    {"PreStep", "Set the function f(mbs, t) that solvers call before each step, with the time t (s) of its end; it may change parameters, and returns True to go on, False to stop."},
-    {"PostStep", "Set the function f(mbs, t) that solvers call after each step; it returns True to go on, False to stop."},
-    {"PostNewton", "Set the function f(mbs, t) that solvers call after Newton's method; it may switch data coordinates, and returns [error of the discontinuous "
-                   "iteration, recommended step size (s) or -1]."},
-    {"PreNewtonResidual", "Set the function f(mbs, t, newtonIteration, discontinuousIteration) that implicit solvers call before they compute a residual."},
-    {"SystemJacobian", "Set the function f(mbs, t, factorODE2, factorODE2_t, factorODE1) that returns a MatrixContainer, which is added to the system matrix."},
-    {"Events", "Set the function f(mbs, t) whose values have zeros at events: a list with a number per event, or with pairs of the number and a direction."},
-    {"EventAction", "Set the function f(mbs, t, event, direction) that acts when an event has happened; it returns True to go on, False to stop."},
-    {"ItemEventAction", "Set the function f(mbs, t, item, event, direction) that acts when an item has switched, with events.ofItems: the number of the object (in GeneralContact: "
-                        "the name of the sphere or shape), 'contact', 'friction', 'stop' or the like, and 1 if that begins, -1 if it ends; it returns True to go on, False to stop."}};
+    {"PreStep",
+     "Set the function f(mbs, t) that solvers call before each step, with the time t (s) of its end; it may change "
+     "parameters, and returns True to go on, False to stop."},
+    {"PostStep",
+     "Set the function f(mbs, t) that solvers call after each step; it returns True to go on, False to stop."},
+    {"PostNewton",
+     "Set the function f(mbs, t) that solvers call after Newton's method; it may switch data coordinates, and returns "
+     "[error of the discontinuous "
+     "iteration, recommended step size (s) or -1]."},
+    {"PreNewtonResidual",
+     "Set the function f(mbs, t, newtonIteration, discontinuousIteration) that implicit solvers call before they "
+     "compute a residual."},
+    {"SystemJacobian",
+     "Set the function f(mbs, t, factorODE2, factorODE2_t, factorODE1) that returns a MatrixContainer, which is added "
+     "to the system matrix."},
+    {"Events",
+     "Set the function f(mbs, t) whose values have zeros at events: a list with a number per event, or with pairs of "
+     "the number and a direction."},
+    {"EventAction",
+     "Set the function f(mbs, t, event, direction) that acts when an event has happened; it returns True to go on, "
+     "False to stop."},
+    {"ItemEventAction",
+     "Set the function f(mbs, t, item, event, direction) that acts when an item has switched, with events.ofItems: the "
+     "number of the object (in GeneralContact: "
+     "the name of the sphere or shape), 'contact', 'friction', 'stop' or the like, and 1 if that begins, -1 if it "
+     "ends; it returns True to go on, False to stop."}};
 
 constexpr const char* list_key(ItemKind kind) {
   constexpr const char* keys[] = {"nodeList", "objectList", "markerList", "loadList", "sensorList"};
@@ -69,18 +85,17 @@ void register_functions(Class& main_system) {
         ("Set" + key + "UserFunction").c_str(),
         [key](MainSystem& main, const py::object& value) { main.set_user_function(key, function_of(key, value)); },
         py::arg("value"), (std::string(doc) + " 0 removes it.").c_str());
-    main_system.def(
-        ("Get" + key + "UserFunction").c_str(),
-        [key](const MainSystem& main, bool as_dict) -> py::object {
-          py::object function = main.user_function(key);
-          if (function.is_none()) return py::int_(0);
-          if (!as_dict) return function;
-          py::dict result;
-          result["function"] = function;
-          result["type"] = "Python";
-          return result;
-        },
-        py::arg("asDict") = false, "The function that was set, or 0.");
+    main_system.def(("Get" + key + "UserFunction").c_str(),
+                    [key](const MainSystem& main, bool as_dict) -> py::object {
+                      py::object function = main.user_function(key);
+                      if (function.is_none()) return py::int_(0);
+                      if (!as_dict) return function;
+                      py::dict result;
+                      result["function"] = function;
+                      result["type"] = "Python";
+                      return result;
+                    },
+                    py::arg("asDict") = false, "The function that was set, or 0.");
   }
 }
 
@@ -97,16 +112,22 @@ void register_state(Class& main_system) {
         main.reset();
       },
       "Delete all items, user functions and variables.");
-  main_system.def("_RequireIdle", [](const MainSystem& main, const std::string& method) { require_idle(main, "mbs." + method + "(...)"); },
-                  py::arg("method"), "Refuse a call of the method while the system is being solved.");
+  main_system.def(
+      "_RequireIdle",
+      [](const MainSystem& main, const std::string& method) { require_idle(main, "mbs." + method + "(...)"); },
+      py::arg("method"), "Refuse a call of the method while the system is being solved.");
   main_system.def("__repr__", [](const MainSystem& main) { return system_summary(main); });
 }
 
 void register_rendering(Class& main_system) {
-  main_system.def("ActivateRendering", [](MainSystem&, bool) {}, py::arg("flag") = true, "Does nothing: pages show all systems.");
-  main_system.def("GetRenderEngineStopFlag", [](const MainSystem& main) { return main.stop_requested.load(); }, "Whether a stop was requested.");
-  main_system.def("SetRenderEngineStopFlag", [](MainSystem& main, bool flag) { main.stop_requested = flag; }, py::arg("stopFlag"),
-                  "Ask the running solver to stop.");
+  main_system.def(
+      "ActivateRendering", [](MainSystem&, bool) {}, py::arg("flag") = true, "Does nothing: pages show all systems.");
+  main_system.def(
+      "GetRenderEngineStopFlag", [](const MainSystem& main) { return main.stop_requested.load(); },
+      "Whether a stop was requested.");
+  main_system.def(
+      "SetRenderEngineStopFlag", [](MainSystem& main, bool flag) { main.stop_requested = flag; }, py::arg("stopFlag"),
+      "Ask the running solver to stop.");
 }
 
 }  // namespace
@@ -117,8 +138,10 @@ Model& MainSystem::restructure(const Label& call) {
 }
 
 void MainSystem::edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write) {
-  const auto call = [&] { return "mbs.Set" + std::string(kind_title(kind)) + "Parameter(" + std::to_string(number) + ", " +
-                                 in_quotes(row.name) + ", ...)"; };
+  const auto call = [&] {
+    return "mbs.Set" + std::string(kind_title(kind)) + "Parameter(" + std::to_string(number) + ", " +
+           in_quotes(row.name) + ", ...)";
+  };
   Model::changes_structure(row) ? require_idle(*this, call) : require_own_thread(*this, call);
   model_.edit(kind, number, row, write);
 }
@@ -165,7 +188,9 @@ void MainSystem::set_consistent(bool flag) {
   constexpr const char* call = "mbs.systemIsConsistent";
   require_idle(*this, call);
   if (flag && !system.renew_sensors(model)) {
-    refuse(ErrorKind::state, {.item = call, .problem = "it cannot be set: the equations are not those of the items", .received = "True",
+    refuse(ErrorKind::state, {.item = call,
+                              .problem = "it cannot be set: the equations are not those of the items",
+                              .received = "True",
                               .advice = "Call mbs.Assemble(), which makes the system consistent."});
   }
   assembled_structure_ = flag ? model.structure_changes() : ~std::uint64_t{0};
@@ -268,8 +293,10 @@ void set_system_dictionary(MainSystem& main, const py::dict& data) {
     const ItemKind kind = static_cast<ItemKind>(k);
     if (!data.contains(list_key(kind))) continue;
     for (const py::handle entry : data[list_key(kind)]) {
-      const std::string where = "SetDictionary(...), " + std::string(list_key(kind)) + "[" + std::to_string(model.count(kind)) + "]";
-      if (!py::isinstance<py::dict>(entry)) refuse(ErrorKind::type, {where, "", "", show(entry.ptr()), "a dictionary", ""});
+      const std::string where =
+          "SetDictionary(...), " + std::string(list_key(kind)) + "[" + std::to_string(model.count(kind)) + "]";
+      if (!py::isinstance<py::dict>(entry))
+        refuse(ErrorKind::type, {where, "", "", show(entry.ptr()), "a dictionary", ""});
       Item item = item_from_dictionary(kind, py::reinterpret_borrow<py::dict>(entry), where);
       item.record = bind_user_functions(*item.type, std::move(item.record), main);
       model.add(std::move(item));
@@ -277,7 +304,8 @@ void set_system_dictionary(MainSystem& main, const py::dict& data) {
   }
   if (data.contains("generalContactList")) {
     for (const py::handle entry : data["generalContactList"])
-      model.add(general_contact_from(entry, "SetDictionary(...), generalContactList[" + std::to_string(model.term_sources().size()) + "]"));
+      model.add(general_contact_from(
+          entry, "SetDictionary(...), generalContactList[" + std::to_string(model.term_sources().size()) + "]"));
   }
   const auto entries = [&](const char* key) {
     return data.contains(key) && py::isinstance<py::dict>(data[key]) ? copy_of(data[key]) : py::dict();
@@ -285,7 +313,8 @@ void set_system_dictionary(MainSystem& main, const py::dict& data) {
   const py::dict functions = entries("userFunctions"), settings = entries("settings");
   std::map<std::string, py::object> user_functions;
   for (const auto& words : system_functions)
-    if (const std::string name(words.name), key = dictionary_key(name); functions.contains(key)) user_functions[name] = function_of(name, functions[key.c_str()]);
+    if (const std::string name(words.name), key = dictionary_key(name); functions.contains(key))
+      user_functions[name] = function_of(name, functions[key.c_str()]);
   const bool interactive = settings.contains("interactiveMode") && settings["interactiveMode"].cast<bool>();
   const py::dict variables = entries("variables"), sys = entries("systemVariables");
   main.reset_to(std::move(model));
@@ -318,14 +347,17 @@ void register_main_system(py::module_& module) {
   main_system.def(py::init([] { return std::make_shared<MainSystem>(); }));
   main_system.def_readwrite("variables", &MainSystem::variables, "A dictionary that is free for the user.");
   main_system.def_readwrite("sys", &MainSystem::sys, "A dictionary in which utilities keep their data.");
-  main_system.def_readwrite("interactiveMode", &MainSystem::interactive, "Kept, without effect: items are added, changed and looked at in any order.");
-  main_system.def_property("solverSignalJacobianUpdate", [](const MainSystem& main) { return main.jacobian_update_requested.load(); },
-                           [](MainSystem& main, bool flag) { main.jacobian_update_requested = flag; },
-                           "Set by user functions to ask for a new Jacobian.");
+  main_system.def_readwrite("interactiveMode", &MainSystem::interactive,
+                            "Kept, without effect: items are added, changed and looked at in any order.");
+  main_system.def_property(
+      "solverSignalJacobianUpdate", [](const MainSystem& main) { return main.jacobian_update_requested.load(); },
+      [](MainSystem& main, bool flag) { main.jacobian_update_requested = flag; },
+      "Set by user functions to ask for a new Jacobian.");
   main_system.def_property("systemIsConsistent", &MainSystem::consistent, &MainSystem::set_consistent,
                            "Whether the system is assembled and has the same items since.");
   main_system.def_property_readonly(
-      "systemData", [](MainSystem& main) { return SystemData{main.shared_from_this()}; }, "Coordinates and index tables.");
+      "systemData", [](MainSystem& main) { return SystemData{main.shared_from_this()}; },
+      "Coordinates and index tables.");
   register_functions(main_system);
   register_state(main_system);
   register_rendering(main_system);

@@ -30,10 +30,12 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   Excerpts excerpts;  // excerpts of the model while it is not assembled
 
   py::dict variables, sys;  // free for the user; kept for utilities
-  std::map<std::string, py::object> user_functions;  // PreStep, PostStep, PostNewton, PreNewtonResidual, SystemJacobian, Events, EventAction, ItemEventAction
-  SensorStorage sensor_storage;                      // sensors with storeInternal
+  std::map<std::string, py::object>
+      user_functions;  // PreStep, PostStep, PostNewton, PreNewtonResidual, SystemJacobian, Events, EventAction, ItemEventAction
+  SensorStorage sensor_storage;  // sensors with storeInternal
   bool interactive = false;
-  std::atomic<bool> stop_requested = false, jacobian_update_requested = false;  // also by other threads than the solver's
+  std::atomic<bool> stop_requested = false,
+                    jacobian_update_requested = false;  // also by other threads than the solver's
   std::weak_ptr<SystemContainer> container;
   std::shared_ptr<py::object> visualization_settings;  // settings of its container, which may have been deleted
   // Set when the configuration Visualization is read: a solver then updates it. Otherwise it saves the time.
@@ -64,7 +66,9 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   void reset_to(Model model);
   // Replaces the items, or their values, of a copy for viewers (Shadow), which has no other user.
   void become(Model model, bool assembled);
-  void renew(ItemKind kind, int number, std::shared_ptr<const void> record) { model_.renew(kind, number, std::move(record)); }
+  void renew(ItemKind kind, int number, std::shared_ptr<const void> record) {
+    model_.renew(kind, number, std::move(record));
+  }
 
   // Returns None if no function was set.
   py::object user_function(const std::string& name) const;
@@ -94,9 +98,9 @@ void register_general_contact(py::module_& module);
 py::list general_contact_dictionaries(const MainSystem& main);
 std::shared_ptr<SystemTermSource> general_contact_from(const py::handle& data, const std::string& where);
 
-py::dict system_dictionary(const MainSystem& main);                  // GetDictionary
+py::dict system_dictionary(const MainSystem& main);  // GetDictionary
 // implements SetDictionary; after an error the system is unchanged
 void set_system_dictionary(MainSystem& main, const py::dict& data);
-std::string system_summary(const MainSystem& main);                  // counts per kind, for repr
+std::string system_summary(const MainSystem& main);  // counts per kind, for repr
 
 }  // namespace dalembert

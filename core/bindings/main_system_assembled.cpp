@@ -28,7 +28,7 @@ OutputVariableType variable_argument(const py::object& value, const char* method
   static const Enumeration variables("OutputVariableType");
   if (!variables.has(value.ptr()))
     refuse(ErrorKind::type, {called(method), "variableType", "", show(value.ptr()), "a member of OutputVariableType",
-                              member_advice("OutputVariableType", value.ptr())});
+                             member_advice("OutputVariableType", value.ptr())});
   return static_cast<OutputVariableType>(Enumeration::number(value.ptr()));
 }
 
@@ -55,11 +55,13 @@ std::array<double, 3> position_argument(const py::object& value, const char* met
 // Accepts a number; kinematic trees also accept the name of a link.
 int mesh_node_argument(const MainSystem& main, int object, const py::object& value, const char* method) {
   if (PyUnicode_Check(value.ptr()))
-    return number_of_link(main.model.item(ItemKind::object, object), Named::links, to_string(value.ptr()), called(method), "meshNodeNumber");
+    return number_of_link(main.model.item(ItemKind::object, object), Named::links, to_string(value.ptr()),
+                          called(method), "meshNodeNumber");
   try {
     return read_integer(value.ptr());
   } catch (const Refusal& refusal) {
-    refuse(refusal.kind, {called(method), "meshNodeNumber", "", show(value.ptr()), "an integer, or the name of a link", ""});
+    refuse(refusal.kind,
+           {called(method), "meshNodeNumber", "", show(value.ptr()), "an integer, or the name of a link", ""});
   }
 }
 
@@ -73,7 +75,8 @@ py::object number_or_array(const std::vector<double>& values) {
 
 // Rigid transformations are returned as HT.
 py::object output_value(OutputVariableType variable, const std::vector<double>& values) {
-  if (variable != OutputVariableType::HomogeneousTransformation && variable != OutputVariableType::HomogeneousTransformationLocal)
+  if (variable != OutputVariableType::HomogeneousTransformation &&
+      variable != OutputVariableType::HomogeneousTransformationLocal)
     return number_or_array(values);
   return py::module_::import("dalembert._geometry.rigid_transformation").attr("of_matrix")(array(values));
 }
@@ -112,8 +115,9 @@ void register_assembly(Class& main_system) {
                   "A part of Assemble(): list the coordinates of objects, if items have changed.");
   main_system.def("AssembleInitializeSystemCoordinates", all("AssembleInitializeSystemCoordinates"),
                   "A part of Assemble(): take over reference and initial values of all nodes, and start from them.");
-  main_system.def("AssembleSystemInitialize", [](MainSystem& main) { main.assembled("AssembleSystemInitialize"); },
-                  "A part of Assemble(): take over changed parameters of the other items.");
+  main_system.def(
+      "AssembleSystemInitialize", [](MainSystem& main) { main.assembled("AssembleSystemInitialize"); },
+      "A part of Assemble(): take over changed parameters of the other items.");
 }
 
 void register_outputs(Class& main_system) {
@@ -128,7 +132,9 @@ void register_outputs(Class& main_system) {
         source.system->node_output(source.number, asked, in, values);
         return output_value(asked, values);
       },
-      py::arg("nodeNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a node, in the current configuration or another one; a number or an array, in the units of the node's page.");
+      py::arg("nodeNumber"), py::arg("variableType"), py::arg("configuration") = py::none(),
+      "An output variable of a node, in the current configuration or another one; a number or an array, in the units "
+      "of the node's page.");
   main_system.def(
       "GetObjectOutput",
       [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& configuration) {
@@ -140,7 +146,8 @@ void register_outputs(Class& main_system) {
         return output_value(asked, values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration") = py::none(),
-      "An output variable of an object, e.g. the force in a connector; a number or an array, in the units of its page.");
+      "An output variable of an object, e.g. the force in a connector; a number or an array, in the units of its "
+      "page.");
   main_system.def(
       "GetObjectOutputBody",
       [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& position,
@@ -159,18 +166,18 @@ void register_outputs(Class& main_system) {
       py::arg("configuration") = py::none(), "An output variable of a body at a local position.");
   main_system.def(
       "GetObjectOutputSuperElement",
-      [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& mesh_node, const py::object& configuration) {
+      [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& mesh_node,
+         const py::object& configuration) {
         const char* const method = "GetObjectOutputSuperElement";
         const int number = item_number_argument(main, ItemKind::object, object.ptr(), method);
         std::vector<double> values;
         const OutputVariableType asked = variable_argument(variable, method);
-        main.assembled(method)
-            .super_element_output(number, asked, mesh_node_argument(main, number, mesh_node, method),
-                                  current_or(main, configuration, method), values);
+        main.assembled(method).super_element_output(number, asked, mesh_node_argument(main, number, mesh_node, method),
+                                                    current_or(main, configuration, method), values);
         return output_value(asked, values);
       },
-      py::arg("objectNumber"), py::arg("variableType"), py::arg("meshNodeNumber"), py::arg("configuration") = py::none(),
-      "An output variable of a super element at one of its mesh nodes.");
+      py::arg("objectNumber"), py::arg("variableType"), py::arg("meshNodeNumber"),
+      py::arg("configuration") = py::none(), "An output variable of a super element at one of its mesh nodes.");
   main_system.def(
       "GetMarkerOutput",
       [](MainSystem& main, const py::object& marker, const py::object& variable, const py::object& configuration) {
@@ -182,7 +189,8 @@ void register_outputs(Class& main_system) {
         source.system->marker_output(source.number, asked, in, values);
         return asked == OutputVariableType::HomogeneousTransformation ? output_value(asked, values) : array(values);
       },
-      py::arg("markerNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a marker, such as its position (m).");
+      py::arg("markerNumber"), py::arg("variableType"), py::arg("configuration") = py::none(),
+      "An output variable of a marker, such as its position (m).");
 }
 
 bool keeps_values(const Item& sensor) {
@@ -210,7 +218,9 @@ void register_loads_and_sensors(Class& main_system) {
             .sensor_values(number, current_or(main, configuration, "GetSensorValues"), values);
         return number_or_array(values);
       },
-      py::arg("sensorNumber"), py::arg("configuration") = py::none(), "The value of a sensor, in the current configuration or another one; a number or an array, in the units of its output variable.");
+      py::arg("sensorNumber"), py::arg("configuration") = py::none(),
+      "The value of a sensor, in the current configuration or another one; a number or an array, in the units of its "
+      "output variable.");
   main_system.def(
       "GetSensorStoredData",
       [](MainSystem& main, const py::object& sensor) -> py::object {
@@ -247,9 +257,10 @@ void register_indices(Class& main_system) {
           const int number = item_number_argument(main, ItemKind::node, node.ptr(), entry.method);
           const int index = main.at_rest(entry.method).node_index(number, entry.kind);
           if (index < 0) {
-            refuse(ErrorKind::value, {called(entry.method), "",
-                                      main.model.describe(ItemKind::node, number) + " has no " + entry.coordinates + " coordinates", "",
-                                      "", "Ask for the coordinates that this type of node has."});
+            refuse(ErrorKind::value,
+                   {called(entry.method), "",
+                    main.model.describe(ItemKind::node, number) + " has no " + entry.coordinates + " coordinates", "",
+                    "", "Ask for the coordinates that this type of node has."});
           }
           return index;
         },

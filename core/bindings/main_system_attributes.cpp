@@ -14,7 +14,8 @@
 namespace dalembert {
 
 namespace {
-constexpr const char* explaining = "Let a function of a MainSystem and a name raise the error for an attribute that the system has not.";
+constexpr const char* explaining =
+    "Let a function of a MainSystem and a name raise the error for an attribute that the system has not.";
 }
 
 #if PY_VERSION_HEX >= 0x030c0000
@@ -25,9 +26,12 @@ py::object class_of_main_system() {
   return py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(py::detail::get_internals().default_metaclass));
 }
 
-void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>&) {
-  module.def("_explain_missing_attributes", [main_system](const py::function& function) { main_system.attr("__getattr__") = function; },
-             py::arg("function"), py::pos_only(), explaining);
+void register_main_system_attributes(py::module_& module, const py::object& main_system,
+                                     const std::array<AddItem, item_kinds>&) {
+  module.def(
+      "_explain_missing_attributes",
+      [main_system](const py::function& function) { main_system.attr("__getattr__") = function; }, py::arg("function"),
+      py::pos_only(), explaining);
 }
 
 #else
@@ -36,8 +40,7 @@ namespace {
 
 // Replaces the bound method, to which it delegates everything but the call.
 struct Adder {
-  PyObject_HEAD
-  vectorcallfunc call;
+  PyObject_HEAD vectorcallfunc call;
   PyObject* main;
   AddItem add;
   std::size_t kind;
@@ -58,13 +61,17 @@ Adder* spare = nullptr;  // one unused object without a system
 
 Adder* as_adder(PyObject* object) { return reinterpret_cast<Adder*>(object); }
 
-PyObject* bound_method(PyObject* self) { return PyObject_GenericGetAttr(as_adder(self)->main, adders[as_adder(self)->kind].name); }
+PyObject* bound_method(PyObject* self) {
+  return PyObject_GenericGetAttr(as_adder(self)->main, adders[as_adder(self)->kind].name);
+}
 
 PyObject* call_adder(PyObject* self, PyObject* const* arguments, std::size_t flags, PyObject* names) {
   const Adder* adder = as_adder(self);
-  if (PyVectorcall_NARGS(flags) == 1 && names == nullptr) [[likely]] return adder->add(adder->main, arguments[0]);
+  if (PyVectorcall_NARGS(flags) == 1 && names == nullptr) [[likely]]
+    return adder->add(adder->main, arguments[0]);
   const auto method = py::reinterpret_steal<py::object>(bound_method(self));
-  return method ? PyObject_Vectorcall(method.ptr(), arguments, flags & ~PY_VECTORCALL_ARGUMENTS_OFFSET, names) : nullptr;
+  return method ? PyObject_Vectorcall(method.ptr(), arguments, flags & ~PY_VECTORCALL_ARGUMENTS_OFFSET, names)
+                : nullptr;
 }
 
 PyObject* make_adder(PyObject* main, std::size_t kind) {
@@ -139,8 +146,9 @@ PyTypeObject* make_adder_type() {
       {Py_tp_members, members},
       {0, nullptr},
   };
-  PyType_Spec spec{"dalembert._core._Adder", sizeof(Adder), 0,
-                   Py_TPFLAGS_DEFAULT | Py_TPFLAGS_HAVE_GC | Py_TPFLAGS_HAVE_VECTORCALL | Py_TPFLAGS_DISALLOW_INSTANTIATION, slots};
+  PyType_Spec spec{
+      "dalembert._core._Adder", sizeof(Adder), 0,
+      Py_TPFLAGS_DEFAULT | Py_TPFLAGS_HAVE_GC | Py_TPFLAGS_HAVE_VECTORCALL | Py_TPFLAGS_DISALLOW_INSTANTIATION, slots};
   PyObject* type = PyType_FromSpec(&spec);
   if (type == nullptr) throw py::error_already_set();
   return reinterpret_cast<PyTypeObject*>(type);
@@ -148,7 +156,8 @@ PyTypeObject* make_adder_type() {
 
 void look_for_adders() {
   has_adders = std::ranges::all_of(adders, [](const Method& each) {
-    const auto found = py::reinterpret_steal<py::object>(PyObject_GetAttr(reinterpret_cast<PyObject*>(system_type), each.name));
+    const auto found =
+        py::reinterpret_steal<py::object>(PyObject_GetAttr(reinterpret_cast<PyObject*>(system_type), each.name));
     return found.ptr() == each.descriptor;
   });
   PyErr_Clear();
@@ -179,24 +188,30 @@ void explain_attributes_of(PyHeapTypeObject* type) { type->ht_type.tp_getattro =
 py::object class_of_main_system() {
   PyType_Slot slots[] = {{Py_tp_setattro, reinterpret_cast<void*>(set_class_attribute)}, {0, nullptr}};
   PyType_Spec spec{"dalembert._core._SystemType", 0, 0, Py_TPFLAGS_DEFAULT, slots};
-  const py::tuple bases = py::make_tuple(py::handle(reinterpret_cast<PyObject*>(py::detail::get_internals().default_metaclass)));
+  const py::tuple bases =
+      py::make_tuple(py::handle(reinterpret_cast<PyObject*>(py::detail::get_internals().default_metaclass)));
   auto made = py::reinterpret_steal<py::object>(PyType_FromSpecWithBases(&spec, bases.ptr()));
   if (!made) throw py::error_already_set();
   return made;
 }
 
-void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>& add) {
+void register_main_system_attributes(py::module_& module, const py::object& main_system,
+                                     const std::array<AddItem, item_kinds>& add) {
   adder_type = make_adder_type();
   system_type = reinterpret_cast<PyTypeObject*>(main_system.ptr());
   for (std::size_t k = 0; k < adders.size(); ++k) {
     const std::string name = "Add" + std::string(kind_title(static_cast<ItemKind>(k)));
-    adders[k] = {PyUnicode_InternFromString(name.c_str()), py::object(main_system.attr(name.c_str())).release().ptr(), add[k]};
+    adders[k] = {PyUnicode_InternFromString(name.c_str()), py::object(main_system.attr(name.c_str())).release().ptr(),
+                 add[k]};
   }
   look_for_adders();
-  module.def("_explain_missing_attributes", [](const py::function& function) {
-    Py_XDECREF(explainer);
-    explainer = Py_NewRef(function.ptr());
-  }, py::arg("function"), py::pos_only(), explaining);
+  module.def(
+      "_explain_missing_attributes",
+      [](const py::function& function) {
+        Py_XDECREF(explainer);
+        explainer = Py_NewRef(function.ptr());
+      },
+      py::arg("function"), py::pos_only(), explaining);
 }
 
 #endif

@@ -18,6 +18,7 @@ void explain_attributes_of(PyHeapTypeObject* type);
 // The metaclass, which notices when a method is replaced.
 py::object class_of_main_system();
 // `add` by kind, as the class has them.
-void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>& add);
+void register_main_system_attributes(py::module_& module, const py::object& main_system,
+                                     const std::array<AddItem, item_kinds>& add);
 
 }  // namespace dalembert

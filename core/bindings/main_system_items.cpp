@@ -32,7 +32,8 @@ int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value,
                std::string(kind_name(kind)) + "s.");
     }
   } else if (PyUnicode_Check(value)) {
-    return number_of(main.model, kind, to_string(value), "mbs." + method.text() + "(...)", std::string(kind_name(kind)) + "Number");
+    return number_of(main.model, kind, to_string(value), "mbs." + method.text() + "(...)",
+                     std::string(kind_name(kind)) + "Number");
   } else {
     try {
       number = read_integer(value);
@@ -54,7 +55,8 @@ ConfigurationType configuration_argument(const py::object& value, const Label& w
   const bool is_member = configurations.has(value.ptr());
   if (is_member) {
     const auto configuration = static_cast<ConfigurationType>(Enumeration::number(value.ptr()));
-    if (configuration != ConfigurationType::_None && configuration != ConfigurationType::EndOfEnumList) return configuration;
+    if (configuration != ConfigurationType::_None && configuration != ConfigurationType::EndOfEnumList)
+      return configuration;
   }
   refuse(is_member ? ErrorKind::value : ErrorKind::type,
          {.item = where.text(),
@@ -81,8 +83,7 @@ std::string method_name(const char* verb, ItemKind kind, const char* rest = "") 
 Item other_item(ItemKind kind, PyObject* value) {
   const auto where = [&] { return "mbs." + method_name("Add", kind) + "(...)"; };
   if (PyDict_Check(value)) return item_from_dictionary(kind, py::reinterpret_borrow<py::dict>(value), where);
-  if (PyType_Check(value))
-    refuse_item(kind, value, "Put parentheses behind the class to make an item of it.");
+  if (PyType_Check(value)) refuse_item(kind, value, "Put parentheses behind the class to make an item of it.");
   // Everything that dict() accepts is allowed.
   PyObject* dictionary = PyObject_CallOneArg(reinterpret_cast<PyObject*>(&PyDict_Type), value);
   if (dictionary == nullptr) {
@@ -98,8 +99,9 @@ Item item_argument(ItemKind kind, PyObject* value) {
   if (object == nullptr) return other_item(kind, value);
   const ItemType& type = *object->item_class->type;
   if (type.kind != kind) {
-    refuse_item(kind, value, std::string(type.name) + " is " + with_article(kind_name(type.kind)) + "; use mbs." +
-                                 method_name("Add", type.kind) + "(...).");
+    refuse_item(kind, value,
+                std::string(type.name) + " is " + with_article(kind_name(type.kind)) + "; use mbs." +
+                    method_name("Add", type.kind) + "(...).");
   }
   return take_item(object);
 }
@@ -120,11 +122,13 @@ PyObject* add_item(PyObject* self, PyObject* value) {
     static const ItemType* last = nullptr;
     static bool has_functions = false;  // the last type that was added
     if (item.type != last) {
-      has_functions = std::ranges::any_of(item.type->rows, [](const Row& row) { return row.storage == Storage::user_function; });
+      has_functions =
+          std::ranges::any_of(item.type->rows, [](const Row& row) { return row.storage == Storage::user_function; });
       last = item.type;
     }
     if (has_functions) item.record = bind_user_functions(*item.type, std::move(item.record), *main);
-    return make_index(K, main->restructure([] { return "mbs." + method_name("Add", K) + "(...)"; }).add(std::move(item)));
+    return make_index(K,
+                      main->restructure([] { return "mbs." + method_name("Add", K) + "(...)"; }).add(std::move(item)));
   });
 }
 
@@ -151,14 +155,16 @@ const Row& require_row(const MainSystem& main, ItemKind kind, int number, std::s
   const Row* row = find_row(type, name);
   if (row == nullptr) {
     const std::string constant = own_constant(main.model, kind, number, name);
-    refuse(ErrorKind::value, {main.model.describe(kind, number), "", "there is no parameter " + in_quotes(name), "", "",
-                              constant.empty() ? suggest_parameter(type, name) : "Did you mean " + in_quotes(constant) + "?"});
+    refuse(ErrorKind::value,
+           {main.model.describe(kind, number), "", "there is no parameter " + in_quotes(name), "", "",
+            constant.empty() ? suggest_parameter(type, name) : "Did you mean " + in_quotes(constant) + "?"});
   }
   return *row;
 }
 
 // A rigid transformation of that name, for Get...Parameter and Set...Parameter; nullptr: there is none.
-const ItemClass::Transformation* transformation_of(const MainSystem& main, ItemKind kind, int number, std::string_view name) {
+const ItemClass::Transformation* transformation_of(const MainSystem& main, ItemKind kind, int number,
+                                                   std::string_view name) {
   const ItemClass& item_class = class_of(*main.model.item(kind, number).type);
   if (item_class.transformations.empty()) return nullptr;
   return find_transformation(item_class, py::str(std::string(name)).ptr());
@@ -172,8 +178,8 @@ py::object get_parameter(const MainSystem& main, ItemKind kind, int number, cons
   const Row& row = require_row(main, kind, number, name);
   if (row.role == Role::name) return py::str(main.model.name(kind, number));
   const Item& item = main.model.item(kind, number);
-  py::object value = py::reinterpret_steal<py::object>(
-      to_python(row, member(item.record.get(), row), Form::copy, nullptr));
+  py::object value =
+      py::reinterpret_steal<py::object>(to_python(row, member(item.record.get(), row), Form::copy, nullptr));
   if (row.role == Role::visualization && row.storage == Storage::vector4) return value.attr("tolist")();
   return value;
 }
@@ -190,10 +196,12 @@ void set_parameter(MainSystem& main, ItemKind kind, int number, std::string_view
   if (const auto* transformation = transformation_of(main, kind, number, name)) {
     const Item& item = main.model.item(kind, number);
     const std::shared_ptr<void> changed = item.type->record.copy(item.record.get());
-    set_transformation(class_of(*item.type), *transformation, value, changed.get(), [&] { return main.model.describe(kind, number); });
+    set_transformation(class_of(*item.type), *transformation, value, changed.get(),
+                       [&] { return main.model.describe(kind, number); });
     for (const Row* part : {transformation->position, transformation->rotation})
       if (part != nullptr) {
-        const py::object given = py::reinterpret_steal<py::object>(to_python(*part, member(changed.get(), *part), Form::copy, nullptr));
+        const py::object given =
+            py::reinterpret_steal<py::object>(to_python(*part, member(changed.get(), *part), Form::copy, nullptr));
         set_parameter(main, kind, number, part->name, given.ptr());
       }
     return;
@@ -203,19 +211,23 @@ void set_parameter(MainSystem& main, ItemKind kind, int number, std::string_view
     try {
       given = read_real(value);
     } catch (const Refusal& refusal) {
-      refuse(refusal.kind, {main.model.describe(kind, number), std::string(name), "", show(value), "a finite number", ""});
+      refuse(refusal.kind,
+             {main.model.describe(kind, number), std::string(name), "", show(value), "a finite number", ""});
     }
     for (const RecordedConstant& constant : constants)
-      set_parameter(main, kind, number, constant.row.name, with_constant(*constant.function, constant.name, given).ptr());
+      set_parameter(main, kind, number, constant.row.name,
+                    with_constant(*constant.function, constant.name, given).ptr());
     return;
   }
   const Row& row = require_row(main, kind, number, name);
   if (const std::string constant = own_constant(main.model, kind, number, name); !constant.empty())
-    refuse(ErrorKind::value, {main.model.describe(kind, number), std::string(name), "the law has a constant of this name, and does not read the parameter",
-                              "", "", "Use " + in_quotes(constant) + "."});
+    refuse(ErrorKind::value, {main.model.describe(kind, number), std::string(name),
+                              "the law has a constant of this name, and does not read the parameter", "", "",
+                              "Use " + in_quotes(constant) + "."});
   const Item& item = main.model.item(kind, number);
   const auto where = [&] { return main.model.describe(kind, number); };
-  if (row.internal) refuse(ErrorKind::value, {where(), std::string(name), "cannot be set", "", "", "It is computed by the system."});
+  if (row.internal)
+    refuse(ErrorKind::value, {where(), std::string(name), "cannot be set", "", "", "It is computed by the system."});
   const ItemType& type = *item.type;
   const std::shared_ptr<const void> before = item.record;
   const auto write = [&](void* target) {
@@ -251,7 +263,8 @@ void modify_item(MainSystem& main, ItemKind kind, int number, const py::dict& ch
   }
   std::shared_ptr<void> record = type.record.copy(old.record.get());
   update_from_dictionary(class_of(type), changes, record.get(), where);
-  main.restructure([&] { return "mbs." + method_name("Modify", kind) + "(...)"; }).replace(kind, number, {&type, bind_user_functions(type, std::move(record), main)});
+  main.restructure([&] { return "mbs." + method_name("Modify", kind) + "(...)"; })
+      .replace(kind, number, {&type, bind_user_functions(type, std::move(record), main)});
 }
 
 void delete_item(MainSystem& main, ItemKind kind, int number, bool with_dependents, bool quiet) {
@@ -281,18 +294,19 @@ void register_delete(Class& main_system, ItemKind kind) {
       [kind, name](MainSystem& main, const py::object& index, bool along, bool quiet) {
         delete_item(main, kind, item_number_argument(main, kind, index.ptr(), name), along, quiet);
       },
-      py::arg(number.c_str()), py::arg(kind == ItemKind::object ? "deleteDependentItems" : "deleteDependentMarkers") = true,
+      py::arg(number.c_str()),
+      py::arg(kind == ItemKind::object ? "deleteDependentItems" : "deleteDependentMarkers") = true,
       py::arg("suppressWarnings") = false, doc.c_str());
 }
 
 void register_reading(Class& main_system, ItemKind kind) {
   const std::string noun(kind_name(kind)), title(kind_title(kind)), number = noun + "Number", get = "Get" + title;
-  main_system.def(
-      (get + "Number").c_str(),
-      [kind](const MainSystem& main, const std::string& name) {
-        return py::reinterpret_steal<py::object>(make_index(kind, main.model.number(kind, name)));
-      },
-      py::arg((noun + "Name").c_str()), ("The index of the " + noun + " with that name; invalid if there is none.").c_str());
+  main_system.def((get + "Number").c_str(),
+                  [kind](const MainSystem& main, const std::string& name) {
+                    return py::reinterpret_steal<py::object>(make_index(kind, main.model.number(kind, name)));
+                  },
+                  py::arg((noun + "Name").c_str()),
+                  ("The index of the " + noun + " with that name; invalid if there is none.").c_str());
   if (kind == ItemKind::object) {
     main_system.def(
         get.c_str(),
@@ -308,19 +322,21 @@ void register_reading(Class& main_system, ItemKind kind) {
         },
         py::arg(number.c_str()), "All parameters as a dictionary.");
   }
-  main_system.def(
-      (get + "Defaults").c_str(),
-      [kind](const MainSystem&, const std::string& name) {
-        const ItemType& type = require_type_of_any_package(kind, name, "mbs." + method_name("Get", kind, "Defaults") + "(...)");
-        return item_dictionary(type, class_of(type).defaults.get(), "", true);
-      },
-      py::arg("typeName"), ("The default parameters of a type of " + noun + " as a dictionary.").c_str());
+  main_system.def((get + "Defaults").c_str(),
+                  [kind](const MainSystem&, const std::string& name) {
+                    const ItemType& type = require_type_of_any_package(
+                        kind, name, "mbs." + method_name("Get", kind, "Defaults") + "(...)");
+                    return item_dictionary(type, class_of(type).defaults.get(), "", true);
+                  },
+                  py::arg("typeName"), ("The default parameters of a type of " + noun + " as a dictionary.").c_str());
   main_system.def(
       (get + "Parameter").c_str(),
       [kind, method = get + "Parameter"](const MainSystem& main, const py::object& index, const std::string& name) {
         return get_parameter(main, kind, item_number_argument(main, kind, index.ptr(), method), name);
       },
-      py::arg(number.c_str()), py::arg("parameterName"), ("A parameter of the " + noun + ", which is given by its index or name; visualization parameters begin with 'V'.").c_str());
+      py::arg(number.c_str()), py::arg("parameterName"),
+      ("A parameter of the " + noun + ", which is given by its index or name; visualization parameters begin with 'V'.")
+          .c_str());
 }
 
 // Set...Parameter(number, name, value), which user functions call at each step: pybind11 takes a quarter of its time to find
@@ -334,14 +350,16 @@ PyObject* quick_set(PyObject* self, PyObject* const* arguments, Py_ssize_t count
     const Py_ssize_t all = count + (names == nullptr ? 0 : PyTuple_GET_SIZE(names));
     std::vector<PyObject*> passed{self};
     passed.insert(passed.end(), arguments, arguments + all);
-    return PyObject_Vectorcall(general_setters[static_cast<std::size_t>(K)], passed.data(), static_cast<std::size_t>(count + 1), names);
+    return PyObject_Vectorcall(general_setters[static_cast<std::size_t>(K)], passed.data(),
+                               static_cast<std::size_t>(count + 1), names);
   }
   return guarded([&] {
     MainSystem* main = system_of(self);
     Py_ssize_t length = 0;
     const char* name = PyUnicode_AsUTF8AndSize(arguments[1], &length);
     if (name == nullptr) throw py::error_already_set();
-    set_parameter(*main, K, item_number_argument(*main, K, arguments[0], method), {name, static_cast<std::size_t>(length)}, arguments[2]);
+    set_parameter(*main, K, item_number_argument(*main, K, arguments[0], method),
+                  {name, static_cast<std::size_t>(length)}, arguments[2]);
     return Py_NewRef(Py_None);
   });
 }
@@ -352,8 +370,9 @@ void register_quick_set(Class& main_system) {
   const py::object general = main_system.attr(name.c_str());
   main_system.attr(("_" + name).c_str()) = general;  // where explain_wrong_calls() finds it
   general_setters[static_cast<std::size_t>(K)] = Py_NewRef(general.ptr());
-  static const std::string doc = name + "($self, " + std::string(kind_name(K)) + "Number, parameterName, value)\n--\n\nSet a parameter of the " +
-                                 std::string(kind_name(K)) + ", which is given by its index or name; visualization parameters begin with 'V'.";
+  static const std::string doc =
+      name + "($self, " + std::string(kind_name(K)) + "Number, parameterName, value)\n--\n\nSet a parameter of the " +
+      std::string(kind_name(K)) + ", which is given by its index or name; visualization parameters begin with 'V'.";
   static PyMethodDef definition{name.c_str(), reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(quick_set<K>)),
                                 METH_FASTCALL | METH_KEYWORDS, doc.c_str()};
   PyObject* descriptor = PyDescr_NewMethod(reinterpret_cast<PyTypeObject*>(main_system.ptr()), &definition);
@@ -370,13 +389,16 @@ void register_writing(Class& main_system, ItemKind kind) {
         set_parameter(main, kind, item_number_argument(main, kind, index.ptr(), set), name, value.ptr());
       },
       py::arg(number.c_str()), py::arg("parameterName"), py::arg("value"),
-      ("Set a parameter of the " + noun + ", which is given by its index or name; visualization parameters begin with 'V'.").c_str());
+      ("Set a parameter of the " + noun +
+       ", which is given by its index or name; visualization parameters begin with 'V'.")
+          .c_str());
   main_system.def(
       modify.c_str(),
       [kind, modify](MainSystem& main, const py::object& index, const py::dict& changes) {
         modify_item(main, kind, item_number_argument(main, kind, index.ptr(), modify), changes);
       },
-      py::arg(number.c_str()), py::arg((noun + "Dict").c_str()), "Set the parameters that the dictionary names; the others stay.");
+      py::arg(number.c_str()), py::arg((noun + "Dict").c_str()),
+      "Set the parameters that the dictionary names; the others stay.");
 }
 
 // _item_counts(mbs): numbers of items, from which a function with several steps can undo its additions.
@@ -386,8 +408,10 @@ PyObject* item_counts(PyObject* system_class, PyObject* self) {
       return PyErr_Format(PyExc_TypeError, "_item_counts(mbs) takes a MainSystem");
     const MainSystem& main = *system_of(self);
     std::array<int, item_kinds> counts{};
-    for (int k = 0; k < item_kinds; ++k) counts[static_cast<std::size_t>(k)] = main.model.count(static_cast<ItemKind>(k));
-    return PyBytes_FromStringAndSize(reinterpret_cast<const char*>(counts.data()), sizeof(counts));  // quicker than five integers
+    for (int k = 0; k < item_kinds; ++k)
+      counts[static_cast<std::size_t>(k)] = main.model.count(static_cast<ItemKind>(k));
+    return PyBytes_FromStringAndSize(reinterpret_cast<const char*>(counts.data()),
+                                     sizeof(counts));  // quicker than five integers
   });
 }
 
@@ -411,8 +435,9 @@ void register_main_system_items(py::module_& module, Class& main_system) {
   register_add<ItemKind::marker>(main_system);
   register_add<ItemKind::load>(main_system);
   register_add<ItemKind::sensor>(main_system);
-  register_main_system_attributes(module, main_system, {add_item<ItemKind::node>, add_item<ItemKind::object>, add_item<ItemKind::marker>,
-                                                        add_item<ItemKind::load>, add_item<ItemKind::sensor>});
+  register_main_system_attributes(module, main_system,
+                                  {add_item<ItemKind::node>, add_item<ItemKind::object>, add_item<ItemKind::marker>,
+                                   add_item<ItemKind::load>, add_item<ItemKind::sensor>});
   for (int k = 0; k < item_kinds; ++k) {
     const ItemKind kind = static_cast<ItemKind>(k);
     register_reading(main_system, kind);
@@ -425,10 +450,12 @@ void register_main_system_items(py::module_& module, Class& main_system) {
   register_quick_set<ItemKind::load>(main_system);
   register_quick_set<ItemKind::sensor>(main_system);
   static PyMethodDef counts{"_item_counts", item_counts, METH_O,
-                            "_item_counts(mbs, /)\n--\n\nThe numbers of nodes, objects, markers, loads and sensors, as the bytes of integers of C."};
+                            "_item_counts(mbs, /)\n--\n\nThe numbers of nodes, objects, markers, loads and sensors, as "
+                            "the bytes of integers of C."};
   module.add_object("_item_counts", py::reinterpret_steal<py::object>(PyCFunction_New(&counts, main_system.ptr())));
-  main_system.def("GetAvailableFactoryItems", [](const MainSystem&) { return factory_items(); },
-                  "The names of all item types, by kind.");
+  main_system.def(
+      "GetAvailableFactoryItems", [](const MainSystem&) { return factory_items(); },
+      "The names of all item types, by kind.");
 }
 
 }  // namespace dalembert

@@ -21,20 +21,26 @@ bool ModalMesh::find(const MainSystem& main, int object) {
   return nodes_ > 0 && coordinates_ >= 0;
 }
 
-void ModalMesh::points(const MainSystem& main, std::span<const double, 12> rows, float* to) { points().place(weights(main), rows, to); }
+void ModalMesh::points(const MainSystem& main, std::span<const double, 12> rows, float* to) {
+  points().place(weights(main), rows, to);
+}
 
 ModalPoints& ModalMesh::points() {
   if (!points_) {
     const auto& p = parameters();
     const auto modes = static_cast<std::size_t>(p.modeBasis.columns);
-    points_.emplace(nodes_, modes, [&](std::size_t node, std::size_t i) { return p.referencePositions[3 * node + i]; },
-                    [&](std::size_t node, std::size_t i, std::size_t mode) { return p.modeBasis.values[(3 * node + i) * modes + mode]; });
+    points_.emplace(
+        nodes_, modes, [&](std::size_t node, std::size_t i) { return p.referencePositions[3 * node + i]; },
+        [&](std::size_t node, std::size_t i, std::size_t mode) {
+          return p.modeBasis.values[(3 * node + i) * modes + mode];
+        });
   }
   return *points_;
 }
 
 bool ModalMesh::has(OutputVariableType variable) const {
-  return variable == OutputVariableType::Displacement || (variable != OutputVariableType::_None && variable == parameters().outputVariableTypeModeBasis);
+  return variable == OutputVariableType::Displacement ||
+         (variable != OutputVariableType::_None && variable == parameters().outputVariableTypeModeBasis);
 }
 
 void ModalMesh::numbers(const MainSystem& main, OutputVariableType variable, int component, double* to) {
@@ -42,9 +48,12 @@ void ModalMesh::numbers(const MainSystem& main, OutputVariableType variable, int
   const auto& p = parameters();
   if (!numbers_ || component != component_) {
     const auto columns = static_cast<std::size_t>(p.outputVariableModeBasis.columns);
-    const std::size_t first = component < 0 ? 0 : static_cast<std::size_t>(component), count = component < 0 ? outputs : first < outputs ? 1 : 0;
-    numbers_.emplace(nodes_, count, columns / outputs,
-                     [&](std::size_t node, std::size_t i, std::size_t mode) { return p.outputVariableModeBasis.values[node * columns + outputs * mode + first + i]; });
+    const std::size_t first = component < 0 ? 0 : static_cast<std::size_t>(component), count = component < 0 ? outputs
+                                                                                               : first < outputs ? 1
+                                                                                                                 : 0;
+    numbers_.emplace(nodes_, count, columns / outputs, [&](std::size_t node, std::size_t i, std::size_t mode) {
+      return p.outputVariableModeBasis.values[node * columns + outputs * mode + first + i];
+    });
     component_ = component;
   }
   numbers_->numbers(weights(main), to);
@@ -52,13 +61,17 @@ void ModalMesh::numbers(const MainSystem& main, OutputVariableType variable, int
 
 void ModalMesh::displacements(const MainSystem& main, int component, double* to) {
   const auto rows = [&](ConfigurationType configuration) { return main.system.pose(object_, configuration, totals_); };
-  points().displacements(weights(main), rows(ConfigurationType::Visualization), rows(ConfigurationType::Reference), component, to);
+  points().displacements(weights(main), rows(ConfigurationType::Visualization), rows(ConfigurationType::Reference),
+                         component, to);
 }
 
-const ObjectFFRFreducedOrderParameters& ModalMesh::parameters() const { return static_cast<const ObjectFFRFreducedOrderRecord*>(record_.get())->parameters; }
+const ObjectFFRFreducedOrderParameters& ModalMesh::parameters() const {
+  return static_cast<const ObjectFFRFreducedOrderRecord*>(record_.get())->parameters;
+}
 
 std::span<const double> ModalMesh::weights(const MainSystem& main) const {
-  return std::span(main.system.state(ConfigurationType::Visualization).q).subspan(static_cast<std::size_t>(coordinates_));
+  return std::span(main.system.state(ConfigurationType::Visualization).q)
+      .subspan(static_cast<std::size_t>(coordinates_));
 }
 
 ModalMesh* ModalMeshes::find(const MainSystem& main, int object) {

@@ -155,7 +155,8 @@ void help() {
 
 // Check of arguments of Python functions: applies a parameter check, "rotation", "color" or "unit_vector", to an
 // array of numbers.
-std::string problem_of(const std::string& check, const py::array_t<double, py::array::c_style | py::array::forcecast>& value) {
+std::string problem_of(const std::string& check,
+                       const py::array_t<double, py::array::c_style | py::array::forcecast>& value) {
   const bool rotation = check == "rotation", color = check == "color";
   if (value.size() != (rotation ? 9 : color ? 4 : 3)) throw std::logic_error("_problem_of: wrong number of values");
   if (color) {
@@ -184,7 +185,8 @@ std::string attributes_text(const T& object, const std::vector<const char*>& nam
 }
 
 template <class Owner, class Value>
-void add_idle_switch(py::class_<Owner>& owner, const std::string& where, const char* name, Value Owner::*member, const std::string& reason) {
+void add_idle_switch(py::class_<Owner>& owner, const std::string& where, const char* name, Value Owner::* member,
+                     const std::string& reason) {
   owner.def_property(
       name, [member](const Owner& self) { return self.*member; },
       [=](Owner& self, Value value) {
@@ -232,15 +234,17 @@ void register_config(py::module_& module) {
   c.def_readonly("printFileName", &Config::printFileName, "Name of that file.");
   c.def_readonly("printToFileAppend", &Config::printToFileAppend, "Whether that file is continued.");
   c.def_property(
-      "outputDirectory", [](const Config&) { return output_directory(); }, [](const Config&, std::string directory) { output_directory() = std::move(directory); },
-      "Folder of files of solvers, sensors and SetWriteToFile; '' for none. At the start it is that of the environment variable "
+      "outputDirectory", [](const Config&) { return output_directory(); },
+      [](const Config&, std::string directory) { output_directory() = std::move(directory); },
+      "Folder of files of solvers, sensors and SetWriteToFile; '' for none. At the start it is that of the environment "
+      "variable "
       "DALEMBERT_OUTPUTDIRECTORY or EXUDYN_OUTPUTDIRECTORY.");
   for (const char* variable : {"EXUDYN_OUTPUTDIRECTORY", "DALEMBERT_OUTPUTDIRECTORY"})
     if (const char* given = std::getenv(variable)) output_directory() = given;
   c.def("__repr__", [](const Config& self) {
-    return attributes_text(self,
-                           {"outputDirectory", "suppressWarnings", "outputPrecision", "linalgOutputFormatPython", "printDelayMilliSeconds",
-                            "printFlushAlways", "printToConsole", "printToFile", "printFileName", "printToFileAppend"});
+    return attributes_text(self, {"outputDirectory", "suppressWarnings", "outputPrecision", "linalgOutputFormatPython",
+                                  "printDelayMilliSeconds", "printFlushAlways", "printToConsole", "printToFile",
+                                  "printFileName", "printToFileAppend"});
   });
   module.attr("config") = py::cast(config(), py::return_value_policy::reference);
 }
@@ -273,9 +277,11 @@ void register_special(py::module_& module) {
       "InfoStat", [](const Special&, bool write_output) { return allocation_counts(write_output); },
       py::arg("writeOutput") = true, "Seven zeros: allocations are not counted.");
   module.attr("special") = py::cast(special(), py::return_value_policy::reference);
-  py::class_<Experimental> experimental(module, "Experimental", "Switches of the reference's development, as exu.experimental.");
+  py::class_<Experimental> experimental(module, "Experimental",
+                                        "Switches of the reference's development, as exu.experimental.");
   add_idle_switch(experimental, "exu.experimental.", "eigenFullPivotLUsolverDebugLevel",
-                  &Experimental::eigenFullPivotLUsolverDebugLevel, "the diagnosis of a failed factorization is in the SolverError");
+                  &Experimental::eigenFullPivotLUsolverDebugLevel,
+                  "the diagnosis of a failed factorization is in the SolverError");
   add_idle_switch(experimental, "exu.experimental.", "markerSuperElementRigidTexpSO3",
                   &Experimental::markerSuperElementRigidTexpSO3, "derivatives of such markers are always exact");
   module.attr("experimental") = py::cast(Experimental{});
@@ -300,8 +306,9 @@ void register_earlier_functions(py::module_& module) {
   module.def(
       "SuppressWarnings", [](bool flag) { config().suppressWarnings = flag; }, py::arg("flag"),
       "Earlier form of config.suppressWarnings.");
-  module.def("_collect_warnings", [](py::object list) { warning_list() = std::move(list); }, py::arg("list"),
-             "Append the texts of warnings to this list instead of writing them; None: write them.");
+  module.def(
+      "_collect_warnings", [](py::object list) { warning_list() = std::move(list); }, py::arg("list"),
+      "Append the texts of warnings to this list instead of writing them; None: write them.");
   module.def("InfoStat", &allocation_counts, py::arg("writeOutput") = true, "Earlier name of special.InfoStat.");
   for (const char* name : {"StartRenderer", "IsRendererActive", "DoRendererIdleTasks"})
     module.def(name, [](const py::args&, const py::kwargs&) { return false; }, "Does nothing: there is no renderer.");
@@ -334,11 +341,12 @@ void check_version(const py::dict& data, const std::string& where) {
   const auto made_by = py::str(data["__version__"]).cast<std::string>();
   if (made_by == DALEMBERT_VERSION) return;
   if (special().exceptions.dictionaryVersionMismatch)
-    refuse(ErrorKind::value, {.item = where,
-                              .parameter = "__version__",
-                              .received = made_by,
-                              .expected = DALEMBERT_VERSION,
-                              .advice = "To read it all the same, set exu.special.exceptions.dictionaryVersionMismatch = False."});
+    refuse(ErrorKind::value,
+           {.item = where,
+            .parameter = "__version__",
+            .received = made_by,
+            .expected = DALEMBERT_VERSION,
+            .advice = "To read it all the same, set exu.special.exceptions.dictionaryVersionMismatch = False."});
   write_warning(where + ": version " + made_by + " has made this dictionary, not " DALEMBERT_VERSION);
 }
 
@@ -347,10 +355,11 @@ const SolverSwitches& solver_switches() { return special().solver; }
 void register_module_functions(py::module_& module) {
   module.def("Help", &help, "Show where to begin.");
   module.def("Print", &print, "Print as Python does, to where exu.config and SetWriteToFile say.");
-  module.def("SetWriteToFile", &set_write_to_file, py::arg("filename"), py::arg("flagWriteToFile") = true,
-             py::arg("flagAppend") = false, py::arg("flagFlushAlways") = false,
-             "Write all output to a file as well, or end that (flagWriteToFile=False), which closes the file. An OSError if "
-             "that is not possible, also later, by what prints; then the file has ended.");
+  module.def(
+      "SetWriteToFile", &set_write_to_file, py::arg("filename"), py::arg("flagWriteToFile") = true,
+      py::arg("flagAppend") = false, py::arg("flagFlushAlways") = false,
+      "Write all output to a file as well, or end that (flagWriteToFile=False), which closes the file. An OSError if "
+      "that is not possible, also later, by what prints; then the file has ended.");
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_writing_to_file));  // while errors can be shown
   module.def("_problem_of", &problem_of, py::arg("check"), py::arg("value"), py::pos_only(),
              "What is wrong with a rotation or a unit vector; empty if nothing is.");
@@ -358,7 +367,7 @@ void register_module_functions(py::module_& module) {
   register_special(module);
   register_earlier_functions(module);
   module.attr("variables") = py::dict();  // free for users
-  module.attr("sys") = py::dict();        // for utilities
+  module.attr("sys") = py::dict();  // for utilities
 }
 
 }  // namespace dalembert

@@ -26,7 +26,8 @@ std::vector<MovingParts::Frame> frames_of_parts(const Numbers<std::int32_t>& row
   std::vector<MovingParts::Frame> frames(static_cast<std::size_t>(rows.size()) / 3);
   const std::int32_t* row = rows.data();
   for (auto& [kind, number, other] : frames) {
-    if (*row < 0 || *row > static_cast<std::int32_t>(MovingParts::FrameKind::span)) throw py::value_error("_MovingParts: frames: there is no such kind");
+    if (*row < 0 || *row > static_cast<std::int32_t>(MovingParts::FrameKind::span))
+      throw py::value_error("_MovingParts: frames: there is no such kind");
     kind = static_cast<MovingParts::FrameKind>(*row++);
     number = *row++;
     other = *row++;
@@ -37,7 +38,8 @@ std::vector<MovingParts::Frame> frames_of_parts(const Numbers<std::int32_t>& row
 // Text and numbers of a message, one after the other.
 class MessageBytes {
  public:
-  explicit MessageBytes(std::size_t size) : object_(py::reinterpret_steal<py::bytes>(PyBytes_FromStringAndSize(nullptr, static_cast<py::ssize_t>(size)))) {
+  explicit MessageBytes(std::size_t size)
+      : object_(py::reinterpret_steal<py::bytes>(PyBytes_FromStringAndSize(nullptr, static_cast<py::ssize_t>(size)))) {
     if (!object_) throw py::error_already_set();
     next_ = PyBytes_AS_STRING(object_.ptr());
   }
@@ -68,16 +70,26 @@ struct SentArray {
   Numbers<float> first{};  // the values that viewers have with the whole scene
   std::optional<bool> turned = false;  // all parts: they are sent in fewer words
 
-  std::size_t words() const { return turned == true ? count / MovingParts::numbers(form) * MovingParts::words_of_turn : count; }
-  std::size_t bytes() const { return kind == Kind::shades ? (count + 3) / 4 * 4 : sizeof(float) * words(); }  // a multiple of 4
+  std::size_t words() const {
+    return turned == true ? count / MovingParts::numbers(form) * MovingParts::words_of_turn : count;
+  }
+  std::size_t bytes() const {
+    return kind == Kind::shades ? (count + 3) / 4 * 4 : sizeof(float) * words();
+  }  // a multiple of 4
   std::string told() const {
-    return (kind == Kind::shades ? R"(["u1",)" : turned == true ? R"(["r6",)" : R"(["f4",)") + std::to_string(words()) + ']';
+    return (kind == Kind::shades ? R"(["u1",)"
+            : turned == true     ? R"(["r6",)"
+                                 : R"(["f4",)") +
+           std::to_string(words()) + ']';
   }
 };
 
 // Forms of the arrays of moving parts.
 constexpr std::array<std::pair<std::string_view, Form>, 4> forms_of_moving{
-    {{"rows", Form::rows}, {"turns", Form::rows}, {"place", Form::place}, {"place and number", Form::place_and_number}}};
+    {{"rows", Form::rows},
+     {"turns", Form::rows},
+     {"place", Form::place},
+     {"place and number", Form::place_and_number}}};
 
 // A number as JSON has it.
 void append_number(std::string& text, double number) {
@@ -94,29 +106,38 @@ void append_decimal(std::string& text, double number) {
 
 // Output variable and component; flags: automatic range, growing range; the fixed range and the previous range;
 // colors.
-using RuleTuple = std::tuple<py::object, int, bool, bool, std::array<double, 2>, std::array<double, 2>, Numbers<std::uint8_t>>;
+using RuleTuple =
+    std::tuple<py::object, int, bool, bool, std::array<double, 2>, std::array<double, 2>, Numbers<std::uint8_t>>;
 
 ColoredParts::Rule rule_of(const RuleTuple& tuple) {
   const auto& [variable, component, automatic, grows, limits, shown, table] = tuple;
   const auto rows = all(table);
-  return {static_cast<OutputVariableType>(Enumeration::number(variable.ptr())), component, automatic, grows, {limits[0], limits[1]},
-          {shown[0], shown[1]}, {rows.begin(), rows.end()}};
+  return {static_cast<OutputVariableType>(Enumeration::number(variable.ptr())),
+          component,
+          automatic,
+          grows,
+          {limits[0], limits[1]},
+          {shown[0], shown[1]},
+          {rows.begin(), rows.end()}};
 }
 
 // Asks one system; all of it needs the lock of the interpreter.
 class PartsOfSystem {
  public:
-  PartsOfSystem(std::shared_ptr<MainSystem> main, const Numbers<std::int32_t>& frames) : main_(std::move(main)), parts_(frames_of_parts(frames)) {}
+  PartsOfSystem(std::shared_ptr<MainSystem> main, const Numbers<std::int32_t>& frames)
+      : main_(std::move(main)), parts_(frames_of_parts(frames)) {}
 
   bool find(const py::object& value) {
-    const ConfigurationType configuration = configuration_argument(value, [] { return std::string("_MovingParts.find(...)"); });
+    const ConfigurationType configuration =
+        configuration_argument(value, [] { return std::string("_MovingParts.find(...)"); });
     if (!main_->consistent()) return false;
     if (configuration == ConfigurationType::Visualization) main_->look_wanted = true;
     return parts_.find(main_->system, configuration);
   }
   py::array frames() const {
     py::array_t<double> result({static_cast<py::ssize_t>(parts_.frames()), py::ssize_t{3}, py::ssize_t{4}});
-    for (std::size_t i = 0; i < parts_.frames(); ++i) std::ranges::copy(parts_.frame(i), result.mutable_data() + 12 * i);
+    for (std::size_t i = 0; i < parts_.frames(); ++i)
+      std::ranges::copy(parts_.frame(i), result.mutable_data() + 12 * i);
     return result;
   }
   int add(const Numbers<std::int32_t>& index, const std::optional<Numbers<double>>& local) {
@@ -133,9 +154,12 @@ class PartsOfSystem {
     entries_.clear();
     colored_.emplace(main_, std::move(meshes), rule_of(rule));
     for (const auto& handle : entries) {
-      const auto [form, group, item, numbers, first] = handle.cast<std::tuple<std::string, int, int, Numbers<double>, Numbers<float>>>();
+      const auto [form, group, item, numbers, first] =
+          handle.cast<std::tuple<std::string, int, int, Numbers<double>, Numbers<float>>>();
       const bool is_colored = form == "mesh" || form == "ball" || form == "shades";
-      SentArray entry = form.empty() ? SentArray{} : is_colored ? colored(form, group, item, numbers) : moving(form, group, numbers);
+      SentArray entry = form.empty() ? SentArray{}
+                        : is_colored ? colored(form, group, item, numbers)
+                                     : moving(form, group, numbers);
       if (entry.kind != SentArray::Kind::stays) each("_MovingParts.keep(...)", first, entry.count, 1, "first");
       entry.first = first;
       entries_.push_back(std::move(entry));
@@ -148,7 +172,9 @@ class PartsOfSystem {
   py::object message(std::string_view words, py::set& moved) {
     System& system = main_->system;
     const double time = main_->consistent() ? system.state(ConfigurationType::Visualization).time : NAN;
-    if (!colored_ || !std::isfinite(time) || !parts_.find(system, ConfigurationType::Visualization) || !colored_->find(parts_)) return py::none();
+    if (!colored_ || !std::isfinite(time) || !parts_.find(system, ConfigurationType::Visualization) ||
+        !colored_->find(parts_))
+      return py::none();
     main_->look_wanted = true;
     std::size_t size = 0;
     std::string head = head_of(time, words);
@@ -194,12 +220,14 @@ class PartsOfSystem {
 
  private:
   int checked(int group) const {
-    if (group < 0 || static_cast<std::size_t>(group) >= parts_.groups()) throw py::index_error("_MovingParts: there is no such group");
+    if (group < 0 || static_cast<std::size_t>(group) >= parts_.groups())
+      throw py::index_error("_MovingParts: there is no such group");
     return group;
   }
   SentArray moving(std::string_view form, int group, const Numbers<double>& numbers) const {
     const auto* const known = std::ranges::find(forms_of_moving, form, &std::pair<std::string_view, Form>::first);
-    if (known == forms_of_moving.end()) throw py::value_error("_MovingParts.keep(...): there is no form " + std::string(form));
+    if (known == forms_of_moving.end())
+      throw py::value_error("_MovingParts.keep(...): there is no form " + std::string(form));
     SentArray entry{.kind = SentArray::Kind::moves, .group = checked(group), .form = known->second, .numbers = numbers};
     const std::size_t count = parts_.size(group);
     entry.count = count * MovingParts::numbers(entry.form);
@@ -210,11 +238,13 @@ class PartsOfSystem {
   // Shades are those of the points before them.
   SentArray colored(std::string_view form, int group, int item, const Numbers<double>& numbers) {
     if (form == "shades") {
-      if (entries_.empty() || entries_.back().kind != SentArray::Kind::points) throw py::value_error("_MovingParts.keep(...): shades of no points");
+      if (entries_.empty() || entries_.back().kind != SentArray::Kind::points)
+        throw py::value_error("_MovingParts.keep(...): shades of no points");
       colored_->color(entries_.back().part);
       return {.kind = SentArray::Kind::shades, .part = entries_.back().part, .count = entries_.back().count};
     }
-    const std::size_t part = form == "mesh" ? colored_->add_mesh(item) : colored_->add_ball(item, checked(group), all(numbers));
+    const std::size_t part =
+        form == "mesh" ? colored_->add_mesh(item) : colored_->add_ball(item, checked(group), all(numbers));
     return {.kind = SentArray::Kind::points, .part = part, .count = 3 * colored_->points(part)};
   }
   std::string head_of(double time, std::string_view words) const {
@@ -241,7 +271,8 @@ class PartsOfSystem {
   bool has_other_shades(const SentArray& entry) {
     shades_.resize(entry.count);
     colored_->write_shades(entry.part, shades_.data());
-    return !std::ranges::equal(shades_, all(entry.first), [](std::uint8_t now, float before) { return static_cast<float>(now) == before; });
+    return !std::ranges::equal(shades_, all(entry.first),
+                               [](std::uint8_t now, float before) { return static_cast<float>(now) == before; });
   }
   // Returns whether an array has moved; nullopt if this is unknown. Arrays that have moved once are always sent,
   // because viewers may have missed the motion and the return. If an array moves for the first time, now_ has its
@@ -289,17 +320,22 @@ void register_moving_parts(py::module_& module) {
           for (int j = 0; j < 3; ++j) result.mutable_at(i, j) = columns[static_cast<std::size_t>(j)][i];
         return result;
       },
-      py::arg("axis"), py::arg("across") = py::none(), "A rotation matrix whose third column is along an axis; its first one is near `across`, if given.");
-  parts
-      .def(py::init<std::shared_ptr<MainSystem>, const Numbers<std::int32_t>&>(), py::arg("mbs"), py::arg("frames"))
-      .def("find", &PartsOfSystem::find, py::arg("configuration"),
-           "Find all frames; False if there is no such item, or a span has become much longer or shorter than at first.")
-      .def("frames", &PartsOfSystem::frames, "Rotation and position (n x 3 x 4) of all frames, as they were found last.")
+      py::arg("axis"), py::arg("across") = py::none(),
+      "A rotation matrix whose third column is along an axis; its first one is near `across`, if given.");
+  parts.def(py::init<std::shared_ptr<MainSystem>, const Numbers<std::int32_t>&>(), py::arg("mbs"), py::arg("frames"))
+      .def(
+          "find", &PartsOfSystem::find, py::arg("configuration"),
+          "Find all frames; False if there is no such item, or a span has become much longer or shorter than at first.")
+      .def("frames", &PartsOfSystem::frames,
+           "Rotation and position (n x 3 x 4) of all frames, as they were found last.")
       .def("add", &PartsOfSystem::add, py::arg("index"), py::arg("local") = py::none(),
            "Add parts that stand in frames, as these do without `local`; returns the number of their group.")
-      .def("placed", &PartsOfSystem::placed, py::arg("group"), "Where the parts of a group are (n x 3 x 4); None if one is nowhere.")
+      .def("placed", &PartsOfSystem::placed, py::arg("group"),
+           "Where the parts of a group are (n x 3 x 4); None if one is nowhere.")
       .def("keep", &PartsOfSystem::keep, py::arg("entries"), py::arg("rule"), py::arg("meshes"),
-           "Keep what messages tell, array by array: form (empty: nothing that moves; turns: rows in fewer words as long as they are turned), group, item, numbers, and values in the whole scene; and which numbers have which colors.")
+           "Keep what messages tell, array by array: form (empty: nothing that moves; turns: rows in fewer words as "
+           "long as they are turned), group, item, numbers, and values in the whole scene; and which numbers have "
+           "which colors.")
       .def_property_readonly("range", &PartsOfSystem::range, "Of the numbers that the last message shows as colors.")
       .def("message", &PartsOfSystem::message, py::arg("words"), py::arg("moved"),
            "The message of a frame, in which `words` follow the time; `moved`: which arrays have ever moved.");

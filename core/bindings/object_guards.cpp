@@ -20,8 +20,10 @@ void* refuse_unmade(std::size_t) {
 // through C code.
 py::tuple reduced(const py::object& self) {
   const py::object type = py::type::of(self);
-  if (!py::hasattr(type, "__setstate__")) throw py::type_error("cannot pickle '" + std::string(py::str(type.attr("__name__"))) + "' object");
-  return py::make_tuple(py::module_::import("copyreg").attr("__newobj__"), py::make_tuple(type), self.attr("__getstate__")());
+  if (!py::hasattr(type, "__setstate__"))
+    throw py::type_error("cannot pickle '" + std::string(py::str(type.attr("__name__"))) + "' object");
+  return py::make_tuple(py::module_::import("copyreg").attr("__newobj__"), py::make_tuple(type),
+                        self.attr("__getstate__")());
 }
 
 }  // namespace
@@ -38,7 +40,8 @@ void guard_objects(py::module_& module) {
   });
   for (const py::handle& known : classes) {
     const auto type = py::reinterpret_borrow<py::object>(known);
-    if (!type.attr("__dict__").contains("__reduce__")) type.attr("__reduce__") = py::cpp_function(&reduced, py::is_method(type), py::name("__reduce__"));
+    if (!type.attr("__dict__").contains("__reduce__"))
+      type.attr("__reduce__") = py::cpp_function(&reduced, py::is_method(type), py::name("__reduce__"));
   }
 }
 

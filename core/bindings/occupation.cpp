@@ -17,7 +17,8 @@ std::string users_of(const MainSystem& main) {
 }
 
 [[noreturn]] void refuse_busy(const MainSystem& main, const Label& call, const std::string& advice) {
-  refuse(ErrorKind::state, {.item = call.text(), .problem = "the system is in use: " + users_of(main), .advice = advice});
+  refuse(ErrorKind::state,
+         {.item = call.text(), .problem = "the system is in use: " + users_of(main), .advice = advice});
 }
 
 }  // namespace
@@ -49,9 +50,12 @@ bool RunningFunction::in_evaluation_here(const MainSystem& main) {
 Work::Work(const std::shared_ptr<MainSystem>& main, SolverWrapper& solver, const char* method, Extent extent)
     : main_(main), solver_(solver), method_(method), outer_(solver.work) {
   const auto call = [method] { return std::string("solver.") + method + "(mbs, ...)"; };
-  if (!main) refuse(ErrorKind::type, {.item = call(), .parameter = "mainSystem", .received = "None", .expected = "a MainSystem"});
+  if (!main)
+    refuse(ErrorKind::type,
+           {.item = call(), .parameter = "mainSystem", .received = "None", .expected = "a MainSystem"});
   if (outer_ != nullptr && (!outer_->of(*main) || !outer_->here())) {
-    refuse(ErrorKind::state, {.item = call(), .problem = "the solver is at work on another system, or in another thread",
+    refuse(ErrorKind::state, {.item = call(),
+                              .problem = "the solver is at work on another system, or in another thread",
                               .advice = "Make a solver object of its own for each solution."});
   }
   const bool running_part = outer_ != nullptr && extent == Extent::part && !RunningFunction::in_evaluation_here(*main);
@@ -65,19 +69,23 @@ std::string Work::text() const { return "it is being solved (" + solver_.solver(
 
 void require_idle(const MainSystem& main, const Label& call) {
   if (main.work == nullptr && !RunningFunction::any()) return;
-  if (main.work == nullptr && RunningFunction::here(main) == nullptr && RunningFunction::elsewhere(main) == nullptr) return;
-  refuse_busy(main, call,
-              "Call it before or after. Meanwhile user functions may set parameters of items and coordinates, and change and "
-              "solve a copy made by copy.copy(mbs).");
+  if (main.work == nullptr && RunningFunction::here(main) == nullptr && RunningFunction::elsewhere(main) == nullptr)
+    return;
+  refuse_busy(
+      main, call,
+      "Call it before or after. Meanwhile user functions may set parameters of items and coordinates, and change and "
+      "solve a copy made by copy.copy(mbs).");
 }
 
 void require_own_thread(const MainSystem& main, const Label& call) {
   const bool solved_elsewhere = main.work != nullptr && !main.work->here();
   if (!solved_elsewhere && (!RunningFunction::any() || RunningFunction::elsewhere(main) == nullptr)) return;
-  refuse_busy(main, call,
-              "Leave it to a user function, e.g. that of mbs.SetPreStepUserFunction(...). Other threads may read items, the "
-              "sizes and numbers of coordinates, and coordinates of ConfigurationType.Visualization, which are renewed every few "
-              "milliseconds.");
+  refuse_busy(
+      main, call,
+      "Leave it to a user function, e.g. that of mbs.SetPreStepUserFunction(...). Other threads may read items, the "
+      "sizes and numbers of coordinates, and coordinates of ConfigurationType.Visualization, which are renewed every "
+      "few "
+      "milliseconds.");
 }
 
 }  // namespace dalembert

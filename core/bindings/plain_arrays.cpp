@@ -40,18 +40,21 @@ PyObject* floats_of_array(const py::array& array, const std::array<Py_ssize_t, 2
   bool fits = static_cast<std::size_t>(array.ndim()) == dimensions && array.dtype().is(py::dtype::of<double>());
   for (std::size_t i = 0; fits && i < dimensions; ++i) fits = array.shape(static_cast<py::ssize_t>(i)) == shape[i];
   if (!fits) return Py_NewRef(Py_None);
-  const Py_ssize_t columns = dimensions == 2 ? shape[1] : 1, row_step = array.strides(0), column_step = dimensions == 2 ? array.strides(1) : 0;
+  const Py_ssize_t columns = dimensions == 2 ? shape[1] : 1, row_step = array.strides(0),
+                   column_step = dimensions == 2 ? array.strides(1) : 0;
   const char* data = static_cast<const char*>(array.data());
   PyObject* result = PyTuple_New(shape[0] * columns);
   for (Py_ssize_t i = 0; i < shape[0]; ++i)
     for (Py_ssize_t j = 0; j < columns; ++j)
-      PyTuple_SET_ITEM(result, i * columns + j, PyFloat_FromDouble(*reinterpret_cast<const double*>(data + i * row_step + j * column_step)));
+      PyTuple_SET_ITEM(result, i * columns + j,
+                       PyFloat_FromDouble(*reinterpret_cast<const double*>(data + i * row_step + j * column_step)));
   return result;
 }
 
 PyObject* floats(PyObject*, PyObject* const* arguments, Py_ssize_t count) {
   return guarded([&]() -> PyObject* {
-    if (count < 2 || count > 3) return PyErr_Format(PyExc_TypeError, "_floats(value, size) or _floats(value, rows, columns)");
+    if (count < 2 || count > 3)
+      return PyErr_Format(PyExc_TypeError, "_floats(value, size) or _floats(value, rows, columns)");
     std::array<Py_ssize_t, 2> shape{};
     for (Py_ssize_t i = 1; i < count; ++i) shape[static_cast<std::size_t>(i - 1)] = PyLong_AsSsize_t(arguments[i]);
     if (PyErr_Occurred() != nullptr) return nullptr;
@@ -69,8 +72,11 @@ PyObject* array(PyObject*, PyObject* const* arguments, Py_ssize_t count) {
   return guarded([&]() -> PyObject* {
     const Py_ssize_t rows = count > 0 ? PyLong_AsSsize_t(arguments[0]) : -1;
     if (rows < 1 || count - 1 > static_cast<Py_ssize_t>(most_numbers) || (count - 1) % rows != 0)
-      return PyErr_Occurred() != nullptr ? nullptr : PyErr_Format(PyExc_TypeError, "_array(rows, *numbers) takes as many numbers for each row");
-    py::array_t<double> result = rows == 1 ? py::array_t<double>(count - 1) : py::array_t<double>({rows, (count - 1) / rows});
+      return PyErr_Occurred() != nullptr
+                 ? nullptr
+                 : PyErr_Format(PyExc_TypeError, "_array(rows, *numbers) takes as many numbers for each row");
+    py::array_t<double> result =
+        rows == 1 ? py::array_t<double>(count - 1) : py::array_t<double>({rows, (count - 1) / rows});
     double* to = result.mutable_data();
     for (Py_ssize_t i = 1; i < count; ++i) {
       *to = PyFloat_AsDouble(arguments[i]);
@@ -86,7 +92,8 @@ PyObject* is_rotation(PyObject*, PyObject* value) {
   return guarded([&]() -> PyObject* {
     if (!py::isinstance<py::array>(value)) return PyBool_FromLong(0);
     const auto array = py::reinterpret_borrow<py::array>(value);
-    if (array.ndim() != 2 || array.shape(0) != n || array.shape(1) != n || !array.dtype().is(py::dtype::of<double>())) return PyBool_FromLong(0);
+    if (array.ndim() != 2 || array.shape(0) != n || array.shape(1) != n || !array.dtype().is(py::dtype::of<double>()))
+      return PyBool_FromLong(0);
     const auto entry = [&, row_step = array.strides(0), column_step = array.strides(1)](int i, int j) {
       return *reinterpret_cast<const double*>(static_cast<const char*>(array.data()) + i * row_step + j * column_step);
     };
@@ -115,10 +122,13 @@ namespace dalembert {
 void register_plain_arrays(py::module_& module) {
   static PyMethodDef definitions[] = {
       {"_floats", plain::fast(plain::floats), METH_FASTCALL,
-       "_floats(value, /, *shape)\n--\n\nThe numbers of a vector, or of a matrix row by row, as a tuple; None: look closer, it may be one of another type."},
+       "_floats(value, /, *shape)\n--\n\nThe numbers of a vector, or of a matrix row by row, as a tuple; None: look "
+       "closer, it may be one of another type."},
       {"_array", plain::fast(plain::array), METH_FASTCALL,
-       "_array(rows, /, *numbers)\n--\n\nAn array of numbers: a vector, or, of more than one row, a matrix row by row."},
-      {"_is_rotation", plain::is_rotation<3>, METH_O, "_is_rotation(value, /)\n--\n\nWhether a value is an array of floats with a rotation matrix."},
+       "_array(rows, /, *numbers)\n--\n\nAn array of numbers: a vector, or, of more than one row, a matrix row by "
+       "row."},
+      {"_is_rotation", plain::is_rotation<3>, METH_O,
+       "_is_rotation(value, /)\n--\n\nWhether a value is an array of floats with a rotation matrix."},
       {"_is_transformation", plain::is_rotation<4>, METH_O,
        "_is_transformation(value, /)\n--\n\nWhether a value is an array of floats with a homogeneous transformation."},
   };

@@ -199,7 +199,8 @@ UserFunction read_user_function(PyObject* value, const Row& row) {
 
 PyObject* function_of(const UserFunction& function) {
   if (!function) return Py_None;
-  if (const auto* callback = dynamic_cast<const ItemCallback*>(function.callback.get())) return callback->function().ptr();
+  if (const auto* callback = dynamic_cast<const ItemCallback*>(function.callback.get()))
+    return callback->function().ptr();
   PyObject* symbolic = symbolic_function(*function.callback);
   return symbolic == nullptr ? Py_None : symbolic;
 }
@@ -222,7 +223,8 @@ UserFunction bind_user_function(const ItemType& type, const UserFunction& functi
   return callback == nullptr ? function : UserFunction{callback->bound_to(type, main)};
 }
 
-std::shared_ptr<const void> bind_user_functions(const ItemType& type, std::shared_ptr<const void> record, MainSystem& main) {
+std::shared_ptr<const void> bind_user_functions(const ItemType& type, std::shared_ptr<const void> record,
+                                                MainSystem& main) {
   std::shared_ptr<void> copy;
   for (const Row& row : type.rows) {
     if (row.storage != Storage::user_function) continue;
@@ -236,7 +238,8 @@ std::shared_ptr<const void> bind_user_functions(const ItemType& type, std::share
 
 void throw_python_error(const std::string& where, const std::string& call) {
   py::error_already_set error;
-  const bool miscalled = error.matches(PyExc_TypeError) && std::string_view(error.what()).find("positional argument") != std::string_view::npos;
+  const bool miscalled = error.matches(PyExc_TypeError) &&
+                         std::string_view(error.what()).find("positional argument") != std::string_view::npos;
   const std::string note = where + (miscalled && !call.empty() ? "; it is called as " + call : "");
   // Notes exist since Python 3.11; an exception type may still refuse them.
   PyObject* added = PyObject_CallMethod(error.value().ptr(), "add_note", "s", note.c_str());

@@ -25,7 +25,8 @@ void drop_function(const UserFunction& function);
 
 // The record's functions as they must be in a system: they know which system to pass. Returns the record itself if it has
 // no functions, else a changed copy.
-std::shared_ptr<const void> bind_user_functions(const ItemType& type, std::shared_ptr<const void> record, MainSystem& main);
+std::shared_ptr<const void> bind_user_functions(const ItemType& type, std::shared_ptr<const void> record,
+                                                MainSystem& main);
 UserFunction bind_user_function(const ItemType& type, const UserFunction& function, MainSystem& main);
 
 // Keeps the Python exception as it is and adds a note saying where it was raised and, if the function takes other arguments, how it

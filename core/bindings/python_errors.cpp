@@ -30,7 +30,8 @@ PyObject* exception_of(ErrorKind kind) {
   return PyExc_RuntimeError;
 }
 
-PyObject* make_exception(py::module_& module, const char* name, const char* doc, std::initializer_list<PyObject*> bases) {
+PyObject* make_exception(py::module_& module, const char* name, const char* doc,
+                         std::initializer_list<PyObject*> bases) {
   py::tuple all(bases.size());
   std::size_t i = 0;
   for (PyObject* base : bases) all[i++] = py::reinterpret_borrow<py::object>(base);
@@ -41,23 +42,35 @@ PyObject* make_exception(py::module_& module, const char* name, const char* doc,
 }
 
 void make_exceptions(py::module_& module) {
-  PyObject* const base = make_exception(module, "ExudynError", "Base of all errors of models, settings and solvers.", {PyExc_Exception});
-  PyObject* const value = make_exception(module, "ExudynValueError", "A value that is not allowed.", {base, PyExc_ValueError});
-  error_classes.model = make_exception(module, "ModelError", "An invalid value in a model or in settings; its text has the item and the parameter.", {value});
-  error_classes.type = make_exception(module, "ExudynTypeError", "A value of the wrong type, or an unknown argument.", {base, PyExc_TypeError});
-  error_classes.index = make_exception(module, "ExudynIndexError", "The number of an item that does not exist.", {base, PyExc_IndexError});
-  error_classes.name = make_exception(module, "ExudynAttributeError", "An unknown parameter of an item or setting.", {base, PyExc_AttributeError});
-  error_classes.state = make_exception(module, "StateError", "A call that is not possible in this state, for instance before Assemble.", {base, PyExc_RuntimeError});
-  error_classes.planned = make_exception(module, "NotImplementedFeatureError", "A feature that is planned.", {base, PyExc_NotImplementedError});
+  PyObject* const base =
+      make_exception(module, "ExudynError", "Base of all errors of models, settings and solvers.", {PyExc_Exception});
+  PyObject* const value =
+      make_exception(module, "ExudynValueError", "A value that is not allowed.", {base, PyExc_ValueError});
+  error_classes.model =
+      make_exception(module, "ModelError",
+                     "An invalid value in a model or in settings; its text has the item and the parameter.", {value});
+  error_classes.type = make_exception(module, "ExudynTypeError", "A value of the wrong type, or an unknown argument.",
+                                      {base, PyExc_TypeError});
+  error_classes.index = make_exception(module, "ExudynIndexError", "The number of an item that does not exist.",
+                                       {base, PyExc_IndexError});
+  error_classes.name = make_exception(module, "ExudynAttributeError", "An unknown parameter of an item or setting.",
+                                      {base, PyExc_AttributeError});
+  error_classes.state =
+      make_exception(module, "StateError", "A call that is not possible in this state, for instance before Assemble.",
+                     {base, PyExc_RuntimeError});
+  error_classes.planned = make_exception(module, "NotImplementedFeatureError", "A feature that is planned.",
+                                         {base, PyExc_NotImplementedError});
   make_exception(module, "InternalError", "Not raised; for models that catch it.", {base, PyExc_RuntimeError});
-  make_exception(module, "ExudynArithmeticError", "Not raised; for models that catch it.", {base, PyExc_ArithmeticError});
+  make_exception(module, "ExudynArithmeticError", "Not raised; for models that catch it.",
+                 {base, PyExc_ArithmeticError});
 }
 
 // An OSError with errno and filename: FileNotFoundError and the like, as Python chooses them.
 void set_os_error(const FileError& error) noexcept {
   PyObject* file = PyUnicode_DecodeFSDefault(error.file().c_str());
-  PyObject* instance =
-      file == nullptr ? nullptr : PyObject_CallFunction(PyExc_OSError, "isN", error.code(), error.reason().c_str(), file);
+  PyObject* instance = file == nullptr
+                           ? nullptr
+                           : PyObject_CallFunction(PyExc_OSError, "isN", error.code(), error.reason().c_str(), file);
   if (instance == nullptr) return;
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(instance)), instance);
   Py_DECREF(instance);

@@ -28,8 +28,8 @@ void write_pose(const Pose& pose, double* to) {
 
 // The words are kept as long as the module is.
 struct Names {
-  PyObject *jointType = word("jointType"), *parent = word("parent"), *preHT = word("preHT"), *localHT = word("localHT"), *mass = word("mass"),
-           *COM = word("COM");
+  PyObject *jointType = word("jointType"), *parent = word("parent"), *preHT = word("preHT"), *localHT = word("localHT"),
+           *mass = word("mass"), *COM = word("COM");
   static PyObject* word(const char* text) { return PyUnicode_InternFromString(text); }
 };
 
@@ -44,7 +44,8 @@ class Attributes {
   Numbers numbers(PyObject* name, py::ssize_t size) const {
     Numbers found = Numbers::ensure(get(name));
     if (!found) throw py::error_already_set();
-    if (found.size() != size) throw py::value_error("Robot: a link has another number of values in " + std::string(py::str(py::handle(name))));
+    if (found.size() != size)
+      throw py::value_error("Robot: a link has another number of values in " + std::string(py::str(py::handle(name))));
     return found;
   }
 
@@ -83,7 +84,8 @@ class Placed {
       arrays_.push_back(Numbers::ensure(T));
       const Numbers& array = arrays_.back();
       if (!array) throw py::error_already_set();
-      if (array.ndim() < 2 || array.shape(array.ndim() - 1) != 4 || array.shape(array.ndim() - 2) != 4 || array.size() != arrays_[0].size())
+      if (array.ndim() < 2 || array.shape(array.ndim() - 1) != 4 || array.shape(array.ndim() - 2) != 4 ||
+          array.size() != arrays_[0].size())
         throw py::value_error("Robot: HT: expected a list of 4x4 transformations, as JointHT returns it");
     }
   }
@@ -116,7 +118,8 @@ Numbers joint_poses(const py::list& links, const Numbers& base, const Numbers& q
   const py::ssize_t states = n == 0 ? 0 : q.size() / n;
   for (py::ssize_t k = 0; k < states; ++k) {
     place_joints(read, read_pose(base.data()), q.data() + k * n, joints);
-    for (py::ssize_t i = 0; i < n; ++i) write_pose(joints[static_cast<std::size_t>(i)], result.mutable_data() + 16 * (i * states + k));
+    for (py::ssize_t i = 0; i < n; ++i)
+      write_pose(joints[static_cast<std::size_t>(i)], result.mutable_data() + 16 * (i * states + k));
   }
   return result;
 }
@@ -148,7 +151,8 @@ Numbers jacobian(const py::list& links, const py::sequence& HT, int link, const 
 Numbers static_torques(const py::list& links, const py::sequence& HT, const std::array<double, 3>& gravity) {
   const std::vector<Link> read = read_links(links, true);
   const Placed placed(HT);
-  if (placed.count() != read.size()) throw py::value_error("Robot.StaticTorques: HT: expected a transformation for each link");
+  if (placed.count() != read.size())
+    throw py::value_error("Robot.StaticTorques: HT: expected a transformation for each link");
   Numbers result(placed.shape({static_cast<py::ssize_t>(read.size())}));
   std::vector<Pose> joints;
   for (py::ssize_t k = 0; k < placed.states(); ++k) {
@@ -160,15 +164,24 @@ Numbers static_torques(const py::list& links, const py::sequence& HT, const std:
 
 std::vector<double> list_of(const Numbers& array) { return {array.data(), array.data() + array.size()}; }
 
-py::tuple reach_pose(const py::list& links, const Numbers& base, int carrier, const Numbers& local, const Numbers& goal, const Numbers& start,
-                const Numbers& compliance, const Numbers& lower, const Numbers& upper, int most_iterations) {
+py::tuple reach_pose(const py::list& links, const Numbers& base, int carrier, const Numbers& local, const Numbers& goal,
+                     const Numbers& start, const Numbers& compliance, const Numbers& lower, const Numbers& upper,
+                     int most_iterations) {
   const std::vector<Link> read = read_links(links);
   for (const Numbers& each : {start, compliance, lower, upper})
-    if (each.size() != static_cast<py::ssize_t>(read.size())) throw py::value_error("InverseKinematicsNumerical: the robot has other links than before");
-  if (carrier < 0 || carrier >= static_cast<int>(read.size())) throw py::value_error("InverseKinematicsNumerical: no joint moves this frame");
-  const Reach task{.base = read_pose(base.data()), .goal = read_pose(goal.data()), .carrier = carrier, .local = read_pose(local.data()),
-                           .start = list_of(start), .compliance = list_of(compliance), .lower = list_of(lower), .upper = list_of(upper),
-                           .most_iterations = most_iterations};
+    if (each.size() != static_cast<py::ssize_t>(read.size()))
+      throw py::value_error("InverseKinematicsNumerical: the robot has other links than before");
+  if (carrier < 0 || carrier >= static_cast<int>(read.size()))
+    throw py::value_error("InverseKinematicsNumerical: no joint moves this frame");
+  const Reach task{.base = read_pose(base.data()),
+                   .goal = read_pose(goal.data()),
+                   .carrier = carrier,
+                   .local = read_pose(local.data()),
+                   .start = list_of(start),
+                   .compliance = list_of(compliance),
+                   .lower = list_of(lower),
+                   .upper = list_of(upper),
+                   .most_iterations = most_iterations};
   double error = 0;
   const std::vector<double> q = reach(read, task, task.start, error);
   return py::make_tuple(Numbers(static_cast<py::ssize_t>(q.size()), q.data()), error);
@@ -182,10 +195,13 @@ namespace dalembert {
 void register_robot_kinematics(py::module_& module) {
   module.def("_joint_poses", &robots::joint_poses, py::arg("links"), py::arg("base"), py::arg("q"),
              "Transformations of the joints of a robot, one after the other; states are rows of q.");
-  module.def("_robot_jacobian", &robots::jacobian, py::arg("links"), py::arg("HT"), py::arg("link"), py::arg("points"), "See Robot.Jacobian.");
-  module.def("_static_torques", &robots::static_torques, py::arg("links"), py::arg("HT"), py::arg("gravity"), "See Robot.StaticTorques.");
-  module.def("_reach_pose", &robots::reach_pose, py::arg("links"), py::arg("base"), py::arg("carrier"), py::arg("local"), py::arg("goal"), py::arg("start"),
-             py::arg("compliance"), py::arg("lower"), py::arg("upper"), py::arg("most_iterations"),
+  module.def("_robot_jacobian", &robots::jacobian, py::arg("links"), py::arg("HT"), py::arg("link"), py::arg("points"),
+             "See Robot.Jacobian.");
+  module.def("_static_torques", &robots::static_torques, py::arg("links"), py::arg("HT"), py::arg("gravity"),
+             "See Robot.StaticTorques.");
+  module.def("_reach_pose", &robots::reach_pose, py::arg("links"), py::arg("base"), py::arg("carrier"),
+             py::arg("local"), py::arg("goal"), py::arg("start"), py::arg("compliance"), py::arg("lower"),
+             py::arg("upper"), py::arg("most_iterations"),
              "Coordinates of joints for a pose, and the error that is left; see InverseKinematicsNumerical.");
 }
 

@@ -33,7 +33,8 @@ class ScenePlaces {
     // owned by the array: copying would take as long as computing half of it
     const auto rows = new LargeVector<double>(std::move(poses_.rows));
     const py::capsule owner(rows, [](void* memory) { delete static_cast<LargeVector<double>*>(memory); });
-    return py::array_t<double>({static_cast<py::ssize_t>(rows->size() / 12), py::ssize_t{3}, py::ssize_t{4}}, rows->data(), owner);
+    return py::array_t<double>({static_cast<py::ssize_t>(rows->size() / 12), py::ssize_t{3}, py::ssize_t{4}},
+                               rows->data(), owner);
   }
   // None: the object has no mesh nodes of its own, or they do not have this output.
   py::object mesh(int object, const py::object& variable, const py::object& configuration) {
@@ -67,7 +68,8 @@ class ScenePlaces {
   py::object stored_frames(int sensor) {
     const SensorTable frames = main_->sensor_storage.frames(sensor);
     if (frames.columns == 0) return py::none();
-    return py::array_t<double>({static_cast<py::ssize_t>(frames.rows()), static_cast<py::ssize_t>(frames.columns)}, frames.values.data());
+    return py::array_t<double>({static_cast<py::ssize_t>(frames.rows()), static_cast<py::ssize_t>(frames.columns)},
+                               frames.values.data());
   }
   // Returns, for each item of a kind, the first item with the same appearance.
   py::array look_alikes(int kind) {
@@ -78,7 +80,8 @@ class ScenePlaces {
     const ItemKind of = checked_kind(kind);
     py::list result(static_cast<std::size_t>(numbers.size()));
     for (std::size_t i = 0; const std::int32_t number : all(numbers)) {
-      if (number < 0 || number >= main_->model.count(of)) throw py::index_error("_ScenePlaces.names(...): there is no such item");
+      if (number < 0 || number >= main_->model.count(of))
+        throw py::index_error("_ScenePlaces.names(...): there is no such item");
       result[i++] = py::str(main_->model.name(of, number));
     }
     return result;
@@ -98,7 +101,9 @@ class ScenePlaces {
       throw py::index_error("_ScenePlaces." + std::string(method) + "(...): there is no such object");
     return system(method).mesh_outputs(object, asked(variable), read(configuration), poses_.totals, values_);
   }
-  static OutputVariableType asked(const py::object& variable) { return static_cast<OutputVariableType>(Enumeration::number(variable.ptr())); }
+  static OutputVariableType asked(const py::object& variable) {
+    return static_cast<OutputVariableType>(Enumeration::number(variable.ptr()));
+  }
   // Returns None for other objects, and for states other than the visualization state.
   ModalMesh* modal_mesh(int object, const py::object& configuration) {
     ModalMesh* const modal = modal_meshes_->find(*main_, object);
@@ -106,7 +111,8 @@ class ScenePlaces {
   }
   System& system(const char* method) { return main_->assembled(method); }
   ConfigurationType read(const py::object& value) {
-    const ConfigurationType configuration = configuration_argument(value, [] { return std::string("_ScenePlaces(...)"); });
+    const ConfigurationType configuration =
+        configuration_argument(value, [] { return std::string("_ScenePlaces(...)"); });
     if (configuration == ConfigurationType::Visualization) main_->look_wanted = true;
     return configuration;
   }
@@ -121,24 +127,29 @@ class ScenePlaces {
 }  // namespace
 
 void register_scene_places(py::module_& module) {
-  py::class_<ModalMeshes, std::shared_ptr<ModalMeshes>>(module, "_ModalMeshes", "Meshes of a system that deform by modes.");
+  py::class_<ModalMeshes, std::shared_ptr<ModalMeshes>>(module, "_ModalMeshes",
+                                                        "Meshes of a system that deform by modes.");
   py::class_<ScenePlaces>(module, "_ScenePlaces", "Where the items of a system are, all of one kind at once.")
       .def(py::init<std::shared_ptr<MainSystem>>(), py::arg("mbs"))
       .def("rows", &ScenePlaces::rows, py::arg("kind"), py::arg("configuration"),
            "Rotation and position (n x 3 x 4) of all nodes (0), objects (1) or markers (2); nan where there is none.")
       .def("mesh", &ScenePlaces::mesh, py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration"),
            "An output of all mesh nodes of a super element, row by row; None if it has none of its own.")
-      .def("mesh_numbers", &ScenePlaces::mesh_numbers, py::arg("objectNumber"), py::arg("variableType"), py::arg("component"), py::arg("configuration"),
+      .def("mesh_numbers", &ScenePlaces::mesh_numbers, py::arg("objectNumber"), py::arg("variableType"),
+           py::arg("component"), py::arg("configuration"),
            "One number for each of these mesh nodes: a component of the output, or its length (-1).")
       .def("mesh_points", &ScenePlaces::mesh_points, py::arg("objectNumber"), py::arg("rows"), py::arg("configuration"),
-           "Positions of these mesh nodes in single precision, of an object that stands as rows of rotation and position tell; None: mesh() may have them.")
+           "Positions of these mesh nodes in single precision, of an object that stands as rows of rotation and "
+           "position tell; None: mesh() may have them.")
       .def_property_readonly("modal_meshes", &ScenePlaces::modal_meshes, "Meshes of the system that deform by modes.")
       .def("frames_of_sensors", &ScenePlaces::frames_of_sensors,
            "For each sensor the node of the floating frame in whose components its values are; -1: they are global.")
       .def("stored_frames", &ScenePlaces::stored_frames, py::arg("sensorNumber"),
-           "Position and rotation (n x 12) of the floating frame of a sensor's node, for each row that the sensor has stored; None: its values are global.")
+           "Position and rotation (n x 12) of the floating frame of a sensor's node, for each row that the sensor has "
+           "stored; None: its values are global.")
       .def("alike", &ScenePlaces::look_alikes, py::arg("kind"),
-           "For each item of a kind the number of the first one that has its type and equal parameters of visualization.")
+           "For each item of a kind the number of the first one that has its type and equal parameters of "
+           "visualization.")
       .def("names", &ScenePlaces::names, py::arg("kind"), py::arg("numbers"), "Names of items.")
       .def("changed", &ScenePlaces::changed, "Whether items have other parameters than at the last call.");
 }

@@ -15,7 +15,8 @@ namespace {
 }
 
 double finite(double value) {
-  if (!std::isfinite(value)) throw Refusal{ErrorKind::value, "a finite number", "Check the calculation that the value comes from."};
+  if (!std::isfinite(value))
+    throw Refusal{ErrorKind::value, "a finite number", "Check the calculation that the value comes from."};
   return value;
 }
 
@@ -30,12 +31,15 @@ bool is_scalar_array(PyObject* value) {
 }
 
 // Number-like objects that are not Python numbers.
-bool is_other_number(PyObject* value) { return is_numpy_scalar(value) || is_scalar_array(value) || is_symbolic_real(value); }
+bool is_other_number(PyObject* value) {
+  return is_numpy_scalar(value) || is_scalar_array(value) || is_symbolic_real(value);
+}
 
 double slow_real(PyObject* value) {
   ItemKind kind{};
   int number = 0;
-  if (read_index(value, kind, number) || !is_other_number(value) || PyComplex_Check(value) || PyNumber_Check(value) == 0)
+  if (read_index(value, kind, number) || !is_other_number(value) || PyComplex_Check(value) ||
+      PyNumber_Check(value) == 0)
     refuse_type("a number");
   PyObject* converted = PyNumber_Float(value);
   if (converted == nullptr) {
@@ -80,11 +84,13 @@ PyObject* is_plain_vector(PyObject* size, PyObject* value) {
 }
 
 PyObject* plain_vectors(PyObject*, PyObject* size) {
-  static PyMethodDef definition{"plain_vector", is_plain_vector, METH_O,
-                                "Whether the value is a list or tuple of so many finite floats or integers, or an array of floats."};
+  static PyMethodDef definition{
+      "plain_vector", is_plain_vector, METH_O,
+      "Whether the value is a list or tuple of so many finite floats or integers, or an array of floats."};
   const Py_ssize_t count = PyLong_AsSsize_t(size);
   if (PyErr_Occurred() != nullptr) return nullptr;
-  if (count < 0 || count > largest_plain) return PyErr_Format(PyExc_TypeError, "_plain_vectors(size) takes sizes from 0 to %zd", largest_plain);
+  if (count < 0 || count > largest_plain)
+    return PyErr_Format(PyExc_TypeError, "_plain_vectors(size) takes sizes from 0 to %zd", largest_plain);
   return PyCFunction_New(&definition, size);
 }
 
@@ -109,10 +115,14 @@ bool positive_number(double number) { return number > 0; }
 void register_plain_vectors(py::module_& module) {
   static PyMethodDef definitions[] = {
       {"_plain_vectors", plain_vectors, METH_O,
-       "_plain_vectors(size, /)\n--\n\nA function that tells at once whether a value is a vector; if not, it may be one of another type."},
-      {"_is_plain_number", is_plain_number<any_number>, METH_O, "_is_plain_number(value, /)\n--\n\nWhether a float or int is finite."},
-      {"_is_plain_not_negative", is_plain_number<no_negative_number>, METH_O, "_is_plain_not_negative(value, /)\n--\n\nThe same, and not negative."},
-      {"_is_plain_positive", is_plain_number<positive_number>, METH_O, "_is_plain_positive(value, /)\n--\n\nThe same, and positive."},
+       "_plain_vectors(size, /)\n--\n\nA function that tells at once whether a value is a vector; if not, it may be "
+       "one of another type."},
+      {"_is_plain_number", is_plain_number<any_number>, METH_O,
+       "_is_plain_number(value, /)\n--\n\nWhether a float or int is finite."},
+      {"_is_plain_not_negative", is_plain_number<no_negative_number>, METH_O,
+       "_is_plain_not_negative(value, /)\n--\n\nThe same, and not negative."},
+      {"_is_plain_positive", is_plain_number<positive_number>, METH_O,
+       "_is_plain_positive(value, /)\n--\n\nThe same, and positive."},
   };
   for (PyMethodDef& definition : definitions)
     module.add_object(definition.ml_name, py::reinterpret_steal<py::object>(PyCFunction_New(&definition, nullptr)));
@@ -156,7 +166,8 @@ int read_integer(PyObject* value) {
     if (read_index(value, kind, number)) refuse_type("an integer", "Item numbers do not belong here.");
     if (std::string_view(Py_TYPE(value)->tp_name).starts_with("numpy.bool")) return PyObject_IsTrue(value);
     if (PyIndex_Check(value) == 0 || (is_array(value) && !is_scalar_array(value)))
-      refuse_type("an integer", PyFloat_Check(value) ? "Write it without a decimal point, or convert it with int(...)." : "");
+      refuse_type("an integer",
+                  PyFloat_Check(value) ? "Write it without a decimal point, or convert it with int(...)." : "");
   }
   const Py_ssize_t wide = PyNumber_AsSsize_t(value, PyExc_OverflowError);
   if (wide == -1 && PyErr_Occurred() != nullptr) {
@@ -173,7 +184,8 @@ bool holds_truth_values(PyObject* value) {
   if (PyBool_Check(value)) return true;
   if (is_array(value)) return py::reinterpret_borrow<py::array>(value).dtype().kind() == 'b';
   if (PyList_Check(value) || PyTuple_Check(value)) {
-    const std::span<PyObject* const> items(PySequence_Fast_ITEMS(value), static_cast<std::size_t>(PySequence_Fast_GET_SIZE(value)));
+    const std::span<PyObject* const> items(PySequence_Fast_ITEMS(value),
+                                           static_cast<std::size_t>(PySequence_Fast_GET_SIZE(value)));
     return std::ranges::any_of(items, holds_truth_values);
   }
   return std::string_view(Py_TYPE(value)->tp_name).starts_with("numpy.bool");
@@ -190,7 +202,8 @@ Items::Items(PyObject* value, const std::string& what) {
     fast_ = py::reinterpret_borrow<py::object>(value);
     return;
   }
-  if (PyUnicode_Check(value) || PyBytes_Check(value) || PyDict_Check(value) || PyAnySet_Check(value) || value == Py_None)
+  if (PyUnicode_Check(value) || PyBytes_Check(value) || PyDict_Check(value) || PyAnySet_Check(value) ||
+      value == Py_None)
     refuse_type(what);
   if (is_scalar_array(value)) refuse_type(what);
   py::object source = py::reinterpret_borrow<py::object>(value);

@@ -70,7 +70,8 @@ SettingsView fresh(const SettingsClass& settings_class) {
   view.data = static_cast<char*>(view.root.get()) + settings_class.offset;
   if (!default_folder().empty() && view.tree->group == &simulation_settings_group()) {
     auto& files = static_cast<SimulationSettings*>(view.root.get())->solutionSettings;
-    for (std::string* name : {&files.coordinatesSolutionFileName, &files.restartFileName, &files.solverInformationFileName})
+    for (std::string* name :
+         {&files.coordinatesSolutionFileName, &files.restartFileName, &files.solverInformationFileName})
       name->insert(0, default_folder());
   }
   return view;
@@ -125,7 +126,8 @@ PyObject* get_field(const SettingsField& field) {
 }
 
 void set_field(const SettingsField& field, PyObject* value) {
-  if (field.without_effect) function_beside(field.view) = PyCallable_Check(value) ? py::reinterpret_borrow<py::object>(value) : py::none();
+  if (field.without_effect)
+    function_beside(field.view) = PyCallable_Check(value) ? py::reinterpret_borrow<py::object>(value) : py::none();
   if (field.row != nullptr) write_setting(field.view, *field.row, value);
   if (field.child != nullptr) set_child(field.view, *field.child, value);
   if (field.only_names)
@@ -175,10 +177,12 @@ PyObject* make_new(PyTypeObject* type, PyObject* arguments, PyObject* keywords) 
   return guarded([&] {
     const auto found = std::ranges::find_if(classes(), [&](const SettingsClass& each) { return each.type == type; });
     if (PyTuple_GET_SIZE(arguments) != 0)
-      refuse(ErrorKind::type, {.item = found->name, .problem = "takes keywords only", .advice = "Give settings by their names."});
+      refuse(ErrorKind::type,
+             {.item = found->name, .problem = "takes keywords only", .advice = "Give settings by their names."});
     py::object made = py::reinterpret_steal<py::object>(make_object(fresh(*found)));
     if (keywords != nullptr)
-      for (const auto& [name, value] : py::reinterpret_borrow<py::dict>(keywords)) made.attr(py::reinterpret_borrow<py::str>(name)) = value;
+      for (const auto& [name, value] : py::reinterpret_borrow<py::dict>(keywords))
+        made.attr(py::reinterpret_borrow<py::str>(name)) = value;
     return made.release().ptr();
   });
 }
@@ -228,7 +232,8 @@ PyObject* equals(PyObject* self, PyObject* other) {
   return guarded([&] {
     const SettingsClass* given = class_of(other);
     if (given == nullptr || given->group != view_of(self).group)
-      refuse(ErrorKind::type, {.item = view_of(self).title(), .received = show(other), .expected = "settings of the same class"});
+      refuse(ErrorKind::type,
+             {.item = view_of(self).title(), .received = show(other), .expected = "settings of the same class"});
     return PyBool_FromLong(equal_settings(*given->group, view_of(self).data, view_of(other).data) ? 1 : 0);
   });
 }
@@ -264,7 +269,8 @@ void make_class(SettingsClass& settings_class, const py::module_& module) {
   std::string parameters;
   for (const SettingsChild& child : settings_class.group->children) {
     add_field(settings_class, child.name, settings_summary(*child.group), get_child, &child);
-    parameters += "    " + std::string(child.name) + ": " + std::string(child.group->name) + "\n        " + settings_summary(*child.group) + "\n";
+    parameters += "    " + std::string(child.name) + ": " + std::string(child.group->name) + "\n        " +
+                  settings_summary(*child.group) + "\n";
   }
   for (const Row& row : settings_class.group->rows) {
     const std::string text = setting_text(*settings_class.group, row), facts = setting_doc(*settings_class.group, row);
@@ -275,7 +281,8 @@ void make_class(SettingsClass& settings_class, const py::module_& module) {
   settings_class.fields.push_back({});
   settings_class.texts.push_back(module.attr("__name__").cast<std::string>() + "." + settings_class.name);
   const char* full_name = settings_class.texts.back().c_str();
-  settings_class.texts.push_back(settings_class.name + "(**settings)\n--\n\n" + settings_summary(*settings_class.group) +
+  settings_class.texts.push_back(settings_class.name + "(**settings)\n--\n\n" +
+                                 settings_summary(*settings_class.group) +
                                  (settings_class.path.empty() ? "" : "; first found at " + settings_class.path) +
                                  "\n\nParameters:\n" + parameters);
   PyType_Slot slots[] = {
@@ -365,8 +372,9 @@ void register_settings(py::module_& module) {
   }
   for (const auto& [name, structure] : class_names)
     if (py::hasattr(module, structure)) module.attr(name) = module.attr(structure);
-  module.def("_set_default_folder", [](const std::string& folder) { default_folder() = folder; }, py::arg("folder"),
-             "Set the folder of solution, restart and solver information file in new SimulationSettings.");
+  module.def(
+      "_set_default_folder", [](const std::string& folder) { default_folder() = folder; }, py::arg("folder"),
+      "Set the folder of solution, restart and solver information file in new SimulationSettings.");
   module.def(
       "_visualization_settings_without_effect",
       [] {
@@ -375,9 +383,11 @@ void register_settings(py::module_& module) {
           find_settings_without_effect(visualization_settings_group(), reason, "", found);
           return found;
         };
-        return py::make_tuple(reasons(&SettingRule::no_effect), reasons(&SettingRule::no_effect_on_pages), reasons(&SettingRule::no_effect_without_rays));
+        return py::make_tuple(reasons(&SettingRule::no_effect), reasons(&SettingRule::no_effect_on_pages),
+                              reasons(&SettingRule::no_effect_without_rays));
       },
-      "Why visualization settings have no effect, by their paths: nowhere, on pages, and in pictures without the ray tracer.");
+      "Why visualization settings have no effect, by their paths: nowhere, on pages, and in pictures without the ray "
+      "tracer.");
 }
 
 }  // namespace dalembert

@@ -71,7 +71,8 @@ bool equal_settings(const SettingsGroup& group, const void* a, const void* b);
 py::dict settings_dictionary(const SettingsView& view);
 py::dict settings_dictionary_with_types(const SettingsView& view);
 // Finds settings that never have an effect, with the reason, by their paths.
-void find_settings_without_effect(const SettingsGroup& group, std::string_view SettingRule::* reason, const std::string& path, py::dict& found);
+void find_settings_without_effect(const SettingsGroup& group, std::string_view SettingRule::* reason,
+                                  const std::string& path, py::dict& found);
 void set_settings_dictionary(const SettingsView& view, const py::dict& values);
 std::string settings_text(const SettingsView& view);
 std::string settings_differences(const SettingsView& view, const SettingsView& defaults);

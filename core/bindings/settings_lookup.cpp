@@ -103,7 +103,8 @@ void refuse_unknown(const SettingsView& view, std::string_view name) {
   std::string advice = suggestion(name, known);
   if (!near && !elsewhere.empty()) {
     advice = "Did you mean ";
-    for (const std::string& path : elsewhere) advice += (&path == &elsewhere.front() ? "" : " or ") + dalembert::in_quotes(path);
+    for (const std::string& path : elsewhere)
+      advice += (&path == &elsewhere.front() ? "" : " or ") + dalembert::in_quotes(path);
     advice += "?";
   }
   if (is_step_size(name) && std::ranges::find(known, "numberOfSteps") != known.end())

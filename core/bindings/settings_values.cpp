@@ -18,23 +18,15 @@ namespace {
 
 const char* type_word(const Row& row) {
   switch (row.storage) {
-    case Storage::boolean:
-      return "bool";
-    case Storage::integer:
-      return "int";
-    case Storage::real:
-      return "float";
-    case Storage::text:
-      return "str";
-    case Storage::output_variable:
-      return "OutputVariableType";
-    case Storage::enumeration:
-      return enum_tables()[row.enumeration].name.data();
+    case Storage::boolean: return "bool";
+    case Storage::integer: return "int";
+    case Storage::real: return "float";
+    case Storage::text: return "str";
+    case Storage::output_variable: return "OutputVariableType";
+    case Storage::enumeration: return enum_tables()[row.enumeration].name.data();
     case Storage::user_function:
-    case Storage::opaque:
-      return "function";
-    default:
-      return "list";
+    case Storage::opaque: return "function";
+    default: return "list";
   }
 }
 
@@ -96,7 +88,8 @@ T number_in_range(const Row& row, const SettingRule& rule, PyObject* value) {
   T number{};
   from_python(value, any, &number);
   if (!rule.admits(number))
-    throw Refusal{ErrorKind::value, (std::is_same_v<T, int> ? "an integer " : "a number ") + std::string(rule.words), ""};
+    throw Refusal{ErrorKind::value, (std::is_same_v<T, int> ? "an integer " : "a number ") + std::string(rule.words),
+                  ""};
   return number;
 }
 
@@ -141,7 +134,8 @@ void note_choice(const SettingsView& view, const Row& row) {
 // choice are written after the choice.
 void merge(const SettingsView& view, const py::dict& values) {
   std::vector<std::pair<py::handle, py::handle>> entries(values.begin(), values.end());
-  std::stable_partition(entries.begin(), entries.end(), [](const auto& entry) { return !py::isinstance<py::dict>(entry.second); });
+  std::stable_partition(entries.begin(), entries.end(),
+                        [](const auto& entry) { return !py::isinstance<py::dict>(entry.second); });
   for (const auto& [key, value] : entries) {
     if (!py::isinstance<py::str>(key))
       refuse(ErrorKind::type, {.item = view.title(),
@@ -229,9 +223,13 @@ void assign_settings(const SettingsGroup& group, void* target, const void* sourc
 }
 
 bool equal_settings(const SettingsGroup& group, const void* a, const void* b) {
-  const auto inside = [](const void* data, const SettingsChild& child) { return static_cast<const char*>(data) + child.offset; };
+  const auto inside = [](const void* data, const SettingsChild& child) {
+    return static_cast<const char*>(data) + child.offset;
+  };
   return std::ranges::all_of(group.rows, [&](const Row& row) { return equal_members(row, a, b); }) &&
-         std::ranges::all_of(group.children, [&](const SettingsChild& child) { return equal_settings(*child.group, inside(a, child), inside(b, child)); });
+         std::ranges::all_of(group.children, [&](const SettingsChild& child) {
+           return equal_settings(*child.group, inside(a, child), inside(b, child));
+         });
 }
 
 py::dict settings_dictionary(const SettingsView& view) {
@@ -259,12 +257,15 @@ py::dict settings_dictionary_with_types(const SettingsView& view) {
   return values;
 }
 
-void find_settings_without_effect(const SettingsGroup& group, std::string_view SettingRule::* reason, const std::string& path, py::dict& found) {
+void find_settings_without_effect(const SettingsGroup& group, std::string_view SettingRule::* reason,
+                                  const std::string& path, py::dict& found) {
   for (const SettingRule& rule : group.rules) {
-    const bool acts = reason == &SettingRule::no_effect && !rule.only_in.empty() && path.starts_with(std::string(rule.only_in) + ".");
+    const bool acts =
+        reason == &SettingRule::no_effect && !rule.only_in.empty() && path.starts_with(std::string(rule.only_in) + ".");
     if (!acts && !(rule.*reason).empty()) found[py::str(path + std::string(rule.name))] = py::str(rule.*reason);
   }
-  for (const SettingsChild& child : group.children) find_settings_without_effect(*child.group, reason, path + std::string(child.name) + ".", found);
+  for (const SettingsChild& child : group.children)
+    find_settings_without_effect(*child.group, reason, path + std::string(child.name) + ".", found);
 }
 
 void set_settings_dictionary(const SettingsView& view, const py::dict& values) {
@@ -314,7 +315,9 @@ std::string setting_doc(const SettingsGroup& group, const Row& row) {
   if (row.size > 0) text += " of length " + std::to_string(row.size);
   if (has_unit(row)) text += ", in " + std::string(row.unit);
   if (rule == nullptr) return text;
-  const auto add = [&text](const char* words, std::string_view reason) { text += reason.empty() ? std::string() : words + std::string(reason); };
+  const auto add = [&text](const char* words, std::string_view reason) {
+    text += reason.empty() ? std::string() : words + std::string(reason);
+  };
   add("; ", rule->condition());
   add(rule->only_in.empty() ? "; no effect: " : "; ", rule->no_effect);
   add("; no effect on pages: ", rule->no_effect_on_pages);

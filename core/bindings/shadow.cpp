@@ -13,7 +13,8 @@ Shadow::News Shadow::follow(Tap::Part wanted) {
   if (!original) return news;
   const bool assembled = original->consistent();
   const std::uint64_t structure = original->model.structure_changes(), version = original->system.version();
-  news.structure = structure != structure_ || assembled != assembled_ || (version != version_ && original->work == nullptr);
+  news.structure =
+      structure != structure_ || assembled != assembled_ || (version != version_ && original->work == nullptr);
   const std::uint64_t contacts = contacts_of(*original);
   news.structure = news.structure || contacts != contacts_;
   contacts_ = contacts;
@@ -38,7 +39,8 @@ void Shadow::copy_items(const MainSystem& original) {
     }
   }
   watch_.look(original.model);
-  for (const auto& source : original.model.term_sources()) model.add(std::make_shared<ContactSet>(static_cast<const ContactSet&>(*source)));
+  for (const auto& source : original.model.term_sources())
+    model.add(std::make_shared<ContactSet>(static_cast<const ContactSet&>(*source)));
   system_->variables = original.variables;
   system_->sys = original.sys;
   system_->container = original.container;
@@ -72,8 +74,9 @@ bool Shadow::follow_state(MainSystem& original, Tap::Part wanted) {
   }
   is_complete_ = true;
   const State& state = original.system.state(ConfigurationType::Visualization);
-  const bool same = state.time == shown.time && state.q == shown.q && state.v == shown.v && state.a == shown.a && state.y == shown.y &&
-                    state.y_t == shown.y_t && state.lambda == shown.lambda && state.data == shown.data;
+  const bool same = state.time == shown.time && state.q == shown.q && state.v == shown.v && state.a == shown.a &&
+                    state.y == shown.y && state.y_t == shown.y_t && state.lambda == shown.lambda &&
+                    state.data == shown.data;
   if (!same) shown = state;
   return !same;
 }
@@ -89,14 +92,18 @@ void register_shadow(py::module_& module) {
             return py::make_tuple(news.state, news.items, news.structure);
           },
           py::arg("places") = false,
-          "Take over what has changed; tells whether that is the state, items, and which items there are. With `places`, solvers are asked only for "
+          "Take over what has changed; tells whether that is the state, items, and which items there are. With "
+          "`places`, solvers are asked only for "
           "where items are.")
-      .def_property_readonly("complete", &Shadow::complete, "Whether all of the state is known, not only where items are.")
+      .def_property_readonly("complete", &Shadow::complete,
+                             "Whether all of the state is known, not only where items are.")
       .def(
-          "pause", [](Shadow& shadow, bool flag) { shadow.tell([flag](MainSystem& original) { original.tap.pause(flag); }); },
+          "pause",
+          [](Shadow& shadow, bool flag) { shadow.tell([flag](MainSystem& original) { original.tap.pause(flag); }); },
           py::arg("flag"), "Let the solver of the original wait between two steps, or go on.")
       .def(
-          "ask", [](Shadow& shadow) { shadow.tell([](MainSystem& original) { original.tap.ask(original.work != nullptr); }); },
+          "ask",
+          [](Shadow& shadow) { shadow.tell([](MainSystem& original) { original.tap.ask(original.work != nullptr); }); },
           "Let the solver of the original, if there is one at work, run the requests of viewers.")
       .def_property_readonly(
           "solving",

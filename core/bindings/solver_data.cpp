@@ -28,7 +28,7 @@ class Fields {
     class_.def(py::init<>());
   }
   template <class Member>
-  Fields& add(const char* name, Member T::*member) {
+  Fields& add(const char* name, Member T::* member) {
     class_.def_readwrite(name, member);
     lines_->push_back([name, member](const T& object) { return std::string(name) + " = " + as_text(object.*member); });
     return *this;
@@ -143,7 +143,8 @@ void register_output(py::module_& module) {
 
 void register_timer(py::module_& module) {
   using T = SolverTimer;
-  Fields<T> fields(module, "CSolverTimer", "Seconds spent in the parts of a solver; parts need displayComputationTime.");
+  Fields<T> fields(module, "CSolverTimer",
+                   "Seconds spent in the parts of a solver; parts need displayComputationTime.");
   fields.add("AERHS", &T::AERHS)
       .add("errorEstimator", &T::errorEstimator)
       .add("factorization", &T::factorization)
@@ -168,8 +169,10 @@ void register_timer(py::module_& module) {
       .add("writeSolution", &T::writeSolution)
       .finish()
       .def("Reset", &T::reset, py::arg("useSolverTimer"), "Set all times back.")
-      .def("StartTimer", [](const T&, double value) { return value - T::now(); }, py::arg("value"), "value minus now.")
-      .def("StopTimer", [](const T&, double value) { return value + T::now(); }, py::arg("value"), "value plus now.")
+      .def(
+          "StartTimer", [](const T&, double value) { return value - T::now(); }, py::arg("value"), "value minus now.")
+      .def(
+          "StopTimer", [](const T&, double value) { return value + T::now(); }, py::arg("value"), "value plus now.")
       .def("Sum", &T::sum, "Sum of all parts.")
       .def("ToString", &T::to_string, "All times as text.");
 }
@@ -184,16 +187,18 @@ py::dict diagnosis_dictionary(const Diagnosis& d) {
   return py::dict("reason"_a = name_of(d.reason), "solverName"_a = d.solver, "stepIndex"_a = d.step, "time"_a = d.time,
                   "stepSize"_a = d.step_size, "loadFactor"_a = d.load_factor, "newtonSteps"_a = d.newton_iteration,
                   "residual"_a = d.residual, "relativeResidual"_a = d.relative_residual,
-                  "relativeTolerance"_a = d.tolerance_relative, "absoluteTolerance"_a = d.tolerance_absolute, "values"_a = values,
-                  "sources"_a = d.sources, "causingRow"_a = d.singular_row, "causingItems"_a = d.singular_items,
-                  "dependentEquations"_a = d.dependent, "freeDirections"_a = d.free, "advice"_a = d.advice);
+                  "relativeTolerance"_a = d.tolerance_relative, "absoluteTolerance"_a = d.tolerance_absolute,
+                  "values"_a = values, "sources"_a = d.sources, "causingRow"_a = d.singular_row,
+                  "causingItems"_a = d.singular_items, "dependentEquations"_a = d.dependent,
+                  "freeDirections"_a = d.free, "advice"_a = d.advice);
 }
 
 py::dict redundancy_dictionary(const ConstraintRank& redundant, const System& system) {
   using namespace py::literals;
   py::list items;
   for (const ConstraintRank::Item& item : redundant.items(system))
-    items.append(py::dict("object"_a = item.object, "item"_a = item.item, "equations"_a = item.equations, "removable"_a = item.removable));
+    items.append(py::dict("object"_a = item.object, "item"_a = item.item, "equations"_a = item.equations,
+                          "removable"_a = item.removable));
   return py::dict("count"_a = redundant.count(), "items"_a = items, "equations"_a = redundant.equations(),
                   "weakest"_a = redundant.weakest(), "certain"_a = redundant.certain());
 }

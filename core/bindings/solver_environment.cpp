@@ -56,13 +56,15 @@ class SystemFunction {
 
   template <class T>
   static py::object object_of(const T& x) {
-    if constexpr (std::is_same_v<T, py::object>) return x;
-    else return py::cast(x);
+    if constexpr (std::is_same_v<T, py::object>)
+      return x;
+    else
+      return py::cast(x);
   }
 
   [[noreturn]] void refuse_result(const py::object& result, double time) const {
-    const char* expected = name_ == "PostNewton" ? "a list [error, recommended step size]"
-                           : name_ == "Events" ? "a list of numbers, or of pairs (number, direction)"
+    const char* expected = name_ == "PostNewton"       ? "a list [error, recommended step size]"
+                           : name_ == "Events"         ? "a list of numbers, or of pairs (number, direction)"
                            : name_ == "SystemJacobian" ? "a MatrixContainer"
                                                        : "True to go on, or False to stop";
     refuse(ErrorKind::value, {words(this, -1) + ", at time " + std::to_string(time), "", "",
@@ -150,12 +152,14 @@ std::vector<EventValue> read_events(const py::object& result) {
 
 void add_event_actions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
   if (hooks.events && !main->user_function("EventAction").is_none()) {
-    hooks.event_action = [function = std::make_shared<SystemFunction>(main, "EventAction")](double time, int event, int direction) {
+    hooks.event_action = [function = std::make_shared<SystemFunction>(main, "EventAction")](double time, int event,
+                                                                                            int direction) {
       return ask_whether_to_go_on(*function, time, event, direction);
     };
   }
   if (main->user_function("ItemEventAction").is_none()) return;
-  hooks.item_event_action = [function = std::make_shared<SystemFunction>(main, "ItemEventAction")](double time, const SolverHooks::ItemEvent& event) {
+  hooks.item_event_action = [function = std::make_shared<SystemFunction>(main, "ItemEventAction")](
+                                double time, const SolverHooks::ItemEvent& event) {
     const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
     const py::object item = event.part.empty() ? py::object(py::int_(event.object)) : py::object(py::str(event.part));
     return ask_whether_to_go_on(*function, time, item, event.what, event.direction);
@@ -183,12 +187,14 @@ void add_user_functions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& m
     };
   }
   if (!main->user_function("Events").is_none()) {
-    hooks.events = [function = std::make_shared<SystemFunction>(main, "Events")](double time) { return function->call(&read_events, time); };
+    hooks.events = [function = std::make_shared<SystemFunction>(main, "Events")](double time) {
+      return function->call(&read_events, time);
+    };
   }
   add_event_actions(hooks, main);
   if (!main->user_function("SystemJacobian").is_none()) {
-    hooks.system_jacobian = [function = std::make_shared<SystemFunction>(main, "SystemJacobian")](
-                                double time, double q, double v, double y) {
+    hooks.system_jacobian = [function = std::make_shared<SystemFunction>(main, "SystemJacobian")](double time, double q,
+                                                                                                  double v, double y) {
       return function->call(&read_entries, time, q, v, y);
     };
   }
@@ -224,7 +230,9 @@ class Progress {
     } else if (!passing) {
       // The last line of progress takes the place of those before.
       const bool takes_place = shown_ > 0 && text.starts_with("STEP");
-      const std::string before = shown_ == 0 ? "" : takes_place ? '\r' + std::string(shown_, ' ') + '\r' : std::string("\n");
+      const std::string before = shown_ == 0   ? ""
+                                 : takes_place ? '\r' + std::string(shown_, ' ') + '\r'
+                                               : std::string("\n");
       shown_ = 0;
       write_console(before + std::string(text));
     } else if (const Clock::time_point now = Clock::now(); now >= next_) {
@@ -282,7 +290,8 @@ class Interruption {
     if (WithoutInterpreter::is_kept() || now >= next_ || main_.tap.paused() || main_.tap.asks()) {
       wait();
       const auto end = Clock::now();
-      next_ = end + std::clamp<Clock::duration>(100 * (end - now), std::chrono::milliseconds(50), std::chrono::milliseconds(500));
+      next_ = end + std::clamp<Clock::duration>(100 * (end - now), std::chrono::milliseconds(50),
+                                                std::chrono::milliseconds(500));
     }
     return main_.stop_requested;
   }

@@ -13,9 +13,10 @@ namespace dalembert {
 
 Array dense_matrix(const char* method, const Pattern& pattern, std::span<const double> values, int size) {
   if (const double entries = static_cast<double>(size) * size; entries > std::numeric_limits<int>::max()) {
-    refuse(ErrorKind::value, {.item = std::string("solver.") + method + "()",
-                              .problem = "an array of shape (" + std::to_string(size) + ", " + std::to_string(size) + ") is too large: it would take " +
-                                         std::to_string(std::lround(8e-9 * entries)) + " GB"});
+    refuse(ErrorKind::value,
+           {.item = std::string("solver.") + method + "()",
+            .problem = "an array of shape (" + std::to_string(size) + ", " + std::to_string(size) +
+                       ") is too large: it would take " + std::to_string(std::lround(8e-9 * entries)) + " GB"});
   }
   Array matrix({size, size});
   auto m = matrix.mutable_unchecked<2>();
@@ -34,7 +35,8 @@ Array vector_array(std::span<const double> values) {
 namespace {
 
 [[noreturn]] void refuse_shape(const char* method, const std::string& received, const std::string& expected) {
-  refuse(ErrorKind::value, {.item = std::string("solver.") + method + "(...)", .received = received, .expected = expected});
+  refuse(ErrorKind::value,
+         {.item = std::string("solver.") + method + "(...)", .received = received, .expected = expected});
 }
 
 }  // namespace
@@ -42,8 +44,10 @@ namespace {
 void read_matrix(const char* method, const Array& matrix, const Pattern& pattern, std::span<double> values, int size) {
   const std::string expected = "a matrix of shape (" + std::to_string(size) + ", " + std::to_string(size) + ")";
   if (matrix.ndim() != 2 || matrix.shape(0) != size || matrix.shape(1) != size) {
-    refuse_shape(method, "an array with " + std::to_string(matrix.ndim()) + " dimensions and " +
-                             std::to_string(matrix.size()) + " entries", expected);
+    refuse_shape(method,
+                 "an array with " + std::to_string(matrix.ndim()) + " dimensions and " + std::to_string(matrix.size()) +
+                     " entries",
+                 expected);
   }
   const auto m = matrix.unchecked<2>();
   std::vector<double> stored(values.size(), 0.0);
@@ -52,7 +56,8 @@ void read_matrix(const char* method, const Array& matrix, const Pattern& pattern
       if (m(i, j) == 0) continue;
       if (!pattern.contains(i, j))
         refuse_shape(method, "an entry in row " + std::to_string(i) + ", column " + std::to_string(j),
-                     "entries of coordinates that items of the model couple; set simulationSettings.linearSolverType=EigenDense for others");
+                     "entries of coordinates that items of the model couple; set "
+                     "simulationSettings.linearSolverType=EigenDense for others");
       stored[static_cast<std::size_t>(pattern.slot(i, j))] = m(i, j);
     }
   }
@@ -61,14 +66,16 @@ void read_matrix(const char* method, const Array& matrix, const Pattern& pattern
 
 void read_vector(const char* method, const Array& vector, std::span<double> values) {
   if (vector.ndim() != 1 || vector.size() != static_cast<py::ssize_t>(values.size())) {
-    refuse_shape(method, std::to_string(vector.size()) + " numbers", "a vector of length " + std::to_string(values.size()));
+    refuse_shape(method, std::to_string(vector.size()) + " numbers",
+                 "a vector of length " + std::to_string(values.size()));
   }
   std::copy_n(vector.data(), values.size(), values.begin());
 }
 
 MainPointer SolverWrapper::main() const {
   if (auto main = main_.lock()) return main;
-  throw ModelError(ErrorKind::state, "the system that this solver worked on does not exist any more, or there was none");
+  throw ModelError(ErrorKind::state,
+                   "the system that this solver worked on does not exist any more, or there was none");
 }
 
 void SolverWrapper::attach(const MainPointer& new_main, const py::object& object, const char* method, bool renew) {
@@ -91,7 +98,8 @@ void SolverWrapper::attach(const MainPointer& new_main, const py::object& object
 }
 
 void SolverWrapper::refuse_uninitialized(const char* method, const std::string& problem) {
-  refuse(ErrorKind::state, {.item = std::string("solver.") + method + "(...)", .problem = problem,
+  refuse(ErrorKind::state, {.item = std::string("solver.") + method + "(...)",
+                            .problem = problem,
                             .advice = "Call solver.InitializeSolver(mbs, simulationSettings) first."});
 }
 
@@ -104,13 +112,16 @@ void SolverWrapper::require_initialized(const char* method, const MainPointer& n
 
 void SolverWrapper::require_initialized(const char* method) const {
   const MainPointer known = main_.lock();
-  if (!known) refuse_uninitialized(method, initialized_ ? "the solver's system does not exist any more" : "the solver is not initialized");
+  if (!known)
+    refuse_uninitialized(
+        method, initialized_ ? "the solver's system does not exist any more" : "the solver is not initialized");
   require_own_thread(method);
   require_initialized(method, known);
 }
 
 void SolverWrapper::require_own_thread(const char* method) const {
-  if (const MainPointer known = main_.lock()) dalembert::require_own_thread(*known, [&] { return std::string("solver.") + method + "(...)"; });
+  if (const MainPointer known = main_.lock())
+    dalembert::require_own_thread(*known, [&] { return std::string("solver.") + method + "(...)"; });
 }
 
 bool SolverWrapper::initialize_for(const MainPointer& new_main, const py::object& object) {
@@ -283,18 +294,18 @@ void SolverWrapper::add_ae_jacobian(double q, double v, double y, bool rate_leve
 
 void SolverWrapper::compute_forces() {
   main()->system.forces(main()->system.state(ConfigurationType::Current), {},
-                      residual().first(static_cast<std::size_t>(solver().sizes().ode2)));
+                        residual().first(static_cast<std::size_t>(solver().sizes().ode2)));
 }
 
 void SolverWrapper::compute_rates() {
   const Sizes& s = solver().sizes();
   main()->system.rates(main()->system.state(ConfigurationType::Current), {},
-                     residual().subspan(static_cast<std::size_t>(s.ode2), static_cast<std::size_t>(s.ode1)));
+                       residual().subspan(static_cast<std::size_t>(s.ode2), static_cast<std::size_t>(s.ode1)));
 }
 
 void SolverWrapper::compute_gaps(bool rate_level) {
   main()->system.gaps(main()->system.state(ConfigurationType::Current), {.rate_level = rate_level},
-                    residual().subspan(static_cast<std::size_t>(solver().sizes().first_ae())));
+                      residual().subspan(static_cast<std::size_t>(solver().sizes().first_ae())));
 }
 
 }  // namespace dalembert

@@ -30,19 +30,33 @@ class ImplicitWrapper final : public WrappedSolver<SecondOrderSolver> {
  public:
   using Base = SecondOrderSolver;
 
-  void update_current_time() override { replaced("UpdateCurrentTime", [this] { Base::update_current_time(); }); }
-  void initialize_step() override { replaced("InitializeStep", [this] { Base::initialize_step(); }); }
-  void finish_step(bool write) override { replaced("FinishStep", [&] { Base::finish_step(write); }); }
+  void update_current_time() override {
+    replaced("UpdateCurrentTime", [this] { Base::update_current_time(); });
+  }
+  void initialize_step() override {
+    replaced("InitializeStep", [this] { Base::initialize_step(); });
+  }
+  void finish_step(bool write) override {
+    replaced("FinishStep", [&] { Base::finish_step(write); });
+  }
   bool discontinuous_iteration() override {
     return replaced("DiscontinuousIteration", [this] { return Base::discontinuous_iteration(); });
   }
-  bool newton() override { return replaced("Newton", [this] { return Base::newton(); }); }
-  double compute_residual() override { return replaced("ComputeNewtonResidual", [this] { return Base::compute_residual(); }); }
+  bool newton() override {
+    return replaced("Newton", [this] { return Base::newton(); });
+  }
+  double compute_residual() override {
+    return replaced("ComputeNewtonResidual", [this] { return Base::compute_residual(); });
+  }
   void compute_update(bool initial) override {
     replaced("ComputeNewtonUpdate", [&] { Base::compute_update(initial); }, initial);
   }
-  void compute_jacobian() override { replaced("ComputeNewtonJacobian", [this] { Base::compute_jacobian(); }); }
-  double post_newton() override { return replaced("PostNewton", [this] { return Base::post_newton(); }); }
+  void compute_jacobian() override {
+    replaced("ComputeNewtonJacobian", [this] { Base::compute_jacobian(); });
+  }
+  double post_newton() override {
+    return replaced("PostNewton", [this] { return Base::post_newton(); });
+  }
 
   void replace(const std::string& part, const py::object& function) {
     functions_.erase(part);
@@ -54,7 +68,8 @@ class ImplicitWrapper final : public WrappedSolver<SecondOrderSolver> {
   // While a function runs, the same part called from it is the built-in one.
   template <class BuiltIn, class... Arguments>
   auto replaced(const char* part, BuiltIn&& built_in, Arguments... arguments) -> decltype(built_in()) {
-    if (functions_.empty() || !is_replaced(part)) [[likely]] return built_in();
+    if (functions_.empty() || !is_replaced(part)) [[likely]]
+      return built_in();
     return call_replacement<decltype(built_in())>(part, arguments...);
   }
   bool has_replaced_parts() const override { return !functions_.empty(); }
@@ -113,25 +128,30 @@ void frame(SolverClass<W>& c, const char* name, F f, const char* doc) {
 
 template <class W>
 void register_solution(SolverClass<W>& c) {
-  c.def("InitializeSolver", [](W& w, const MainPointer& m, const py::object& s) { return w.initialize_for(m, s); },
-        main_argument, settings_argument, "Open files, set all data and the initial conditions; True if it worked.");
-  c.def("SolveSystem", [](W& w, const MainPointer& m, const py::object& s) { return w.solve_for(m, s); }, main_argument,
-        settings_argument, "Initialize, solve all steps, finalize; True if it worked.");
-  frame<W>(c, "SolveSteps",
-           [](W& w) {
-             const auto success = w.Solver::solve_steps();
-             const InterpreterLock lock;
-             w.main()->show_current();
-             return success;
-           },
-           "Solve all steps of an initialized solver.");
+  c.def(
+      "InitializeSolver", [](W& w, const MainPointer& m, const py::object& s) { return w.initialize_for(m, s); },
+      main_argument, settings_argument, "Open files, set all data and the initial conditions; True if it worked.");
+  c.def(
+      "SolveSystem", [](W& w, const MainPointer& m, const py::object& s) { return w.solve_for(m, s); }, main_argument,
+      settings_argument, "Initialize, solve all steps, finalize; True if it worked.");
+  frame<W>(
+      c, "SolveSteps",
+      [](W& w) {
+        const auto success = w.Solver::solve_steps();
+        const InterpreterLock lock;
+        w.main()->show_current();
+        return success;
+      },
+      "Solve all steps of an initialized solver.");
   frame<W>(c, "FinalizeSolver", [](W& w) { w.Solver::finalize(); }, "Write the last messages and close the files.");
   frame<W>(c, "PreInitializeSolverSpecific", [](W& w) { w.pre_initialize(); }, "First part of InitializeSolver.");
-  frame<W>(c, "InitializeSolverOutput", [](W& w) { w.initialize_output(); }, "Open files and read the settings of output.");
+  frame<W>(
+      c, "InitializeSolverOutput", [](W& w) { w.initialize_output(); }, "Open files and read the settings of output.");
   frame<W>(c, "InitializeSolverPreChecks", [](W& w) { return w.check_system(); }, "Whether the system can be solved.");
   frame<W>(c, "InitializeSolverData", [](W& w) { w.initialize_data(); }, "Set counters, vectors and matrices back.");
-  frame<W>(c, "InitializeSolverInitialConditions", [](W& w) { w.initial_conditions(); },
-           "Start from the initial values of the system.");
+  frame<W>(
+      c, "InitializeSolverInitialConditions", [](W& w) { w.initial_conditions(); },
+      "Start from the initial values of the system.");
   frame<W>(c, "PostInitializeSolverSpecific", [](W& w) { w.post_initialize(); }, "Last part of InitializeSolver.");
 }
 
@@ -140,8 +160,9 @@ void register_step(SolverClass<W>& c) {
   part<W>(c, "UpdateCurrentTime", [](W& w) { w.update_current_time(); }, "Set the time to the end of the step.");
   part<W>(c, "InitializeStep", [](W& w) { w.initialize_step(); }, "Begin a step: time, PreStep user function.");
   part<W>(c, "FinishStep", [](W& w) { w.finish_step(true); }, "End a step: PostStep user function, output.");
-  part<W>(c, "DiscontinuousIteration", [](W& w) { return w.discontinuous_iteration(); },
-          "Newton's method, repeated until discontinuities have settled.");
+  part<W>(
+      c, "DiscontinuousIteration", [](W& w) { return w.discontinuous_iteration(); },
+      "Newton's method, repeated until discontinuities have settled.");
   part<W>(c, "Newton", [](W& w) { return w.newton(); }, "Newton's method, or one step of an explicit method.");
   part<W>(c, "IncreaseStepSize", [](W& w) { w.increase_step_size(); }, "Make the step size larger.");
   c.def(
@@ -149,10 +170,14 @@ void register_step(SolverClass<W>& c) {
       [](W& w, const MainPointer& m, const py::object& s, int) {
         return w.during(m, s, "ReduceStepSize", Work::Extent::part, [&] { return w.reduce_step_size(); });
       },
-      main_argument, settings_argument, py::arg("severity"), "Make the step size smaller; False if it is the smallest.");
-  part<W>(c, "HasAutomaticStepSizeControl", [](W& w) { return w.controls_step_size(); },
-          "Whether the method chooses its step size by an estimated error.");
-  part<W>(c, "WriteCoordinatesToFile", [](W& w) { w.write_coordinates(); }, "Write a row of the solution file, if it is due.");
+      main_argument, settings_argument, py::arg("severity"),
+      "Make the step size smaller; False if it is the smallest.");
+  part<W>(
+      c, "HasAutomaticStepSizeControl", [](W& w) { return w.controls_step_size(); },
+      "Whether the method chooses its step size by an estimated error.");
+  part<W>(
+      c, "WriteCoordinatesToFile", [](W& w) { w.write_coordinates(); },
+      "Write a row of the solution file, if it is due.");
   part<W>(c, "WriteSolutionFileHeader", [](W& w) { w.write_solution_header(); }, "Write the headers of all files.");
 }
 
@@ -160,29 +185,37 @@ template <class W>
 void register_information(SolverClass<W>& c) {
   c.def("IsStaticSolver", [](const W& w) { return w.is_static(); }, "Whether it solves static problems.");
   c.def("GetSolverName", [](const W& w) { return w.name(); }, "The name, as files and messages give it.");
-  c.def("GetDoubts", [](const W& w) { return w.doubts(); },
-        "Why a solution that has finished is not to be trusted, one text each; output.trusted tells whether there are none.");
+  c.def(
+      "GetDoubts", [](const W& w) { return w.doubts(); },
+      "Why a solution that has finished is not to be trusted, one text each; output.trusted tells whether there are "
+      "none.");
   c.def("GetErrorString", [](const W& w) { return w.error_string(); }, "Why the solver failed; empty after success.");
-  c.def("GetDiagnosis", [](const W& w) { return w.diagnosis().failed() ? w.diagnosis().text() : ""; },
-        "Step, time, residuals, equations and items of a failure, and what to try; empty after success.");
-  c.def("GetDiagnosisDictionary", [](const W& w) { return diagnosis_dictionary(w.diagnosis()); },
-        "The parts of the diagnosis, as the attributes of SolverError have them.");
-  c.def("GetSimulationEndTime",
-        [](const W& w, const py::object& s) {
-          const auto settings = simulation_settings_of(s);
-          return w.is_static() ? settings->staticSolver.loadStepDuration : settings->timeIntegration.endTime;
-        },
-        settings_argument, "End time, or duration of the load steps.");
-  c.def("ComputeLoadFactor",
-        [](const W& w, const py::object& s) {
-          const auto settings = simulation_settings_of(s);
-          return w.is_static() ? (w.it.currentTime - w.it.startTime) / settings->staticSolver.loadStepDuration : 1.0;
-        },
-        settings_argument, "Factor of the loads in a static solver.");
-  c.def("IsVerboseCheck", [](const W& w, int level) { return w.verbose(level); }, py::arg("level"),
-        "Whether messages of this level are shown or written.");
-  c.def("VerboseWrite", [](W& w, int level, const std::string& text) { w.say(level, text); }, py::arg("level"),
-        py::arg("str"), "Show and write a message of this level.");
+  c.def(
+      "GetDiagnosis", [](const W& w) { return w.diagnosis().failed() ? w.diagnosis().text() : ""; },
+      "Step, time, residuals, equations and items of a failure, and what to try; empty after success.");
+  c.def(
+      "GetDiagnosisDictionary", [](const W& w) { return diagnosis_dictionary(w.diagnosis()); },
+      "The parts of the diagnosis, as the attributes of SolverError have them.");
+  c.def(
+      "GetSimulationEndTime",
+      [](const W& w, const py::object& s) {
+        const auto settings = simulation_settings_of(s);
+        return w.is_static() ? settings->staticSolver.loadStepDuration : settings->timeIntegration.endTime;
+      },
+      settings_argument, "End time, or duration of the load steps.");
+  c.def(
+      "ComputeLoadFactor",
+      [](const W& w, const py::object& s) {
+        const auto settings = simulation_settings_of(s);
+        return w.is_static() ? (w.it.currentTime - w.it.startTime) / settings->staticSolver.loadStepDuration : 1.0;
+      },
+      settings_argument, "Factor of the loads in a static solver.");
+  c.def(
+      "IsVerboseCheck", [](const W& w, int level) { return w.verbose(level); }, py::arg("level"),
+      "Whether messages of this level are shown or written.");
+  c.def(
+      "VerboseWrite", [](W& w, int level, const std::string& text) { w.say(level, text); }, py::arg("level"),
+      py::arg("str"), "Show and write a message of this level.");
   c.def("GetODE2size", [](const W& w) { return w.sizes().ode2; }, "Number of ODE2 coordinates.");
   c.def("GetODE1size", [](const W& w) { return w.sizes().ode1; }, "Number of ODE1 coordinates.");
   c.def("GetAEsize", [](const W& w) { return w.sizes().ae; }, "Number of algebraic variables.");
@@ -195,25 +228,22 @@ void register_information(SolverClass<W>& c) {
 
 template <class W>
 void register_matrices(SolverClass<W>& c) {
-  c.def("ComputeMassMatrix",
-        [](W& w, const MainPointer& m, double factor) {
-          w.during(m, "ComputeMassMatrix", [&] { w.store_mass_matrix(factor); });
-        },
-        main_argument, py::arg("scalarFactor") = 1., "Compute the mass matrix, times a factor.");
+  c.def(
+      "ComputeMassMatrix",
+      [](W& w, const MainPointer& m, double factor) {
+        w.during(m, "ComputeMassMatrix", [&] { w.store_mass_matrix(factor); });
+      },
+      main_argument, py::arg("scalarFactor") = 1., "Compute the mass matrix, times a factor.");
   c.def("GetSystemMassMatrix", &W::mass_matrix, "The mass matrix computed last.");
   c.def("SetSystemMassMatrix", &W::set_mass_matrix, py::arg("systemMassMatrix"), "Replace the mass matrix.");
   c.def("GetSystemResidual", [](W& w) { return w.residual_array(); }, "The residual of all equations computed last.");
   c.def("SetSystemResidual", &W::set_residual, py::arg("systemResidual"), "Replace the residual.");
-  c.def("ComputeODE2RHS",
-        [](W& w, const MainPointer& m) {
-          w.during(m, "ComputeODE2RHS", [&] { w.compute_forces(); });
-        },
-        main_argument, "Compute generalized forces into the ODE2 part of the residual.");
-  c.def("ComputeODE1RHS",
-        [](W& w, const MainPointer& m) {
-          w.during(m, "ComputeODE1RHS", [&] { w.compute_rates(); });
-        },
-        main_argument, "Compute right-hand sides into the ODE1 part of the residual.");
+  c.def(
+      "ComputeODE2RHS", [](W& w, const MainPointer& m) { w.during(m, "ComputeODE2RHS", [&] { w.compute_forces(); }); },
+      main_argument, "Compute generalized forces into the ODE2 part of the residual.");
+  c.def(
+      "ComputeODE1RHS", [](W& w, const MainPointer& m) { w.during(m, "ComputeODE1RHS", [&] { w.compute_rates(); }); },
+      main_argument, "Compute right-hand sides into the ODE1 part of the residual.");
 }
 
 // Methods of solvers with Newton's method. Only `Base` is called: a replaced part may use the built-in one.
@@ -227,24 +257,30 @@ void register_redundancy(SolverClass<W>& c) {
         found["misfit"] = w.largest_misfit();
         return found;
       },
-      "What the last solution has found of constraint equations that follow from others: their number (count), the joints that could "
-      "lose some (items: object, item, equations, removable), equations whose multipliers are not unique (equations), the smallest "
-      "eigenvalue of the others (weakest), whether that is far enough above round-off to be sure of the number (certain), and the largest gap that contradictions have left, relative to the size of the model (misfit).");
+      "What the last solution has found of constraint equations that follow from others: their number (count), the "
+      "joints that could "
+      "lose some (items: object, item, equations, removable), equations whose multipliers are not unique (equations), "
+      "the smallest "
+      "eigenvalue of the others (weakest), whether that is far enough above round-off to be sure of the number "
+      "(certain), and the largest gap that contradictions have left, relative to the size of the model (misfit).");
 }
 
 template <class W, class Base>
 void register_newton(SolverClass<W>& c) {
-  part<W>(c, "ComputeNewtonResidual", [](W& w) { return w.compute_residual(); },
-          "Compute the residual; returns the number that is compared with the tolerances.");
+  part<W>(
+      c, "ComputeNewtonResidual", [](W& w) { return w.compute_residual(); },
+      "Compute the residual; returns the number that is compared with the tolerances.");
   part<W>(c, "ComputeNewtonJacobian", [](W& w) { w.compute_jacobian(); }, "Compute the system matrix.");
-  c.def("ComputeNewtonUpdate",
-        [](W& w, const MainPointer& m, const py::object& s, bool initial) {
-          w.during(m, s, "ComputeNewtonUpdate", Work::Extent::part, [&] {
-            const WithoutInterpreter free;
-            w.compute_update(initial);
-          });
-        },
-        main_argument, settings_argument, py::arg("initial") = true, "Move the state by the increment of Newton's method.");
+  c.def(
+      "ComputeNewtonUpdate",
+      [](W& w, const MainPointer& m, const py::object& s, bool initial) {
+        w.during(m, s, "ComputeNewtonUpdate", Work::Extent::part, [&] {
+          const WithoutInterpreter free;
+          w.compute_update(initial);
+        });
+      },
+      main_argument, settings_argument, py::arg("initial") = true,
+      "Move the state by the increment of Newton's method.");
   part<W>(c, "PostNewton", [](W& w) { return w.post_newton(); }, "Update data coordinates; returns the error.");
   c.def(
       "GetNewtonSolution",
@@ -255,37 +291,41 @@ void register_newton(SolverClass<W>& c) {
       "The last increment of Newton's method.");
   c.def("GetSystemJacobian", [](W& w) { return w.jacobian(); }, "The system matrix computed last.");
   c.def("SetSystemJacobian", &W::set_jacobian, py::arg("systemJacobian"), "Replace the system matrix.");
-  c.def_property("newton", [](W& w) { return w.newton_view(); }, [](W& w, const py::object& n) { w.set_newton(n); },
-                 "Copy of the settings of Newton's method that the solver obeys.");
+  c.def_property(
+      "newton", [](W& w) { return w.newton_view(); }, [](W& w, const py::object& n) { w.set_newton(n); },
+      "Copy of the settings of Newton's method that the solver obeys.");
   const auto q = py::arg("scalarFactor_ODE2") = 1., v = py::arg("scalarFactor_ODE2_t") = 0.,
              y = py::arg("scalarFactor_ODE1") = 1.;
-  c.def("ComputeJacobianODE2RHS",
-        [](W& w, const MainPointer& m, double dq, double dv, double dy, int loads) {
-          w.during(m, "ComputeJacobianODE2RHS", [&] { w.compute_ode2_jacobian(dq, dv, dy, loads); });
-        },
-        main_argument, q, v, y, py::arg("computeLoadsJacobian") = 0,
-        "Set the system matrix to the derivative of the generalized forces, those of loads only if asked for.");
-  c.def("ComputeJacobianODE1RHS",
-        [](W& w, const MainPointer& m, double dq, double dv, double dy) {
-          w.during(m, "ComputeJacobianODE1RHS", [&] { w.add_ode1_jacobian(dq, dv, dy); });
-        },
-        main_argument, q, v, y, "Add the derivative of the ODE1 right-hand sides to the system matrix.");
-  c.def("ComputeJacobianAE",
-        [](W& w, const MainPointer& m, double dq, double dv, double dy, bool rate_level) {
-          w.during(m, "ComputeJacobianAE", [&] { w.add_ae_jacobian(dq, dv, dy, rate_level); });
-        },
-        main_argument, q, v, y, py::arg("velocityLevel") = false,
-        "Add the derivatives of the constraints, and their transposed, to the system matrix.");
-  c.def("ComputeAlgebraicEquations",
-        [](W& w, const MainPointer& m, bool rate_level) {
-          w.during(m, "ComputeAlgebraicEquations", [&] { w.compute_gaps(rate_level); });
-        },
-        main_argument, py::arg("velocityLevel") = false, "Compute the constraints into the AE part of the residual.");
-  c.def("CheckInitialized",
-        [](W& w, const MainPointer& m) {
-          return w.during(m, "CheckInitialized", [] { return true; });
-        },
-        main_argument, "True if the solver is initialized for this system; refused otherwise.");
+  c.def(
+      "ComputeJacobianODE2RHS",
+      [](W& w, const MainPointer& m, double dq, double dv, double dy, int loads) {
+        w.during(m, "ComputeJacobianODE2RHS", [&] { w.compute_ode2_jacobian(dq, dv, dy, loads); });
+      },
+      main_argument, q, v, y, py::arg("computeLoadsJacobian") = 0,
+      "Set the system matrix to the derivative of the generalized forces, those of loads only if asked for.");
+  c.def(
+      "ComputeJacobianODE1RHS",
+      [](W& w, const MainPointer& m, double dq, double dv, double dy) {
+        w.during(m, "ComputeJacobianODE1RHS", [&] { w.add_ode1_jacobian(dq, dv, dy); });
+      },
+      main_argument, q, v, y, "Add the derivative of the ODE1 right-hand sides to the system matrix.");
+  c.def(
+      "ComputeJacobianAE",
+      [](W& w, const MainPointer& m, double dq, double dv, double dy, bool rate_level) {
+        w.during(m, "ComputeJacobianAE", [&] { w.add_ae_jacobian(dq, dv, dy, rate_level); });
+      },
+      main_argument, q, v, y, py::arg("velocityLevel") = false,
+      "Add the derivatives of the constraints, and their transposed, to the system matrix.");
+  c.def(
+      "ComputeAlgebraicEquations",
+      [](W& w, const MainPointer& m, bool rate_level) {
+        w.during(m, "ComputeAlgebraicEquations", [&] { w.compute_gaps(rate_level); });
+      },
+      main_argument, py::arg("velocityLevel") = false, "Compute the constraints into the AE part of the residual.");
+  c.def(
+      "CheckInitialized",
+      [](W& w, const MainPointer& m) { return w.during(m, "CheckInitialized", [] { return true; }); }, main_argument,
+      "True if the solver is initialized for this system; refused otherwise.");
 }
 
 template <class W>
@@ -308,7 +348,8 @@ std::vector<double> read_restart(MainSystem& main, const std::string& name) {
 }
 
 void register_implicit(py::module_& module) {
-  SolverClass<ImplicitWrapper> c(module, "MainSolverImplicitSecondOrder", "Generalized alpha, Newmark and trapezoidal rule.");
+  SolverClass<ImplicitWrapper> c(module, "MainSolverImplicitSecondOrder",
+                                 "Generalized alpha, Newmark and trapezoidal rule.");
   register_common(c);
   register_newton<ImplicitWrapper, SecondOrderSolver>(c);
   register_redundancy(c);
@@ -369,10 +410,12 @@ void register_stages(SolverClass<W>& c, const char* reason) {
 }
 
 void register_runge_kutta(py::module_& module) {
-  SolverClass<ExplicitWrapper> explicit_solver(module, "MainSolverExplicit", "Explicit Runge-Kutta methods and velocity Verlet.");
+  SolverClass<ExplicitWrapper> explicit_solver(module, "MainSolverExplicit",
+                                               "Explicit Runge-Kutta methods and velocity Verlet.");
   register_stages(explicit_solver, "explicit solvers have no Newton's method");
-  SolverClass<DiagonallyImplicitWrapper> implicit(module, "MainSolverDiagonallyImplicit",
-                                                  "ESDIRK43: a diagonally implicit Runge-Kutta method for stiff systems, with error control.");
+  SolverClass<DiagonallyImplicitWrapper> implicit(
+      module, "MainSolverDiagonallyImplicit",
+      "ESDIRK43: a diagonally implicit Runge-Kutta method for stiff systems, with error control.");
   register_stages(implicit, "this solver has a Newton's method per stage, which is no part by itself");
 }
 
@@ -381,8 +424,8 @@ py::list singular_points_of(const StaticWrapper& w) {
   w.require_own_thread("GetSingularPoints");
   py::list points;
   for (const SingularPoint& point : w.singular_points())
-    points.append(py::dict("step"_a = point.step, "loadFactor"_a = point.load_factor, "type"_a = point.limit ? "limit" : "bifurcation",
-                           "mode"_a = vector_array(point.mode)));
+    points.append(py::dict("step"_a = point.step, "loadFactor"_a = point.load_factor,
+                           "type"_a = point.limit ? "limit" : "bifurcation", "mode"_a = vector_array(point.mode)));
   return points;
 }
 
@@ -394,11 +437,14 @@ void register_solvers(py::module_& module) {
   register_common(c);
   register_newton<StaticWrapper, StaticSolver>(c);
   register_redundancy(c);
-  c.def_property_readonly("loadStepGeometricFactor", [](const StaticWrapper& w) { return w.geometric_factor(); },
-                          "Ratio of consecutive loads with loadStepGeometric.");
+  c.def_property_readonly(
+      "loadStepGeometricFactor", [](const StaticWrapper& w) { return w.geometric_factor(); },
+      "Ratio of consecutive loads with loadStepGeometric.");
   c.def("GetSingularPoints", &singular_points_of,
-        "Points of the last path of equilibria (staticSolver.arcLength) at which the matrix is singular, one dictionary each: step, loadFactor, "
-        "type ('limit': the load turns; 'bifurcation': a branch begins), and mode, the null vector of ODE2 coordinates with 1 as its largest entry.");
+        "Points of the last path of equilibria (staticSolver.arcLength) at which the matrix is singular, one "
+        "dictionary each: step, loadFactor, "
+        "type ('limit': the load turns; 'bifurcation': a branch begins), and mode, the null vector of ODE2 coordinates "
+        "with 1 as its largest entry.");
   register_implicit(module);
   register_runge_kutta(module);
 }

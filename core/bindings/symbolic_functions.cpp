@@ -34,14 +34,18 @@ struct SymbolicFunction {
 };
 
 [[noreturn]] void refuse_empty() {
-  throw py::value_error("symbolic.UserFunction: it is empty; call SetUserFunctionFromDict(...) or use CreateSymbolicUserFunction(...)");
+  throw py::value_error(
+      "symbolic.UserFunction: it is empty; call SetUserFunctionFromDict(...) or use CreateSymbolicUserFunction(...)");
 }
 
 class SymbolicCallback final : public Callback {
  public:
   SymbolicCallback(py::object function, const SymbolicFunction& source, const Row& row)
-      : function_(std::move(function)), tape_(source.tape), name_(row.name),
-        takes_time_(row.signature == nullptr || row.signature->takes_time), takes_item_(row.signature == nullptr || row.signature->takes_item) {
+      : function_(std::move(function)),
+        tape_(source.tape),
+        name_(row.name),
+        takes_time_(row.signature == nullptr || row.signature->takes_time),
+        takes_item_(row.signature == nullptr || row.signature->takes_item) {
     for (const Node& argument : source.arguments) arguments_.push_back(argument->name);
   }
   ~SymbolicCallback() override {
@@ -65,12 +69,13 @@ class SymbolicCallback final : public Callback {
     return results;
   }
   bool has_derivatives() const override { return true; }
-  void linearize(double time, int item, std::span<const Argument> arguments, std::span<const int> numbers, std::span<double> results,
-                 std::span<double> slopes) const override {
+  void linearize(double time, int item, std::span<const Argument> arguments, std::span<const int> numbers,
+                 std::span<double> results, std::span<double> slopes) const override {
     require_size(results.size(), item);
     const std::size_t before = static_cast<std::size_t>(takes_time_) + static_cast<std::size_t>(takes_item_);
-    with_inputs(time, item, arguments,
-                [&](std::span<const double* const> inputs) { tape_->linearize(inputs, before, numbers, results, slopes); });
+    with_inputs(time, item, arguments, [&](std::span<const double* const> inputs) {
+      tape_->linearize(inputs, before, numbers, results, slopes);
+    });
   }
   PyObject* function() const { return function_.ptr(); }
 
@@ -79,10 +84,12 @@ class SymbolicCallback final : public Callback {
 
   void require_size(std::size_t size, int item) const {
     if (static_cast<int>(size) != tape_->shape().size())
-      complain(item, "it gives " + std::to_string(tape_->shape().size()) + " numbers instead of " + std::to_string(size));
+      complain(item,
+               "it gives " + std::to_string(tape_->shape().size()) + " numbers instead of " + std::to_string(size));
   }
   void run(double time, int item, std::span<const Argument> arguments, std::span<double> results) const {
-    with_inputs(time, item, arguments, [&](std::span<const double* const> inputs) { tape_->evaluate(inputs, results); });
+    with_inputs(time, item, arguments,
+                [&](std::span<const double* const> inputs) { tape_->evaluate(inputs, results); });
   }
 
   template <class Use>
@@ -94,21 +101,25 @@ class SymbolicCallback final : public Callback {
     if (takes_item_) inputs[n++] = &number;
     const auto shapes = tape_->input_shapes();
     if (n + arguments.size() != shapes.size())
-      complain(item, "it was recorded with " + std::to_string(shapes.size()) + " arguments, but is called with " + std::to_string(n + arguments.size()));
+      complain(item, "it was recorded with " + std::to_string(shapes.size()) + " arguments, but is called with " +
+                         std::to_string(n + arguments.size()));
     for (const Argument& argument : arguments) {
       if (argument.size() != shapes[n].size())
-        complain(item, "argument '" + arguments_[n] + "' was recorded with " + std::to_string(shapes[n].size()) + " numbers, but has " +
-                           std::to_string(argument.size()));
+        complain(item, "argument '" + arguments_[n] + "' was recorded with " + std::to_string(shapes[n].size()) +
+                           " numbers, but has " + std::to_string(argument.size()));
       inputs[n++] = argument.data;
     }
     use(std::span<const double* const>(inputs.data(), n));
   }
 
   [[noreturn]] void complain(int item, const std::string& problem) const {
-    refuse(ErrorKind::value, {.item = (takes_item_ ? "object " + std::to_string(item) + ", " : "") + "recorded user function '" + std::string(name_) + "'",
-                              .problem = problem,
-                              .advice = "Record it for the markers and nodes of this item: by CreateSymbolicUserFunction(...), or by a law "
-                                        "with these numbers of coordinates or states."});
+    refuse(
+        ErrorKind::value,
+        {.item = (takes_item_ ? "object " + std::to_string(item) + ", " : "") + "recorded user function '" +
+                 std::string(name_) + "'",
+         .problem = problem,
+         .advice = "Record it for the markers and nodes of this item: by CreateSymbolicUserFunction(...), or by a law "
+                   "with these numbers of coordinates or states."});
   }
 
   py::object function_;
@@ -118,9 +129,11 @@ class SymbolicCallback final : public Callback {
   bool takes_time_, takes_item_;
 };
 
-void set_from_dictionary(SymbolicFunction& function, const py::object&, const py::dict& data, const std::string& name, const py::object&, const std::string&) {
+void set_from_dictionary(SymbolicFunction& function, const py::object&, const py::dict& data, const std::string& name,
+                         const py::object&, const std::string&) {
   for (const char* key : {"functionName", "argList", "returnValue"})
-    if (!data.contains(key)) throw py::value_error("symbolic.UserFunction: " + name + ": the dictionary has no key '" + key + "'");
+    if (!data.contains(key))
+      throw py::value_error("symbolic.UserFunction: " + name + ": the dictionary has no key '" + key + "'");
   SymbolicFunction made;
   made.name = py::str(data["functionName"]).cast<std::string>();
   made.result = symbolic::result_of(data["returnValue"]);
@@ -128,7 +141,8 @@ void set_from_dictionary(SymbolicFunction& function, const py::object&, const py
     if (py::isinstance<MainSystem>(argument)) continue;
     const Symbol* symbol = symbolic::as_symbol(argument);
     if (symbol == nullptr || symbol->node->op != Op::variable)
-      throw py::type_error("symbolic.UserFunction: " + name + ": an argument must be a symbolic variable, but is " + show(argument.ptr()));
+      throw py::type_error("symbolic.UserFunction: " + name + ": an argument must be a symbolic variable, but is " +
+                           show(argument.ptr()));
     made.arguments.push_back(symbol->node);
   }
   made.tape = std::make_shared<symbolic::Tape>(made.result, made.arguments);
@@ -145,10 +159,12 @@ py::object evaluate_function(const SymbolicFunction& function, const py::args& a
     values.push_back(symbolic::evaluate(symbolic::result_of(argument)));
     const std::size_t i = values.size() - 1;
     if (i < shapes.size() && static_cast<int>(values[i].size()) != shapes[i].size())
-      throw py::value_error("symbolic.UserFunction: '" + function.arguments[i]->name + "' needs " + std::to_string(shapes[i].size()) + " numbers, but received " + show(argument.ptr()));
+      throw py::value_error("symbolic.UserFunction: '" + function.arguments[i]->name + "' needs " +
+                            std::to_string(shapes[i].size()) + " numbers, but received " + show(argument.ptr()));
   }
   if (values.size() != shapes.size())
-    throw py::type_error("symbolic.UserFunction: " + std::to_string(shapes.size()) + " arguments are needed besides mbs, but " + std::to_string(values.size()) + " are given");
+    throw py::type_error("symbolic.UserFunction: " + std::to_string(shapes.size()) +
+                         " arguments are needed besides mbs, but " + std::to_string(values.size()) + " are given");
   for (const auto& value : values) inputs.push_back(value.data());
   const Shape shape = function.tape->shape();
   std::vector<double> results(static_cast<std::size_t>(shape.size()));
@@ -172,7 +188,8 @@ SymbolicFunction with_variable(const SymbolicFunction& function, const std::stri
   if (found == scalars.end()) {
     std::vector<std::string_view> names;
     for (const auto& entry : scalars) names.push_back(entry.first);
-    throw py::value_error("symbolic.UserFunction: '" + function.name + "' has no variable '" + name + "'." + (names.empty() ? "" : " " + suggestion(name, names)));
+    throw py::value_error("symbolic.UserFunction: '" + function.name + "' has no variable '" + name + "'." +
+                          (names.empty() ? "" : " " + suggestion(name, names)));
   }
   const Node variable = symbolic::variable({}, {value}, name);
   variable->is_open = found->second->is_open;
@@ -205,7 +222,10 @@ py::dict stored(const SymbolicFunction& function) {
       return;
     }
     py::list entry;
-    entry.append(std::string(e->op == Op::element ? "element" : e->op == Op::gather ? "gather" : e->op == Op::replace ? "replace" : symbolic::name_of(e->op)));
+    entry.append(std::string(e->op == Op::element   ? "element"
+                             : e->op == Op::gather  ? "gather"
+                             : e->op == Op::replace ? "replace"
+                                                    : symbolic::name_of(e->op)));
     for (const Node& operand : e->operands) entry.append(numbers.at(operand.get()));
     if (e->op == Op::element || e->op == Op::replace) entry.append(e->index);
     if (e->op == Op::gather) entry.append(py::make_tuple(e->shape.rows, e->shape.columns));
@@ -244,12 +264,15 @@ class StoredFunction {
     }
     function.result = operand(entry<py::object>(data_, "result"));
     function.tape = std::make_shared<symbolic::Tape>(function.result, function.arguments);
-    for (const auto& [name, value] : entry<std::map<std::string, double>>(data_, "constants")) function = with_variable(function, name, value);
+    for (const auto& [name, value] : entry<std::map<std::string, double>>(data_, "constants"))
+      function = with_variable(function, name, value);
     return function;
   }
 
  private:
-  [[noreturn]] static void complain(const std::string& problem) { throw py::value_error("symbolic.UserFunction: the stored function is not valid: " + problem); }
+  [[noreturn]] static void complain(const std::string& problem) {
+    throw py::value_error("symbolic.UserFunction: the stored function is not valid: " + problem);
+  }
 
   template <class T>
   static T entry(const py::dict& data, const char* key) {
@@ -271,7 +294,8 @@ class StoredFunction {
   }
   static Shape shape(const py::object& value) {
     const auto [rows, columns] = cast<std::pair<int, int>>(value);
-    if (rows < 0 || columns < 0 || (rows == 0 && columns > 0) || rows > largest || columns > largest) complain("unexpected shape " + show(value.ptr()));
+    if (rows < 0 || columns < 0 || (rows == 0 && columns > 0) || rows > largest || columns > largest)
+      complain("unexpected shape " + show(value.ptr()));
     return {rows, columns};
   }
   Node operand(const py::handle& number) const {
@@ -286,7 +310,8 @@ class StoredFunction {
   }
 
   Node made(const py::handle& node) const {
-    if (PyFloat_Check(node.ptr()) != 0 || PyLong_Check(node.ptr()) != 0) return symbolic::constant(PyFloat_AsDouble(node.ptr()));
+    if (PyFloat_Check(node.ptr()) != 0 || PyLong_Check(node.ptr()) != 0)
+      return symbolic::constant(PyFloat_AsDouble(node.ptr()));
     if (py::isinstance<py::dict>(node)) {
       const auto data = py::reinterpret_borrow<py::dict>(node);
       const Shape size = shape(entry<py::object>(data, "shape"));
@@ -326,7 +351,8 @@ py::object rate_along(const py::object& expression, const std::vector<std::pair<
   std::unordered_map<const symbolic::Expression*, Node> given;
   for (const auto& [variable, rate] : rates) {
     const Symbol* symbol = symbolic::as_symbol(variable);
-    if (symbol == nullptr || symbol->node->op != Op::variable) throw py::type_error("symbolic: expected a variable, but received " + show(variable.ptr()));
+    if (symbol == nullptr || symbol->node->op != Op::variable)
+      throw py::type_error("symbolic: expected a variable, but received " + show(variable.ptr()));
     const Node along = symbolic::result_of(rate);
     if (along->shape != symbol->node->shape) throw py::value_error("symbolic: a rate has the wrong size");
     given.emplace(symbol->node.get(), along);
@@ -338,7 +364,10 @@ void transfer(const py::object& self, const py::object& main, const py::object& 
   ItemKind kind{};
   int number = -1;
   if (!read_index(index.ptr(), kind, number))
-    throw py::type_error("symbolic.UserFunction: TransferUserFunction2Item: expected an ObjectIndex, LoadIndex or the like, but received " + show(index.ptr()));
+    throw py::type_error(
+        "symbolic.UserFunction: TransferUserFunction2Item: expected an ObjectIndex, LoadIndex or the like, but "
+        "received " +
+        show(index.ptr()));
   const std::string type(index_name(kind));  // ObjectIndex
   main.attr(("Set" + type.substr(0, type.size() - 5) + "Parameter").c_str())(index, name, self);
 }
@@ -381,10 +410,12 @@ bool has_own(const SymbolicFunction* function, const std::string& name) {
 }  // namespace
 
 void symbolic::register_user_functions(py::module_& module) {
-  py::class_<SymbolicFunction> type(module, "UserFunction", "A recorded user function; it is evaluated without the interpreter.");
+  py::class_<SymbolicFunction> type(module, "UserFunction",
+                                    "A recorded user function; it is evaluated without the interpreter.");
   type.def(py::init<>());
-  type.def("SetUserFunctionFromDict", &set_from_dictionary, py::arg("mainSystem"), py::arg("fcnDict"), py::arg("userFunctionName"),
-           py::arg("itemIndex") = py::none(), py::arg("itemTypeName") = "None", "Use a result of ConvertFunctionToSymbolic(...).");
+  type.def("SetUserFunctionFromDict", &set_from_dictionary, py::arg("mainSystem"), py::arg("fcnDict"),
+           py::arg("userFunctionName"), py::arg("itemIndex") = py::none(), py::arg("itemTypeName") = "None",
+           "Use a result of ConvertFunctionToSymbolic(...).");
   type.def("Evaluate", &evaluate_function, "Call the function from Python; mbs comes first.");
   type.def("__call__", &evaluate_function);
   type.def("_Variables", [](const SymbolicFunction& f) {
@@ -397,9 +428,10 @@ void symbolic::register_user_functions(py::module_& module) {
   type.def_static("_FromStored", [](const py::dict& data) { return StoredFunction(data).read(); }, py::arg("data"));
   type.def(py::pickle(&stored, [](const py::dict& data) { return StoredFunction(data).read(); }));
   module.def("_Rate", &rate_along, py::arg("expression"), py::arg("rates"));
-  type.def("TransferUserFunction2Item", &transfer, py::arg("mainSystem"), py::arg("itemIndex"), py::arg("userFunctionName"),
-           "Make it the user function of an item.");
-  type.def("__str__", [](const SymbolicFunction& f) { return f.result ? symbolic::text(*f.result) : std::string("None"); });
+  type.def("TransferUserFunction2Item", &transfer, py::arg("mainSystem"), py::arg("itemIndex"),
+           py::arg("userFunctionName"), "Make it the user function of an item.");
+  type.def("__str__",
+           [](const SymbolicFunction& f) { return f.result ? symbolic::text(*f.result) : std::string("None"); });
   type.def("__repr__", [](const SymbolicFunction& f) { return "Symbolic<" + f.name + ">"; });
   module.def("_signature", &signature_of, py::arg("itemTypeName"), py::arg("userFunctionName"));
 }
@@ -410,7 +442,9 @@ std::shared_ptr<const Callback> symbolic_callback(PyObject* value, const Row& ro
   if (!function.tape) refuse_empty();
   const bool scalar = row.signature == nullptr || row.signature->result <= Signature::Kind::boolean;
   if (scalar != function.tape->shape().is_scalar())
-    throw Refusal{ErrorKind::value, scalar ? "a symbolic function that gives a scalar" : "a symbolic function that gives a vector or matrix", ""};
+    throw Refusal{
+        ErrorKind::value,
+        scalar ? "a symbolic function that gives a scalar" : "a symbolic function that gives a vector or matrix", ""};
   return std::make_shared<SymbolicCallback>(py::reinterpret_borrow<py::object>(value), function, row);
 }
 
@@ -432,11 +466,14 @@ std::vector<RecordedConstant> constants_named(const Model& model, ItemKind kind,
     refuse(ErrorKind::value, {where, std::string(row->name), "there is no constant " + in_quotes(constant), "", "",
                               names.empty() ? "The function has no constants." : suggestion(constant, names)});
   }
-  const auto callback = [&](const Row& of) { return static_cast<const UserFunction*>(member(item.record.get(), of))->callback; };
+  const auto callback = [&](const Row& of) {
+    return static_cast<const UserFunction*>(member(item.record.get(), of))->callback;
+  };
   std::vector<RecordedConstant> found{{*row, callback(*row), constant}};
   if (!known.at(constant)->is_open) return found;
   for (const Row& other : item.type->rows)
-    if (&other != row && has_own(recorded_in(item, other), constant)) found.push_back({other, callback(other), constant});
+    if (&other != row && has_own(recorded_in(item, other), constant))
+      found.push_back({other, callback(other), constant});
   return found;
 }
 

@@ -11,7 +11,8 @@ namespace {
 using ContainerClass = py::class_<SystemContainer, std::shared_ptr<SystemContainer>>;
 
 py::object new_visualization_settings() {
-  return py::hasattr(core_module(), "VisualizationSettings") ? core_module().attr("VisualizationSettings")() : py::object(py::none());
+  return py::hasattr(core_module(), "VisualizationSettings") ? core_module().attr("VisualizationSettings")()
+                                                             : py::object(py::none());
 }
 
 std::shared_ptr<SystemContainer> new_container() {
@@ -93,7 +94,8 @@ std::shared_ptr<MainSystem> SystemContainer::system(int number) const {
   if (number >= 0 && number < static_cast<int>(systems.size())) return systems[static_cast<std::size_t>(number)];
   const std::string expected = systems.empty() ? "nothing: the container has no systems yet"
                                                : "a number from 0 to " + std::to_string(systems.size() - 1);
-  refuse(ErrorKind::index, {"SC.GetSystem(...)", "systemNumber", "", std::to_string(number), expected, "Add a system by SC.AddSystem()."});
+  refuse(ErrorKind::index, {"SC.GetSystem(...)", "systemNumber", "", std::to_string(number), expected,
+                            "Add a system by SC.AddSystem()."});
 }
 
 void register_system_container(py::module_& module) {
@@ -113,15 +115,19 @@ void register_system_container(py::module_& module) {
       },
       "Remove all systems and restore the default settings.");
   container.def("AddSystem", &SystemContainer::add_system, "Add a new system and return it.");
-  container.def("Append", &SystemContainer::append, py::arg("mainSystem"), "Add an existing system and return its number.");
+  container.def("Append", &SystemContainer::append, py::arg("mainSystem"),
+                "Add an existing system and return its number.");
   container.def("AppendSystem", &SystemContainer::append, py::arg("mainSystem"), "Earlier name of Append.");
-  container.def("NumberOfSystems", [](const SystemContainer& c) { return c.systems.size(); }, "How many systems there are.");
+  container.def(
+      "NumberOfSystems", [](const SystemContainer& c) { return c.systems.size(); }, "How many systems there are.");
   container.def("GetSystem", &SystemContainer::system, py::arg("systemNumber"), "The system with that number.");
   container.def("GetDictionary", &container_dictionary, "All systems and settings as one dictionary.");
-  container.def("SetDictionary", &set_container_dictionary, py::arg("systemDict"), "Replace everything by a result of GetDictionary().");
+  container.def("SetDictionary", &set_container_dictionary, py::arg("systemDict"),
+                "Replace everything by a result of GetDictionary().");
   container.def_property(
       "visualizationSettings", [](const SystemContainer& c) { return *c.visualization_settings; },
-      [](SystemContainer& c, py::object settings) { *c.visualization_settings = std::move(settings); }, "How systems are drawn.");
+      [](SystemContainer& c, py::object settings) { *c.visualization_settings = std::move(settings); },
+      "How systems are drawn.");
   container.def_readonly("renderer", &SystemContainer::renderer, "Makes pictures of the systems.");
   container.def("__repr__", &container_repr);
   container.def(py::pickle([](const SystemContainer& c) { return container_dictionary(c); },
@@ -140,7 +146,8 @@ void register_system_container(py::module_& module) {
         made->append(main.shared_from_this());
         return made;
       },
-      py::is_method(main_system), py::name("GetSystemContainer"), "The container that has the system, and with it the settings of pictures.");
+      py::is_method(main_system), py::name("GetSystemContainer"),
+      "The container that has the system, and with it the settings of pictures.");
 }
 
 }  // namespace dalembert

@@ -122,7 +122,8 @@ std::vector<double> read_coordinates(const System& system, const Coordinates& wh
 // Multipliers that a state of the system has, or zeros, keep their sign; that of others is not known.
 MultiplierSign sign_of(const System& system, const std::vector<double>& lambda) {
   if (std::ranges::all_of(lambda, [](double x) { return x == 0; })) return MultiplierSign::motion;
-  for (const Configuration c : {Configuration::Current, Configuration::Initial, Configuration::StartOfStep, Configuration::Visualization})
+  for (const Configuration c :
+       {Configuration::Current, Configuration::Initial, Configuration::StartOfStep, Configuration::Visualization})
     if (const State& state = system.state(c); state.lambda == lambda) return state.sign;
   return MultiplierSign::unknown;
 }
@@ -370,7 +371,8 @@ void register_coordinates(Data& data, const py::object& current) {
         (std::string("Get") + which.name).c_str(),
         [&which](const py::object& self, const py::object& where, bool copy) { return get(self, which, where, copy); },
         py::arg("configuration") = current, py::arg("copy") = true,
-        "Coordinates as an array. copy=False: a view, which writes to the system until the next Assemble(); from then on it "
+        "Coordinates as an array. copy=False: a view, which writes to the system until the next Assemble(); from then "
+        "on it "
         "keeps what was there.");
     data.def((std::string("Set") + which.name).c_str(),
              [&which](const SystemData& self, const py::object& value, const py::object& where) {
@@ -391,7 +393,8 @@ void register_coordinates(Data& data, const py::object& current) {
       "_SetMultiplierSign",
       [](const SystemData& self, int sign, const py::object& where) {
         const auto method = [] { return std::string("_SetMultiplierSign"); };
-        assembled(self, method).state(read_configuration(where, method)).sign = static_cast<MultiplierSign>(std::clamp(sign, 0, 2));
+        assembled(self, method).state(read_configuration(where, method)).sign =
+            static_cast<MultiplierSign>(std::clamp(sign, 0, 2));
       },
       py::arg("sign"), py::arg("configuration") = current, "Set what _GetMultiplierSign gave.");
   data.def("GetSystemState", &system_state, py::arg("configuration") = current,
@@ -413,7 +416,8 @@ void register_system_data(py::module_& module) {
   register_coordinates(data, current);
   register_tables(data);
   data.def("AddODE2LoadDependencies", &add_load_dependencies, py::arg("loadNumber"), py::arg("globalODE2coordinates"),
-           "Say that a load depends on ODE2 coordinates, e.g. in its user function. Known also after further Assemble(), until a "
+           "Say that a load depends on ODE2 coordinates, e.g. in its user function. Known also after further "
+           "Assemble(), until a "
            "node is deleted or replaced.");
   data.def("Info", &info, "Print all items.");
   data.def("InfoLTG", &info_ltg, "Print the index tables of objects, and the dependencies of loads.");

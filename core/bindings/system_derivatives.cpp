@@ -63,10 +63,12 @@ class SystemDerivatives {
   }
 
   // The weighted sum of the residuals of several systems with equal unknowns.
-  static Rows residual_sum(const std::vector<SystemDerivatives*>& systems, const std::vector<double>& weights, const std::vector<Array>& states,
-                           double time, double step_size) {
+  static Rows residual_sum(const std::vector<SystemDerivatives*>& systems, const std::vector<double>& weights,
+                           const std::vector<Array>& states, double time, double step_size) {
     if (systems.empty() || weights.size() != systems.size() || states.size() != systems.size())
-      refuse(ErrorKind::value, {.item = "testing.residual_sum", .parameter = "systems", .received = std::to_string(systems.size()) + " systems",
+      refuse(ErrorKind::value, {.item = "testing.residual_sum",
+                                .parameter = "systems",
+                                .received = std::to_string(systems.size()) + " systems",
                                 .expected = "as many as weights and states"});
     const std::size_t total = systems.front()->residual_.size();
     Rows sum(static_cast<py::ssize_t>(total));
@@ -77,7 +79,8 @@ class SystemDerivatives {
       System& system = one.take(states[k], time, step_size);
       one.evaluate(system, one.residual_);
       if (one.residual_.size() != total)
-        refuse(ErrorKind::value, {.item = "testing.residual_sum", .parameter = "systems", .expected = "systems of equal size"});
+        refuse(ErrorKind::value,
+               {.item = "testing.residual_sum", .parameter = "systems", .expected = "systems of equal size"});
       for (std::size_t i = 0; i < total; ++i) to[i] += weights[k] * one.residual_[i];
     }
     return sum;
@@ -89,7 +92,9 @@ class SystemDerivatives {
     const py::ssize_t count = check_states(states, times);
     const auto total = static_cast<py::ssize_t>(residual_.size());
     if (weights.ndim() != 3 || weights.shape(0) != count || weights.shape(2) != total)
-      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "weights", .received = std::to_string(weights.size()) + " numbers",
+      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives",
+                                .parameter = "weights",
+                                .received = std::to_string(weights.size()) + " numbers",
                                 .expected = "states x outputs x equations"});
     const py::ssize_t outputs = weights.shape(1);
     Rows result({outputs, total});
@@ -160,10 +165,12 @@ class SystemDerivatives {
   // in constraints; K in the columns of first-order coordinates, and minus dr/dydot there.
   // Returns -1, or the unknown without a pivot. `scale` multiplies ODE2 equations and divides multipliers, for the
   // selection of pivots only.
-  int factorize(const std::array<double, 7>& factors, const std::optional<Array>& blocks, double scale, bool transposed) {
+  int factorize(const std::array<double, 7>& factors, const std::optional<Array>& blocks, double scale,
+                bool transposed) {
     const auto& [ck, cv, ca, gk, gv, cy, cy_t] = factors;
     const int n = n_.ode2, first_ae = n_.first_ae();
-    const auto value_at = [&, ck = ck, cv = cv, ca = ca, gk = gk, gv = gv, cy = cy, cy_t = cy_t](int row, int column, std::size_t slot) {
+    const auto value_at = [&, ck = ck, cv = cv, ca = ca, gk = gk, gv = gv, cy = cy, cy_t = cy_t](int row, int column,
+                                                                                                 std::size_t slot) {
       if (column >= first_ae) return k_[slot];
       if (column >= n) return cy * k_[slot] - (row == column ? cy_t : 0.0);
       if (row >= first_ae) return gk * k_[slot] + gv * d_[slot] + ca * m_[slot];
@@ -173,7 +180,9 @@ class SystemDerivatives {
     if (blocks) add_blocks(*blocks, ck, gk);
     scale_ = scale;
     transposed_ = transposed;
-    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[slot] *= (row < n ? scale : 1.0) * (column >= first_ae ? 1 / scale : 1.0); });
+    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+      j_[slot] *= (row < n ? scale : 1.0) * (column >= first_ae ? 1 / scale : 1.0);
+    });
     if (transposed) transpose();
     if (!factors_) {
       const auto type = pattern_->is_dense() ? LinearSolverType::EXUdense : LinearSolverType::EigenSparse;
@@ -184,7 +193,8 @@ class SystemDerivatives {
 
   Rows solve(const Array& right) {
     Rows result = rows_like(right, n_.total(), n_.total());
-    const auto total = static_cast<std::size_t>(n_.total()), n = static_cast<std::size_t>(n_.ode2), first_ae = static_cast<std::size_t>(n_.first_ae());
+    const auto total = static_cast<std::size_t>(n_.total()), n = static_cast<std::size_t>(n_.ode2),
+               first_ae = static_cast<std::size_t>(n_.first_ae());
     const double before = transposed_ ? 1 : scale_, of_multipliers = transposed_ ? 1 / scale_ : 1;
     for (py::ssize_t k = 0; k < right.shape(0); ++k) {
       const double* from = right.data() + static_cast<std::size_t>(k) * total;
@@ -202,12 +212,14 @@ class SystemDerivatives {
   // K x, of all unknowns, or D v, of velocities, for each row; or the products with the transposed matrices.
   Rows product(char matrix, const Array& x, bool transposed) {
     const std::vector<double>& values = matrix == 'K' ? k_ : matrix == 'D' ? d_ : m_;
-    const int columns = matrix == 'K' ? n_.total() : n_.ode2, rows = matrix == 'M' && !acceleration_level_ ? n_.ode2 : n_.total();
+    const int columns = matrix == 'K' ? n_.total() : n_.ode2,
+              rows = matrix == 'M' && !acceleration_level_ ? n_.ode2 : n_.total();
     const int length = transposed ? rows : columns, result_length = transposed ? columns : rows;
     Rows result = rows_like(x, length, result_length);
     const auto count = static_cast<std::size_t>(x.shape(0));
     // Entry by entry, for all rows at once.
-    std::vector<double> from(count * static_cast<std::size_t>(length)), to(count * static_cast<std::size_t>(result_length), 0.0);
+    std::vector<double> from(count * static_cast<std::size_t>(length)),
+        to(count * static_cast<std::size_t>(result_length), 0.0);
     const auto turn = [count](const double* rows_of, double* columns_of, std::size_t size) {
       for (std::size_t k = 0; k < count; ++k)
         for (std::size_t i = 0; i < size; ++i) columns_of[i * count + k] = rows_of[k * size + i];
@@ -222,7 +234,8 @@ class SystemDerivatives {
     });
     double* found = result.mutable_data();
     for (std::size_t i = 0; i < static_cast<std::size_t>(result_length); ++i)
-      for (std::size_t k = 0; k < count; ++k) found[k * static_cast<std::size_t>(result_length) + i] = to[i * count + k];
+      for (std::size_t k = 0; k < count; ++k)
+        found[k * static_cast<std::size_t>(result_length) + i] = to[i * count + k];
     return result;
   }
 
@@ -230,7 +243,8 @@ class SystemDerivatives {
   // predictions of q, v and b. ends: derivatives of outputs (rows) with respect to q, v, a, b, y, y_t and lambda at the end.
   // turns: derivatives of rotations at the end with respect to increments, rotations, predicted increments and velocities.
   // Returns the derivatives with respect to the start, without those by lambda, which are zero, and the solutions w.
-  py::tuple step_back(const std::array<double, 10>& coefficients, const std::array<Array, 7>& ends, const std::optional<std::array<Array, 4>>& turns) {
+  py::tuple step_back(const std::array<double, 10>& coefficients, const std::array<Array, 7>& ends,
+                      const std::optional<std::array<Array, 4>>& turns) {
     const auto [h, c_v, c_a, c_b, p_a, p_b, r_a, r_b, m_a, m_b] = coefficients;
     const auto& [q_end, v_end, a_end, b_end, y_end, y_t_end, lambda_end] = ends;
     const py::ssize_t rows = q_end.shape(0);
@@ -238,7 +252,9 @@ class SystemDerivatives {
     for (int part = 0; part < 7; ++part) {
       const Array& end = ends[static_cast<std::size_t>(part)];
       rows_like(end, part < 4 ? n : part < 6 ? n1 : n_.ae, 0);
-      if (end.shape(0) != rows) refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "ends", .expected = "parts with equal rows"});
+      if (end.shape(0) != rows)
+        refuse(ErrorKind::value,
+               {.item = "testing.SystemDerivatives", .parameter = "ends", .expected = "parts with equal rows"});
     }
     Rows right({rows, static_cast<py::ssize_t>(n_.total())});
     for (py::ssize_t o = 0; o < rows; ++o) {
@@ -253,11 +269,14 @@ class SystemDerivatives {
     const Rows w = solve(right);
     const Rows by_k = product('K', w, true), by_d = product('D', w, true);
     const auto made = [rows](int size) { return Rows({rows, static_cast<py::ssize_t>(size)}); };
-    Rows q_start = made(n), v_start = made(n), a_start = made(n), b_start = made(n), y_start = made(n1), y_t_start = made(n1);
+    Rows q_start = made(n), v_start = made(n), a_start = made(n), b_start = made(n), y_start = made(n1),
+         y_t_start = made(n1);
     std::vector<double> of_end(static_cast<std::size_t>(n)), increment(of_end.size());
     for (py::ssize_t o = 0; o < rows; ++o) {
-      double *q = mutable_row(q_start, o), *v = mutable_row(v_start, o), *a = mutable_row(a_start, o), *b = mutable_row(b_start, o);
-      const double *kw = row(by_k, o), *dw = row(by_d, o), *q0 = row(q_end, o), *v0 = row(v_end, o), *b0 = row(b_end, o);
+      double *q = mutable_row(q_start, o), *v = mutable_row(v_start, o), *a = mutable_row(a_start, o),
+             *b = mutable_row(b_start, o);
+      const double *kw = row(by_k, o), *dw = row(by_d, o), *q0 = row(q_end, o), *v0 = row(v_end, o),
+                   *b0 = row(b_end, o);
       for (int i = 0; i < n; ++i) {
         q[i] = increment[static_cast<std::size_t>(i)] = of_end[static_cast<std::size_t>(i)] = q0[i] - kw[i];
         v[i] = v0[i] - dw[i];
@@ -286,7 +305,8 @@ class SystemDerivatives {
     check(q, n_.ode2, "q");
     check(increment, n_.ode2, "increment");
     std::vector<double> result(q.data(), q.data() + q.size());
-    move(current(), {q.data(), static_cast<std::size_t>(q.size())}, {increment.data(), static_cast<std::size_t>(increment.size())}, result);
+    move(current(), {q.data(), static_cast<std::size_t>(q.size())},
+         {increment.data(), static_cast<std::size_t>(increment.size())}, result);
     return Rows(static_cast<py::ssize_t>(result.size()), result.data());
   }
 
@@ -297,7 +317,8 @@ class SystemDerivatives {
 
   // Derivatives of the values of a sensor (rows) by entries of z, by central differences of fourth order; rotations of
   // Lie-group nodes vary by increments.
-  Rows sensor_gradient(int number, const Array& z, double time, const std::vector<int>& entries, const std::vector<double>& steps) {
+  Rows sensor_gradient(int number, const Array& z, double time, const std::vector<int>& entries,
+                       const std::vector<double>& steps) {
     take(z, time, conditions_.step_size);
     const State middle = state_;
     const std::size_t values = measured(number).size();
@@ -310,7 +331,8 @@ class SystemDerivatives {
         const std::vector<double> found = measured(number);
         for (std::size_t i = 0; i < values; ++i) sum[i] += weight / steps[k] * found[i];
       }
-      for (std::size_t i = 0; i < values; ++i) *result.mutable_data(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k)) = sum[i];
+      for (std::size_t i = 0; i < values; ++i)
+        *result.mutable_data(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k)) = sum[i];
     }
     state_ = middle;
     return result;
@@ -344,7 +366,8 @@ class SystemDerivatives {
   struct Difference {
     double multiple, weight;
   };
-  static constexpr std::array<Difference, 4> differences{{{-2, 1.0 / 12}, {-1, -8.0 / 12}, {1, 8.0 / 12}, {2, -1.0 / 12}}};
+  static constexpr std::array<Difference, 4> differences{
+      {{-2, 1.0 / 12}, {-1, -8.0 / 12}, {1, 8.0 / 12}, {2, -1.0 / 12}}};
 
   void evaluate(System& system, std::span<double> residual) {
     system.residual(state_, conditions_, residual);
@@ -418,7 +441,8 @@ class SystemDerivatives {
         if (row < first_ae) return;
         const auto slot = [&](int i) { return static_cast<std::size_t>(pattern_->slot(row, block.rotation + i)); };
         for (int j = 0; j < 3; ++j)
-          for (int i = 0; i < 3; ++i) k_[slot(j)] -= by_q[slot(i)] * cross[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+          for (int i = 0; i < 3; ++i)
+            k_[slot(j)] -= by_q[slot(i)] * cross[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
       });
     }
     along_motion([&](double weight) {
@@ -434,13 +458,17 @@ class SystemDerivatives {
   System& current() {
     System& system = main_->assembled("SystemDerivatives");
     if (system.version() != version_)
-      refuse(ErrorKind::state, {.item = "testing.SystemDerivatives", .problem = "the system was assembled again", .advice = "Make a new one."});
+      refuse(ErrorKind::state, {.item = "testing.SystemDerivatives",
+                                .problem = "the system was assembled again",
+                                .advice = "Make a new one."});
     return system;
   }
 
   static void check(const Array& values, int size, const char* name) {
     if (values.ndim() == 1 && values.size() == size) return;
-    refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = name, .received = std::to_string(values.size()) + " numbers",
+    refuse(ErrorKind::value, {.item = "testing.SystemDerivatives",
+                              .parameter = name,
+                              .received = std::to_string(values.size()) + " numbers",
                               .expected = std::to_string(size) + " numbers"});
   }
 
@@ -448,7 +476,9 @@ class SystemDerivatives {
 
   py::ssize_t check_states(const Array& states, const Array& times) const {
     if (states.ndim() != 2 || states.shape(1) != length() || times.size() != states.shape(0))
-      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "states", .received = std::to_string(states.size()) + " numbers",
+      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives",
+                                .parameter = "states",
+                                .received = std::to_string(states.size()) + " numbers",
                                 .expected = "rows of " + std::to_string(length()) + " numbers, and as many times"});
     return states.shape(0);
   }
@@ -470,7 +500,9 @@ class SystemDerivatives {
 
   static Rows rows_like(const Array& rows, int length, int result_length) {
     if (rows.ndim() != 2 || rows.shape(1) != length)
-      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "rows", .received = std::to_string(rows.size()) + " numbers",
+      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives",
+                                .parameter = "rows",
+                                .received = std::to_string(rows.size()) + " numbers",
                                 .expected = "rows of " + std::to_string(length) + " numbers"});
     return Rows({rows.shape(0), static_cast<py::ssize_t>(result_length)});
   }
@@ -481,7 +513,9 @@ class SystemDerivatives {
     return rows.data() + number * rows.shape(1);
   }
   static double* mutable_row(Rows& rows, py::ssize_t number) { return rows.mutable_data() + number * rows.shape(1); }
-  static Rows array(const std::vector<double>& values) { return Rows(static_cast<py::ssize_t>(values.size()), values.data()); }
+  static Rows array(const std::vector<double>& values) {
+    return Rows(static_cast<py::ssize_t>(values.size()), values.data());
+  }
 
   // Replaces K by K B in the columns of rotations.
   void add_blocks(const Array& blocks, double ck, double gk) {
@@ -490,7 +524,8 @@ class SystemDerivatives {
     for (const System::LieBlock& block : current().lie_blocks()) {
       for_each_row(*pattern_, block.rotation, [&](int row) {
         std::array<std::size_t, 3> slots{};
-        for (int j = 0; j < 3; ++j) slots[static_cast<std::size_t>(j)] = static_cast<std::size_t>(pattern_->slot(row, block.rotation + j));
+        for (int j = 0; j < 3; ++j)
+          slots[static_cast<std::size_t>(j)] = static_cast<std::size_t>(pattern_->slot(row, block.rotation + j));
         for (int j = 0; j < 3; ++j) {
           double sum = -k_[slots[static_cast<std::size_t>(j)]];
           for (int i = 0; i < 3; ++i) sum += k_[slots[static_cast<std::size_t>(i)]] * b[3 * i + j];
@@ -504,9 +539,13 @@ class SystemDerivatives {
   void transpose() {
     const std::vector<double> values = j_;
     if (pattern_->is_dense()) {
-      for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[static_cast<std::size_t>(pattern_->slot(column, row))] = values[slot]; });
+      for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+        j_[static_cast<std::size_t>(pattern_->slot(column, row))] = values[slot];
+      });
     } else {
-      pattern_->for_each_transposed([&](int slot, int transposed) { j_[static_cast<std::size_t>(transposed)] = values[static_cast<std::size_t>(slot)]; });
+      pattern_->for_each_transposed([&](int slot, int transposed) {
+        j_[static_cast<std::size_t>(transposed)] = values[static_cast<std::size_t>(slot)];
+      });
     }
   }
 
@@ -514,7 +553,9 @@ class SystemDerivatives {
   void transform_rotations(const Array& matrices, const double* x, double* y, bool adds) {
     const auto blocks = current().lie_blocks();
     if (matrices.size() != static_cast<py::ssize_t>(9 * blocks.size()))
-      refuse(ErrorKind::value, {.item = "testing.SystemDerivatives", .parameter = "turns", .expected = "a 3 x 3 matrix for each rotation"});
+      refuse(
+          ErrorKind::value,
+          {.item = "testing.SystemDerivatives", .parameter = "turns", .expected = "a 3 x 3 matrix for each rotation"});
     const double* m = matrices.data();
     for (const System::LieBlock& block : blocks) {
       const double* from = x + block.rotation;
@@ -527,7 +568,8 @@ class SystemDerivatives {
     }
   }
 
-  static void move(const System& system, std::span<const double> from, std::span<const double> increment, std::vector<double>& q) {
+  static void move(const System& system, std::span<const double> from, std::span<const double> increment,
+                   std::vector<double>& q) {
     for (std::size_t i = 0; i < q.size(); ++i) q[i] = from[i] + increment[i];
     if (system.has_lie_nodes()) system.compose(from, increment, q);
   }
@@ -575,40 +617,54 @@ class SystemDerivatives {
 void register_system_derivatives(py::module_& testing) {
   using D = SystemDerivatives;
   py::class_<D> c(testing, "SystemDerivatives",
-                  "Residual, matrices and sensors of an assembled system at states z = [q, v, a, y, y_t, lam, data]. Several vectors "
+                  "Residual, matrices and sensors of an assembled system at states z = [q, v, a, y, y_t, lam, data]. "
+                  "Several vectors "
                   "are rows of an array. rate_level, inertia: see State.");
-  c.def(py::init<std::shared_ptr<MainSystem>, bool, bool>(), py::arg("mbs"), py::kw_only(), py::arg("rate_level") = false, py::arg("inertia") = true);
+  c.def(py::init<std::shared_ptr<MainSystem>, bool, bool>(), py::arg("mbs"), py::kw_only(),
+        py::arg("rate_level") = false, py::arg("inertia") = true);
   const auto z = py::arg("z"), time = py::arg("time"), step_size = py::arg("step_size");
   c.def("residual", &D::residual, z, time, step_size, "Residual of [ODE2, ODE1, AE].");
   c.def("residuals", &D::residuals, py::arg("states"), py::arg("times"), step_size, "Residuals at states in rows.");
-  c.def("weighted_residuals", &D::weighted_residuals, py::arg("states"), py::arg("times"), step_size, py::arg("weights"),
+  c.def("weighted_residuals", &D::weighted_residuals, py::arg("states"), py::arg("times"), step_size,
+        py::arg("weights"),
         "Sums over states of weights (states x outputs x equations) times residuals, entry by entry.");
-  testing.def("residual_sum", &D::residual_sum, py::arg("systems"), py::arg("weights"), py::arg("states"), time, step_size,
-              "Weighted sum of the residuals of SystemDerivatives, each at a state of its own.");
+  testing.def("residual_sum", &D::residual_sum, py::arg("systems"), py::arg("weights"), py::arg("states"), time,
+              step_size, "Weighted sum of the residuals of SystemDerivatives, each at a state of its own.");
   c.def("gaps", &D::gaps, z, time, py::arg("rate_level"), "Algebraic equations alone, as positions or as rates.");
   c.def("switches", &D::switches, z, time, step_size,
-        "Switches of items: (value, whether it is a kink only, noise, object or -1, what). A negative value, or any change of sign of a kink, is an event.");
-  c.def("switch_over", &D::switch_over, z, time, step_size, "Data coordinates after a step, given the data of the step.");
+        "Switches of items: (value, whether it is a kink only, noise, object or -1, what). A negative value, or any "
+        "change of sign of a kink, is an event.");
+  c.def("switch_over", &D::switch_over, z, time, step_size,
+        "Data coordinates after a step, given the data of the step.");
   c.def("linearize", &D::linearize, z, time, step_size, py::arg("rate_level") = py::none(),
         "Compute K = dr/d[q, y, lam], D = dr/dv and M = dr/da; rate_level: other than that of the equations.");
-  c.def("factorize", &D::factorize, py::arg("factors"), py::arg("blocks") = py::none(), py::arg("scale") = 1.0, py::arg("transposed") = false,
-        "Factors of a sum of K, D and M, or of its transposed. factors: those of K, D, M in the equations of motion, of K, D in constraints, of "
-        "K and -1 in the columns of first-order coordinates; blocks: 3 x 3 matrices by which K is multiplied from the right at the rotations of "
+  c.def("factorize", &D::factorize, py::arg("factors"), py::arg("blocks") = py::none(), py::arg("scale") = 1.0,
+        py::arg("transposed") = false,
+        "Factors of a sum of K, D and M, or of its transposed. factors: those of K, D, M in the equations of motion, "
+        "of K, D in constraints, of "
+        "K and -1 in the columns of first-order coordinates; blocks: 3 x 3 matrices by which K is multiplied from the "
+        "right at the rotations of "
         "Lie-group nodes. Returns -1, or the unknown without a pivot.");
   c.def("solve", &D::solve, py::arg("right"), "Solutions for right-hand sides, with the last factors.");
   c.def("product", &D::product, py::arg("matrix"), py::arg("x"), py::arg("transposed") = false,
         "K x, D v or M a for each row, matrix: 'K', 'D' or 'M'; or the products with the transposed matrix.");
   c.def("step_back", &D::step_back, py::arg("coefficients"), py::arg("ends"), py::arg("turns") = py::none(),
         "One step of generalized alpha backwards, with factors of the transposed matrix.");
-  c.def("compose", &D::compose, py::arg("q"), py::arg("increment"), "q after an increment; rotations of Lie-group nodes are composed.");
+  c.def("compose", &D::compose, py::arg("q"), py::arg("increment"),
+        "q after an increment; rotations of Lie-group nodes are composed.");
   c.def("sensor", &D::sensor, py::arg("number"), z, time, "Values of a sensor. The current state becomes z.");
   c.def("sensor_gradient", &D::sensor_gradient, py::arg("number"), z, time, py::arg("entries"), py::arg("steps"),
-        "Derivatives of the values of a sensor by entries of z, by central differences of fourth order with these steps.");
-  c.def("driven", &D::driven, z, time, py::arg("end_time"), "Constraint equations whose gaps user functions prescribe in time.");
+        "Derivatives of the values of a sensor by entries of z, by central differences of fourth order with these "
+        "steps.");
+  c.def("driven", &D::driven, z, time, py::arg("end_time"),
+        "Constraint equations whose gaps user functions prescribe in time.");
   c.def_property("acceleration_level", &D::acceleration_level, &D::set_acceleration_level,
-                 "Whether constraint equations are those of accelerations: in residuals, and in K, D and M where no rate_level is given.");
+                 "Whether constraint equations are those of accelerations: in residuals, and in K, D and M where no "
+                 "rate_level is given.");
   c.def_property_readonly("rotations", &D::rotations, "First coordinates of the rotations of Lie-group nodes.");
-  c.def_property_readonly("static_signs", &D::static_signs, "-1 for multipliers, whose sign is opposite in static solutions; 1 for algebraic coordinates.");
+  c.def_property_readonly(
+      "static_signs", &D::static_signs,
+      "-1 for multipliers, whose sign is opposite in static solutions; 1 for algebraic coordinates.");
   c.def_property_readonly("sizes", &D::sizes, "Numbers of ODE2, ODE1, algebraic and data coordinates.");
 }
 

@@ -54,7 +54,8 @@ class Tap {
       want(part_);
       return Part::none;
     }
-    const bool fits = copy_.q.size() == target.q.size() && copy_.y.size() == target.y.size() && copy_.data.size() == target.data.size() &&
+    const bool fits = copy_.q.size() == target.q.size() && copy_.y.size() == target.y.size() &&
+                      copy_.data.size() == target.data.size() &&
                       (part_ != Part::all || copy_.lambda.size() == target.lambda.size());
     if (!fits) return Part::none;  // left from before the system was assembled anew
     if (part_ == Part::all)
@@ -69,7 +70,8 @@ class Tap {
 
  private:
   static constexpr double old = 0.05;  // s: more than the interval between pictures
-  static constexpr double rarity = 110;  // copies take less than a hundredth of the solver's time, the first one included
+  static constexpr double rarity =
+      110;  // copies take less than a hundredth of the solver's time, the first one included
 
   // Expected time of the first copy, which allocates new memory.
   static double expected_time(const State& s) {

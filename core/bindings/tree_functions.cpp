@@ -22,7 +22,8 @@ TreeFunctions functions_of(MainSystem& main, const py::object& number) {
   main.assembled("TreeDynamics");
   const Item& item = main.model.items(ItemKind::object)[static_cast<std::size_t>(object)];
   if (item.type->name != "ObjectKinematicTree")
-    refuse(ErrorKind::value, {"TreeDynamics(...)", "objectNumber", "", main.model.describe(ItemKind::object, object), "an ObjectKinematicTree", ""});
+    refuse(ErrorKind::value, {"TreeDynamics(...)", "objectNumber", "", main.model.describe(ItemKind::object, object),
+                              "an ObjectKinematicTree", ""});
   const auto& p = static_cast<const ObjectKinematicTreeRecord*>(item.record.get())->parameters;
   return {tree_of(p), p.gravity};
 }
@@ -30,7 +31,8 @@ TreeFunctions functions_of(MainSystem& main, const py::object& number) {
 // States are rows of equal length; Python has seen to it.
 std::size_t states_of(const Numbers& q) { return static_cast<std::size_t>(q.shape(0)); }
 Numbers room(const TreeFunctions& f, const Numbers& q, std::initializer_list<py::ssize_t> shape) {
-  if (q.ndim() != 2 || q.shape(1) != f.tree().count()) throw std::logic_error("_TreeFunctions: states are rows, one number per joint");
+  if (q.ndim() != 2 || q.shape(1) != f.tree().count())
+    throw std::logic_error("_TreeFunctions: states are rows, one number per joint");
   std::vector<py::ssize_t> all{q.shape(0)};
   all.insert(all.end(), shape);
   return Numbers(all);
@@ -54,8 +56,9 @@ Numbers forward_dynamics(const TreeFunctions& f, const Numbers& q, const Numbers
     loose = f.forward_dynamics(states_of(q), q.data(), v.data(), forces.data(), to);
   }
   if (loose >= 0)
-    refuse(ErrorKind::value, {"TreeDynamics.ForwardDynamics(...)", "", "nothing resists joint " + std::to_string(loose), "", "",
-                              "Links at the ends of the tree need mass, and inertia about the axes of their joints"});
+    refuse(ErrorKind::value,
+           {"TreeDynamics.ForwardDynamics(...)", "", "nothing resists joint " + std::to_string(loose), "", "",
+            "Links at the ends of the tree need mass, and inertia about the axes of their joints"});
   return a;
 }
 Numbers mass_matrix(const TreeFunctions& f, const Numbers& q) {
@@ -66,7 +69,8 @@ Numbers mass_matrix(const TreeFunctions& f, const Numbers& q) {
   return matrices;
 }
 py::tuple derivatives(const TreeFunctions& f, const Numbers& q, const Numbers& v, const Numbers& a) {
-  Numbers by_q = room(f, q, {f.tree().count(), f.tree().count()}), by_v = room(f, q, {f.tree().count(), f.tree().count()});
+  Numbers by_q = room(f, q, {f.tree().count(), f.tree().count()}),
+          by_v = room(f, q, {f.tree().count(), f.tree().count()});
   double *to_q = by_q.mutable_data(), *to_v = by_v.mutable_data();
   {
     const py::gil_scoped_release release;
@@ -115,7 +119,8 @@ Numbers potential_energy(const TreeFunctions& f, const Numbers& q) {
 }  // namespace
 
 void register_tree_functions(py::module_& module) {
-  py::class_<TreeFunctions>(module, "_TreeFunctions", "Mechanics of a kinematic tree; states are rows of arrays. See dalembert.treeDynamics.")
+  py::class_<TreeFunctions>(module, "_TreeFunctions",
+                            "Mechanics of a kinematic tree; states are rows of arrays. See dalembert.treeDynamics.")
       .def(py::init(&functions_of), py::arg("mbs"), py::arg("objectNumber"))
       .def("links", [](const TreeFunctions& f) { return f.tree().count(); })
       .def("inverse_dynamics", &inverse_dynamics, py::arg("q"), py::arg("v"), py::arg("a"))

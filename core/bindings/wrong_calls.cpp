@@ -22,8 +22,10 @@ void explain(PyObject* record, PyObject* const* arguments, Py_ssize_t positional
   try {
     const auto named = names == nullptr ? py::tuple() : py::reinterpret_borrow<py::tuple>(names);
     py::list given;
-    for (Py_ssize_t i = 0; i < positional + static_cast<Py_ssize_t>(named.size()); ++i) given.append(py::handle(arguments[i]));
-    const py::object words = py::module_::import("dalembert._tools.wrong_calls").attr("in_words")(text, given, named, py::handle(record));
+    for (Py_ssize_t i = 0; i < positional + static_cast<Py_ssize_t>(named.size()); ++i)
+      given.append(py::handle(arguments[i]));
+    const py::object words =
+        py::module_::import("dalembert._tools.wrong_calls").attr("in_words")(text, given, named, py::handle(record));
     PyErr_SetObject(PyExc_TypeError, words.ptr());
   } catch (py::error_already_set&) {
     error.restore();
@@ -32,7 +34,8 @@ void explain(PyObject* record, PyObject* const* arguments, Py_ssize_t positional
 
 PyObject* explaining_call(PyObject* record, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
   PyObject* const result = call(record, arguments, count, names);
-  if (result == nullptr) [[unlikely]] explain(record, arguments, PyVectorcall_NARGS(static_cast<std::size_t>(count)), names);
+  if (result == nullptr) [[unlikely]]
+    explain(record, arguments, PyVectorcall_NARGS(static_cast<std::size_t>(count)), names);
   return result;
 }
 
@@ -50,8 +53,10 @@ void explain_function(PyObject* function) {
 
 void explain_functions_of(const py::dict& names) {
   for (const auto& [name, value] : names) {
-    if (PyObject_TypeCheck(value.ptr(), &PyProperty_Type)) explain_function(py::object(value.attr("fset")).ptr());
-    else explain_function(value.ptr());
+    if (PyObject_TypeCheck(value.ptr(), &PyProperty_Type))
+      explain_function(py::object(value.attr("fset")).ptr());
+    else
+      explain_function(value.ptr());
   }
 }
 
@@ -60,14 +65,16 @@ void explain_functions_of(const py::dict& names) {
 void explain_wrong_calls(py::module_& module) {
   const py::object known = module.attr("InvalidIndex");
   const PyMethodDef* definition = reinterpret_cast<PyCFunctionObject*>(known.ptr())->m_ml;
-  if (definition->ml_flags != (METH_FASTCALL | METH_KEYWORDS)) return;  // functions of an earlier pybind11 are called in another way
+  if (definition->ml_flags != (METH_FASTCALL | METH_KEYWORDS))
+    return;  // functions of an earlier pybind11 are called in another way
   call = reinterpret_cast<Call>(reinterpret_cast<void (*)()>(definition->ml_meth));
   explain_functions_of(module.attr("__dict__"));
   const std::string prefix = std::string(py::str(module.attr("__name__"))) + ".";
   py::list classes;
   py::detail::with_internals([&](py::detail::internals& internals) {
     for (const auto& entry : internals.registered_types_py)
-      if (std::string_view(entry.first->tp_name).starts_with(prefix)) classes.append(py::handle(reinterpret_cast<PyObject*>(entry.first)));
+      if (std::string_view(entry.first->tp_name).starts_with(prefix))
+        classes.append(py::handle(reinterpret_cast<PyObject*>(entry.first)));
   });
   for (const py::handle& type : classes) explain_functions_of(py::dict(type.attr("__dict__")));
 }

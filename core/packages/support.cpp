@@ -20,7 +20,8 @@ ItemLabel::operator std::string() const { return core->describe(*this); }
 Traced Traced::note(Operation operation, const Traced& a, const Traced& b) { return core->note(operation, a, b); }
 Instructions instructions() { return core->instructions(); }
 
-void check_inertia(double mass, const Mat3<double>& about_reference, const Vec3<double>& centre, const ItemLabel& item) {
+void check_inertia(double mass, const Mat3<double>& about_reference, const Vec3<double>& centre,
+                   const ItemLabel& item) {
   core->check_inertia(mass, about_reference, centre, item);
 }
 Verdict judge_inertia(double mass, const Mat3<double>& about_reference, const Vec3<double>& centre) {
@@ -29,7 +30,8 @@ Verdict judge_inertia(double mass, const Mat3<double>& about_reference, const Ve
 void check_planar_inertia(double mass, double about_reference, const Vec<double, 2>& centre, const ItemLabel& item) {
   core->check_planar_inertia(mass, about_reference, centre, item);
 }
-void check_unit_length(std::span<const double> values, const char* parameter, const char* expected, const ItemLabel& item) {
+void check_unit_length(std::span<const double> values, const char* parameter, const char* expected,
+                       const ItemLabel& item) {
   core->check_unit_length(values, parameter, expected, item);
 }
 
@@ -39,14 +41,16 @@ void System::node_output(int node, OutputVariableType variable, ConfigurationTyp
 void System::object_output(int object, OutputVariableType variable, ConfigurationType configuration, Values& values) {
   (this->*core->object_output)(object, variable, configuration, values);
 }
-void System::body_output(int object, OutputVariableType variable, std::array<double, 3> local, ConfigurationType configuration, Values& values) {
+void System::body_output(int object, OutputVariableType variable, std::array<double, 3> local,
+                         ConfigurationType configuration, Values& values) {
   (this->*core->body_output)(object, variable, local, configuration, values);
 }
-void System::super_element_output(int object, OutputVariableType variable, int mesh_node, ConfigurationType configuration, Values& values) {
+void System::super_element_output(int object, OutputVariableType variable, int mesh_node,
+                                  ConfigurationType configuration, Values& values) {
   (this->*core->super_element_output)(object, variable, mesh_node, configuration, values);
 }
-void System::link_output(int object, OutputVariableType variable, int link, std::array<double, 3> local, ConfigurationType configuration,
-                         Values& values) {
+void System::link_output(int object, OutputVariableType variable, int link, std::array<double, 3> local,
+                         ConfigurationType configuration, Values& values) {
   (this->*core->link_output)(object, variable, link, local, configuration, values);
 }
 void System::marker_output(int marker, OutputVariableType variable, ConfigurationType configuration, Values& values) {
@@ -59,8 +63,15 @@ namespace {
 
 const ItemPackage& package() {
   static const std::string stamp = stamp_of(DALEMBERT_HEADERS);
-  static const ItemPackage own{sizeof(ItemPackage), stamp.c_str(), DALEMBERT_ITEM_MODULE, DALEMBERT_ITEM_SOURCE, DALEMBERT_ITEM_REBUILD,
-                               own_item_types(), own_item_texts(), own_item_transformations(), &core};
+  static const ItemPackage own{sizeof(ItemPackage),
+                               stamp.c_str(),
+                               DALEMBERT_ITEM_MODULE,
+                               DALEMBERT_ITEM_SOURCE,
+                               DALEMBERT_ITEM_REBUILD,
+                               own_item_types(),
+                               own_item_texts(),
+                               own_item_transformations(),
+                               &core};
   return own;
 }
 
@@ -69,7 +80,8 @@ bool hand_over(PyObject* module) {
   PyObject* const dalembert_core = PyImport_ImportModule("dalembert._core");
   if (dalembert_core == nullptr) return false;
   PyObject* const capsule = PyCapsule_New(const_cast<ItemPackage*>(&package()), ItemPackage::capsule, nullptr);
-  PyObject* const added = capsule == nullptr ? nullptr : PyObject_CallMethod(dalembert_core, "_add_item_package", "OO", capsule, module);
+  PyObject* const added =
+      capsule == nullptr ? nullptr : PyObject_CallMethod(dalembert_core, "_add_item_package", "OO", capsule, module);
   Py_XDECREF(added);
   Py_XDECREF(capsule);
   Py_DECREF(dalembert_core);
@@ -80,7 +92,8 @@ bool hand_over(PyObject* module) {
 }  // namespace dalembert
 
 PyMODINIT_FUNC PyInit__items() {
-  static PyModuleDef definition{PyModuleDef_HEAD_INIT, DALEMBERT_ITEM_MODULE "._items", nullptr, -1, nullptr, nullptr, nullptr, nullptr, nullptr};
+  static PyModuleDef definition{
+      PyModuleDef_HEAD_INIT, DALEMBERT_ITEM_MODULE "._items", nullptr, -1, nullptr, nullptr, nullptr, nullptr, nullptr};
   PyObject* const module = PyModule_Create(&definition);
   if (module == nullptr || dalembert::hand_over(module)) return module;
   Py_DECREF(module);

@@ -36,7 +36,8 @@ int second_derivative() {
   using Once = Dual<1>;
   using Twice = Dual<1, Once>;
   const Twice x = Twice::seed(Once::seed(2, 0), 0), cube = x * x * x;
-  return differs(cube.value.value, 8) + differs(cube.value.d[0], 12) + differs(cube.d[0].value, 12) + differs(cube.d[0].d[0], 12);
+  return differs(cube.value.value, 8) + differs(cube.value.d[0], 12) + differs(cube.d[0].value, 12) +
+         differs(cube.d[0].d[0], 12);
 }
 
 // A comparison takes the branch of the value; constants have no derivatives.

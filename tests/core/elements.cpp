@@ -98,7 +98,8 @@ static_assert(OnNode<CompleteMass, CompletePoint>::traits.diagonal);
 
 struct Rod : OnNode<CompleteMass, CompletePoint> {};
 struct RodWithTangent : Rod {
-  static Mat<double, 3, 3> tangent(const Parameters&, const NothingPrepared&, const Context&, const Coordinates<double, 3>&, const Weights&) {
+  static Mat<double, 3, 3> tangent(const Parameters&, const NothingPrepared&, const Context&,
+                                   const Coordinates<double, 3>&, const Weights&) {
     return {};
   }
 };

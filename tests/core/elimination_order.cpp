@@ -13,7 +13,9 @@ using namespace dalembert;
 
 namespace {
 
-constexpr int body = 6, joint = 5, redundant = 3;  // coordinates; equations of a revolute joint; the redundant ones of a planar loop in space
+constexpr int body = 6, joint = 5,
+              redundant =
+                  3;  // coordinates; equations of a revolute joint; the redundant ones of a planar loop in space
 
 struct Ladder {
   std::vector<std::set<int>> columns;  // rows of each
@@ -87,8 +89,11 @@ int check(bool good, const char* what) {
 int main() {
   const Ladder few(20), many(80);
   const std::size_t unknowns_of_loop = 3 * body + 4 * joint;
-  int failures = check(many.largest_front(many.dependent) <= unknowns_of_loop + body, "fronts are larger than a loop and the rung below");
-  failures += check(many.largest_front(many.dependent) == few.largest_front(few.dependent), "fronts grow with the number of loops");
-  failures += check(many.largest_front(many.dependent) < many.largest_front({}), "it makes no difference what depends on others");
+  int failures = check(many.largest_front(many.dependent) <= unknowns_of_loop + body,
+                       "fronts are larger than a loop and the rung below");
+  failures += check(many.largest_front(many.dependent) == few.largest_front(few.dependent),
+                    "fronts grow with the number of loops");
+  failures += check(many.largest_front(many.dependent) < many.largest_front({}),
+                    "it makes no difference what depends on others");
   return failures;
 }

@@ -37,7 +37,10 @@ struct Misspelt : AllMarkersAct, NoAlgebraicEquations, NoSwitches, NoOutputs {
 static_assert(!ManyPortsKernel<Misspelt>);
 
 struct WrongSignature : Complete {
-  static int output(const Parameters&, const Context&, const Exchange<double>&, OutputVariableType, std::vector<double>&) { return 0; }
+  static int output(const Parameters&, const Context&, const Exchange<double>&, OutputVariableType,
+                    std::vector<double>&) {
+    return 0;
+  }
 };
 static_assert(!ManyPortsKernel<WrongSignature>);
 

@@ -31,7 +31,8 @@ int arithmetic_differs() {
   const auto b = Pack<N>::of_each([](int lane) { return 0.3 * lane - 4; });
   const Pack<N> c = formula(a, b);
   int failures = 0;
-  for (int lane = 0; lane < N; ++lane) failures += !(std::abs(c[lane] - formula(a[lane], b[lane])) < 1e-14 * std::abs(c[lane]));
+  for (int lane = 0; lane < N; ++lane)
+    failures += !(std::abs(c[lane] - formula(a[lane], b[lane])) < 1e-14 * std::abs(c[lane]));
   return failures;
 }
 
@@ -65,11 +66,13 @@ int functions_differ() {
   const auto differs = [](double a, double b) { return !(std::abs(a - b) <= 4e-16 * std::abs(b)); };
   const auto twin = [](auto x) { return x; };
   for (int k = -4000; k <= 4000; ++k) {
-    const auto angle = Pack<N>::of_each([k](int lane) { return lane == 1 && k % 7 == 0 ? 1e7 : 0.0031 * k + 0.0007 * lane; });
+    const auto angle =
+        Pack<N>::of_each([k](int lane) { return lane == 1 && k % 7 == 0 ? 1e7 : 0.0031 * k + 0.0007 * lane; });
     const auto [sine, cosine] = sine_cosine(angle);
     const Pack<N> found = angle_of(Pack<N>(2.5 * sine), Pack<N>(2.5 * cosine));
     for (int lane = 0; lane < N; ++lane) {
-      failures += !(std::abs(sine[lane] - std::sin(angle[lane])) < 3e-16) || !(std::abs(cosine[lane] - std::cos(angle[lane])) < 3e-16);
+      failures += !(std::abs(sine[lane] - std::sin(angle[lane])) < 3e-16) ||
+                  !(std::abs(cosine[lane] - std::cos(angle[lane])) < 3e-16);
       failures += differs(found[lane], std::atan2(2.5 * sine[lane], 2.5 * cosine[lane]));
       const auto alone = sine_cosine(twin(Pack<N>(angle[lane])));
       failures += alone.sine[0] != sine[lane] || alone.cosine[0] != cosine[lane];
@@ -79,7 +82,9 @@ int functions_differ() {
     for (int lane = 0; lane < N; ++lane) {
       double one[3];
       RodriguesSeries::terms(angle[lane] * angle[lane], one[0], one[1], one[2]);
-      for (int i = 0; i < 3; ++i) failures += !(std::abs(terms[i][lane] - one[i]) < 1e-12 * (1e-3 + std::abs(one[i])));  // 1 - sine/angle loses three digits
+      for (int i = 0; i < 3; ++i)
+        failures += !(std::abs(terms[i][lane] - one[i]) <
+                      1e-12 * (1e-3 + std::abs(one[i])));  // 1 - sine/angle loses three digits
     }
   }
   failures += angle_of(Pack<N>(0.0), Pack<N>(0.0))[0] != 0;
@@ -90,22 +95,28 @@ int functions_differ() {
 template <int N>
 int choices_differ() {
   using Limits = std::numeric_limits<double>;
-  constexpr std::array all{-0.0, 0.0, Limits::quiet_NaN(), Limits::denorm_min(), 1.0, -1.0, Limits::infinity(), -Limits::infinity()};
-  const auto from = [&](std::size_t first) { return Pack<N>::of_each([&](int lane) { return all[(first + static_cast<std::size_t>(lane)) % all.size()]; }); };
+  constexpr std::array all{-0.0, 0.0,  Limits::quiet_NaN(), Limits::denorm_min(),
+                           1.0,  -1.0, Limits::infinity(),  -Limits::infinity()};
+  const auto from = [&](std::size_t first) {
+    return Pack<N>::of_each([&](int lane) { return all[(first + static_cast<std::size_t>(lane)) % all.size()]; });
+  };
   const Pack<N> yes(1.0), no(0.0);
   int failures = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < all.size(); ++j) {
-      const Pack<N> a = from(i), b = from(j), is_less = Pack<N>::chosen(less(a, b), yes, no), is_equal = Pack<N>::chosen(equal(a, b), yes, no);
+      const Pack<N> a = from(i), b = from(j), is_less = Pack<N>::chosen(less(a, b), yes, no),
+                    is_equal = Pack<N>::chosen(equal(a, b), yes, no);
       double any_less = 0;
       for (int lane = 0; lane < N; ++lane) {
         failures += is_less[lane] != (a[lane] < b[lane] ? 1 : 0) || is_equal[lane] != (a[lane] == b[lane] ? 1 : 0);
-        failures += std::bit_cast<long long>(larger(a, b)[lane]) != std::bit_cast<long long>(a[lane] > b[lane] ? a[lane] : b[lane]);
+        failures += std::bit_cast<long long>(larger(a, b)[lane]) !=
+                    std::bit_cast<long long>(a[lane] > b[lane] ? a[lane] : b[lane]);
         any_less += is_less[lane];
       }
       failures += Pack<N>::is_none(less(a, b)) != (any_less == 0);
     }
-    for (int at = 0; at < N; ++at) failures += is_zero(Pack<N>::of_each([&](int lane) { return lane == at ? all[i] : -0.0; })) != (all[i] == 0);
+    for (int at = 0; at < N; ++at)
+      failures += is_zero(Pack<N>::of_each([&](int lane) { return lane == at ? all[i] : -0.0; })) != (all[i] == 0);
   }
   return failures;
 }
@@ -113,7 +124,9 @@ int choices_differ() {
 template <int N>
 int failures_of() {
   int failures = arithmetic_differs<N>() + functions_differ<N>() + choices_differ<N>();
-  for (int count = 1; count <= N; ++count) failures += memory_differs<N, 3>(count) + memory_differs<N, 4>(count) + memory_differs<N, 6>(count) + memory_differs<N, 9>(count);
+  for (int count = 1; count <= N; ++count)
+    failures += memory_differs<N, 3>(count) + memory_differs<N, 4>(count) + memory_differs<N, 6>(count) +
+                memory_differs<N, 9>(count);
   if (failures > 0) std::printf("%d lanes: %d failures\n", N, failures);
   return failures;
 }
@@ -123,7 +136,8 @@ int failures_of() {
 int main() {
   int in_registers = 0;
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) run_in_widest_registers([&in_registers] { in_registers = choices_differ<8>(); });
+  if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
+    run_in_widest_registers([&in_registers] { in_registers = choices_differ<8>(); });
 #endif
   return failures_of<2>() + failures_of<4>() + failures_of<8>() + in_registers;
 }

@@ -29,7 +29,8 @@ struct Array {
     const std::size_t size = kind == "u1" ? 1 : 4;
     for (std::size_t i = 0; i < bytes.size(); i += size) {
       std::uint32_t word = 0;
-      for (std::size_t k = 0; k < size; ++k) word |= std::uint32_t{bytes[i + k]} << 8 * k;  // little-endian, on any machine
+      for (std::size_t k = 0; k < size; ++k)
+        word |= std::uint32_t{bytes[i + k]} << 8 * k;  // little-endian, on any machine
       float number = 0;
       std::memcpy(&number, &word, sizeof number);
       result.push_back(kind == "f4" ? static_cast<double>(number) : static_cast<double>(word));
@@ -43,7 +44,9 @@ std::vector<double> turned(const Array& array) {
   std::vector<double> result;
   const auto byte = [&](std::size_t i) { return std::uint32_t{array.bytes[i]}; };
   for (std::size_t at = 0; at < array.bytes.size(); at += 24) {
-    const Array place{"f4", {array.bytes.begin() + static_cast<std::ptrdiff_t>(at), array.bytes.begin() + static_cast<std::ptrdiff_t>(at + 12)}};
+    const Array place{"f4",
+                      {array.bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                       array.bytes.begin() + static_cast<std::ptrdiff_t>(at + 12)}};
     double rows[3][3];
     for (std::size_t i = 0; i < 6; ++i) {
       const std::size_t k = at + 12 + 2 * i;
@@ -94,7 +97,8 @@ Message read(const std::string& bytes) {
     } else {
       Array array{head.substr(at + 2, 2), {}};
       const std::size_t count = std::stoul(head.substr(at + 6)), size = count * (array.kind == "u1" ? 1 : 4);
-      array.bytes.assign(bytes.begin() + static_cast<std::ptrdiff_t>(place), bytes.begin() + static_cast<std::ptrdiff_t>(place + size));
+      array.bytes.assign(bytes.begin() + static_cast<std::ptrdiff_t>(place),
+                         bytes.begin() + static_cast<std::ptrdiff_t>(place + size));
       place += (size + 3) / 4 * 4;
       message.arrays.push_back(array);
       at = head.find(']', at) + 1;
@@ -151,6 +155,7 @@ int main() {
   if (failures > 0) return failures;
   const std::vector<double> expected{0.6, -0.8, 0, 1, 0.8, 0.6, 0, 2, 0, 0, 1, -3}, found = turned(*quick.arrays[0]);
   expect(found.size() == expected.size(), "one place");
-  for (std::size_t i = 0; i < expected.size(); ++i) expect(std::abs(found[i] - expected[i]) < 1e-6, "where a body is that has turned");
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    expect(std::abs(found[i] - expected[i]) < 1e-6, "where a body is that has turned");
   return failures;
 }

@@ -42,12 +42,14 @@ struct WithHistory : Spring, HasPairHistory, NoSwitches, AlwaysNeedsData, NoPair
   static constexpr int data_coordinates = 1;
 };
 struct MisspeltHistory : WithHistory {
-  static PostNewton updates(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&, const double*, double*) {
+  static PostNewton updates(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&,
+                            const double*, double*) {
     return {};
   }
 };
 struct CompleteHistory : WithHistory {
-  static PostNewton update(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&, const double*, double*) {
+  static PostNewton update(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&,
+                           const double*, double*) {
     return {};
   }
 };
@@ -55,12 +57,13 @@ static_assert(PairConnectorKernel<CompleteHistory>);
 static_assert(!PairConnectorKernel<MisspeltHistory>);
 
 struct WithSwitches : CompleteHistory, SwitchesByUpdate {
-  static constexpr bool has_switches = SwitchesByUpdate::has_switches, switches_by_update = SwitchesByUpdate::switches_by_update,
-                        settles = SwitchesByUpdate::settles;
+  static constexpr bool has_switches = SwitchesByUpdate::has_switches,
+                        switches_by_update = SwitchesByUpdate::switches_by_update, settles = SwitchesByUpdate::settles;
   static int switch_count(const Parameters&) { return 0; }
 };
 struct CompleteSwitches : WithSwitches {
-  static void find_switches(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&, Switches&) {}
+  static void find_switches(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&,
+                            Switches&) {}
 };
 struct MissesSettle : CompleteSwitches {
   static constexpr bool settles = true;
@@ -108,13 +111,15 @@ struct WithReaction : CompleteJoint, Reaction {
 };
 struct Misspelt {
   template <class S>
-  static std::array<Force<S>, 2> reactions(const Parameters&, const Context&, const PointFrame<S>&, const PointFrame<S>&, const auto&) {
+  static std::array<Force<S>, 2> reactions(const Parameters&, const Context&, const PointFrame<S>&,
+                                           const PointFrame<S>&, const auto&) {
     return {};
   }
 };
 struct Stated {
   template <class S>
-  static std::array<Force<S>, 2> reaction(const Parameters&, const Context&, const PointFrame<S>&, const PointFrame<S>&, const auto&) {
+  static std::array<Force<S>, 2> reaction(const Parameters&, const Context&, const PointFrame<S>&, const PointFrame<S>&,
+                                          const auto&) {
     return {};
   }
 };
@@ -144,11 +149,14 @@ static_assert(!LoadKernel<WithoutReading>);
 
 // ---- the example --------------------------------------------------------------------------------------------------------
 struct IsotropicSpring : NoPairHistory, NoPairOutputs, NoConnectorForms {
-  struct Parameters { double stiffness = 0, damping = 0; };
+  struct Parameters {
+    double stiffness = 0, damping = 0;
+  };
   using Port = PointPort;
 
   template <class S>
-  static std::array<Force<S>, 2> forces(const Parameters& p, const Context&, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+  static std::array<Force<S>, 2> forces(const Parameters& p, const Context&, const PointFrame<S>& m0,
+                                        const PointFrame<S>& m1) {
     const Vec3<S> f = p.stiffness * (m1.position - m0.position) + p.damping * (m1.velocity - m0.velocity);
     return {Force<S>{f}, Force<S>{-f}};
   }

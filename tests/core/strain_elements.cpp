@@ -76,7 +76,8 @@ P beam(int variant) {
       p.sectionData.dampingMatrix(i, j) = variant & 1 ? (i == j ? 1 : 0) + number(i + j, 0.1) : 0;
     }
   for (int i = 0; i < 3; ++i) p.sectionData.inertia(i, i) = 1 + i;
-  if constexpr (requires { p.crossSectionDamping; }) p.crossSectionDamping = {0, 0.1 * (variant & 1), 0.2 * (variant & 1)};
+  if constexpr (requires { p.crossSectionDamping; })
+    p.crossSectionDamping = {0, 0.1 * (variant & 1), 0.2 * (variant & 1)};
   return p;
 }
 template <>
@@ -99,7 +100,8 @@ typename ObjectBeamGeometricallyExact2D::On<nodes>::Parameters planar(int varian
   p.physicsShearStiffness = 50;
   p.physicsBendingDamping = p.physicsAxialDamping = p.physicsShearDamping = variant & 1 ? 0.4 : 0;
   p.includeReferenceRotations = variant & 2;
-  for (int i = 0; i < nodes; ++i) p.reference[3 * i] = 0.7 * i / (nodes - 1), p.reference[3 * i + 1] = 0.1 * i * i, p.reference[3 * i + 2] = 0.2 * i;
+  for (int i = 0; i < nodes; ++i)
+    p.reference[3 * i] = 0.7 * i / (nodes - 1), p.reference[3 * i + 1] = 0.1 * i * i, p.reference[3 * i + 2] = 0.2 * i;
   return p;
 }
 template <>
@@ -111,8 +113,8 @@ ObjectBeamGeometricallyExact2D::On<3>::Parameters parameters<ObjectBeamGeometric
   return planar<3>(variant);
 }
 // A quadrangle that is no rectangle, and not flat.
-constexpr Vec<double, 36> plate_reference{0, 0, 0, 1, 0, 0.1, 0, 1, 0,   0.9, 0.1, 0,   1, 0.1, 0, 0, 1, 0.1,
-                                          1, 1, 0.1, 1, 0, 0, 0.1, 1, 0, -0.1, 0.9, 0.1, 1, 0, 0, 0, 1, 0};
+constexpr Vec<double, 36> plate_reference{0, 0, 0,   1, 0, 0.1, 0,   1, 0, 0.9,  0.1, 0,   1, 0.1, 0, 0, 1, 0.1,
+                                          1, 1, 0.1, 1, 0, 0,   0.1, 1, 0, -0.1, 0.9, 0.1, 1, 0,   0, 0, 1, 0};
 template <>
 ObjectANCFThinPlate::Parameters parameters<ObjectANCFThinPlate>(int variant) {
   ObjectANCFThinPlate::Parameters p;
@@ -121,7 +123,8 @@ ObjectANCFThinPlate::Parameters parameters<ObjectANCFThinPlate>(int variant) {
   p.physicsMassProportionalDamping = variant & 1 ? 0.3 : 0;
   p.useReducedOrderIntegration = variant / 2;
   p.physicsStrainCoefficients = {Mat3<double>{20, 5, 0, 5, 30, 1, 0, 1, 10}};
-  for (int i = 0; i < 4; ++i) p.physicsCurvatureCoefficients.push_back(Mat3<double>{2. + i, 0.5, 0, 0.5, 3, 0.1, 0, 0.1, 1});
+  for (int i = 0; i < 4; ++i)
+    p.physicsCurvatureCoefficients.push_back(Mat3<double>{2. + i, 0.5, 0, 0.5, 3, 0.1, 0, 0.1, 1});
   p.reference = plate_reference;
   return p;
 }
@@ -183,7 +186,8 @@ int main() {
   check<Beam>("ObjectBeamGeometricallyExact", 2, {0, 0, 0, 0.1, 0.2, 0.3, 0.7, 0, 0, 0.2, 0.1, -0.4});
   check<ObjectANCFBeam>("ObjectANCFBeam", 2, {0, 0, 0, 0, 1, 0.1, 0, 0, 1, 0.7, 0.05, 0, -0.1, 1, 0, 0.1, 0, 0.9});
   check<ObjectBeamGeometricallyExact2D::On<2>>("ObjectBeamGeometricallyExact2D, two nodes", 4, planar<2>(0).reference);
-  check<ObjectBeamGeometricallyExact2D::On<3>>("ObjectBeamGeometricallyExact2D, three nodes", 4, planar<3>(0).reference);
+  check<ObjectBeamGeometricallyExact2D::On<3>>("ObjectBeamGeometricallyExact2D, three nodes", 4,
+                                               planar<3>(0).reference);
   check<ObjectANCFThinPlate>("ObjectANCFThinPlate", 4, plate_reference);
   return failures;
 }

@@ -60,7 +60,8 @@ bool equivalent(const std::vector<FrontStructure>& tree, const std::vector<Front
     std::vector<int> left = tree[f].updates;
     std::ranges::sort(left);
     const int parent = tree[f].parent;
-    good = parent < 0 ? left.empty() : parent > static_cast<int>(f) && std::ranges::includes(unknowns_of(tree[parent]), left);
+    good = parent < 0 ? left.empty()
+                      : parent > static_cast<int>(f) && std::ranges::includes(unknowns_of(tree[parent]), left);
   }
   for (auto* list : {&fronts, &expected}) std::ranges::sort(*list);
   for (auto* list : {&pivots, &expected_pivots}) std::ranges::sort(*list);

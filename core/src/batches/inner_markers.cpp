@@ -8,13 +8,15 @@ int InnerMarkers::add(const ItemType& node, FrameShape shape, const void* record
   return add({&node, record, {}, {}, {}, static_cast<int>(dofs.size())}, shape, dofs, {});
 }
 
-int InnerMarkers::add(const MarkerOwner& owner, FrameShape shape, std::span<const int> dofs, const Vec3<double>& local) {
+int InnerMarkers::add(const MarkerOwner& owner, FrameShape shape, std::span<const int> dofs,
+                      const Vec3<double>& local) {
   auto group = std::ranges::find_if(
       groups_, [&](const Group& g) { return g.owner == owner.type && g.nodes == owner.nodes && g.shape == shape; });
   if (group == groups_.end()) {
     const auto* node = dynamic_cast<const NodePhysics*>(owner.type->physics);
-    auto batch = node != nullptr ? node->make_marker(shape)
-                                 : dynamic_cast<const ObjectPhysics&>(*owner.type->physics).make_marker(shape, owner.nodes);
+    auto batch = node != nullptr
+                     ? node->make_marker(shape)
+                     : dynamic_cast<const ObjectPhysics&>(*owner.type->physics).make_marker(shape, owner.nodes);
     if (batch == nullptr) return -1;
     groups_.push_back({owner.type, owner.nodes, shape, std::move(batch)});
     group = groups_.end() - 1;
@@ -66,7 +68,8 @@ class Counter final : public BlockVisitor {
 
 }  // namespace
 
-void InnerMarkers::geometric(const Evaluation& evaluation, const Weights& weights, std::span<const int> slots, double* values) {
+void InnerMarkers::geometric(const Evaluation& evaluation, const Weights& weights, std::span<const int> slots,
+                             double* values) {
   auto next = slots.begin();
   for (const Group& g : groups_) {
     Counter counter;

@@ -49,7 +49,9 @@ void CoordinateMarkerBatch::subtract_forces(const PortsOf<S>& ports, S* r) const
   }
 }
 
-void CoordinateMarkerBatch::evaluate(const Evaluation& evaluation, Ports& ports) const { find_values(evaluation, ports); }
+void CoordinateMarkerBatch::evaluate(const Evaluation& evaluation, Ports& ports) const {
+  find_values(evaluation, ports);
+}
 void CoordinateMarkerBatch::evaluate_tangent(const Evaluation&, const Weights& weights, Ports& ports) const {
   differentiate(weights, ports);
 }

@@ -67,8 +67,10 @@ MeshNodes mesh_of_nodes(std::span<const int> numbers, const Placement& on, std::
     Motion<double> m;
     const auto& node = dynamic_cast<const NodePhysics&>(*types[i]->physics);
     if (!node.motion(on.node_records[i], view, m))
-      complain(on.item, "mesh node " + std::to_string(number) + " is a " + std::string(types[i]->name) + ", which has no position",
-               "mesh nodes with a position");
+      complain(
+          on.item,
+          "mesh node " + std::to_string(number) + " is a " + std::string(types[i]->name) + ", which has no position",
+          "mesh nodes with a position");
     for (int axis = 0; axis < std::min(node.translations(), on.node_sizes[i]); ++axis) {
       mesh.shapes.push_back({static_cast<int>(mesh.rest.size()), columns[i] + axis, {}});
       mesh.shapes.back().by[axis] = 1;
@@ -81,7 +83,8 @@ MeshNodes mesh_of_nodes(std::span<const int> numbers, const Placement& on, std::
 std::vector<int> coordinates_of_nodes(const Placement& on, std::span<const int> numbers) {
   std::vector<int> positions;
   for (const int node : distinct(numbers))
-    for (int i = 0; i < on.node_sizes[static_cast<std::size_t>(node)]; ++i) positions.push_back(first_coordinate(on, node) + i);
+    for (int i = 0; i < on.node_sizes[static_cast<std::size_t>(node)]; ++i)
+      positions.push_back(first_coordinate(on, node) + i);
   return positions;
 }
 
@@ -89,7 +92,8 @@ std::vector<int> coordinates_of_nodes(const Placement& on, std::span<const int> 
 FramePlace mean_place(const MeshNodes& mesh, const MeshMean& mean, int marker) {
   const std::vector<double>& weights = mean.weights;
   if (weights.size() != mesh.rest.size())
-    complain(marker, "the number of its mesh nodes has changed since the system was assembled", "as many mesh nodes as before");
+    complain(marker, "the number of its mesh nodes has changed since the system was assembled",
+             "as many mesh nodes as before");
   FramePlace place = mean_position(mesh, weights);
   if (mean.rotation == MeshMean::Rotation::none) return place;
   std::vector<Vec3<double>> arms;
@@ -105,7 +109,8 @@ FramePlace mean_place(const MeshNodes& mesh, const MeshMean& mean, int marker) {
   if (!mean.of_momentum) inertia = second_moment * identity();
   const double determinant = dot(column(inertia, 0), cross(column(inertia, 1), column(inertia, 2)));
   if (!(std::abs(determinant) > 1e-14 * std::abs(second_moment * second_moment * second_moment)))
-    complain(marker, "its weighted mesh nodes lie on a line, and define no rotation", "three nodes that span a plane, or more, with positive weights");
+    complain(marker, "its weighted mesh nodes lie on a line, and define no rotation",
+             "three nodes that span a plane, or more, with positive weights");
   const Mat3<double> turn = inverse(inertia);
   place.rotation = rows_of(mesh, [&](std::size_t node, const Vec3<double>& by) {
     return turn * (weights[node] * (cross(arms[node], by) - cross(sum, by)));

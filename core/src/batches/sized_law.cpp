@@ -81,7 +81,8 @@ void LawOfBody::take_arguments(const UserFunction& f, const Evaluation& evaluati
   pick(order_ == 1 ? evaluation.y : f.callback->takes_total_coordinates() ? evaluation.q : evaluation.u, dofs_, work.q);
   if (order_ == 2) pick(evaluation.v, dofs_, work.v);
 }
-void LawOfBody::repeat(const UserFunction& f, double time, const Work& work, std::span<double> result, bool known) const {
+void LawOfBody::repeat(const UserFunction& f, double time, const Work& work, std::span<double> result,
+                       bool known) const {
   const std::array all{as_argument(work.q), as_argument(work.v)};
   const std::span arguments = std::span(all).first(static_cast<std::size_t>(order_));
   known ? f.callback->recall(time, item_, arguments, result) : f.callback->call(time, item_, arguments, result);
@@ -136,8 +137,8 @@ void LawOfBody::add_tangent(const Evaluation& evaluation, const Weights& w, Work
         const std::array all{as_argument(work.q), as_argument(work.v)};
         if (!force_.callback->has_derivatives()) return false;
         const int moving = first + number;
-        force_.callback->linearize(evaluation.time, item_, std::span(all).first(static_cast<std::size_t>(order_)), std::span(&moving, 1),
-                                   values, slopes);
+        force_.callback->linearize(evaluation.time, item_, std::span(all).first(static_cast<std::size_t>(order_)),
+                                   std::span(&moving, 1), values, slopes);
         return std::ranges::all_of(slopes, [](double x) { return std::isfinite(x); });
       };
     };
@@ -155,7 +156,9 @@ void LawOfBody::add_sparse(const Weights& w, SlotCursor& slot) const {
 
 namespace {
 
-std::string matrix_of(int rows, int columns) { return "a matrix of " + std::to_string(rows) + " x " + std::to_string(columns); }
+std::string matrix_of(int rows, int columns) {
+  return "a matrix of " + std::to_string(rows) + " x " + std::to_string(columns);
+}
 
 }  // namespace
 
@@ -163,13 +166,17 @@ void check_sizes(const SizedLaw& law, int coordinates, std::string_view called, 
   const std::string n = std::to_string(coordinates), nodes = ", for the " + n + " " + std::string(called) + ", or none";
   for (const ConstantMatrix& m : law.matrices)
     if (!m.empty() && (m.rows != coordinates || m.columns != coordinates))
-      refuse(ErrorKind::value, {item, m.parameter, "", matrix_of(m.rows, m.columns), matrix_of(coordinates, coordinates) + nodes, ""});
-  if (law.force_vector != nullptr && !law.force_vector->empty() && law.force_vector->size() != static_cast<std::size_t>(coordinates))
-    refuse(ErrorKind::value, {item, law.force_parameter, "", "a vector of length " + std::to_string(law.force_vector->size()),
-                              "a vector of length " + n + nodes, ""});
+      refuse(ErrorKind::value,
+             {item, m.parameter, "", matrix_of(m.rows, m.columns), matrix_of(coordinates, coordinates) + nodes, ""});
+  if (law.force_vector != nullptr && !law.force_vector->empty() &&
+      law.force_vector->size() != static_cast<std::size_t>(coordinates))
+    refuse(ErrorKind::value,
+           {item, law.force_parameter, "", "a vector of length " + std::to_string(law.force_vector->size()),
+            "a vector of length " + n + nodes, ""});
 }
 
-void check_size(const char* parameter, const DynamicMatrix<double>& m, int rows, int columns, const ItemLabel& item, const char* advice) {
+void check_size(const char* parameter, const DynamicMatrix<double>& m, int rows, int columns, const ItemLabel& item,
+                const char* advice) {
   if (m.rows != rows || m.columns != columns)
     refuse(ErrorKind::value, {item, parameter, "", matrix_of(m.rows, m.columns), matrix_of(rows, columns), advice});
 }

@@ -51,9 +51,11 @@ void BoxTree::split(int first, int count, std::span<const Box> boxes) {
 }
 
 // Slightly larger than the box: lines along its side still hit.
-bool BoxTree::passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double distance, double from, double to) {
+bool BoxTree::passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double distance,
+                     double from, double to) {
   for (int i = 0; i < 3; ++i) {
-    const double hair = 1e-9 * (box.upper[i] - box.lower[i]) + 1e-14 * (std::abs(box.upper[i]) + std::abs(box.lower[i])) + distance;
+    const double hair =
+        1e-9 * (box.upper[i] - box.lower[i]) + 1e-14 * (std::abs(box.upper[i]) + std::abs(box.lower[i])) + distance;
     const double lower = box.lower[i] - hair - start[i], upper = box.upper[i] + hair - start[i];
     if (direction[i] == 0) {
       if (lower > 0 || upper < 0) return false;

@@ -53,13 +53,16 @@ void GeneralContact::find_cable_touches(std::vector<HeldContact>& found) const {
     const SphereAt& s = pairs_.at[static_cast<std::size_t>(i)];
     const auto number = static_cast<std::size_t>(c);
     std::array<Stretch1D, 4> stretches;
-    const int n = stretches_within(cables_[number], cables_now_[number].q, {s.x, s.y}, s.radius + set_->cables[number].half_height, stretches);
-    for (int k = 0; k < n; ++k) found.push_back({i, set_->first_cable() + c, true, stretches[static_cast<std::size_t>(k)]});
+    const int n = stretches_within(cables_[number], cables_now_[number].q, {s.x, s.y},
+                                   s.radius + set_->cables[number].half_height, stretches);
+    for (int k = 0; k < n; ++k)
+      found.push_back({i, set_->first_cable() + c, true, stretches[static_cast<std::size_t>(k)]});
   });
 }
 
 ContactPairing GeneralContact::cable_pairing(const HeldContact& c) const {
-  return set_->pairing(sphere(c.sphere).surface, set_->cables[static_cast<std::size_t>(c.other - set_->first_cable())].surface);
+  return set_->pairing(sphere(c.sphere).surface,
+                       set_->cables[static_cast<std::size_t>(c.other - set_->first_cable())].surface);
 }
 
 namespace {
@@ -67,7 +70,8 @@ namespace {
 // Current end of an interval that was found in another state, by Newton's method, with its derivative with respect to
 // the coordinates. Ends of the element do not move, nor does an end that the circle has left.
 template <class S>
-S end_now(const CableShape& cable, double x, bool is_begin, const std::array<S, 8>& q, const Vec<S, 2>& centre, double reach) {
+S end_now(const CableShape& cable, double x, bool is_begin, const std::array<S, 8>& q, const Vec<S, 2>& centre,
+          double reach) {
   constexpr int most_iterations = 12;
   constexpr double settled = 1e-13;
   if (x == (is_begin ? 0 : cable.length)) return S(x);
@@ -93,7 +97,8 @@ S end_now(const CableShape& cable, double x, bool is_begin, const std::array<S, 
 
 // Forces per length at both ends and in the middle of the stretch, by the rule of Simpson; they act at the axis of the cable.
 template <class S>
-GeneralContact::CableForces<S> GeneralContact::cable_forces(const HeldContact& c, const RigidFrame<S>& circle, const std::array<S, 8>& q, const std::array<S, 8>& v,
+GeneralContact::CableForces<S> GeneralContact::cable_forces(const HeldContact& c, const RigidFrame<S>& circle,
+                                                            const std::array<S, 8>& q, const std::array<S, 8>& v,
                                                             std::optional<bool> sticks) const {
   const auto number = static_cast<std::size_t>(c.other - set_->first_cable());
   const CableShape& cable = cables_[number];
@@ -101,7 +106,8 @@ GeneralContact::CableForces<S> GeneralContact::cable_forces(const HeldContact& c
   const double reach = sphere(c.sphere).radius + set_->cables[number].half_height;
   CableForces<S> result;
   const Vec<S, 2> centre{circle.position[0], circle.position[1]};
-  const S begin = end_now(cable, c.along.begin, true, q, centre, reach), length = end_now(cable, c.along.end, false, q, centre, reach) - begin;
+  const S begin = end_now(cable, c.along.begin, true, q, centre, reach),
+          length = end_now(cable, c.along.end, false, q, centre, reach) - begin;
   if (!(value_of(length) > 0)) return result;
   for (int k = 0; k < 3; ++k) {
     const S x = begin + (0.5 * k) * length, share = ((k == 1 ? 4 : 1) / 6.0) * length;
@@ -114,11 +120,13 @@ GeneralContact::CableForces<S> GeneralContact::cable_forces(const HeldContact& c
     at.normal = (1.0 / distance) * at.arm0;
     at.gap = distance - reach;
     const Vec3<S> planar{circle.velocity[0], circle.velocity[1], S(0)};
-    const Vec3<S> velocity = Vec3<S>{rate[0], rate[1], S(0)} - planar - circle.angular_velocity[2] * Vec3<S>{-at.arm0[1], at.arm0[0], S(0)};
+    const Vec3<S> velocity =
+        Vec3<S>{rate[0], rate[1], S(0)} - planar - circle.angular_velocity[2] * Vec3<S>{-at.arm0[1], at.arm0[0], S(0)};
     const Vec3<S> f = share * force(pairing, at, velocity, sticks);
     result.on_circle.force += f;
     result.on_circle.moment += cross(at.arm0, f);
-    for (std::size_t i = 0; i < 8; ++i) result.on_cable[i] = result.on_cable[i] - weights[i / 2] * f[static_cast<int>(i % 2)];
+    for (std::size_t i = 0; i < 8; ++i)
+      result.on_cable[i] = result.on_cable[i] - weights[i / 2] * f[static_cast<int>(i % 2)];
     const double away = value_of(dot(at.normal, velocity));
     result.normal_force -= (pairing.stiffness * value_of(at.gap) + pairing.damping * away) / 3;
     if (pairing.friction != 0) result.slip = std::max(result.slip, value_of(norm(velocity - away * at.normal)));
@@ -129,14 +137,16 @@ GeneralContact::CableForces<S> GeneralContact::cable_forces(const HeldContact& c
 void GeneralContact::add_cable(const HeldContact& c, Ports& ports, std::optional<bool> sticks, double* r) const {
   const auto number = static_cast<std::size_t>(c.other - set_->first_cable());
   const int marker = sphere(c.sphere).marker;
-  const CableForces<double> forces = cable_forces(c, frame_of(marker, ports), cables_now_[number].q, cables_now_[number].v, sticks);
+  const CableForces<double> forces =
+      cable_forces(c, frame_of(marker, ports), cables_now_[number].q, cables_now_[number].v, sticks);
   double* to = ports.force(marker);
   add_vector(to, 1.0, forces.on_circle.force);
   if (turns(c.sphere)) add_vector(to + 3, 1.0, forces.on_circle.moment);
   for (std::size_t i = 0; i < 8; ++i) r[cables_[number].dofs[i]] -= forces.on_cable[i];
 }
 
-void GeneralContact::add_cable_tangent(const HeldContact& c, const Block& block, const Weights& weights, const Ports& ports, double* values) const {
+void GeneralContact::add_cable_tangent(const HeldContact& c, const Block& block, const Weights& weights,
+                                       const Ports& ports, double* values) const {
   const auto number = static_cast<std::size_t>(block.number);
   const int marker = sphere(c.sphere).marker, own = ports.ports[static_cast<std::size_t>(marker)].n, total = own + 8;
   const int* slot = slots.data() + block.first_slot;

@@ -48,8 +48,9 @@ void GeneralContact::take_places(const Ports& ports, const Evaluation* nodes) co
       at = {x[0], x[1], x[2], at.radius};
       pairs_.velocity[i] = {v[0], v[1], v[2], 0};
       if (turns_[i] != 0) {
-        const Vec3<double>& spin = node.dof >= 0 ? ports.node_motions[static_cast<std::size_t>(node.rotating_node)].angular_velocity
-                                                 : read_frame<RigidPort>(port).angular_velocity;
+        const Vec3<double>& spin =
+            node.dof >= 0 ? ports.node_motions[static_cast<std::size_t>(node.rotating_node)].angular_velocity
+                          : read_frame<RigidPort>(port).angular_velocity;
         pairs_.spin[i] = {spin[0], spin[1], spin[2], 0};
       }
     }
@@ -92,7 +93,8 @@ double GeneralContact::moved_by_spheres() const {
   each_chunk([&](Chunk& chunk) {
     double square = 0;
     for (auto i = static_cast<std::size_t>(chunk.begin); i < static_cast<std::size_t>(chunk.end); ++i) {
-      const double dx = pairs_.at[i].x - at_list_[i].x, dy = pairs_.at[i].y - at_list_[i].y, dz = pairs_.at[i].z - at_list_[i].z;
+      const double dx = pairs_.at[i].x - at_list_[i].x, dy = pairs_.at[i].y - at_list_[i].y,
+                   dz = pairs_.at[i].z - at_list_[i].z;
       square = std::max(square, dx * dx + dy * dy + dz * dz);
     }
     chunk.moved = std::sqrt(square);
@@ -112,7 +114,8 @@ double GeneralContact::moved() const {
     if (now.position == then.position && now.rotation == then.rotation) continue;
     const Box& box = trees_[c].box();
     for (int k = 0; k < 8; ++k) {
-      const Vec3<double> corner{(k & 1 ? box.upper : box.lower)[0], (k & 2 ? box.upper : box.lower)[1], (k & 4 ? box.upper : box.lower)[2]};
+      const Vec3<double> corner{(k & 1 ? box.upper : box.lower)[0], (k & 2 ? box.upper : box.lower)[1],
+                                (k & 4 ? box.upper : box.lower)[2]};
       carriers = std::max(carriers, norm(out_of(now, corner) - out_of(then, corner)));
     }
   }
@@ -139,14 +142,19 @@ void GeneralContact::renew_lists() const {
   const std::size_t n = at.size();
   double mean = 0;
   for (const SphereAt& s : at) mean += s.radius / static_cast<double>(n);
-  if (skin_ == 0) skin_ = 0.2 * mean;
-  else if (since_list_ < 40) skin_ = std::min(1.5 * skin_, 0.5 * mean);
-  else if (since_list_ > 160) skin_ = std::max(0.7 * skin_, 0.01 * mean);
+  if (skin_ == 0)
+    skin_ = 0.2 * mean;
+  else if (since_list_ < 40)
+    skin_ = std::min(1.5 * skin_, 0.5 * mean);
+  else if (since_list_ > 160)
+    skin_ = std::max(0.7 * skin_, 0.01 * mean);
   since_list_ = 0;
   ++lists_;
   carriers_at_list_ = carriers_now_;
-  if (set_->spheres_touch) neighbours_.build(at, skin_, workers_);
-  else neighbours_.clear(n);
+  if (set_->spheres_touch)
+    neighbours_.build(at, skin_, workers_);
+  else
+    neighbours_.clear(n);
   std::vector<int> begins{0};
   for (const Chunk& chunk : chunks_) begins.push_back(chunk.end);
   pairs_.list(neighbours_, begins, workers_);
@@ -204,9 +212,12 @@ void GeneralContact::list_triangles(Chunk& chunk) const {
   }
 }
 
-DALEMBERT_INLINE inline void GeneralContact::find_near_triangles(int first, int count, std::vector<int>* of_lane) const {
+DALEMBERT_INLINE inline void GeneralContact::find_near_triangles(int first, int count,
+                                                                 std::vector<int>* of_lane) const {
   using P = Pack<4>;
-  const auto sphere_of = [&](int lane) DALEMBERT_INLINE { return &pairs_.at[static_cast<std::size_t>(first + std::min(lane, count - 1))].x; };
+  const auto sphere_of = [&](int lane) DALEMBERT_INLINE {
+    return &pairs_.at[static_cast<std::size_t>(first + std::min(lane, count - 1))].x;
+  };
   const std::array<P, 4> at = gather_fours<4>({sphere_of(0), sphere_of(1), sphere_of(2), sphere_of(3)});
   const P reach = at[3] + skin_, far = farthest * reach;
   for (std::size_t c = 0; c < trees_.size(); ++c) {

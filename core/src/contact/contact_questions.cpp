@@ -63,9 +63,11 @@ void GeneralContact::hit_spheres(const Line& line, const Ports& ports, std::uint
     const PointFrame<double>& frame = read_frame<PointPort>(ports, sphere(i).marker);
     const double r = sphere(i).radius;
     const Vec3<double> to = frame.position - line.start;
-    const double along = dot(to, line.direction), aside = std::sqrt(std::max(0.0, dot(to - along * line.direction, to - along * line.direction)));
+    const double along = dot(to, line.direction),
+                 aside = std::sqrt(std::max(0.0, dot(to - along * line.direction, to - along * line.direction)));
     if (aside > r + line.radius) return;
-    const double off = std::max(0.0, aside - line.radius), distance = along - std::sqrt(std::max(0.0, r * r - off * off));
+    const double off = std::max(0.0, aside - line.radius),
+                 distance = along - std::sqrt(std::max(0.0, r * r - off * off));
     const bool first = distance < hit.distance || (distance == hit.distance && i < hit.sphere);
     if (distance >= line.nearest && first) hit = {distance, dot(line.direction, frame.velocity), i};
   };
@@ -93,9 +95,11 @@ LineHit GeneralContact::first_hit(const Line& line, const Ports& ports, std::uin
       const int n = real_zeros(aside, 0, cables_[c].length, zeros);
       for (int k = 0; k < n; ++k) {
         const auto weights = cables_[c].weights(zeros[static_cast<std::size_t>(k)]);
-        const Vec<double, 2> point = cables_[c].at(weights, cables_now_[c].q), velocity = cables_[c].at(weights, cables_now_[c].v);
+        const Vec<double, 2> point = cables_[c].at(weights, cables_now_[c].q),
+                             velocity = cables_[c].at(weights, cables_now_[c].v);
         const double distance = d[0] * (point[0] - line.start[0]) + d[1] * (point[1] - line.start[1]);
-        if (distance >= line.nearest && distance < hit.distance) hit = {distance, d[0] * velocity[0] + d[1] * velocity[1], -1, static_cast<int>(c)};
+        if (distance >= line.nearest && distance < hit.distance)
+          hit = {distance, d[0] * velocity[0] + d[1] * velocity[1], -1, static_cast<int>(c)};
       }
     }
   }
@@ -104,19 +108,21 @@ LineHit GeneralContact::first_hit(const Line& line, const Ports& ports, std::uin
   for (std::size_t c = 0; c < trees_.size(); ++c) {
     const RigidFrame<double> frame = read_frame<RigidPort>(ports, set_->carriers[c].marker);
     const Vec3<double> start = into(frame, line.start), direction = transposed_times(frame.rotation, line.direction);
-    trees_[c].each_along(start, direction, 0, line.nearest, [&] { return hit.distance; }, [&](int t) {
-      const Triangle& corners = local_[static_cast<std::size_t>(t)];
-      const Vec3<double> area = area_vector(corners);
-      const double slope = dot(area, direction), square = dot(area, area);
-      if (slope * slope <= 1e-28 * square) return;  // parallel to the plane
-      const double distance = dot(area, corners[0] - start) / slope;
-      if (!(distance >= line.nearest && distance < hit.distance)) return;
-      const Vec3<double> point = start + distance * direction;
-      for (std::size_t k = 0; k < 3; ++k)  // points on an edge belong to both triangles
-        if (dot(area, cross(corners[(k + 1) % 3] - corners[k], point - corners[k])) < -1e-10 * square) return;
-      const Vec3<double> velocity = frame.velocity + cross(frame.angular_velocity, frame.rotation * point);
-      hit = {distance, dot(line.direction, velocity), -1, -1, t};
-    });
+    trees_[c].each_along(
+        start, direction, 0, line.nearest, [&] { return hit.distance; },
+        [&](int t) {
+          const Triangle& corners = local_[static_cast<std::size_t>(t)];
+          const Vec3<double> area = area_vector(corners);
+          const double slope = dot(area, direction), square = dot(area, area);
+          if (slope * slope <= 1e-28 * square) return;  // parallel to the plane
+          const double distance = dot(area, corners[0] - start) / slope;
+          if (!(distance >= line.nearest && distance < hit.distance)) return;
+          const Vec3<double> point = start + distance * direction;
+          for (std::size_t k = 0; k < 3; ++k)  // points on an edge belong to both triangles
+            if (dot(area, cross(corners[(k + 1) % 3] - corners[k], point - corners[k])) < -1e-10 * square) return;
+          const Vec3<double> velocity = frame.velocity + cross(frame.angular_velocity, frame.rotation * point);
+          hit = {distance, dot(line.direction, velocity), -1, -1, t};
+        });
   }
   return hit;
 }

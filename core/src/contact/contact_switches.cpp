@@ -42,8 +42,10 @@ void GeneralContact::add_verge(const HeldContact& c, const Ports& ports, Verge& 
   const ContactPairing pairing = pairing_of(c);
   const Partner first{sphere(c.sphere).marker, turns(c.sphere)}, second = partner_of(c);
   const Meeting<double> at = meet(c, ports);
-  const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
-  const double away = dot(at.normal, velocity), elastic = pairing.stiffness * at.gap, margin = std::max(elastic, elastic + pairing.damping * away);
+  const Vec3<double> velocity =
+      velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
+  const double away = dot(at.normal, velocity), elastic = pairing.stiffness * at.gap,
+               margin = std::max(elastic, elastic + pairing.damping * away);
   verge.add(margin);
   if (!(margin < 0) || pairing.friction == 0) return;
   if (!set_->bristles.grow()) return verge.add_slip(norm(velocity - away * at.normal) - set_->proportional_zone);
@@ -75,10 +77,13 @@ void GeneralContact::add_cables(const Ports& ports, std::vector<Verge>& verges) 
     const auto number = static_cast<std::size_t>(c);
     double gap = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= places_along_cable; ++k) {
-      const Vec<double, 2> place = cables_[number].at(cables_[number].weights(cables_[number].length * k / places_along_cable), cables_now_[number].q);
+      const Vec<double, 2> place = cables_[number].at(
+          cables_[number].weights(cables_[number].length * k / places_along_cable), cables_now_[number].q);
       gap = std::min(gap, std::hypot(place[0] - s.x, place[1] - s.y) - s.radius - set_->cables[number].half_height);
     }
-    if (gap >= 0) verges[static_cast<std::size_t>(i)].add(set_->pairing(sphere(i).surface, set_->cables[number].surface).stiffness * gap);
+    if (gap >= 0)
+      verges[static_cast<std::size_t>(i)].add(set_->pairing(sphere(i).surface, set_->cables[number].surface).stiffness *
+                                              gap);
   });
   find_cable_touches(cable_touches_);
   for (const HeldContact& c : cable_touches_) {
@@ -86,7 +91,8 @@ void GeneralContact::add_cables(const Ports& ports, std::vector<Verge>& verges) 
     const CableForces<double> forces = cable_forces(c, frame_of(sphere(c.sphere).marker, ports), cable.q, cable.v, {});
     Verge& verge = verges[static_cast<std::size_t>(c.sphere)];
     verge.add(-forces.normal_force);
-    if (forces.normal_force > 0 && cable_pairing(c).friction != 0) verge.add_slip(forces.slip - set_->proportional_zone);
+    if (forces.normal_force > 0 && cable_pairing(c).friction != 0)
+      verge.add_slip(forces.slip - set_->proportional_zone);
   }
 }
 
@@ -105,7 +111,8 @@ void GeneralContact::find_verges(const Evaluation& e, const Ports& ports, std::v
     for (const int i : chunk.at_triangles) {
       Verge& verge = verges[static_cast<std::size_t>(i)];
       touching_triangles(i, triangles_near(i), chunk);
-      for (const Found& found : chunk.found) add_verge({i, set_->first_triangle() + found.triangle, true, {}, found.bristle}, ports, verge);
+      for (const Found& found : chunk.found)
+        add_verge({i, set_->first_triangle() + found.triangle, true, {}, found.bristle}, ports, verge);
       add_open_triangles(i, verge);
     }
   }
@@ -113,7 +120,8 @@ void GeneralContact::find_verges(const Evaluation& e, const Ports& ports, std::v
 }
 
 void GeneralContact::find_switches(const Evaluation& e, const Ports& ports, Switches& switches) const {
-  if (!set_->active) return switches.none(switches_per_thing * static_cast<int>(set_->spheres.size() + set_->convex.size()));
+  if (!set_->active)
+    return switches.none(switches_per_thing * static_cast<int>(set_->spheres.size() + set_->convex.size()));
   find_verges(e, ports, verges_);
   if (verges_before_.empty()) verges_before_ = verges_;
   for (std::size_t i = 0; i < verges_.size(); ++i) {
@@ -125,7 +133,8 @@ void GeneralContact::find_switches(const Evaluation& e, const Ports& ports, Swit
 }
 
 std::string GeneralContact::name_of_part(int part) const {
-  return (part < spheres() ? "sphere " + std::to_string(part) : "convex shape " + std::to_string(part - spheres())) + " of " + name_;
+  return (part < spheres() ? "sphere " + std::to_string(part) : "convex shape " + std::to_string(part - spheres())) +
+         " of " + name_;
 }
 
 void GeneralContact::switch_over(const Evaluation& e, const Ports& ports, const double*, double*, double*) {

@@ -10,7 +10,6 @@
 
 namespace dalembert {
 
-
 // Faces that a sphere penetrates, and edges and corners if no adjacent triangle has a nearer point. Triangles have
 // contact on their positive side only. Coinciding points count once: at an inner edge of a smooth surface, for one of
 // its triangles.
@@ -74,16 +73,22 @@ void GeneralContact::touching_triangles(int number, std::span<const int> near, C
 // Spheres of one marker do not touch: neither would feel anything of it.
 bool GeneralContact::overlap(int i, int j) const {
   const SphereAt &a = pairs_.at[static_cast<std::size_t>(i)], &b = pairs_.at[static_cast<std::size_t>(j)];
-  const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius, square = dx * dx + dy * dy + dz * dz;
-  if (square > 0) [[likely]] return square < reach * reach;
+  const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius,
+               square = dx * dx + dy * dy + dz * dz;
+  if (square > 0) [[likely]]
+    return square < reach * reach;
   if (sphere(i).marker != sphere(j).marker) refuse_same_centre(i, j);
   return false;
 }
 
 void GeneralContact::refuse_same_centre(int i, int j) const {
-  const auto named = [&](int number) { return std::to_string(number) + " (marker " + std::to_string(sphere(number).marker) + ")"; };
-  refuse(ErrorKind::value, {name_, "", "spheres " + named(i) + " and " + named(j) + " have one and the same centre, so that their contact has no direction", "", "",
-                            "Place one of them elsewhere; spheres at one marker do not touch each other"});
+  const auto named = [&](int number) {
+    return std::to_string(number) + " (marker " + std::to_string(sphere(number).marker) + ")";
+  };
+  refuse(ErrorKind::value, {name_, "",
+                            "spheres " + named(i) + " and " + named(j) +
+                                " have one and the same centre, so that their contact has no direction",
+                            "", "", "Place one of them elsewhere; spheres at one marker do not touch each other"});
 }
 
 // Whether it pushes, and how it slips.
@@ -91,7 +96,8 @@ bool GeneralContact::touches(const HeldContact& c, const Ports& ports, bool& sti
   const ContactPairing pairing = pairing_of(c);
   const Partner first{sphere(c.sphere).marker, turns(c.sphere)}, second = partner_of(c);
   const Meeting<double> at = meet(c, ports);
-  const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
+  const Vec3<double> velocity =
+      velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
   const double away = dot(at.normal, velocity);
   const double normal_force = pairing.normal_force(at.gap, away);
   if (set_->bristles.grow()) {
@@ -165,7 +171,9 @@ void GeneralContact::list_blocks(const Ports& ports) {
   using With = Block::With;
   blocks_.clear();
   std::size_t slot = 0;
-  const auto count = [&](int marker) { return static_cast<std::size_t>(ports.ports[static_cast<std::size_t>(marker)].n); };
+  const auto count = [&](int marker) {
+    return static_cast<std::size_t>(ports.ports[static_cast<std::size_t>(marker)].n);
+  };
   const auto add = [&](int i, With with, int number, int marker1) {
     blocks_.push_back({i, marker1, with, number, slot});
     const std::size_t total = count(sphere(i).marker) + (with == With::cable ? 8 : count(marker1));
@@ -189,7 +197,9 @@ const GeneralContact::Block& GeneralContact::block_of(const HeldContact& c) cons
   using With = Block::With;
   const bool of_spheres = c.other < spheres();
   const With with = of_spheres ? With::sphere : is_cable(c) ? With::cable : With::carrier;
-  const int number = of_spheres ? c.other : is_cable(c) ? c.other - set_->first_cable() : triangle(c.other - set_->first_triangle()).carrier;
+  const int number = of_spheres    ? c.other
+                     : is_cable(c) ? c.other - set_->first_cable()
+                                   : triangle(c.other - set_->first_triangle()).carrier;
   return *std::ranges::lower_bound(blocks_, std::tuple(c.sphere, with, number), {}, &Block::key);
 }
 

@@ -30,7 +30,9 @@ void GeneralContact::pass_bristles_on(std::span<ConvexTouch> of_pair) const {
   const auto known = std::ranges::equal_range(convex_bristles_, std::pair(any.first, any.second), {}, pair);
   if (known.empty()) return;
   const RigidFrame<double>&frame0 = scene_.frame(any.first), &frame1 = scene_.frame(any.second);
-  const auto is_taken = [&](std::int64_t key) { return std::ranges::any_of(of_pair, [&](const ConvexTouch& t) { return t.key == key || t.bristle == key; }); };
+  const auto is_taken = [&](std::int64_t key) {
+    return std::ranges::any_of(of_pair, [&](const ConvexTouch& t) { return t.key == key || t.bristle == key; });
+  };
   for (std::size_t turn = 0; turn < of_pair.size(); ++turn) {
     double nearest = far_from_convex_root * scene_.now(any.first).shape->bound;
     ConvexTouch* heir = nullptr;
@@ -61,7 +63,9 @@ void GeneralContact::grow_convex(const Ports& ports) {
     const Meeting<double> at = meeting_of(t, frame0, frame1);
     const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
     const double normal_force = pairing.normal_force(at.gap, dot(at.normal, velocity));
-    if (normal_force > 0) grown_convex_.push_back({t.first, t.second, t.key, bristle_after(bristle_of(t), pairing, at, velocity, normal_force, frame0, frame1)});
+    if (normal_force > 0)
+      grown_convex_.push_back({t.first, t.second, t.key,
+                               bristle_after(bristle_of(t), pairing, at, velocity, normal_force, frame0, frame1)});
   }
 }
 
@@ -70,8 +74,10 @@ void GeneralContact::write_convex_history(std::vector<double>& numbers) const {
   const std::vector<ConvexBristle>& now = grown_ ? grown_convex_ : convex_bristles_;
   numbers.push_back(static_cast<double>(now.size()));
   for (const ConvexBristle& b : now) {
-    numbers.insert(numbers.end(), {static_cast<double>(b.first), static_cast<double>(b.second), static_cast<double>(b.key), b.bristle.slides ? 1.0 : 0.0});
-    for (const Vec3<double>* root : {&b.bristle.root0, &b.bristle.root1}) numbers.insert(numbers.end(), root->x.begin(), root->x.end());
+    numbers.insert(numbers.end(), {static_cast<double>(b.first), static_cast<double>(b.second),
+                                   static_cast<double>(b.key), b.bristle.slides ? 1.0 : 0.0});
+    for (const Vec3<double>* root : {&b.bristle.root0, &b.bristle.root1})
+      numbers.insert(numbers.end(), root->x.begin(), root->x.end());
   }
 }
 
@@ -85,8 +91,13 @@ bool GeneralContact::take_convex_history(std::span<const double>& numbers) {
   std::vector<ConvexBristle> taken;
   for (std::size_t i = 0; i < count; ++i) {
     const double* x = numbers.data() + numbers_per_convex_bristle * i;
-    if (!(x[0] >= 0 && x[0] < x[1] && x[1] < scene_.participants() && x[2] >= 0 && x[2] < static_cast<double>(convex_keys::end))) return false;
-    taken.push_back({static_cast<int>(x[0]), static_cast<int>(x[1]), static_cast<std::int64_t>(x[2]), {{x[4], x[5], x[6]}, {x[7], x[8], x[9]}, x[3] != 0}});
+    if (!(x[0] >= 0 && x[0] < x[1] && x[1] < scene_.participants() && x[2] >= 0 &&
+          x[2] < static_cast<double>(convex_keys::end)))
+      return false;
+    taken.push_back({static_cast<int>(x[0]),
+                     static_cast<int>(x[1]),
+                     static_cast<std::int64_t>(x[2]),
+                     {{x[4], x[5], x[6]}, {x[7], x[8], x[9]}, x[3] != 0}});
     if (taken.size() > 1 && !(taken[taken.size() - 2].order() < taken.back().order())) return false;
   }
   numbers = numbers.subspan(numbers_per_convex_bristle * count);

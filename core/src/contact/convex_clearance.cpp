@@ -11,9 +11,12 @@ namespace {
 // Edges, and the axes of round shapes.
 void list_lines(const ConvexNow& shape, std::vector<ConvexPairs::Line>& lines) {
   lines.clear();
-  const auto add = [&](const Vec3<double>& begin, const Vec3<double>& end) { lines.push_back({begin, (1 / norm(end - begin)) * (end - begin)}); };
+  const auto add = [&](const Vec3<double>& begin, const Vec3<double>& end) {
+    lines.push_back({begin, (1 / norm(end - begin)) * (end - begin)});
+  };
   if (shape.shape->kind == ConvexKind::polytope)
-    for (const ConvexEdge& e : shape.shape->edges) add(shape.corners[static_cast<std::size_t>(e.begin)], shape.corners[static_cast<std::size_t>(e.end)]);
+    for (const ConvexEdge& e : shape.shape->edges)
+      add(shape.corners[static_cast<std::size_t>(e.begin)], shape.corners[static_cast<std::size_t>(e.end)]);
   if (shape.length > 0) lines.push_back({shape.corners[0], shape.axis});
 }
 

@@ -12,7 +12,9 @@ namespace {
 constexpr std::size_t touches_to_share = 64;
 }  // namespace
 
-ContactPairing GeneralContact::convex_pairing(const ConvexTouch& t) const { return set_->pairing(scene_.surface(t.first), scene_.surface(t.second)).part(t.share); }
+ContactPairing GeneralContact::convex_pairing(const ConvexTouch& t) const {
+  return set_->pairing(scene_.surface(t.first), scene_.surface(t.second)).part(t.share);
+}
 
 void GeneralContact::follow_convex(const Ports& ports) const {
   renew_shapes();
@@ -43,13 +45,18 @@ void GeneralContact::find_convex(const Ports& ports, std::vector<ConvexTouch>& f
     for (ConvexTouch& t : batch.found) find_state(t);
     const auto pair_presses = [&](const ConvexTouch& t) {
       return t.second < scene_.first_carrier() &&
-             std::ranges::any_of(batch.found, [&](const ConvexTouch& o) { return o.first == t.first && o.second == t.second && o.presses; });
+             std::ranges::any_of(
+                 batch.found,
+                 [&](const ConvexTouch& o) { return o.first == t.first && o.second == t.second && o.presses; });
     };
     std::vector<ConvexTouch>& kept = batch.kept;
     kept.clear();
-    std::ranges::copy_if(batch.found, std::back_inserter(kept), [&](const ConvexTouch& t) { return t.presses || (which == Places::of_pushing_pairs && pair_presses(t)); });
+    std::ranges::copy_if(batch.found, std::back_inserter(kept), [&](const ConvexTouch& t) {
+      return t.presses || (which == Places::of_pushing_pairs && pair_presses(t));
+    });
   });
-  for (const ConvexScene::Batch& batch : scene_.batches()) found.insert(found.end(), batch.kept.begin(), batch.kept.end());
+  for (const ConvexScene::Batch& batch : scene_.batches())
+    found.insert(found.end(), batch.kept.begin(), batch.kept.end());
 }
 
 // Assigns the existing bristles.
@@ -58,7 +65,8 @@ void GeneralContact::find_overlaps(ConvexScene::Batch& batch) const {
   std::vector<ConvexTouch>& found = batch.found;
   if (convex_bristles_.empty()) return;
   for (auto begin = found.begin(); begin != found.end();) {
-    const auto end = std::find_if(begin, found.end(), [&](const ConvexTouch& t) { return t.first != begin->first || t.second != begin->second; });
+    const auto end = std::find_if(
+        begin, found.end(), [&](const ConvexTouch& t) { return t.first != begin->first || t.second != begin->second; });
     pass_bristles_on({begin, end});
     begin = end;
   }
@@ -85,15 +93,18 @@ void GeneralContact::add_convex(std::span<const ConvexTouch> touches, Ports& por
   const auto find = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const ConvexTouch& t = touches[i];
-      const RigidFrame<double> frame0 = frame_of(scene_.marker(t.first), ports), frame1 = frame_of(scene_.marker(t.second), ports);
+      const RigidFrame<double> frame0 = frame_of(scene_.marker(t.first), ports),
+                               frame1 = frame_of(scene_.marker(t.second), ports);
       const Meeting<double> at = meeting_of(t, frame0, frame1);
       const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
       const Vec3<double> f = convex_force(t, at, velocity, frame0, frame1, direct ? std::optional<bool>() : t.sticks);
       convex_pushes_[i] = {f, cross(at.arm0, f), -cross(at.arm1, f)};
     }
   };
-  if (workers_ != nullptr && touches.size() >= touches_to_share) workers_->each_stretch(touches.size(), find);
-  else find(0, touches.size());
+  if (workers_ != nullptr && touches.size() >= touches_to_share)
+    workers_->each_stretch(touches.size(), find);
+  else
+    find(0, touches.size());
   const auto push = [&](int marker, const Vec3<double>& force, const Vec3<double>& moment) {
     double* to = ports.force(marker);
     add_vector(to, 1.0, force);
@@ -110,7 +121,9 @@ int GeneralContact::global_number(int participant) const {
   if (participant >= scene_.first_plane()) return set_->first_plane() + participant - scene_.first_plane();
   if (participant >= scene_.first_carrier()) {
     const auto& all = set_->triangles;
-    return set_->first_triangle() + static_cast<int>(std::ranges::find(all, participant - scene_.first_carrier(), &ContactTriangle::carrier) - all.begin());
+    return set_->first_triangle() +
+           static_cast<int>(std::ranges::find(all, participant - scene_.first_carrier(), &ContactTriangle::carrier) -
+                            all.begin());
   }
   return participant >= scene_.first_ball() ? participant - scene_.first_ball() : set_->first_convex() + participant;
 }
@@ -122,7 +135,8 @@ std::vector<GeneralContact::ConvexPlace> GeneralContact::convex_places(const Por
     const RigidFrame<double>&frame0 = scene_.frame(t.first), &frame1 = scene_.frame(t.second);
     const Meeting<double> at = meeting_of(t, frame0, frame1);
     const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
-    places.push_back({global_number(t.first), global_number(t.second), frame0.position + at.arm0, at.normal, convex_force(t, at, velocity, frame0, frame1, {}), at.gap, t.share});
+    places.push_back({global_number(t.first), global_number(t.second), frame0.position + at.arm0, at.normal,
+                      convex_force(t, at, velocity, frame0, frame1, {}), at.gap, t.share});
   }
   return places;
 }
@@ -132,7 +146,8 @@ std::vector<GeneralContact::ConvexPair> GeneralContact::convex_pairs() const {
   for (const ConvexTouch& t : convex_touching_) {
     if (!t.presses) continue;
     const int first = global_number(t.first), second = global_number(t.second);
-    if (pairs.empty() || pairs.back().first != first || pairs.back().second != second) pairs.push_back({first, second, true});
+    if (pairs.empty() || pairs.back().first != first || pairs.back().second != second)
+      pairs.push_back({first, second, true});
     pairs.back().sticks = pairs.back().sticks && t.sticks;
   }
   return pairs;
@@ -144,7 +159,9 @@ std::size_t GeneralContact::list_convex_blocks(const Ports& ports, std::size_t s
   if (scene_.empty()) return slot;
   for (const auto& [first, second] : scene_.near()) {
     convex_blocks_.push_back({first, second, slot});
-    const auto count = [&](int participant) { return static_cast<std::size_t>(ports.ports[static_cast<std::size_t>(scene_.marker(participant))].n); };
+    const auto count = [&](int participant) {
+      return static_cast<std::size_t>(ports.ports[static_cast<std::size_t>(scene_.marker(participant))].n);
+    };
     const std::size_t total = count(first) + count(second);
     slot += total * total;
   }
@@ -153,12 +170,14 @@ std::size_t GeneralContact::list_convex_blocks(const Ports& ports, std::size_t s
 
 void GeneralContact::add_convex_tangent(const Ports& ports, double* values) const {
   for (const ConvexTouch& t : convex_held_) {
-    const auto block = std::ranges::lower_bound(convex_blocks_, std::pair(t.first, t.second), {}, [](const ConvexBlock& b) { return std::pair(b.first, b.second); });
+    const auto block = std::ranges::lower_bound(convex_blocks_, std::pair(t.first, t.second), {},
+                                                [](const ConvexBlock& b) { return std::pair(b.first, b.second); });
     const int marker0 = scene_.marker(t.first), marker1 = scene_.marker(t.second);
     const Columns<2> columns(ports, {marker0, marker1});
     const int* slot = slots.data() + block->first_slot;
     for (int first = 0; first < columns.total; first += sweep_width) {
-      const RigidFrame<SweepDual> m0 = moving_frame(ports, marker0, columns.offset[0], first), m1 = moving_frame(ports, marker1, columns.offset[1], first);
+      const RigidFrame<SweepDual> m0 = moving_frame(ports, marker0, columns.offset[0], first),
+                                  m1 = moving_frame(ports, marker1, columns.offset[1], first);
       const Meeting<SweepDual> at = meeting_of(t, m0, m1);
       const Vec3<SweepDual> velocity = relative_velocity(m0, m1, at);
       const Vec3<SweepDual> f = convex_force(t, at, velocity, m0, m1, t.sticks);
@@ -200,7 +219,8 @@ void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& v
         const RigidFrame<double>&frame0 = scene_.frame(first), &frame1 = scene_.frame(second);
         const Meeting<double> at = meeting_of(*touch, frame0, frame1);
         const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
-        const double away = dot(at.normal, velocity), elastic = whole.stiffness * at.gap, margin = std::max(elastic, elastic + whole.damping * away);
+        const double away = dot(at.normal, velocity), elastic = whole.stiffness * at.gap,
+                     margin = std::max(elastic, elastic + whole.damping * away);
         deepest = std::min(deepest, margin);
         if (single) verge.add(margin);
         if (!(margin < 0) || whole.friction == 0 || touch->share == 0) continue;
@@ -219,7 +239,8 @@ void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& v
         verge.add(deepest);
         if (!slides && std::isfinite(freest)) verge.add_slip(freest);
       }
-      if (const double clearance = batch.clearances[pair - batch.begin]; std::isfinite(clearance)) verge.add(whole.stiffness * clearance);
+      if (const double clearance = batch.clearances[pair - batch.begin]; std::isfinite(clearance))
+        verge.add(whole.stiffness * clearance);
     }
   }
 }
@@ -232,7 +253,10 @@ GeneralContact::Changes GeneralContact::convex_changes() const {
     const auto pair = [](const ConvexTouch& o) { return std::pair(o.first, o.second); };
     const auto other = std::ranges::lower_bound(others, pair(t), {}, pair);
     const bool shares = t.second < scene_.first_carrier() && other != others.end() && pair(*other) == pair(t);
-    if (!shares) changes.force = std::max(changes.force, convex_pairing(t).stiffness * std::abs(meeting_of(t, scene_.frame(t.first), scene_.frame(t.second)).gap));
+    if (!shares)
+      changes.force =
+          std::max(changes.force, convex_pairing(t).stiffness *
+                                      std::abs(meeting_of(t, scene_.frame(t.first), scene_.frame(t.second)).gap));
   };
   auto now = convex_touching_.begin(), held = convex_held_.begin();
   while (now != convex_touching_.end() || held != convex_held_.end()) {

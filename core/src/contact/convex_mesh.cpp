@@ -24,13 +24,15 @@ struct Side {
 
 }  // namespace
 
-void ConvexMesh::build(const std::vector<int>& members, const std::vector<Triangle>& all, const std::vector<Facet>& facets) {
+void ConvexMesh::build(const std::vector<int>& members, const std::vector<Triangle>& all,
+                       const std::vector<Facet>& facets) {
   edges_.clear();
   corners_.clear();
   std::map<std::pair<Place, Place>, std::vector<Side>> sides;
   for (const int t : members)
     for (std::size_t k = 0; k < 3; ++k) {
-      Place a = place_of(all[static_cast<std::size_t>(t)][k]), b = place_of(all[static_cast<std::size_t>(t)][(k + 1) % 3]);
+      Place a = place_of(all[static_cast<std::size_t>(t)][k]),
+            b = place_of(all[static_cast<std::size_t>(t)][(k + 1) % 3]);
       if (b < a) std::swap(a, b);
       sides[{a, b}].push_back({t, k});
     }
@@ -38,11 +40,17 @@ void ConvexMesh::build(const std::vector<int>& members, const std::vector<Triang
   std::vector<std::pair<int, int>> owners;            // triangle and number
   for (const auto& [ab, around] : sides) {
     const Vec3<double> a{ab.first[0], ab.first[1], ab.first[2]}, b{ab.second[0], ab.second[1], ab.second[2]};
-    const auto facet = [&](std::size_t i) -> const Facet& { return facets[static_cast<std::size_t>(around[i].triangle)]; };
+    const auto facet = [&](std::size_t i) -> const Facet& {
+      return facets[static_cast<std::size_t>(around[i].triangle)];
+    };
     const std::size_t last = around.size() == 2 ? 1 : 0;
     // The other triangle falls away from the plane of the first one.
     if (last == 1 && !(dot(facet(0).normal, facet(1).inward[around[1].edge]) < -blunt)) continue;
-    Edge edge{a, direction(b - a), norm(b - a), {facet(0).inward[around[0].edge], facet(last).inward[around[last].edge]}, {facet(0).normal, facet(last).normal}};
+    Edge edge{a,
+              direction(b - a),
+              norm(b - a),
+              {facet(0).inward[around[0].edge], facet(last).inward[around[last].edge]},
+              {facet(0).normal, facet(last).normal}};
     owners.emplace_back(around[0].triangle, static_cast<int>(edges_.size()));
     edges_.push_back(edge);
     ends[ab.first].push_back(edge.along);
@@ -66,7 +74,8 @@ void ConvexMesh::build(const std::vector<int>& members, const std::vector<Triang
       const Triangle& corners = all[static_cast<std::size_t>(t)];
       const auto ways = ends.find(place_of(corners[k]));
       if (ways == ends.end()) continue;
-      if (ways->second.size() == 2 && dot(ways->second[0], ways->second[1]) < -1 + 1e-9) continue;  // within a straight edge
+      if (ways->second.size() == 2 && dot(ways->second[0], ways->second[1]) < -1 + 1e-9)
+        continue;  // within a straight edge
       auto [at, is_new] = around.try_emplace(place_of(corners[k]), t, Corner{corners[k], {}, {}});
       at->second.first = std::min(at->second.first, t);
       at->second.second.normal += facets[static_cast<std::size_t>(t)].normal;
@@ -93,19 +102,23 @@ void ConvexMesh::on_facet(const ConvexNow& shape, const Facet& facet, Scratch& s
     if (!(depth > 0) || facet.within_edges(foot.place) < least) continue;
     const auto known = std::ranges::find(candidates, foot.key, &Candidate::key);
     const Candidate here{foot.key, depth, touch_of(foot, shape, facet.normal, facet.corner)};
-    if (known == candidates.end()) candidates.push_back(here);
-    else if (depth < known->depth) *known = here;
+    if (known == candidates.end())
+      candidates.push_back(here);
+    else if (depth < known->depth)
+      *known = here;
   }
 }
 
 void ConvexMesh::on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const {
   double deepest = shape.shape->bound;  // it leaves one of the triangles on the shortest way
-  for (const Vec3<double>& normal : edge.normal) deepest = std::min(deepest, 1.001 * (dot(normal, edge.begin) - shape.lowest(normal)));
+  for (const Vec3<double>& normal : edge.normal)
+    deepest = std::min(deepest, 1.001 * (dot(normal, edge.begin) - shape.lowest(normal)));
   if (!(deepest > 0)) return;
   if (shape.shape->kind == ConvexKind::cylinder) return rims_on_edge(shape, edge, number, deepest, found);
   for (std::size_t k = 0; k < shape.shape->edges.size(); ++k) {
     const ConvexEdge& e = shape.shape->edges[k];
-    const Vec3<double>&begin = shape.corners[static_cast<std::size_t>(e.begin)], &end = shape.corners[static_cast<std::size_t>(e.end)];
+    const Vec3<double>&begin = shape.corners[static_cast<std::size_t>(e.begin)],
+          &end = shape.corners[static_cast<std::size_t>(e.end)];
     const double length = norm(end - begin);
     const Vec3<double> along = (1 / length) * (end - begin);
     const LinePair lines = nearest_of_lines(begin, along, edge.begin, edge.along);
@@ -114,7 +127,8 @@ void ConvexMesh::on_edge(const ConvexNow& shape, const Edge& edge, int number, s
     if (dot(up, edge.normal[0] + edge.normal[1]) < 0) up = -up;
     const double gap = dot(up, begin + lines.s * along - (edge.begin + lines.t * edge.along));
     if (!(gap < 0) || gap < -deepest || dot(up, edge.inward[0]) > slack || dot(up, edge.inward[1]) > slack) continue;
-    const Vec3<double> left = direction(cross(shape.normals[static_cast<std::size_t>(e.left)], along)), right = direction(cross(along, shape.normals[static_cast<std::size_t>(e.right)]));
+    const Vec3<double> left = direction(cross(shape.normals[static_cast<std::size_t>(e.left)], along)),
+                       right = direction(cross(along, shape.normals[static_cast<std::size_t>(e.right)]));
     if (dot(-up, left) > slack || dot(-up, right) > slack) continue;
     ConvexTouch t;
     t.kind = Kind::lines;
@@ -129,9 +143,11 @@ void ConvexMesh::on_edge(const ConvexNow& shape, const Edge& edge, int number, s
   }
 }
 
-void ConvexMesh::rims_on_edge(const ConvexNow& shape, const Edge& edge, int number, double deepest, std::vector<ConvexTouch>& found) {
+void ConvexMesh::rims_on_edge(const ConvexNow& shape, const Edge& edge, int number, double deepest,
+                              std::vector<ConvexTouch>& found) {
   const bool is_border = edge.normal[0] == edge.normal[1];
-  const double whole = angle_around(edge.along, -edge.normal[0], is_border ? edge.inward[0] : -edge.normal[1]), more = whole < 0 ? -slack : slack;
+  const double whole = angle_around(edge.along, -edge.normal[0], is_border ? edge.inward[0] : -edge.normal[1]),
+               more = whole < 0 ? -slack : slack;
   const Vec3<double> from = std::cos(more) * -edge.normal[0] - std::sin(more) * cross(edge.along, -edge.normal[0]);
   for (int end = 0; end < 2; ++end) {
     const Rim<double> rim = rim_of(shape, end);
@@ -139,18 +155,20 @@ void ConvexMesh::rims_on_edge(const ConvexNow& shape, const Edge& edge, int numb
       const Vec3<double> place = rim.centre + rim.radius * rim.reach(u).out - edge.begin;
       const double depth = dot(u, place), along = dot(place, edge.along);
       if (!(dot(u, rim.axis) > 0 && depth > 0 && depth <= deepest && along > 0 && along < edge.length)) return;
-      found.push_back(rim_touch(shape, end, edge.begin, edge.along, 0, u, shape.shape->lone, edge_key(number) + 3 + end));
+      found.push_back(
+          rim_touch(shape, end, edge.begin, edge.along, 0, u, shape.shape->lone, edge_key(number) + 3 + end));
     });
   }
 }
 
 // Mantles of capsules and cylinders, and ends of capsules.
-void ConvexMesh::round_on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const {
+void ConvexMesh::round_on_edge(const ConvexNow& shape, const Edge& edge, int number,
+                               std::vector<ConvexTouch>& found) const {
   const double r = shape.shape->radius;
   const auto away = [&](const Vec3<double>& from) {
     const double distance = norm(from);
-    return distance < r && distance > 0 && dot(from, edge.inward[0]) <= slack * distance && dot(from, edge.inward[1]) <= slack * distance &&
-           dot(from, edge.normal[0] + edge.normal[1]) > 0;
+    return distance < r && distance > 0 && dot(from, edge.inward[0]) <= slack * distance &&
+           dot(from, edge.inward[1]) <= slack * distance && dot(from, edge.normal[0] + edge.normal[1]) > 0;
   };
   const LinePair lines = nearest_of_lines(shape.corners[0], shape.axis, edge.begin, edge.along);
   if (lines.sine > 1e-6 && lines.s > 0 && lines.s < shape.length && lines.t > 0 && lines.t < edge.length) {
@@ -174,7 +192,9 @@ void ConvexMesh::round_on_edge(const ConvexNow& shape, const Edge& edge, int num
     const Vec3<double>& x = shape.corners[static_cast<std::size_t>(end)];
     const double part = dot(x - edge.begin, edge.along);
     const Vec3<double> up = x - (edge.begin + part * edge.along);
-    if (!(part > 0 && part < edge.length) || !away(up) || dot(up, edge.inward[0]) > -1e-9 * r || dot(up, edge.inward[1]) > -1e-9 * r) continue;  // else over a face
+    if (!(part > 0 && part < edge.length) || !away(up) || dot(up, edge.inward[0]) > -1e-9 * r ||
+        dot(up, edge.inward[1]) > -1e-9 * r)
+      continue;  // else over a face
     ConvexTouch t;
     t.kind = Kind::point_line;
     t.at0 = shape.shape->corners[static_cast<std::size_t>(end)];
@@ -187,7 +207,8 @@ void ConvexMesh::round_on_edge(const ConvexNow& shape, const Edge& edge, int num
   }
 }
 
-void ConvexMesh::on_corner(const ConvexNow& shape, const Corner& corner, int number, std::vector<ConvexTouch>& found) const {
+void ConvexMesh::on_corner(const ConvexNow& shape, const Corner& corner, int number,
+                           std::vector<ConvexTouch>& found) const {
   ConvexTouch t;
   t.swapped = true;  // the point is of the mesh
   t.at0 = corner.place;
@@ -236,7 +257,9 @@ void ConvexMesh::on_corner(const ConvexNow& shape, const Corner& corner, int num
     return;
   }
   if (dot(up, corner.normal) <= 0) return;
-  if (shape.shape->kind == ConvexKind::capsule && !std::ranges::all_of(corner.edges, [&](const Vec3<double>& e) { return dot(e, up) < slack * aside; })) return;
+  if (shape.shape->kind == ConvexKind::capsule &&
+      !std::ranges::all_of(corner.edges, [&](const Vec3<double>& e) { return dot(e, up) < slack * aside; }))
+    return;
   t.kind = Kind::point_line;
   t.at1 = shape.shape->corners[0];
   t.along1 = shape.inward(shape.axis);
@@ -244,8 +267,8 @@ void ConvexMesh::on_corner(const ConvexNow& shape, const Corner& corner, int num
   found.push_back(t);
 }
 
-void ConvexMesh::find(const ConvexNow& shape, std::span<const int> near, const std::vector<Triangle>& all, const std::vector<Facet>& facets, Scratch& scratch,
-                      std::vector<ConvexTouch>& found) const {
+void ConvexMesh::find(const ConvexNow& shape, std::span<const int> near, const std::vector<Triangle>& all,
+                      const std::vector<Facet>& facets, Scratch& scratch, std::vector<ConvexTouch>& found) const {
   scratch.candidates.clear();
   const bool is_round = shape.shape->kind != ConvexKind::polytope;
   for (const int number : near) {
@@ -259,12 +282,14 @@ void ConvexMesh::find(const ConvexNow& shape, std::span<const int> near, const s
       if (is_round) round_on_edge(shape, edges_[static_cast<std::size_t>(e)], e, found);
       if (shape.shape->kind != ConvexKind::capsule) on_edge(shape, edges_[static_cast<std::size_t>(e)], e, found);
     }
-    for (std::size_t k = first_corner_[t]; k < first_corner_[t + 1]; ++k) on_corner(shape, corners_[static_cast<std::size_t>(corner_list_[k])], corner_list_[k], found);
+    for (std::size_t k = first_corner_[t]; k < first_corner_[t + 1]; ++k)
+      on_corner(shape, corners_[static_cast<std::size_t>(corner_list_[k])], corner_list_[k], found);
   }
   for (const Candidate& c : scratch.candidates) found.push_back(c.touch);
 }
 
-double ConvexMesh::clearance(const ConvexNow& shape, std::span<const int> near, const std::vector<Facet>& facets, Scratch& scratch) {
+double ConvexMesh::clearance(const ConvexNow& shape, std::span<const int> near, const std::vector<Facet>& facets,
+                             Scratch& scratch) {
   double least = std::numeric_limits<double>::infinity();
   for (const int number : near) {
     const Facet& facet = facets[static_cast<std::size_t>(number)];

@@ -9,8 +9,8 @@
 namespace dalembert {
 namespace {
 
-constexpr double steep = 0.7;         // cosine of the angle at which a cylinder stands on its cap
-constexpr double upright = 1e-3;      // sine below which no point of a rim is the lowest one
+constexpr double steep = 0.7;  // cosine of the angle at which a cylinder stands on its cap
+constexpr double upright = 1e-3;  // sine below which no point of a rim is the lowest one
 
 void feet_of_cylinder(const ConvexNow& shape, const Vec3<double>& n, std::vector<Foot>& feet) {
   const double along = dot(n, shape.axis), tilt = std::sqrt(std::max(0.0, 1 - along * along)), r = shape.shape->radius;
@@ -19,14 +19,16 @@ void feet_of_cylinder(const ConvexNow& shape, const Vec3<double>& n, std::vector
   x = (1 / norm(x)) * x;
   const Vec3<double> y = cross(shape.axis, x);
   const auto add = [&](int end, int k, double cosine, double sine, double share) {
-    feet.push_back({shape.corners[static_cast<std::size_t>(end)] + (r * cosine) * x + (r * sine) * y, 1 + end * cap_points + k, 1 + k, share, -1, lies ? end : -1, cosine, sine});
+    feet.push_back({shape.corners[static_cast<std::size_t>(end)] + (r * cosine) * x + (r * sine) * y,
+                    1 + end * cap_points + k, 1 + k, share, -1, lies ? end : -1, cosine, sine});
   };
   if (std::abs(along) < steep) {
     for (int end = 0; end < 2; ++end) add(end, 0, 1, 0, 0.5);
     return;
   }
   constexpr double diagonal = 0.70710678118654752440;
-  constexpr double angles[cap_points][2] = {{1, 0}, {diagonal, diagonal}, {0, 1}, {-diagonal, diagonal}, {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
+  constexpr double angles[cap_points][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
+                                            {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
   const int end = along > 0 ? 0 : 1;
   for (int i = 0; i < cap_points; ++i) {  // counterclockwise, seen from outside
     const int k = end == 1 ? i : (cap_points - i) % cap_points;
@@ -67,7 +69,8 @@ void ConvexNow::place(const ConvexShape& of, const RigidFrame<double>& at) {
 double ConvexNow::lowest(const Vec3<double>& n) const {
   if (shape->kind == ConvexKind::cylinder) {
     const double along = dot(n, axis);
-    return std::min(dot(n, corners[0]), dot(n, corners[1])) - shape->radius * std::sqrt(std::max(0.0, 1 - along * along));
+    return std::min(dot(n, corners[0]), dot(n, corners[1])) -
+           shape->radius * std::sqrt(std::max(0.0, 1 - along * along));
   }
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3<double>& c : corners) least = std::min(least, dot(n, c));
@@ -80,7 +83,8 @@ void lowest_feet(const ConvexNow& now, const Vec3<double>& normal, std::vector<F
   if (shape.kind == ConvexKind::cylinder) return feet_of_cylinder(now, normal, feet);
   if (shape.kind != ConvexKind::polytope) {
     for (int c = 0; c < static_cast<int>(now.corners.size()); ++c)
-      feet.push_back({now.corners[static_cast<std::size_t>(c)], 1 + c, 1 + c, 1.0 / static_cast<double>(now.corners.size()), c});
+      feet.push_back(
+          {now.corners[static_cast<std::size_t>(c)], 1 + c, 1 + c, 1.0 / static_cast<double>(now.corners.size()), c});
     return;
   }
   std::size_t corner = 0;
@@ -99,7 +103,8 @@ void lowest_feet(const ConvexNow& now, const Vec3<double>& normal, std::vector<F
   }
 }
 
-ConvexTouch touch_of(const Foot& foot, const ConvexNow& shape, const Vec3<double>& local_normal, const Vec3<double>& local_point) {
+ConvexTouch touch_of(const Foot& foot, const ConvexNow& shape, const Vec3<double>& local_normal,
+                     const Vec3<double>& local_point) {
   ConvexTouch t;
   t.key = foot.key;
   t.share = foot.share;
@@ -119,20 +124,24 @@ ConvexTouch touch_of(const Foot& foot, const ConvexNow& shape, const Vec3<double
   return t;
 }
 
-LinePair nearest_of_lines(const Vec3<double>& x0, const Vec3<double>& d0, const Vec3<double>& x1, const Vec3<double>& d1) {
+LinePair nearest_of_lines(const Vec3<double>& x0, const Vec3<double>& d0, const Vec3<double>& x1,
+                          const Vec3<double>& d1) {
   const Vec3<double> across = cross(d0, d1), span = x1 - x0;
   const double square = dot(across, across);
   if (!(square > 0)) return {};
   return {dot(cross(span, d1), across) / square, dot(cross(span, d0), across) / square, std::sqrt(square)};
 }
 
-void ConvexPairs::with_plane(const ConvexNow& shape, const Vec3<double>& normal, const Vec3<double>& point, const RigidFrame<double>& owner, std::vector<ConvexTouch>& found) {
+void ConvexPairs::with_plane(const ConvexNow& shape, const Vec3<double>& normal, const Vec3<double>& point,
+                             const RigidFrame<double>& owner, std::vector<ConvexTouch>& found) {
   const double level = dot(normal, point);
   if (!(shape.lowest(normal) < level)) return;
   lowest_feet(shape, normal, feet_);
-  const Vec3<double> local_normal = transposed_times(owner.rotation, normal), local_point = transposed_times(owner.rotation, point - owner.position);
+  const Vec3<double> local_normal = transposed_times(owner.rotation, normal),
+                     local_point = transposed_times(owner.rotation, point - owner.position);
   for (const Foot& foot : feet_)
-    if (dot(normal, foot.place) - shape.shape->rounding() < level) found.push_back(touch_of(foot, shape, local_normal, local_point));
+    if (dot(normal, foot.place) - shape.shape->rounding() < level)
+      found.push_back(touch_of(foot, shape, local_normal, local_point));
 }
 
 double ConvexPairs::clearance(const ConvexNow& shape, const Vec3<double>& normal, const Vec3<double>& point) {
@@ -152,15 +161,18 @@ void ConvexPairs::clip(const ConvexNow& base, int face) {
   const bool is_line = feet_.size() == 2;
   bool cut = false;
   for (std::size_t k = 0; k < f.corners.size() && !feet_.empty(); ++k) {
-    const Vec3<double>&begin = base.corners[static_cast<std::size_t>(f.corners[k])], &end = base.corners[static_cast<std::size_t>(f.corners[(k + 1) % f.corners.size()])];
+    const Vec3<double>&begin = base.corners[static_cast<std::size_t>(f.corners[k])],
+          &end = base.corners[static_cast<std::size_t>(f.corners[(k + 1) % f.corners.size()])];
     const Vec3<double> inward = cross(normal, end - begin);
     const int side = static_cast<int>(k) + 1;
     kept_.clear();
     for (std::size_t i = 0; i < feet_.size(); ++i) {
       const Foot &a = feet_[i], &b = feet_[(i + 1) % feet_.size()];
       const double from = dot(inward, a.place - begin), to = dot(inward, b.place - begin);
-      if (from >= 0) kept_.push_back(a);
-      else cut = true;
+      if (from >= 0)
+        kept_.push_back(a);
+      else
+        cut = true;
       if ((from >= 0) == (to >= 0) || (is_line && i == 1)) continue;
       Foot crossing = a;
       crossing.place = a.place + (from / (from - to)) * (b.place - a.place);
@@ -182,11 +194,14 @@ void ConvexPairs::clip(const ConvexNow& base, int face) {
   for (std::size_t i = 0; i < feet_.size(); ++i) feet_[i].share = shares_[i];
 }
 
-void ConvexPairs::lowest_on_face(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) {
+void ConvexPairs::lowest_on_face(const ConvexNow& base, int face, const ConvexNow& other, bool swapped,
+                                 std::vector<ConvexTouch>& found) {
   const auto f = static_cast<std::size_t>(face);
   lowest_feet(other, base.normals[f], feet_);
-  const auto lowest = std::ranges::min_element(feet_, {}, [&](const Foot& foot) { return dot(base.normals[f], foot.place); });
-  ConvexTouch t = touch_of(*lowest, other, base.shape->faces[f].normal, base.shape->corners[static_cast<std::size_t>(base.shape->faces[f].corners[0])]);
+  const auto lowest =
+      std::ranges::min_element(feet_, {}, [&](const Foot& foot) { return dot(base.normals[f], foot.place); });
+  ConvexTouch t = touch_of(*lowest, other, base.shape->faces[f].normal,
+                           base.shape->corners[static_cast<std::size_t>(base.shape->faces[f].corners[0])]);
   t.share = share_of_edges(base, other);
   t.swapped = swapped;
   if (swapped) t.key += convex_keys::second_owner;
@@ -194,14 +209,17 @@ void ConvexPairs::lowest_on_face(const ConvexNow& base, int face, const ConvexNo
 }
 
 // The other shape rests on a face of the base: with all of its points over the face, if at least one is in contact.
-void ConvexPairs::faces(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) {
+void ConvexPairs::faces(const ConvexNow& base, int face, const ConvexNow& other, bool swapped,
+                        std::vector<ConvexTouch>& found) {
   const auto f = static_cast<std::size_t>(face);
   const Vec3<double>& normal = base.normals[f];
   lowest_feet(other, normal, feet_);
   clip(base, face);
   const Vec3<double>& local_normal = base.shape->faces[f].normal;
   const Vec3<double>& local_point = base.shape->corners[static_cast<std::size_t>(base.shape->faces[f].corners[0])];
-  const auto overlaps = [&](const Foot& foot) { return dot(normal, foot.place) - other.shape->rounding() < base.offsets[f]; };
+  const auto overlaps = [&](const Foot& foot) {
+    return dot(normal, foot.place) - other.shape->rounding() < base.offsets[f];
+  };
   if (std::ranges::none_of(feet_, overlaps)) return;
   for (const Foot& foot : feet_) {
     ConvexTouch t = touch_of(foot, other, local_normal, local_point);
@@ -211,11 +229,13 @@ void ConvexPairs::faces(const ConvexNow& base, int face, const ConvexNow& other,
   }
 }
 
-bool is_as_deep(const std::vector<ConvexTouch>& found, std::size_t begin, const ConvexNow& first, const ConvexNow& second, double depth) {
+bool is_as_deep(const std::vector<ConvexTouch>& found, std::size_t begin, const ConvexNow& first,
+                const ConvexNow& second, double depth) {
   // new contacts belong to the face
   const double enough = 0.99 * depth - 1e-9 * std::max(first.shape->bound, second.shape->bound);
-  return enough <= 0 || std::any_of(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(),
-                                    [&](const ConvexTouch& t) { return -meeting_of(t, first.frame, second.frame).gap >= enough; });
+  return enough <= 0 ||
+         std::any_of(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(),
+                     [&](const ConvexTouch& t) { return -meeting_of(t, first.frame, second.frame).gap >= enough; });
 }
 
 ConvexPairs::Overlap ConvexPairs::overlap(const ConvexNow& a, const ConvexNow& b, Overlap& of_faces) const {
@@ -244,12 +264,14 @@ ConvexPairs::Overlap ConvexPairs::overlap(const ConvexNow& a, const ConvexNow& b
   of_faces = best;
   for (std::size_t i = 0; i < a.shape->edges.size(); ++i) {
     const ConvexEdge& ea = a.shape->edges[i];
-    const Vec3<double>&a0 = a.normals[static_cast<std::size_t>(ea.left)], &a1 = a.normals[static_cast<std::size_t>(ea.right)];
+    const Vec3<double>&a0 = a.normals[static_cast<std::size_t>(ea.left)],
+          &a1 = a.normals[static_cast<std::size_t>(ea.right)];
     const Vec3<double>& from_a = a.corners[static_cast<std::size_t>(ea.begin)];
     const Vec3<double> da = a.corners[static_cast<std::size_t>(ea.end)] - from_a, across_a = cross(a1, a0);
     for (std::size_t k = 0; k < b.shape->edges.size(); ++k) {
       const ConvexEdge& eb = b.shape->edges[k];
-      const Vec3<double> b0 = -b.normals[static_cast<std::size_t>(eb.left)], b1 = -b.normals[static_cast<std::size_t>(eb.right)];
+      const Vec3<double> b0 = -b.normals[static_cast<std::size_t>(eb.left)],
+                         b1 = -b.normals[static_cast<std::size_t>(eb.right)];
       const double c0 = dot(b0, across_a), c1 = dot(b1, across_a);
       if (!(c0 * c1 < 0)) continue;
       const Vec3<double> across_b = cross(b1, b0);
@@ -290,8 +312,10 @@ void ConvexPairs::polytopes(const ConvexNow& a, const ConvexNow& b, std::vector<
   if (!(at.depth > 0)) return;
   const std::size_t before = found.size();
   if (is_near_face(of_faces.normal, at.normal)) {
-    if (of_faces.face_a >= 0) faces(a, of_faces.face_a, b, true, found);
-    else faces(b, of_faces.face_b, a, false, found);
+    if (of_faces.face_a >= 0)
+      faces(a, of_faces.face_a, b, true, found);
+    else
+      faces(b, of_faces.face_b, a, false, found);
     if (is_as_deep(found, before, a, b, at.depth)) return;
     found.resize(before);
     if (at.face_a >= 0) return lowest_on_face(a, at.face_a, b, true, found);

@@ -15,9 +15,12 @@ struct Stretch {
   double begin = -nowhere, end = nowhere;
   // Restricts to height + s * slope <= 0.
   void below(double height, double slope) {
-    if (slope > 0) end = std::min(end, -height / slope);
-    else if (slope < 0) begin = std::max(begin, -height / slope);
-    else if (height > 0) clear();
+    if (slope > 0)
+      end = std::min(end, -height / slope);
+    else if (slope < 0)
+      begin = std::max(begin, -height / slope);
+    else if (height > 0)
+      clear();
   }
   void clear() {
     begin = nowhere;
@@ -42,7 +45,8 @@ double first_in(const ConvexNow& now, const Line& line) {
   const ConvexShape& shape = *now.shape;
   Stretch in;
   if (shape.kind == ConvexKind::polytope) {
-    for (std::size_t f = 0; f < now.normals.size(); ++f) in.below(dot(now.normals[f], line.start) - now.offsets[f], dot(now.normals[f], line.direction));
+    for (std::size_t f = 0; f < now.normals.size(); ++f)
+      in.below(dot(now.normals[f], line.start) - now.offsets[f], dot(now.normals[f], line.direction));
     return in.first();
   }
   const Vec3<double> to = line.start - now.corners[0];
@@ -63,7 +67,8 @@ double first_in(const ConvexNow& now, const Line& line) {
 void GeneralContact::hit_convex(const Line& line, const Ports& ports, LineHit& hit) const {
   const auto take = [&](double distance, const RigidFrame<double>& frame, int convex, int plane) {
     if (!(distance >= line.nearest && distance < hit.distance)) return;
-    const Vec3<double> velocity = frame.velocity + cross(frame.angular_velocity, line.start + distance * line.direction - frame.position);
+    const Vec3<double> velocity =
+        frame.velocity + cross(frame.angular_velocity, line.start + distance * line.direction - frame.position);
     hit = {distance, dot(line.direction, velocity), -1, -1, -1, convex, plane};
   };
   ConvexNow now;

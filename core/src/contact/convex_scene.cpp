@@ -14,16 +14,22 @@ ConvexShape ball_shape(double radius) {
   return make_shape(ball);
 }
 
-Vec3<double> out(const RigidFrame<double>& frame, const Vec3<double>& point) { return frame.position + frame.rotation * point; }
+Vec3<double> out(const RigidFrame<double>& frame, const Vec3<double>& point) {
+  return frame.position + frame.rotation * point;
+}
 
 // Pose of a frame relative to another one.
 RigidFrame<double> seen_from(const RigidFrame<double>& base, const RigidFrame<double>& frame) {
-  return {transposed_times(base.rotation, frame.position - base.position), {}, transpose(base.rotation) * frame.rotation, {}};
+  return {transposed_times(base.rotation, frame.position - base.position),
+          {},
+          transpose(base.rotation) * frame.rotation,
+          {}};
 }
 
 }  // namespace
 
-void ConvexScene::build(const ContactSet& set, const std::vector<Triangle>& triangles, const std::vector<Facet>& facets, const std::vector<BoxTree>& trees) {
+void ConvexScene::build(const ContactSet& set, const std::vector<Triangle>& triangles, const std::vector<Facet>& facets,
+                        const std::vector<BoxTree>& trees) {
   set_ = &set;
   triangles_ = &triangles;
   facets_ = &facets;
@@ -55,7 +61,8 @@ void ConvexScene::build(const ContactSet& set, const std::vector<Triangle>& tria
   for (const ConvexShape& shape : shapes_) skin_ += skin_part * shape.bound / static_cast<double>(shapes_.size());
   meshes_.assign(convex_ == 0 ? 0 : set.carriers.size(), ConvexMesh());
   std::vector<std::vector<int>> members(meshes_.size());
-  for (std::size_t t = 0; t < set.triangles.size() && !meshes_.empty(); ++t) members[static_cast<std::size_t>(set.triangles[t].carrier)].push_back(static_cast<int>(t));
+  for (std::size_t t = 0; t < set.triangles.size() && !meshes_.empty(); ++t)
+    members[static_cast<std::size_t>(set.triangles[t].carrier)].push_back(static_cast<int>(t));
   for (std::size_t c = 0; c < meshes_.size(); ++c) meshes_[c].build(members[c], triangles, facets);
 }
 
@@ -63,14 +70,16 @@ void ConvexScene::build(const ContactSet& set, const std::vector<Triangle>& tria
 // farther than a corner of its box.
 double ConvexScene::moved() const {
   double things = 0, carriers = 0;
-  for (std::size_t i = 0; i < shapes_.size(); ++i) things = std::max(things, norm(out(frames_[i], shapes_[i].centre) - out(at_list_[i], shapes_[i].centre)));
+  for (std::size_t i = 0; i < shapes_.size(); ++i)
+    things = std::max(things, norm(out(frames_[i], shapes_[i].centre) - out(at_list_[i], shapes_[i].centre)));
   for (std::size_t c = 0; c < meshes_.size(); ++c) {
     if ((*trees_)[c].empty()) continue;
     const std::size_t i = c + static_cast<std::size_t>(first_carrier());
     if (frames_[i].position == at_list_[i].position && frames_[i].rotation == at_list_[i].rotation) continue;
     const Box& box = (*trees_)[c].box();
     for (int k = 0; k < 8; ++k) {
-      const Vec3<double> corner{(k & 1 ? box.upper : box.lower)[0], (k & 2 ? box.upper : box.lower)[1], (k & 4 ? box.upper : box.lower)[2]};
+      const Vec3<double> corner{(k & 1 ? box.upper : box.lower)[0], (k & 2 ? box.upper : box.lower)[1],
+                                (k & 4 ? box.upper : box.lower)[2]};
       carriers = std::max(carriers, norm(out(frames_[i], corner) - out(at_list_[i], corner)));
     }
   }
@@ -81,8 +90,10 @@ bool ConvexScene::follow(Workers* workers) {
   const auto place = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) now_[i].place(shapes_[i], frames_[i]);
   };
-  if (workers != nullptr && shapes_.size() >= shapes_to_share) workers->each_stretch(shapes_.size(), place);
-  else place(0, shapes_.size());
+  if (workers != nullptr && shapes_.size() >= shapes_to_share)
+    workers->each_stretch(shapes_.size(), place);
+  else
+    place(0, shapes_.size());
   if (at_list_.size() == frames_.size() && moved() <= skin_) return false;
   list(workers);
   return true;
@@ -108,7 +119,8 @@ void ConvexScene::list(Workers* workers) {
       if (tree.empty() || marker(i) == marker(carrier)) continue;
       const RigidFrame<double>& frame = frames_[static_cast<std::size_t>(carrier)];
       std::vector<int> found;
-      tree.each_near(transposed_times(frame.rotation, now(i).centre - frame.position), now(i).shape->bound + skin_, [&](int t) { found.push_back(t); });
+      tree.each_near(transposed_times(frame.rotation, now(i).centre - frame.position), now(i).shape->bound + skin_,
+                     [&](int t) { found.push_back(t); });
       std::ranges::sort(found);
       if (!found.empty()) of_meshes.push_back({{i, carrier}, found});
     }
@@ -118,7 +130,8 @@ void ConvexScene::list(Workers* workers) {
       if (marker(i) != marker(p)) near_.emplace_back(i, p);
   std::ranges::sort(near_);
   near_triangles_.assign(near_.size(), {});
-  for (const auto& [pair, triangles] : of_meshes) near_triangles_[static_cast<std::size_t>(std::ranges::lower_bound(near_, pair) - near_.begin())] = triangles;
+  for (const auto& [pair, triangles] : of_meshes)
+    near_triangles_[static_cast<std::size_t>(std::ranges::lower_bound(near_, pair) - near_.begin())] = triangles;
   batches_.resize(std::clamp<std::size_t>(near_.size() / pairs_in_batch, 1, most_batches));
   for (std::size_t b = 0; b < batches_.size(); ++b) {
     batches_[b].begin = near_.size() * b / batches_.size();
@@ -134,10 +147,12 @@ void ConvexScene::find(Batch& batch) const {
     const std::size_t begin = found.size();
     if (second >= first_plane()) {
       const ContactPlane& plane = set_->planes[static_cast<std::size_t>(second - first_plane())];
-      batch.pairs.with_plane(now(first), frame(second).rotation * plane.normal, out(frame(second), plane.point), frame(second), found);
+      batch.pairs.with_plane(now(first), frame(second).rotation * plane.normal, out(frame(second), plane.point),
+                             frame(second), found);
     } else if (second >= first_carrier()) {
       batch.in_mesh.place(shapes_[static_cast<std::size_t>(first)], seen_from(frame(second), frame(first)));
-      meshes_[static_cast<std::size_t>(second - first_carrier())].find(batch.in_mesh, near_triangles_[k], *triangles_, *facets_, batch.in_triangles, found);
+      meshes_[static_cast<std::size_t>(second - first_carrier())].find(batch.in_mesh, near_triangles_[k], *triangles_,
+                                                                       *facets_, batch.in_triangles, found);
     } else {
       batch.pairs.between(now(first), now(second), found);
     }
@@ -145,7 +160,8 @@ void ConvexScene::find(Batch& batch) const {
       found[i].first = first;
       found[i].second = second;
     }
-    std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(), [](const ConvexTouch& a, const ConvexTouch& b) { return a.key < b.key; });
+    std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(),
+              [](const ConvexTouch& a, const ConvexTouch& b) { return a.key < b.key; });
   }
 }
 

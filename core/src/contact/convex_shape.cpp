@@ -29,7 +29,9 @@ void add_faces(const ConvexDefinition& from, ConvexShape& shape) {
     const Vec3<double> normal = (1 / norm(area)) * area;
     std::size_t f = 0;
     for (; f < normals.size(); ++f)
-      if (norm(normals[f] - normal) < 1e-6 && std::abs(dot(normal, at(0) - from.points[static_cast<std::size_t>(members[f][0])])) < 1e-7 * size) break;
+      if (norm(normals[f] - normal) < 1e-6 &&
+          std::abs(dot(normal, at(0) - from.points[static_cast<std::size_t>(members[f][0])])) < 1e-7 * size)
+        break;
     if (f == normals.size()) {
       normals.push_back(normal);
       members.emplace_back();
@@ -41,8 +43,10 @@ void add_faces(const ConvexDefinition& from, ConvexShape& shape) {
     std::ranges::sort(corners);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     Vec3<double> mean;
-    for (const int c : corners) mean += (1.0 / static_cast<double>(corners.size())) * from.points[static_cast<std::size_t>(c)];
-    const Vec3<double> first = from.points[static_cast<std::size_t>(corners[0])] - mean, second = cross(normals[f], first);
+    for (const int c : corners)
+      mean += (1.0 / static_cast<double>(corners.size())) * from.points[static_cast<std::size_t>(c)];
+    const Vec3<double> first = from.points[static_cast<std::size_t>(corners[0])] - mean,
+                       second = cross(normals[f], first);
     std::ranges::sort(corners, {}, [&](int c) {
       const Vec3<double> to = from.points[static_cast<std::size_t>(c)] - mean;
       return std::atan2(dot(to, second), dot(to, first));
@@ -62,8 +66,10 @@ void add_edges(ConvexShape& shape) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const int a = corners[k], b = corners[(k + 1) % corners.size()];
       const auto other = known.find({b, a});
-      if (other != known.end()) shape.edges.push_back({b, a, other->second, static_cast<int>(f)});
-      else known[{a, b}] = static_cast<int>(f);
+      if (other != known.end())
+        shape.edges.push_back({b, a, other->second, static_cast<int>(f)});
+      else
+        known[{a, b}] = static_cast<int>(f);
     }
   }
   std::ranges::sort(shape.edges, {}, [](const ConvexEdge& e) { return std::pair(e.begin, e.end); });
@@ -94,7 +100,8 @@ ConvexDefinition prism_of(const ConvexDefinition& cylinder) {
   for (int end = 0; end < 2; ++end)
     for (int k = 0; k < prism_sides; ++k) {
       const double angle = 2 * half * k;
-      prism.points.push_back(cylinder.points[static_cast<std::size_t>(end)] + (r * std::cos(angle)) * x + (r * std::sin(angle)) * y);
+      prism.points.push_back(cylinder.points[static_cast<std::size_t>(end)] + (r * std::cos(angle)) * x +
+                             (r * std::sin(angle)) * y);
     }
   const int n = prism_sides;
   for (int k = 0; k < n; ++k) {
@@ -121,7 +128,8 @@ Vec3<double> any_across(const Vec3<double>& axis) {
   return (1 / norm(across)) * across;
 }
 
-void find_corner_shares(std::span<const Vec3<double>> polygon, const Vec3<double>& normal, std::vector<double>& shares) {
+void find_corner_shares(std::span<const Vec3<double>> polygon, const Vec3<double>& normal,
+                        std::vector<double>& shares) {
   const std::size_t n = polygon.size();
   shares.assign(n, 1.0 / static_cast<double>(n));
   if (n < 3) return;
@@ -159,7 +167,8 @@ std::string fault_of(const ConvexDefinition& d) {
   for (const Vec3<double>& p : d.points) mean += (1.0 / static_cast<double>(d.points.size())) * p;
   if (shape.faces.size() < 4) return "points in one plane";
   for (const ConvexFace& face : shape.faces) {
-    if (!(face.offset - dot(face.normal, mean) > flat * size)) return "points in one plane, or a triangle that does not face outwards";
+    if (!(face.offset - dot(face.normal, mean) > flat * size))
+      return "points in one plane, or a triangle that does not face outwards";
     for (const Vec3<double>& p : d.points)
       if (dot(face.normal, p) > face.offset + 1e-6 * size) return "a point outside of a triangle: not convex";
   }
@@ -215,8 +224,11 @@ ConvexShape make_shape(const ConvexDefinition& definition) {
 
 ConvexDefinition box_definition(const Vec3<double>& centre, const Vec3<double>& size) {
   ConvexDefinition box;
-  for (int k = 0; k < 8; ++k) box.points.push_back({centre[0] + (k & 1 ? 0.5 : -0.5) * size[0], centre[1] + (k & 2 ? 0.5 : -0.5) * size[1], centre[2] + (k & 4 ? 0.5 : -0.5) * size[2]});
-  box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  for (int k = 0; k < 8; ++k)
+    box.points.push_back({centre[0] + (k & 1 ? 0.5 : -0.5) * size[0], centre[1] + (k & 2 ? 0.5 : -0.5) * size[1],
+                          centre[2] + (k & 4 ? 0.5 : -0.5) * size[2]});
+  box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                   {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return box;
 }
 

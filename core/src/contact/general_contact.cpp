@@ -17,7 +17,8 @@ bool has_twins(std::vector<int> numbers) {
 
 }  // namespace
 
-GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Ports& ports, std::string name) : set_(std::move(set)), name_(std::move(name)) {
+GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Ports& ports, std::string name)
+    : set_(std::move(set)), name_(std::move(name)) {
   for (const ContactSphere& s : set_->spheres) {
     markers_.push_back(s.marker);
     turns_.push_back(has_rotation(ports, s.marker) ? 1 : 0);
@@ -42,14 +43,19 @@ void GeneralContact::find_nodes(const System& system) {
 }
 
 // Convex shapes, cables and bristles need frames.
-bool GeneralContact::reads_nodes() const { return !shares_nodes_ && cables_.empty() && set_->convex.empty() && set_->planes.empty() && !set_->bristles.grow(); }
+bool GeneralContact::reads_nodes() const {
+  return !shares_nodes_ && cables_.empty() && set_->convex.empty() && set_->planes.empty() && !set_->bristles.grow();
+}
 
 RigidFrame<double> GeneralContact::frame_of(int marker, const Ports& ports) const {
-  return has_rotation(ports, marker) ? read_frame<RigidPort>(ports, marker) : turned_never(read_frame<PointPort>(ports, marker));
+  return has_rotation(ports, marker) ? read_frame<RigidPort>(ports, marker)
+                                     : turned_never(read_frame<PointPort>(ports, marker));
 }
 
 ContactPairing GeneralContact::pairing_of(const HeldContact& c) const {
-  const ContactSurface& other = c.other < spheres() ? sphere(c.other).surface : carrier(triangle(c.other - set_->first_triangle()).carrier).surface;
+  const ContactSurface& other = c.other < spheres()
+                                    ? sphere(c.other).surface
+                                    : carrier(triangle(c.other - set_->first_triangle()).carrier).surface;
   return set_->pairing(sphere(c.sphere).surface, other);
 }
 
@@ -66,14 +72,16 @@ GeneralContact::Meeting<double> GeneralContact::meet(const HeldContact& c, const
 }
 
 Vec3<double> GeneralContact::velocity_at(int marker, bool turns, const Vec3<double>& arm, const Ports& ports) const {
-  const Vec3<double>& velocity = read_frame<PointPort>(ports, marker).velocity;  // frames of rigid bodies begin with those of points
+  const Vec3<double>& velocity =
+      read_frame<PointPort>(ports, marker).velocity;  // frames of rigid bodies begin with those of points
   return turns ? velocity + cross(read_frame<RigidPort>(ports, marker).angular_velocity, arm) : velocity;
 }
 
 void GeneralContact::add_held(const HeldContact& c, Ports& ports) const {
   const Partner first{sphere(c.sphere).marker, turns(c.sphere)}, second = partner_of(c);
   const Meeting<double> at = meet(c, ports);
-  const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
+  const Vec3<double> velocity =
+      velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
   const Vec3<double> f = force_of(c, at, velocity, frame_of(first.marker, ports), frame_of(second.marker, ports));
   const auto push = [&](const Partner& on, const Vec3<double>& force, const Vec3<double>& moment) {
     double* to = ports.force(on.marker);
@@ -102,8 +110,10 @@ std::vector<GeneralContact::Push> GeneralContact::pushes(const Ports& ports, Con
     }
     const Partner second = partner_of(c);
     const Meeting<double> at = meet(c, ports);
-    const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
-    result.push_back({c.sphere, c.other, centre + at.arm0, force_of(c, at, velocity, frame_of(first.marker, ports), frame_of(second.marker, ports))});
+    const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) -
+                                  velocity_at(first.marker, first.turns, at.arm0, ports);
+    result.push_back({c.sphere, c.other, centre + at.arm0,
+                      force_of(c, at, velocity, frame_of(first.marker, ports), frame_of(second.marker, ports))});
   }
   for (const ConvexPlace& p : convex_places(ports)) result.push_back({p.first, p.second, p.point, p.force});
   return result;
@@ -129,7 +139,9 @@ void GeneralContact::add_on_triangles(int number, const Ports& ports, bool rubs,
     if (moves) velocity += frame.velocity + cross(frame.angular_velocity, at.arm1);
     if (spins) velocity -= cross(pairs_.spin[i].vector(), at.arm0);
     const ContactPairing pairing = pairs_.pairing_with(*set_, number, static_cast<int>(c));
-    const Vec3<double> f = grips ? gripping_force(pairing, at, velocity, grip_of(bristles_.find(number, found.bristle), at, frame_of(sphere(number).marker, ports), frame))
+    const Vec3<double> f = grips ? gripping_force(pairing, at, velocity,
+                                                  grip_of(bristles_.find(number, found.bristle), at,
+                                                          frame_of(sphere(number).marker, ports), frame))
                                  : force(pairing, at, velocity, {});
     pairs_.force[i].add(f);
     if (spins && rubs) pairs_.moment[i].add(cross(at.arm0, f));
@@ -139,17 +151,23 @@ void GeneralContact::add_on_triangles(int number, const Ports& ports, bool rubs,
 
 // Forces on spheres at nodes go there, if there is where.
 void GeneralContact::add_direct(Ports& ports, double* at_nodes) const {
-  const bool rubs = !std::ranges::all_of(set_->friction, [](double mu) { return mu == 0; }), grips = rubs && set_->bristles.grow();
-  const auto friction = grips ? SpherePairs::Friction::of_others : rubs ? SpherePairs::Friction::of_slip : SpherePairs::Friction::none;
+  const bool rubs = !std::ranges::all_of(set_->friction, [](double mu) { return mu == 0; }),
+             grips = rubs && set_->bristles.grow();
+  const auto friction = grips  ? SpherePairs::Friction::of_others
+                        : rubs ? SpherePairs::Friction::of_slip
+                               : SpherePairs::Friction::none;
   if (rubs) pairs_.make_room_for_moments();
   const auto number_of = [&](const Chunk& chunk) { return static_cast<int>(&chunk - chunks_.data()); };
   const auto leave = [&](const Chunk& chunk) {
     for (int number = chunk.begin; number < chunk.end; ++number) {
       const auto i = static_cast<std::size_t>(number);
-      const Vec3<double> force = pairs_.force[i].vector(), moment = rubs && turns_[i] != 0 ? pairs_.moment[i].vector() : Vec3<double>{};
+      const Vec3<double> force = pairs_.force[i].vector(),
+                         moment = rubs && turns_[i] != 0 ? pairs_.moment[i].vector() : Vec3<double>{};
       if (const NodeFrame node = at_nodes != nullptr ? at_nodes_[i] : NodeFrame(); node.dof >= 0) {
-        if (node.rotating_node >= 0) ports.node_loads[static_cast<std::size_t>(node.rotating_node)].add_at_node(force, moment);
-        else add_vector(at_nodes + node.dof, -1.0, force);
+        if (node.rotating_node >= 0)
+          ports.node_loads[static_cast<std::size_t>(node.rotating_node)].add_at_node(force, moment);
+        else
+          add_vector(at_nodes + node.dof, -1.0, force);
         continue;
       }
       double* to = ports.forces.data() + offsets_[i].force;
@@ -161,7 +179,9 @@ void GeneralContact::add_direct(Ports& ports, double* at_nodes) const {
     pairs_.collect(number_of(chunk), rubs);
     if (!shares_markers_) leave(chunk);
   };
-  const bool in_turn = workers_ == nullptr;  // all that acts on spheres of a chunk is there with its own pairs, as second ones have larger numbers
+  const bool in_turn =
+      workers_ ==
+      nullptr;  // all that acts on spheres of a chunk is there with its own pairs, as second ones have larger numbers
   each_chunk([&](Chunk& chunk) {
     if (pairs_.compute(number_of(chunk), *set_, friction) == 0) {
       for (int i = chunk.begin; i < chunk.end; ++i)
@@ -204,8 +224,10 @@ void GeneralContact::visit(BlockVisitor& visitor, const Ports& ports) const {
     std::vector<int> dofs;
     const auto add = [&](std::span<const int> some) { dofs.insert(dofs.end(), some.begin(), some.end()); };
     add(ports.marker_dofs(sphere(block.sphere).marker));
-    if (block.with == Block::With::cable) add(cables_[static_cast<std::size_t>(block.number)].dofs);
-    else add(ports.marker_dofs(block.marker1));
+    if (block.with == Block::With::cable)
+      add(cables_[static_cast<std::size_t>(block.number)].dofs);
+    else
+      add(ports.marker_dofs(block.marker1));
     visitor.block(dofs, dofs);
   }
   for (const ConvexBlock& block : convex_blocks_) {
@@ -232,8 +254,11 @@ void GeneralContact::tangent(const Evaluation&, const Weights& weights, Ports& p
     const Columns<2> columns(ports, {marker0, marker1});
     const int* slot = slots.data() + block.first_slot;
     for (int first = 0; first < columns.total; first += sweep_width) {
-      const RigidFrame<SweepDual> m0 = moving_frame(ports, marker0, columns.offset[0], first), m1 = moving_frame(ports, marker1, columns.offset[1], first);
-      const Meeting<SweepDual> at = of_spheres ? meet_sphere(c.sphere, c.other, m0.position, m1.position) : meet_triangle(c.sphere, c.other - set_->first_triangle(), m0.position, m1);
+      const RigidFrame<SweepDual> m0 = moving_frame(ports, marker0, columns.offset[0], first),
+                                  m1 = moving_frame(ports, marker1, columns.offset[1], first);
+      const Meeting<SweepDual> at = of_spheres
+                                        ? meet_sphere(c.sphere, c.other, m0.position, m1.position)
+                                        : meet_triangle(c.sphere, c.other - set_->first_triangle(), m0.position, m1);
       const Vec3<SweepDual> velocity = relative_velocity(m0, m1, at);
       const Vec3<SweepDual> f = force_of(c, at, velocity, m0, m1);
       scatter(ports, marker0, columns.offset[0], columns.total, first, {f, cross(at.arm0, f)}, slot, values);

@@ -60,13 +60,15 @@ int real_zeros(std::span<const double> polynomial, double from, double to, std::
   for (int i = 0; i <= n; ++i) {
     const double end = i < n ? turns[static_cast<std::size_t>(i)] : to;
     const double a = value_at(polynomial, begin), b = value_at(polynomial, end);
-    if ((a < 0) != (b < 0) && end > begin && count < 6) zeros[static_cast<std::size_t>(count++)] = zero_between(polynomial, derivative, begin, end);
+    if ((a < 0) != (b < 0) && end > begin && count < 6)
+      zeros[static_cast<std::size_t>(count++)] = zero_between(polynomial, derivative, begin, end);
     begin = end;
   }
   return count;
 }
 
-int stretches_within(const CableShape& cable, const std::array<double, 8>& q, const Vec<double, 2>& centre, double radius, std::array<Stretch1D, 4>& stretches) {
+int stretches_within(const CableShape& cable, const std::array<double, 8>& q, const Vec<double, 2>& centre,
+                     double radius, std::array<Stretch1D, 4>& stretches) {
   auto r = cable.polynomials(q);
   std::array<double, 7> square{};
   square[0] = -radius * radius;
@@ -81,7 +83,8 @@ int stretches_within(const CableShape& cable, const std::array<double, 8>& q, co
   double begin = 0;
   for (int i = 0; i <= n; ++i) {
     const double end = i < n ? zeros[static_cast<std::size_t>(i)] : cable.length;
-    if (end > begin && value_at(square, 0.5 * (begin + end)) < 0 && count < 4) stretches[static_cast<std::size_t>(count++)] = {begin, end};
+    if (end > begin && value_at(square, 0.5 * (begin + end)) < 0 && count < 4)
+      stretches[static_cast<std::size_t>(count++)] = {begin, end};
     begin = end;
   }
   return count;

@@ -41,13 +41,17 @@ class SortedCells {
   // Cells that spheres between two corners lie in.
   SortedCells(double size, const SphereAt& lower, const SphereAt& upper)
       : per_length_(1 / (size * (1 + 1e-9))), lowest_{index(lower.x) - 1, index(lower.y) - 1, index(lower.z) - 1} {
-    const auto bits = [](std::int64_t from, std::int64_t to) { return std::bit_width(static_cast<std::uint64_t>(to + 1 - from)); };
+    const auto bits = [](std::int64_t from, std::int64_t to) {
+      return std::bit_width(static_cast<std::uint64_t>(to + 1 - from));
+    };
     bits_of_z_ = bits(lowest_[2], index(upper.z));
     bits_of_y_ = bits(lowest_[1], index(upper.y));
     bits_ = bits_of_z_ + bits_of_y_ + bits(lowest_[0], index(upper.x));
   }
   // The way from a cell to another one in these directions.
-  std::int64_t way(int along_x, int along_y) const { return ((std::int64_t{along_x} << bits_of_y_) + along_y) << bits_of_z_; }
+  std::int64_t way(int along_x, int along_y) const {
+    return ((std::int64_t{along_x} << bits_of_y_) + along_y) << bits_of_z_;
+  }
 
   void fill(std::span<const SphereAt> all, std::span<const int> members, Workers* workers, std::size_t stretches) {
     cells.resize(members.size());
@@ -113,14 +117,16 @@ class SortedCells {
 class Search {
  public:
   // Both are in the same cells.
-  Search(const SortedCells& seekers, const SortedCells& among, double margin) : seekers_(seekers), among_(among), margin_(margin), same_(&seekers == &among) {}
+  Search(const SortedCells& seekers, const SortedCells& among, double margin)
+      : seekers_(seekers), among_(among), margin_(margin), same_(&seekers == &among) {}
 
   template <class Pair>
   DALEMBERT_INLINE void operator()(std::size_t begin, std::size_t end, LargeVector<Pair>& found) const {
     if (begin == end) return;
     std::array<Row, 9> rows;
     std::size_t count = 0;  // number of preceding candidates among the same spheres
-    for (int row = same_ ? own_row : 0; row < 9; ++row) rows[count++] = row_at(among_.way(row / 3 - 1, row % 3 - 1), seekers_.cells[begin]);
+    for (int row = same_ ? own_row : 0; row < 9; ++row)
+      rows[count++] = row_at(among_.way(row / 3 - 1, row % 3 - 1), seekers_.cells[begin]);
     std::size_t pairs = found.size();
     for (std::size_t k = begin; k < end; ++k) {
       std::size_t most = pairs + lanes;
@@ -129,7 +135,8 @@ class Search {
         most += rows[r].end - rows[r].begin;
       }
       if (found.size() < most) found.resize(2 * most);
-      for (std::size_t r = 0; r < count; ++r) pairs = look(k, same_ && r == 0 ? k + 1 : rows[r].begin, rows[r].end, found.data(), pairs);
+      for (std::size_t r = 0; r < count; ++r)
+        pairs = look(k, same_ && r == 0 ? k + 1 : rows[r].begin, rows[r].end, found.data(), pairs);
     }
     found.resize(pairs);
   }
@@ -153,7 +160,8 @@ class Search {
     return {static_cast<std::uint64_t>(way), at, at};
   }
   template <class Pair>
-  DALEMBERT_INLINE std::size_t look(std::size_t k, std::size_t first, std::size_t last, Pair* found, std::size_t pairs) const {
+  DALEMBERT_INLINE std::size_t look(std::size_t k, std::size_t first, std::size_t last, Pair* found,
+                                    std::size_t pairs) const {
     const int sphere = seekers_.spheres[k];
     const P x(seekers_.x[k]), y(seekers_.y[k]), z(seekers_.z[k]), reach(seekers_.radius[k] + margin_);
     for (std::size_t i = first; i < last; i += lanes) {
@@ -223,9 +231,10 @@ void SphereNeighbours::build(std::span<const SphereAt> spheres, double margin, W
     for (auto level = levels.begin(); level != std::next(other); ++level) {
       if (level != other) seekers.fill(spheres, level->second, workers, stretches);
       const Search search(level == other ? among : seekers, among, margin);
-      share_stretches(workers, stretches, level->second.size(), [&](std::size_t stretch, std::size_t begin, std::size_t end) {
-        in_registers_of_four([&, begin, end] { search(begin, end, found_[stretch]); });
-      });
+      share_stretches(workers, stretches, level->second.size(),
+                      [&](std::size_t stretch, std::size_t begin, std::size_t end) {
+                        in_registers_of_four([&, begin, end] { search(begin, end, found_[stretch]); });
+                      });
     }
   }
   sort_pairs(spheres.size(), workers);
@@ -243,7 +252,8 @@ void SphereNeighbours::sort_pairs(std::size_t spheres, Workers* workers) {
   first_.pop_back();
   share_stretches(workers, found_.size(), spheres, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      std::sort(seconds_.begin() + static_cast<std::ptrdiff_t>(first_[i]), seconds_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]));
+      std::sort(seconds_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
+                seconds_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]));
   });
 }
 

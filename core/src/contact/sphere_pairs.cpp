@@ -40,7 +40,8 @@ void SpherePairs::take(const ContactSet& set) {
   for (std::size_t i = 0; i < count_; ++i) {
     at[i].radius = set.spheres[i].radius;
     const ContactSurface& s = set.spheres[i].surface;
-    const auto [place, is_new] = known.try_emplace({s.stiffness, s.damping, s.material}, static_cast<int>(surfaces_.size()));
+    const auto [place, is_new] =
+        known.try_emplace({s.stiffness, s.damping, s.material}, static_cast<int>(surfaces_.size()));
     if (is_new) surfaces_.push_back(s);
     kinds_[i] = place->second;
   }
@@ -57,9 +58,13 @@ void SpherePairs::take(const ContactSet& set) {
 void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> begins, Workers* workers) {
   begins_.assign(begins.begin(), begins.end());
   const std::size_t chunks = begins.size() - 1;
-  const auto each_chunk = [&](const auto& f) { share_tasks(workers, static_cast<int>(chunks), [&](int c) { f(static_cast<std::size_t>(c), begins[c], begins[c + 1]); }); };
+  const auto each_chunk = [&](const auto& f) {
+    share_tasks(workers, static_cast<int>(chunks),
+                [&](int c) { f(static_cast<std::size_t>(c), begins[c], begins[c + 1]); });
+  };
   first_pair_.assign(1, 0);
-  for (std::size_t c = 0; c < chunks; ++c) first_pair_.push_back(first_pair_.back() + neighbours.behind(begins[c], begins[c + 1]).size());
+  for (std::size_t c = 0; c < chunks; ++c)
+    first_pair_.push_back(first_pair_.back() + neighbours.behind(begins[c], begins[c + 1]).size());
   for (LargeVector<std::uint32_t>* all : {&firsts_, &seconds_, &targets_}) all->resize(first_pair_.back());
   first_waiting_.assign(chunks + 1, 0);
   each_chunk([&](std::size_t c, int begin, int end) {
@@ -89,17 +94,21 @@ void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> 
 // Sorts by the collecting chunks.
 void SpherePairs::list_collected() {
   const std::size_t chunks = begins_.size() - 1;
-  const auto chunk_of = [&](int sphere) { return static_cast<std::size_t>(std::ranges::upper_bound(begins_, sphere) - begins_.begin()) - 1; };
+  const auto chunk_of = [&](int sphere) {
+    return static_cast<std::size_t>(std::ranges::upper_bound(begins_, sphere) - begins_.begin()) - 1;
+  };
   std::vector<std::size_t> next(chunks + 1, 0);
   for (const int sphere : waiting_) ++next[chunk_of(sphere) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
   first_collected_ = next;
   collected_.resize(waiting_.size());
-  for (std::size_t k = 0; k < waiting_.size(); ++k) collected_[next[chunk_of(waiting_[k])]++] = {waiting_[k], static_cast<int>(count_ + k)};
+  for (std::size_t k = 0; k < waiting_.size(); ++k)
+    collected_[next[chunk_of(waiting_[k])]++] = {waiting_[k], static_cast<int>(count_ + k)};
 }
 
 ContactPairing SpherePairs::pairing_of(const ContactSet& set, std::uint32_t first, std::uint32_t second) const {
-  const auto a = static_cast<std::size_t>(kinds_[first / numbers]), b = static_cast<std::size_t>(kinds_[second / numbers]);
+  const auto a = static_cast<std::size_t>(kinds_[first / numbers]),
+             b = static_cast<std::size_t>(kinds_[second / numbers]);
   return pairings_.empty() ? set.pairing(surfaces_[a], surfaces_[b]) : pairings_[a * surfaces_.size() + b];
 }
 
@@ -113,7 +122,8 @@ DALEMBERT_INLINE inline double SpherePairs::compute_pairs(std::size_t begin, std
   P least(std::numeric_limits<double>::infinity());
   const double *const places = &at.data()->x, *const velocities = &velocity.data()->x, *const spins = &spin.data()->x;
   double *const forces = &force.data()->x, *const moments = &moment.data()->x;
-  const auto some = [&](const std::uint32_t* first, const std::uint32_t* second, const std::uint32_t* target, auto count) DALEMBERT_INLINE {
+  const auto some = [&](const std::uint32_t* first, const std::uint32_t* second, const std::uint32_t* target,
+                        auto count) DALEMBERT_INLINE {
     const std::array<P, 4> at0 = fours<L>(places, first), at1 = fours<L>(places, second);
     const Vec3<P> span = vector_in(at1) - vector_in(at0);
     const P square = dot(span, span), reach = at0[3] + at1[3];
@@ -142,18 +152,21 @@ DALEMBERT_INLINE inline double SpherePairs::compute_pairs(std::size_t begin, std
       on_first = on_first + friction;
       const Vec3<P> moment0 = arm0 * torque, moment1 = arm1 * torque;
       const std::array<Pack<4>, lanes> on_second = rows_from<L>({moment1[0], moment1[1], moment1[2], P()});
-      each_row<L>({moment0[0], moment0[1], moment0[2], P()}, count, [&](int lane, const Pack<4>& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order
-        row.add_to(moments + first[lane]);
-        on_second[static_cast<std::size_t>(lane)].add_to(moments + target[lane]);
-      });
+      each_row<L>({moment0[0], moment0[1], moment0[2], P()}, count,
+                  [&](int lane, const Pack<4>& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order
+                    row.add_to(moments + first[lane]);
+                    on_second[static_cast<std::size_t>(lane)].add_to(moments + target[lane]);
+                  });
     }
-    each_row<L>({on_first[0], on_first[1], on_first[2], P()}, count, [&](int lane, const Pack<4>& row) DALEMBERT_INLINE {
-      row.add_to(forces + first[lane]);
-      row.subtract_from(forces + target[lane]);
-    });
+    each_row<L>({on_first[0], on_first[1], on_first[2], P()}, count,
+                [&](int lane, const Pack<4>& row) DALEMBERT_INLINE {
+                  row.add_to(forces + first[lane]);
+                  row.subtract_from(forces + target[lane]);
+                });
   };
   const std::size_t whole = begin + (end - begin) / lanes * lanes;
-  for (std::size_t p = begin; p < whole; p += lanes) some(&firsts_[p], &seconds_[p], &targets_[p], std::integral_constant<int, L>());
+  for (std::size_t p = begin; p < whole; p += lanes)
+    some(&firsts_[p], &seconds_[p], &targets_[p], std::integral_constant<int, L>());
   if (whole < end) {
     std::uint32_t first[lanes], second[lanes], target[lanes];
     for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -174,7 +187,8 @@ double SpherePairs::compute(int chunk, const ContactSet& set, Friction friction)
   const auto c = static_cast<std::size_t>(chunk);
   const auto clear = [&](LargeVector<Four>& numbers) {
     std::fill(numbers.begin() + begins_[c], numbers.begin() + begins_[c + 1], Four());
-    std::fill(numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c]), numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c + 1]), Four());
+    std::fill(numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c]),
+              numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c + 1]), Four());
   };
   clear(force);
   if (friction != Friction::none) clear(moment);
@@ -183,12 +197,15 @@ double SpherePairs::compute(int chunk, const ContactSet& set, Friction friction)
   if (begin == end) return least;
   const bool alike = surfaces_.size() == 1;
   const auto find = [&, this]<int L, bool with_friction>() DALEMBERT_INLINE {
-    least = alike ? compute_pairs<L, with_friction, true>(begin, end, set) : compute_pairs<L, with_friction, false>(begin, end, set);
+    least = alike ? compute_pairs<L, with_friction, true>(begin, end, set)
+                  : compute_pairs<L, with_friction, false>(begin, end, set);
   };
   if (!rubs) in_registers_of_four([&find] { find.template operator()<4, false>(); });
   // four are faster without friction
-  else if (numbers_in_register() == 8) run_in_widest_registers([&find] { find.template operator()<8, true>(); });
-  else in_registers_of_four([&find] { find.template operator()<4, true>(); });
+  else if (numbers_in_register() == 8)
+    run_in_widest_registers([&find] { find.template operator()<8, true>(); });
+  else
+    in_registers_of_four([&find] { find.template operator()<4, true>(); });
   return least;
 }
 

@@ -39,7 +39,8 @@ Room& room_for(std::size_t count) {
 
 // ---- motions ---------------------------------------------------------------------------------------------------------
 
-DesiredMotion::DesiredMotion(std::size_t count, std::vector<double> times, std::vector<double> coefficients, std::vector<double> ends)
+DesiredMotion::DesiredMotion(std::size_t count, std::vector<double> times, std::vector<double> coefficients,
+                             std::vector<double> ends)
     : count_(count), times_(std::move(times)), coefficients_(std::move(coefficients)), ends_(std::move(ends)) {}
 
 void DesiredMotion::evaluate(double time, double* q, double* v, double* a) const {
@@ -64,14 +65,16 @@ void DesiredMotion::evaluate(double time, double* q, double* v, double* a) const
 
 // ---- laws ------------------------------------------------------------------------------------------------------------
 
-void ProportionalDerivative::forces(double time, int, std::span<const double> q, std::span<const double> v, std::span<double> f) const {
+void ProportionalDerivative::forces(double time, int, std::span<const double> q, std::span<const double> v,
+                                    std::span<double> f) const {
   Room& room = room_for(count());
   desired_->evaluate(time, room.q.data(), room.v.data(), room.a.data());
   for (std::size_t i = 0; i < f.size(); ++i)
     f[i] = feed_forward_[i] + gains_.stiffness[i] * (room.q[i] - q[i]) + gains_.damping[i] * (room.v[i] - v[i]);
 }
 
-void ComputedTorque::forces(double time, int, std::span<const double> q, std::span<const double> v, std::span<double> f) const {
+void ComputedTorque::forces(double time, int, std::span<const double> q, std::span<const double> v,
+                            std::span<double> f) const {
   Room& room = room_for(count());
   room.make_links(count());
   desired_->evaluate(time, room.q.data(), room.v.data(), room.a.data());
@@ -80,11 +83,13 @@ void ComputedTorque::forces(double time, int, std::span<const double> q, std::sp
   trees::place_links<double>(tree_, q.data(), room.places);
   trees::place_masses<double>(tree_, room.places, room.masses);
   trees::move_links<double>(tree_, room.places, v.data(), room.a.data(), -gravity_, room.motions);
-  for (std::size_t i = 0; i < f.size(); ++i) room.wrenches[i] = trees::inertia_force(tree_.links[i], room.masses[i], room.motions[i]);
+  for (std::size_t i = 0; i < f.size(); ++i)
+    room.wrenches[i] = trees::inertia_force(tree_.links[i], room.masses[i], room.motions[i]);
   trees::sum_to_base<double>(tree_, room.places, room.wrenches, [&](std::size_t i, double force) { f[i] = force; });
 }
 
-void CompiledLaw::forces(double time, int item, std::span<const double> q, std::span<const double> v, std::span<double> f) const {
+void CompiledLaw::forces(double time, int item, std::span<const double> q, std::span<const double> v,
+                         std::span<double> f) const {
   function_(time, item, q.data(), std::ssize(q), v.data(), std::ssize(v), f.data(), std::ssize(f));
 }
 
@@ -98,7 +103,9 @@ void SampledForces::begin(double time, std::size_t count) {
   waiting_.clear();
 }
 
-double SampledForces::next() const { return waiting_.empty() ? next_sample() : std::min(next_sample(), next_release()); }
+double SampledForces::next() const {
+  return waiting_.empty() ? next_sample() : std::min(next_sample(), next_release());
+}
 
 bool SampledForces::release(double time) {
   bool changed = false;
@@ -111,7 +118,8 @@ bool SampledForces::release(double time) {
 }
 
 std::vector<double> SampledForces::numbers() const {
-  std::vector<double> numbers{start_, samples_, static_cast<double>(held_.size()), static_cast<double>(waiting_.size())};
+  std::vector<double> numbers{start_, samples_, static_cast<double>(held_.size()),
+                              static_cast<double>(waiting_.size())};
   numbers.insert(numbers.end(), held_.begin(), held_.end());
   for (const auto& forces : waiting_) numbers.insert(numbers.end(), forces.begin(), forces.end());
   return numbers;

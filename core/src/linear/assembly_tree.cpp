@@ -57,7 +57,9 @@ class TreeBuilder {
     const int g = order_[position];
     for (int k = first_neighbour_[g]; k < first_neighbour_[g + 1]; ++k) f(position_[neighbours_[k]]);
   }
-  int unknowns_at(int position) const { return first_unknown_[order_[position] + 1] - first_unknown_[order_[position]]; }
+  int unknowns_at(int position) const {
+    return first_unknown_[order_[position] + 1] - first_unknown_[order_[position]];
+  }
 
   template <class F>
   void for_each_child(const Supernode& node, F&& f) const {
@@ -327,7 +329,10 @@ std::vector<FrontStructure> assembly_tree(const Pattern& pattern, const Eliminat
 }
 
 FrontEntries::FrontEntries(const Pattern& pattern, const std::vector<FrontStructure>& tree)
-    : pattern_(pattern), tree_(tree), owner_(static_cast<std::size_t>(pattern.size())), transposed_(pattern.row_index().size()) {
+    : pattern_(pattern),
+      tree_(tree),
+      owner_(static_cast<std::size_t>(pattern.size())),
+      transposed_(pattern.row_index().size()) {
   pattern.for_each_transposed([to = transposed_.data()](int slot, int transposed) { to[slot] = transposed; });
   for (int f = 0; f < static_cast<int>(tree.size()); ++f) {
     for (const int j : tree[f].pivots) owner_[j] = f;

@@ -8,8 +8,12 @@
 namespace dalembert {
 
 CompletePivotingLu::CompletePivotingLu(int size, const LinearSolverOptions& options)
-    : size_(size), pivot_threshold_(options.pivot_threshold), values_(static_cast<std::size_t>(size) * size),
-      inverse_pivot_(size), row_exchange_(size), column_exchange_(size) {}
+    : size_(size),
+      pivot_threshold_(options.pivot_threshold),
+      values_(static_cast<std::size_t>(size) * size),
+      inverse_pivot_(size),
+      row_exchange_(size),
+      column_exchange_(size) {}
 
 // Elimination with the largest entry of the rest as pivot; it stops where the rest is round-off, and solutions are zero there.
 int CompletePivotingLu::factorize(std::span<const double> values) {

@@ -11,10 +11,15 @@
 namespace dalembert {
 
 DenseLu::DenseLu(int size, const LinearSolverOptions& options)
-    : size_(size), length_(padded(size)),
-      largest_inverse_(options.pivot_threshold > 0 ? 1 / options.pivot_threshold : std::numeric_limits<double>::infinity()),
-      kernels_(front_kernels(options.instructions)), factors_(static_cast<std::size_t>(length_) * size), inverse_pivot_(length_),
-      work_(length_), row_of_step_(size) {
+    : size_(size),
+      length_(padded(size)),
+      largest_inverse_(options.pivot_threshold > 0 ? 1 / options.pivot_threshold
+                                                   : std::numeric_limits<double>::infinity()),
+      kernels_(front_kernels(options.instructions)),
+      factors_(static_cast<std::size_t>(length_) * size),
+      inverse_pivot_(length_),
+      work_(length_),
+      row_of_step_(size) {
   statistics_.entries = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
 }
 

@@ -25,7 +25,10 @@ constexpr auto all_but_sign = std::numeric_limits<std::int64_t>::max();  // mask
 }  // namespace
 
 EliminationList::EliminationList(std::span<const int> row_of_step, std::span<const char> occupied)
-    : size(static_cast<int>(row_of_step.size())), rows_(row_of_step.size()), columns_(row_of_step.size()), places_(occupied.size()) {
+    : size(static_cast<int>(row_of_step.size())),
+      rows_(row_of_step.size()),
+      columns_(row_of_step.size()),
+      places_(occupied.size()) {
   for (int i = 0; i < size; ++i) {
     rows_[i] = bit(i);
     for (int j = 0; j < size; ++j)

@@ -49,7 +49,9 @@ class EliminationList {
   void list_sources(std::span<const int> row_of_step, std::span<const char> occupied);
   void list_factorization();
   void list_back_substitution();
-  std::uint16_t& place(int i, int j) { return places_[static_cast<std::size_t>(j) * static_cast<std::size_t>(size) + static_cast<std::size_t>(i)]; }
+  std::uint16_t& place(int i, int j) {
+    return places_[static_cast<std::size_t>(j) * static_cast<std::size_t>(size) + static_cast<std::size_t>(i)];
+  }
 
   std::vector<StepMask> rows_, columns_;  // pattern of the factors
   std::vector<std::uint16_t> places_;

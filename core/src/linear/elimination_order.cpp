@@ -82,7 +82,11 @@ class QuotientGraph {
 };
 
 QuotientGraph::QuotientGraph(const Pattern& pattern, const PivotSurplus& surplus)
-    : size_(pattern.size()), next_member_(size_, -1), group_(size_), first_(2 * static_cast<std::size_t>(size_) + 1, -1), left_(size_) {
+    : size_(pattern.size()),
+      next_member_(size_, -1),
+      group_(size_),
+      first_(2 * static_cast<std::size_t>(size_) + 1, -1),
+      left_(size_) {
   group_equal_columns(pattern, surplus);
   const auto count = nodes_.size();
   mark_.assign(count, 0);

@@ -23,8 +23,9 @@ std::vector<bool> key_of(const PivotSurplus& surplus, bool some_depend) {
 
 }  // namespace
 
-std::shared_ptr<const std::vector<FrontStructure>> elimination_tree(const Pattern& pattern, std::span<const double> values,
-                                                                     std::span<const int> dependent) {
+std::shared_ptr<const std::vector<FrontStructure>> elimination_tree(const Pattern& pattern,
+                                                                    std::span<const double> values,
+                                                                    std::span<const int> dependent) {
   const PivotSurplus surplus = pivot_surplus(pattern, values, dependent);
   std::vector<bool> key = key_of(surplus, !dependent.empty());
   std::vector<EliminationTree>& known = pattern.known_trees();

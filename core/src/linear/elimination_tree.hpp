@@ -11,7 +11,8 @@ namespace dalembert {
 
 // Elimination tree for matrices with a diagonal like that of `values` and redundant multipliers `dependent`. Results
 // are cached with the pattern: initial accelerations, later steps and the next solution need the same tree.
-std::shared_ptr<const std::vector<FrontStructure>> elimination_tree(const Pattern& pattern, std::span<const double> values,
-                                                                     std::span<const int> dependent);
+std::shared_ptr<const std::vector<FrontStructure>> elimination_tree(const Pattern& pattern,
+                                                                    std::span<const double> values,
+                                                                    std::span<const int> dependent);
 
 }  // namespace dalembert

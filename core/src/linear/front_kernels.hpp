@@ -36,7 +36,8 @@ struct FrontKernels {
   void (*substitute)(const double* panel, int pivots, int length, const double* inverse, double* w);
   // Adds columns of a child to those of its parent, which start at to + places[j]. Up to front_slack numbers behind a
   // run are read and written unchanged.
-  void (*add_columns)(const double* from, int length, int count, std::span<const RowRun> runs, const int* places, double* to);
+  void (*add_columns)(const double* from, int length, int count, std::span<const RowRun> runs, const int* places,
+                      double* to);
   // A factorized and eliminated front into the streams of solution_sweeps.hpp. Reads up to front_slack numbers more than the
   // front has; `inverse` is read up to the last slot.
   void (*pack)(const double* panel, const FrontSize& front, int length, const double* columns, const double* inverse,
@@ -45,7 +46,8 @@ struct FrontKernels {
   // front, `w` is work space for the longest. The backward sweep takes the ends of `columns`, and of the slots of
   // fronts.
   void (*forward)(std::span<const FrontSize> fronts, const double* lower, const int* rows, double* x, double* w);
-  void (*backward)(std::span<const FrontSize> fronts, const double* upper, const int* columns_end, double* x, double* x_end);
+  void (*backward)(std::span<const FrontSize> fronts, const double* upper, const int* columns_end, double* x,
+                   double* x_end);
   // The three functions above for listed operations, bit-identical: gathering the entries of the factors from a
   // matrix, false if other entries are nonzero; factors and reciprocals of the pivots in place, returning the largest
   // entry of L; and w := U^-1 L^-1 w.

@@ -13,8 +13,8 @@ namespace dalembert {
 namespace {
 
 constexpr double rounding = 1e-10;  // of the terms that cancel in a pivot
-constexpr int largest_dense = 64;   // unknowns
-constexpr double harmless = 1e3;    // growth of entries of L, relative to that with the values that chose the pivots
+constexpr int largest_dense = 64;  // unknowns
+constexpr double harmless = 1e3;  // growth of entries of L, relative to that with the values that chose the pivots
 
 // The largest entry of each row and column becomes about one.
 void equilibrate(std::span<double> a, int n) {
@@ -32,7 +32,8 @@ class Elimination {
   Elimination(double* a, int n) : a_(a), n_(n) {}
 
   std::optional<int> negative() {
-    constexpr double limit = 0.6403882032022076;  // (1 + sqrt(17)) / 8: pivots of one or two rows let entries grow alike
+    constexpr double limit =
+        0.6403882032022076;  // (1 + sqrt(17)) / 8: pivots of one or two rows let entries grow alike
     for (k_ = 0; k_ < n_;) {
       const auto [r, below] = largest_below(k_);
       const double own = std::abs(at(k_, k_));
@@ -135,7 +136,8 @@ std::optional<int> MultifrontalLu::negative_pivots(const Front& front, double* p
     before.resize(static_cast<std::size_t>(n) * n);
     for (int j = 0; j < n; ++j)
       for (int k = 0; k < n; ++k) {
-        const double scale = column_scale_[static_cast<std::size_t>(row(k))] / row_scale_[static_cast<std::size_t>(first + k)];
+        const double scale =
+            column_scale_[static_cast<std::size_t>(row(k))] / row_scale_[static_cast<std::size_t>(first + k)];
         before[j * n + place[k]] = panel[static_cast<std::ptrdiff_t>(j) * front.length + k] * scale;
       }
   }
@@ -152,7 +154,8 @@ std::optional<int> MultifrontalLu::negative_pivots(const Front& front, double* p
 
 // As `repeat`, without keeping the factors.
 std::optional<int> MultifrontalLu::negative_eigenvalues(std::span<const double> given) {
-  if (!planned_ || options_.ignore_singular || !options_.dependent.empty() || !options_.tiny_diagonal.empty()) return {};
+  if (!planned_ || options_.ignore_singular || !options_.dependent.empty() || !options_.tiny_diagonal.empty())
+    return {};
   const std::vector<double> inverse = inverse_pivot_;
   const double growth = std::exchange(growth_, 0.0);
   std::optional<int> count = 0;
@@ -165,7 +168,8 @@ std::optional<int> MultifrontalLu::negative_eigenvalues(std::span<const double> 
       break;
     }
     *count += *here;
-    kernels_.eliminate(panel, front.pivots, front.length, panel + static_cast<std::ptrdiff_t>(front.length) * front.pivots, front.updates);
+    kernels_.eliminate(panel, front.pivots, front.length,
+                       panel + static_cast<std::ptrdiff_t>(front.length) * front.pivots, front.updates);
   }
   if (!(growth_ <= harmless * planned_growth_)) count = {};
   inverse_pivot_ = inverse;
@@ -186,7 +190,8 @@ std::optional<int> OccupiedLu::negative_eigenvalues(std::span<const double> valu
   return count + *others;
 }
 
-std::optional<int> negative_eigenvalues(const LinearSolver& solver, const Pattern& pattern, std::span<const double> values) {
+std::optional<int> negative_eigenvalues(const LinearSolver& solver, const Pattern& pattern,
+                                        std::span<const double> values) {
   if (const auto* sparse = dynamic_cast<const OccupiedLu*>(&solver)) return sparse->negative_eigenvalues(values);
   if (!pattern.is_dense() || pattern.size() > largest_dense) return {};
   std::vector<double> matrix(values.begin(), values.end());

@@ -19,8 +19,10 @@ void in_registers_for(int size, const Loop& loop) {
 }  // namespace
 
 LaneFactors::LaneFactors(std::span<const int> row_of_step, std::span<const char> occupied)
-    : row_of_step_(row_of_step.begin(), row_of_step.end()), list_(row_of_step, occupied),
-      factors_(static_cast<std::size_t>(list_.entries + list_.size)), next_(factors_.size()),
+    : row_of_step_(row_of_step.begin(), row_of_step.end()),
+      list_(row_of_step, occupied),
+      factors_(static_cast<std::size_t>(list_.entries + list_.size)),
+      next_(factors_.size()),
       work_(static_cast<std::size_t>(list_.size)) {}
 
 void LaneFactors::eliminate() {
@@ -40,7 +42,8 @@ bool LaneFactors::usable(int lane, double largest_inverse) const {
 }
 
 void LaneFactors::substitute() {
-  in_registers_for(list_.size, [&] { substitute_listed(list_, factors_.data(), factors_.data() + list_.entries, work_.data()); });
+  in_registers_for(list_.size,
+                   [&] { substitute_listed(list_, factors_.data(), factors_.data() + list_.entries, work_.data()); });
 }
 
 }  // namespace dalembert

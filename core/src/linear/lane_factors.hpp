@@ -40,7 +40,8 @@ class LaneFactors {
 
   std::vector<int> row_of_step_;
   EliminationList list_;
-  std::vector<LaneBlock> factors_, next_;  // entries of the list, then reciprocals of the pivots; `next_` are those of all lanes
+  std::vector<LaneBlock> factors_,
+      next_;  // entries of the list, then reciprocals of the pivots; `next_` are those of all lanes
   std::vector<LaneBlock> work_;
   LaneBlock growth_;
 };

@@ -24,7 +24,8 @@ std::unique_ptr<LinearSolver> make_linear_solver(const Pattern& pattern, LinearS
     default: break;
   }
   throw std::invalid_argument(
-      "simulationSettings.linearSolverType: received LinearSolverType._None; expected EXUdense, EigenDense, EigenSparse "
+      "simulationSettings.linearSolverType: received LinearSolverType._None; expected EXUdense, EigenDense, "
+      "EigenSparse "
       "or EigenSparseSymmetric");
 }
 

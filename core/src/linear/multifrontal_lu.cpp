@@ -25,7 +25,10 @@ constexpr double largest_growth = 1e3, largest_size = 1e5, smallest_growth = 10;
 }  // namespace
 
 MultifrontalLu::MultifrontalLu(const Pattern& pattern, const LinearSolverOptions& options, std::vector<int> slots)
-    : pattern_(pattern), options_(options), slots_(std::move(slots)), kernels_(front_kernels(options.instructions)),
+    : pattern_(pattern),
+      options_(options),
+      slots_(std::move(slots)),
+      kernels_(front_kernels(options.instructions)),
       size_(pattern.size()) {}
 
 LinearSolverStatistics MultifrontalLu::statistics() const { return statistics_; }
@@ -52,7 +55,8 @@ int MultifrontalLu::start_again(std::span<const double> given) {
   scaling_ = balance(pattern_, structure);
   // The search is usually trivial without multipliers.
   planned_ = !options_.ignore_singular && std::ranges::none_of(scaling_.multiplier, [](char m) { return m != 0; }) &&
-             adopt(pivots_in_order(*tree_), values, given) <= largest_residual && growth_ <= harmless_growth && regular();
+             adopt(pivots_in_order(*tree_), values, given) <= largest_residual && growth_ <= harmless_growth &&
+             regular();
   if (planned_) return success;
   return search_and_adopt(values, given);
 }
@@ -86,7 +90,8 @@ int MultifrontalLu::search_and_adopt(std::span<const double> values, std::span<c
 }
 
 // Factorizes with these pivots, and tests them.
-double MultifrontalLu::adopt(std::vector<PivotedFront> fronts, std::span<const double> values, std::span<const double> given) {
+double MultifrontalLu::adopt(std::vector<PivotedFront> fronts, std::span<const double> values,
+                             std::span<const double> given) {
   plan(std::move(fronts));
   repeat(given);
   planned_growth_ = std::max(growth_, 1.0);
@@ -132,23 +137,27 @@ bool MultifrontalLu::repeat(std::span<const double> given) {
     double* inverse = inverse_pivot_.data() + front.first_slot;
     growth_ = std::max(growth_, kernels_.factorize(panel, front.pivots, front.length, inverse));
     kernels_.eliminate(panel, front.pivots, front.length, right, front.updates);
-    kernels_.pack(panel, {front.pivots, front.updates}, front.length, right, inverse, factor(front.lower), factor(front.upper));
+    kernels_.pack(panel, {front.pivots, front.updates}, front.length, right, inverse, factor(front.lower),
+                  factor(front.upper));
   }
-  const double limit = std::max(std::min(largest_growth * planned_growth_, largest_size), smallest_growth * planned_growth_);
+  const double limit =
+      std::max(std::min(largest_growth * planned_growth_, largest_size), smallest_growth * planned_growth_);
   return growth_ <= limit && regular();
 }
 
 // All pivots are larger than the threshold.
 bool MultifrontalLu::regular() const {
   bool all = true;
-  for (int k = 0; k < pivot_slots_; ++k) all &= std::abs(inverse_pivot_[k]) * least_pivot_[k] < 1;  // not if it is not finite
+  for (int k = 0; k < pivot_slots_; ++k)
+    all &= std::abs(inverse_pivot_[k]) * least_pivot_[k] < 1;  // not if it is not finite
   return all;
 }
 
 // Runs of this length and of shorter ones.
 template <int Length>
 void MultifrontalLu::take_runs(const Front& front, const double* given, double* to) const {
-  const int *end = front.end_of_entries.data() + (longest_run - Length), first = Length == longest_run ? front.first_entry : end[-1];
+  const int *end = front.end_of_entries.data() + (longest_run - Length),
+            first = Length == longest_run ? front.first_entry : end[-1];
   for (const Entry& entry : std::span(entries_).subspan(first, *end - first))
     std::memcpy(to + entry.target, given + entry.slot, Length * sizeof(double));
   if constexpr (Length > 1) take_runs<Length - 1>(front, given, to);

@@ -82,7 +82,7 @@ class MultifrontalLu final : public LinearSolver {
   const FrontKernels& kernels_;
   int size_;
   bool planned_ = false;
-  double growth_ = 0;          // largest entry of L
+  double growth_ = 0;  // largest entry of L
   double planned_growth_ = 1;  // growth in the factorization that has selected the pivots
   Scaling scaling_;
   std::array<double, 3> scales_ = {};  // scales of entries in the row of a multiplier, in the column of one, in both
@@ -95,12 +95,12 @@ class MultifrontalLu final : public LinearSolver {
   std::vector<RowRun> runs_;
   std::vector<FrontSize> sizes_;
   std::vector<int> row_slot_, column_slot_;  // per update
-  std::vector<int> row_of_slot_, slot_of_column_;    // slots without an unknown have any row
+  std::vector<int> row_of_slot_, slot_of_column_;  // slots without an unknown have any row
   std::vector<double> row_scale_, column_scale_;  // by slots, by unknowns
   std::vector<double> inverse_pivot_, least_pivot_;  // by slots; smaller pivots count as zero
   NumberStorage columns_;  // columns of the current front, and update matrices
   NumberStorage factors_;  // factors of all fronts
-  std::size_t first_upper_ = 0;                      // upper factors in factors_
+  std::size_t first_upper_ = 0;  // upper factors in factors_
   std::vector<double> unknowns_, work_;  // by slots, by updates of a front
   LinearSolverStatistics statistics_;
 };

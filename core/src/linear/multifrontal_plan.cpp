@@ -79,9 +79,10 @@ void MultifrontalLu::place_factors(const std::vector<PivotedFront>& fronts) {
 }
 
 // The updates of each front in the order in which its parent has them.
-void MultifrontalLu::sort_updates(std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children) const {
+void MultifrontalLu::sort_updates(std::vector<PivotedFront>& fronts,
+                                  const std::vector<std::vector<int>>& children) const {
   std::vector<int> place(static_cast<std::size_t>(size_));
-  const auto sort = [&](std::size_t parent, std::vector<int> PivotedFront::*list) {
+  const auto sort = [&](std::size_t parent, std::vector<int> PivotedFront::* list) {
     const std::vector<int>& order = fronts[parent].*list;
     for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
     for (const int c : children[parent]) {
@@ -189,8 +190,10 @@ void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
     all.for_each(f, [&](int i, int j, int slot) {
       const Entry entry{slots_.empty() ? slot : slots_[slot], column_place[j] + row_place[i]};
       const int scale = (scaling_.multiplier[i] ? 1 : 0) + (scaling_.multiplier[j] ? 2 : 0);
-      if (scale == 0) runs.add(j, entry);
-      else by_scale[scale - 1].push_back(entry);
+      if (scale == 0)
+        runs.add(j, entry);
+      else
+        by_scale[scale - 1].push_back(entry);
     });
     runs.move_to(entries_, front.end_of_entries.data());
     for (std::size_t k = 0; k < by_scale.size(); ++k) {
@@ -201,8 +204,8 @@ void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
   }
 }
 
-void MultifrontalLu::place_updates(const std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children,
-                                   const std::vector<int>& slot_of_row) {
+void MultifrontalLu::place_updates(const std::vector<PivotedFront>& fronts,
+                                   const std::vector<std::vector<int>>& children, const std::vector<int>& slot_of_row) {
   std::vector<int> row_place(static_cast<std::size_t>(size_)), column_place(row_place);
   children_.clear();
   row_slot_.clear();

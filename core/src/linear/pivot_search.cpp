@@ -19,8 +19,12 @@ constexpr double harmless_ratio = 1e3;
 class DenseFront {
  public:
   DenseFront(std::vector<int> rows, std::vector<int> columns, int candidates)
-      : rows_(std::move(rows)), columns_(std::move(columns)), candidates_(candidates), size_(static_cast<int>(rows_.size())),
-        length_(padded(size_)), values_(static_cast<std::size_t>(length_) * size_, 0.0) {}
+      : rows_(std::move(rows)),
+        columns_(std::move(columns)),
+        candidates_(candidates),
+        size_(static_cast<int>(rows_.size())),
+        length_(padded(size_)),
+        values_(static_cast<std::size_t>(length_) * size_, 0.0) {}
 
   double& at(int row, int column) { return values_[static_cast<std::size_t>(column) * length_ + row]; }
 
@@ -41,7 +45,6 @@ class DenseFront {
   PivotedFront take_order() { return {std::move(rows_), std::move(columns_), pivots_}; }
 
  private:
-
   // Without exchanges. False, and nothing has happened, if one is called for.
   template <class Usable>
   bool eliminate_in_order(Usable&& usable, const FrontKernels& kernels, bool without_tiny) {
@@ -125,9 +128,18 @@ class Search {
  public:
   Search(const Pattern& pattern, const std::vector<FrontStructure>& tree, std::span<const double> values,
          const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options, const FrontKernels& kernels)
-      : tree_(tree), values_(values), scaling_(scaling), smallest_ratio_(smallest_ratio), kernels_(kernels),
-        entries_(pattern, tree), waiting_(tree.size()), row_place_(pattern.size()), column_place_(pattern.size()),
-        threshold_(options.pivot_threshold), smallest_(pattern.size(), 0.0), ignore_singular_(options.ignore_singular),
+      : tree_(tree),
+        values_(values),
+        scaling_(scaling),
+        smallest_ratio_(smallest_ratio),
+        kernels_(kernels),
+        entries_(pattern, tree),
+        waiting_(tree.size()),
+        row_place_(pattern.size()),
+        column_place_(pattern.size()),
+        threshold_(options.pivot_threshold),
+        smallest_(pattern.size(), 0.0),
+        ignore_singular_(options.ignore_singular),
         tiny_last_(!options.tiny_diagonal.empty()) {
     if (!options.ignore_singular) return;
     for (int j = 0; j < pattern.size(); ++j) {
@@ -197,7 +209,7 @@ class Search {
       column_place_[columns[k]] = k;
     }
     DenseFront front(std::move(rows), std::move(columns), candidates);
-    entries_.for_each(f, [&](int i, int j, int slot) { 
+    entries_.for_each(f, [&](int i, int j, int slot) {
       front.at(row_place_[i], column_place_[j]) = values_[slot] * (scaling_.row(i) * scaling_.column(j));
     });
     for (Child& child : children) {
@@ -239,9 +251,9 @@ std::vector<PivotedFront> pivots_in_order(const std::vector<FrontStructure>& tre
   return fronts;
 }
 
-PivotSearch search_pivots(const Pattern& pattern, const std::vector<FrontStructure>& tree, std::span<const double> values,
-                          const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options,
-                          const FrontKernels& kernels, int most_rows) {
+PivotSearch search_pivots(const Pattern& pattern, const std::vector<FrontStructure>& tree,
+                          std::span<const double> values, const Scaling& scaling, double smallest_ratio,
+                          const LinearSolverOptions& options, const FrontKernels& kernels, int most_rows) {
   return Search(pattern, tree, values, scaling, smallest_ratio, options, kernels).run(most_rows);
 }
 

@@ -33,8 +33,8 @@ std::vector<PivotedFront> pivots_in_order(const std::vector<FrontStructure>& tre
 // Partial pivoting within the fronts. Columns without an acceptable pivot are handed to the parent: if it were smaller than
 // `smallest_ratio` times the largest entry of its column. If a front without parent
 // has such columns, the matrix is singular: they are left over there if the options allow it.
-PivotSearch search_pivots(const Pattern& pattern, const std::vector<FrontStructure>& tree, std::span<const double> values,
-                          const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options,
-                          const FrontKernels& kernels, int most_rows);
+PivotSearch search_pivots(const Pattern& pattern, const std::vector<FrontStructure>& tree,
+                          std::span<const double> values, const Scaling& scaling, double smallest_ratio,
+                          const LinearSolverOptions& options, const FrontKernels& kernels, int most_rows);
 
 }  // namespace dalembert

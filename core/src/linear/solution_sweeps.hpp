@@ -16,7 +16,9 @@ struct FrontSize {
 constexpr int group_slots(int pivots) { return pivots <= half_group ? half_group : pivot_group; }
 // First pivot of the last group; negative if there are no pivots.
 constexpr int last_group(int pivots) { return ((pivots + pivot_group - 1) / pivot_group - 1) * pivot_group; }
-constexpr int slots(int pivots) { return pivots <= 0 ? 0 : last_group(pivots) + group_slots(pivots - last_group(pivots)); }
+constexpr int slots(int pivots) {
+  return pivots <= 0 ? 0 : last_group(pivots) + group_slots(pivots - last_group(pivots));
+}
 
 // Columns of inverse triangles are stored in halves of four numbers without zero halves: returns the offset of column
 // j of up to eight, or the size of j columns.

@@ -13,7 +13,9 @@ namespace {
 // Shorter longest paths are not worth a rotation.
 constexpr int shortest_path = 8;
 
-std::size_t entries(const FrontStructure& front) { return front.pivots.size() * (front.pivots.size() + 2 * front.updates.size()); }
+std::size_t entries(const FrontStructure& front) {
+  return front.pivots.size() * (front.pivots.size() + 2 * front.updates.size());
+}
 
 // Fronts stand in an order where each subtree is a range that ends with its root.
 class TreeRotation {
@@ -49,8 +51,14 @@ class TreeRotation {
 };
 
 TreeRotation::TreeRotation(std::vector<FrontStructure> tree, const PivotSurplus& brought)
-    : tree_(std::move(tree)), brought_(brought), count_(tree_.size(), 1), height_(tree_.size(), 1), deepest_(tree_.size(), -1),
-      other_height_(tree_.size(), 1), surplus_(tree_.size(), 0), mark_(brought.size(), -1) {
+    : tree_(std::move(tree)),
+      brought_(brought),
+      count_(tree_.size(), 1),
+      height_(tree_.size(), 1),
+      deepest_(tree_.size(), -1),
+      other_height_(tree_.size(), 1),
+      surplus_(tree_.size(), 0),
+      mark_(brought.size(), -1) {
   for (int f = 0; f < static_cast<int>(tree_.size()); ++f) {
     surplus_[f] += surplus(tree_[f].pivots);
     const int parent = tree_[f].parent;

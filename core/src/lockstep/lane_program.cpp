@@ -33,8 +33,10 @@ bool ConstantClasses::refine(std::span<const double> constants) {
     const auto [place, is_new] = places.try_emplace({mine, bits(i)}, count());
     if (is_new) {
       first_.push_back(i);
-      const std::optional<double> all_before = known ? before[static_cast<std::size_t>(mine)] : constants[static_cast<std::size_t>(i)];
-      const bool still = all_before && std::bit_cast<std::uint64_t>(*all_before) == bits(i);  // not so if this part left the class by its value
+      const std::optional<double> all_before =
+          known ? before[static_cast<std::size_t>(mine)] : constants[static_cast<std::size_t>(i)];
+      const bool still = all_before && std::bit_cast<std::uint64_t>(*all_before) ==
+                                           bits(i);  // not so if this part left the class by its value
       always_.push_back(still ? all_before : std::nullopt);
     }
     mine = place->second;
@@ -76,7 +78,9 @@ class LaneProgram::Compiler {
   static bool has_two(Operation operation) { return operation <= Operation::divide; }
 
   bool is_constant(int value) const { return value >= trace_.inputs && value < first_result_; }
-  bool is_always(int value, double x) const { return is_constant(value) && classes_.is_always(value - trace_.inputs, x); }
+  bool is_always(int value, double x) const {
+    return is_constant(value) && classes_.is_always(value - trace_.inputs, x);
+  }
 
   int value_at(int place) const {
     if (place < 0) return trace_.inputs + classes_.of(-place - 1);
@@ -110,7 +114,8 @@ class LaneProgram::Compiler {
     for (const Trace::Part& part : trace_.parts) {
       const int number = static_cast<int>(members_.size());
       std::vector<int>& members = members_.emplace_back();
-      open.assign(outputs_.begin() + static_cast<std::ptrdiff_t>(begin), outputs_.begin() + static_cast<std::ptrdiff_t>(part.outputs));
+      open.assign(outputs_.begin() + static_cast<std::ptrdiff_t>(begin),
+                  outputs_.begin() + static_cast<std::ptrdiff_t>(part.outputs));
       for (const int output : open) ++uses_[static_cast<std::size_t>(output)];  // never used up
       while (!open.empty()) {
         const int v = open.back();
@@ -167,8 +172,10 @@ class LaneProgram::Compiler {
     std::unordered_map<int, int> missing;
     const auto add_ready = [&](int v) {
       const Value& value = values_[static_cast<std::size_t>(v)];
-      if (value.partner == none) ready[static_cast<std::size_t>(value.operation)].push_back(v);
-      else if (value.operation == Operation::cosine) ready[static_cast<std::size_t>(Kind::turn)].push_back(v);
+      if (value.partner == none)
+        ready[static_cast<std::size_t>(value.operation)].push_back(v);
+      else if (value.operation == Operation::cosine)
+        ready[static_cast<std::size_t>(Kind::turn)].push_back(v);
     };
     const int part = members.empty() ? 0 : values_[static_cast<std::size_t>(members.front())].part;
     for (const int v : members) {
@@ -237,14 +244,16 @@ class LaneProgram::Compiler {
   std::size_t places_ = 0;
 };
 
-LaneProgram::LaneProgram(const Trace& trace, const ConstantClasses& classes) { Compiler(trace, classes, *this).compile(); }
+LaneProgram::LaneProgram(const Trace& trace, const ConstantClasses& classes) {
+  Compiler(trace, classes, *this).compile();
+}
 
 void LaneProgram::set_constants(int lane, std::span<const double> constants) {
   for (const Constant& c : constants_) memory_[c.place].at(lane) = constants[static_cast<std::size_t>(c.first)];
 }
 
-DALEMBERT_INLINE inline void LaneProgram::execute(const Run* run, const Run* end, const Instruction* first, const Instruction* next,
-                                                           LaneBlock* memory) {
+DALEMBERT_INLINE inline void LaneProgram::execute(const Run* run, const Run* end, const Instruction* first,
+                                                  const Instruction* next, LaneBlock* memory) {
   const auto each = [&](std::uint32_t last, auto&& f) {
     for (const Instruction* stop = first + last; next != stop; ++next) f(*next);
   };
@@ -253,19 +262,33 @@ DALEMBERT_INLINE inline void LaneProgram::execute(const Run* run, const Run* end
   };
   for (; run != end; ++run) {
     switch (run->kind) {
-      case Kind::add: each(run->end, [&](const Instruction& i) { memory[i.result] = memory[i.a] + memory[i.b]; }); break;
-      case Kind::subtract: each(run->end, [&](const Instruction& i) { memory[i.result] = memory[i.a] - memory[i.b]; }); break;
-      case Kind::multiply: each(run->end, [&](const Instruction& i) { memory[i.result] = memory[i.a] * memory[i.b]; }); break;
-      case Kind::divide: each(run->end, [&](const Instruction& i) { memory[i.result] = memory[i.a] / memory[i.b]; }); break;
+      case Kind::add:
+        each(run->end, [&](const Instruction& i) { memory[i.result] = memory[i.a] + memory[i.b]; });
+        break;
+      case Kind::subtract:
+        each(run->end, [&](const Instruction& i) { memory[i.result] = memory[i.a] - memory[i.b]; });
+        break;
+      case Kind::multiply:
+        each(run->end, [&](const Instruction& i) { memory[i.result] = memory[i.a] * memory[i.b]; });
+        break;
+      case Kind::divide:
+        each(run->end, [&](const Instruction& i) { memory[i.result] = memory[i.a] / memory[i.b]; });
+        break;
       case Kind::negate: each(run->end, [&](const Instruction& i) { memory[i.result] = -memory[i.a]; }); break;
       case Kind::square_root:
-        each(run->end, [&](const Instruction& i) { lane_by_lane(memory[i.result], memory[i.a], [](double x) { return std::sqrt(x); }); });
+        each(run->end, [&](const Instruction& i) {
+          lane_by_lane(memory[i.result], memory[i.a], [](double x) { return std::sqrt(x); });
+        });
         break;
       case Kind::sine:
-        each(run->end, [&](const Instruction& i) { lane_by_lane(memory[i.result], memory[i.a], [](double x) { return std::sin(x); }); });
+        each(run->end, [&](const Instruction& i) {
+          lane_by_lane(memory[i.result], memory[i.a], [](double x) { return std::sin(x); });
+        });
         break;
       case Kind::cosine:
-        each(run->end, [&](const Instruction& i) { lane_by_lane(memory[i.result], memory[i.a], [](double x) { return std::cos(x); }); });
+        each(run->end, [&](const Instruction& i) {
+          lane_by_lane(memory[i.result], memory[i.a], [](double x) { return std::cos(x); });
+        });
         break;
       case Kind::turn:
         each(run->end, [&](const Instruction& i) {
@@ -286,7 +309,8 @@ DALEMBERT_INLINE inline void LaneProgram::execute(const Run* run, const Run* end
 void LaneProgram::read(std::span<const Places> inputs) {
   in_block_registers([&] {
     LaneBlock* to = memory_.data();
-    for (const Places& from : inputs) *to++ = LaneBlock::of_each([&](int lane) { return *from[static_cast<std::size_t>(lane)]; });
+    for (const Places& from : inputs)
+      *to++ = LaneBlock::of_each([&](int lane) { return *from[static_cast<std::size_t>(lane)]; });
   });
 }
 
@@ -294,8 +318,8 @@ void LaneProgram::run(int part) {
   const Part& begin = parts_[static_cast<std::size_t>(part)];
   const Part& end = parts_[static_cast<std::size_t>(part) + 1];
   in_block_registers([&] {
-    execute(runs_.data() + begin.run, runs_.data() + end.run, instructions_.data(), instructions_.data() + begin.instruction,
-            memory_.data());
+    execute(runs_.data() + begin.run, runs_.data() + end.run, instructions_.data(),
+            instructions_.data() + begin.instruction, memory_.data());
   });
 }
 

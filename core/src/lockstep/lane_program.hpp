@@ -59,7 +59,8 @@ class LaneProgram {
   };
   class Compiler;
   // Runs up to `end`, from instruction `next` on; the runs count from `first`.
-  static void execute(const Run* run, const Run* end, const Instruction* first, const Instruction* next, LaneBlock* memory);
+  static void execute(const Run* run, const Run* end, const Instruction* first, const Instruction* next,
+                      LaneBlock* memory);
 
   std::vector<LaneBlock> memory_;
   std::vector<Constant> constants_;

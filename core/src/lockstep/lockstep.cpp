@@ -123,7 +123,8 @@ void Lockstep::take_step(const Lanes& lanes) {
     if (!lane.here) return;
     lane.solver->accept_newton();
     lane.solver->conv.discontinuousIterationSuccessful = true;
-    lane.here = !lane.solver->lead_->watches() || !lane.solver->lead_->accelerations_alternate() || lane.solver->lead_->closes_gaps_of_start();
+    lane.here = !lane.solver->lead_->watches() || !lane.solver->lead_->accelerations_alternate() ||
+                lane.solver->lead_->closes_gaps_of_start();
     lane.solver->step_succeeded();
   });
 }
@@ -182,7 +183,8 @@ void Lockstep::search_pivots(int i) {
 }
 
 LaneFactors& Lockstep::factors_for(std::span<const int> row_of_step) {
-  const auto known = std::ranges::find_if(factors_, [&](const auto& f) { return std::ranges::equal(f->row_of_step(), row_of_step); });
+  const auto known =
+      std::ranges::find_if(factors_, [&](const auto& f) { return std::ranges::equal(f->row_of_step(), row_of_step); });
   if (known != factors_.end()) return **known;
   const int n = static_cast<int>(row_of_step.size());
   std::vector<char> occupied(static_cast<std::size_t>(n * n));
@@ -198,7 +200,8 @@ void Lockstep::factorize(const Lanes& lanes) {
     const Lanes mine = which(all_here(), [&](Lane& lane) { return lane.factors == factors.get(); });
     const Lanes wanted = which(lanes, [&](Lane& lane) { return lane.factors == factors.get(); });
     if (std::ranges::none_of(wanted, [](bool x) { return x; })) continue;
-    factors->factorize(wanted, wanted != mine, [this](int k) -> const LaneBlock& { return program_.output(matrix_output(k)); });
+    factors->factorize(wanted, wanted != mine,
+                       [this](int k) -> const LaneBlock& { return program_.output(matrix_output(k)); });
   }
 }
 

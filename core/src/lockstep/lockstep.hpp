@@ -63,7 +63,8 @@ class Lockstep {
   LaneProgram program_;
   std::vector<std::unique_ptr<LaneFactors>> factors_;
   std::array<Lane, most> lanes_;
-  std::vector<LaneProgram::Places> inputs_;  // the numbers of the states that noted equations depend on, where they stay
+  std::vector<LaneProgram::Places>
+      inputs_;  // the numbers of the states that noted equations depend on, where they stay
   int unknowns_ = 0;
   bool compiled_ = false;
 };

@@ -12,7 +12,8 @@ namespace {
 Instructions of_processor() {
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return Instructions::portable;
-  const bool wider = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
+  const bool wider =
+      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
   return wider ? Instructions::avx512 : Instructions::avx2;
 #else
   return Instructions::portable;
@@ -25,7 +26,8 @@ Instructions allowed() {
   if (name.empty() || name == "avx512") return Instructions::avx512;
   if (name == "avx2") return Instructions::avx2;
   if (name == "portable") return Instructions::portable;
-  throw std::invalid_argument("environment variable DALEMBERT_INSTRUCTIONS: received '" + name + "'; expected portable, avx2 or avx512");
+  throw std::invalid_argument("environment variable DALEMBERT_INSTRUCTIONS: received '" + name +
+                              "'; expected portable, avx2 or avx512");
 }
 
 }  // namespace

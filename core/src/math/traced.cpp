@@ -73,7 +73,8 @@ void Trace::end_part() { keep(parts, parts_, {notes_, outputs_}); }
 bool Trace::end() {
   in_progress = nullptr;
   if (!known_) inputs = inputs_;
-  const bool complete = inputs_ == inputs && notes_ == notes.size() && outputs_ == outputs.size() && parts_ == parts.size();
+  const bool complete =
+      inputs_ == inputs && notes_ == notes.size() && outputs_ == outputs.size() && parts_ == parts.size();
   known_ = true;
   return same_ && complete;
 }

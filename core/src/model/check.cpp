@@ -18,10 +18,10 @@ struct CapabilityName {
   std::string_view name;
 };
 constexpr CapabilityName capability_names[] = {
-    {Capability::position, "Position"},         {Capability::orientation, "Orientation"},
-    {Capability::coordinate, "Coordinate"},     {Capability::body_mass, "BodyMass"},
-    {Capability::generic_ode2, "GenericODE2"},  {Capability::generic_data, "GenericData"},
-    {Capability::position_2d, "Position2D"},    {Capability::orientation_2d, "Orientation2D"},
+    {Capability::position, "Position"},        {Capability::orientation, "Orientation"},
+    {Capability::coordinate, "Coordinate"},    {Capability::body_mass, "BodyMass"},
+    {Capability::generic_ode2, "GenericODE2"}, {Capability::generic_data, "GenericData"},
+    {Capability::position_2d, "Position2D"},   {Capability::orientation_2d, "Orientation2D"},
 };
 
 std::string join(const std::vector<std::string_view>& words) {
@@ -113,8 +113,10 @@ class Checker {
         const int count = model_.count(target);
         const std::string noun(kind_name(target));
         complain(row, std::to_string(value),
-                 count == 0 ? "an existing " + noun + ", and there is none" : "a number from 0 to " + std::to_string(count - 1),
-                 "Add the " + noun + " first and pass the index that Add" + std::string(kind_title(target)) + "(...) returned.");
+                 count == 0 ? "an existing " + noun + ", and there is none"
+                            : "a number from 0 to " + std::to_string(count - 1),
+                 "Add the " + noun + " first and pass the index that Add" + std::string(kind_title(target)) +
+                     "(...) returned.");
       }
       check_target(row, target, value, *found->type);
     }
@@ -127,9 +129,11 @@ class Checker {
     if (target == ItemKind::node) requested = type.requested_node;
     if (target == ItemKind::marker) requested = type.requested_marker;
     if (requested != Capability::none && !meets(provisions_.of(found), requested)) {
-      complain(row, model_.describe(target, value) + ", which provides " + join({found.provides.begin(), found.provides.end()}),
-               with_article(kind_name(target)) + " that provides " + join(names_of(requested)),
-               "Use another type of " + std::string(kind_name(target)) + " here");
+      complain(
+          row,
+          model_.describe(target, value) + ", which provides " + join({found.provides.begin(), found.provides.end()}),
+          with_article(kind_name(target)) + " that provides " + join(names_of(requested)),
+          "Use another type of " + std::string(kind_name(target)) + " here");
     }
     if (target == ItemKind::object && row.name.starts_with("body") && !is_body(found)) {
       complain(row, model_.describe(target, value), "a body (also ground, a finite element or a super element)",
@@ -141,7 +145,10 @@ class Checker {
   template <class Expected>
   void check_length(const Row& row, Expected expected, const std::string& why) const {
     visit(row, item_.record.get(), [&](const auto& value) {
-      if constexpr (requires { value.size(); value.begin(); }) {
+      if constexpr (requires {
+                      value.size();
+                      value.begin();
+                    }) {
         if (static_cast<int>(value.size()) != static_cast<int>(expected))
           complain(row, number_of_values(value.size()), number_of_values(expected) + why,
                    "Set the parameter with as many values");
@@ -152,7 +159,8 @@ class Checker {
   // Values are checked when they are set; but defaults may have stayed, and arrays of items may be written to.
   void check_value(const Row& row) const {
     const Verdict verdict = judge(row, member(item_.record.get(), row));
-    if (verdict.fit == Fit::wrong) complain(row, numbers(row), demand(row.check), verdict.problem + " " + advice(row.check));
+    if (verdict.fit == Fit::wrong)
+      complain(row, numbers(row), demand(row.check), verdict.problem + " " + advice(row.check));
   }
   std::string numbers(const Row& row) const {
     return visit(row, item_.record.get(), [](const auto& value) -> std::string {
@@ -195,11 +203,13 @@ class Checker {
   // An element between a node and itself has no length, and bodies of several nodes would count its coordinates twice.
   void check_nodes() const {
     for (const Row& row : item_.type->rows) {
-      if (const IndexStorage index = index_storage(row.storage); !index.is_list || index.kind != ItemKind::node) continue;
+      if (const IndexStorage index = index_storage(row.storage); !index.is_list || index.kind != ItemKind::node)
+        continue;
       const auto nodes = index_values(row, item_.record.get());
       for (auto node = nodes.begin(); node != nodes.end(); ++node)
         if (std::find(nodes.begin(), node, *node) != node)
-          complain(row, model_.describe(ItemKind::node, *node) + " twice", "different nodes", "Give each node of the object once");
+          complain(row, model_.describe(ItemKind::node, *node) + " twice", "different nodes",
+                   "Give each node of the object once");
     }
   }
 
@@ -216,7 +226,9 @@ class Checker {
     if (!holds || !meets(type.requested_marker, Capability::position)) return;
     const Carrier first = carrier(markers[0]), second = carrier(markers[1]);
     if (first.kind == Carrier::Kind::other || first != second) return;
-    complain(*row, "two markers on " + (first.kind == Carrier::Kind::node ? model_.describe(ItemKind::node, first.number) : "ground"),
+    complain(*row,
+             "two markers on " +
+                 (first.kind == Carrier::Kind::node ? model_.describe(ItemKind::node, first.number) : "ground"),
              "markers on two bodies that move against each other", "A body cannot be joined to itself");
   }
 
@@ -228,7 +240,8 @@ class Checker {
     const int marker = index_values(row, item_.record.get()).front();
     if (meets(provisions_.of(*model_.item(ItemKind::marker, marker).type), Capability::orientation)) return;
     complain(row, model_.describe(ItemKind::marker, marker) + ", which has no orientation",
-             "with bodyFixed = True a marker that provides Orientation", "Use a marker of a rigid body, or bodyFixed = False");
+             "with bodyFixed = True a marker that provides Orientation",
+             "Use a marker of a rigid body, or bodyFixed = False");
   }
 
   // Generic nodes have a given number of coordinates; their start values have the same number, or none for zeros.
@@ -266,13 +279,15 @@ std::string doubt_of_shared_states(const Model& model) {
     const Item& object = model.item(ItemKind::object, i);
     if (object.type->category != "Connector") continue;
     for (const Row& row : object.type->rows) {
-      if (const IndexStorage index = index_storage(row.storage); !index.is_index || index.kind != ItemKind::node) continue;
+      if (const IndexStorage index = index_storage(row.storage); !index.is_index || index.kind != ItemKind::node)
+        continue;
       for (const int node : index_values(row, object.record.get())) {
         if (!has_states(node)) continue;
         int& user = users[static_cast<std::size_t>(node)];
         if (user >= 0 && user != i)
-          return model.describe(ItemKind::object, i) + ": it shares " + model.describe(ItemKind::node, node) + " with " +
-                 model.describe(ItemKind::object, user) + ", so that their histories overwrite each other, or their rates are added; add a node for each.";
+          return model.describe(ItemKind::object, i) + ": it shares " + model.describe(ItemKind::node, node) +
+                 " with " + model.describe(ItemKind::object, user) +
+                 ", so that their histories overwrite each other, or their rates are added; add a node for each.";
         user = i;
       }
     }

@@ -24,15 +24,17 @@ std::string& name_in(const ItemType& type, void* record) {
   const auto row = std::ranges::find(type.rows, Role::name, &Row::role);
   return *static_cast<std::string*>(member(record, *row));
 }
-const std::string& name_in(const ItemType& type, const void* record) { return name_in(type, const_cast<void*>(record)); }
+const std::string& name_in(const ItemType& type, const void* record) {
+  return name_in(type, const_cast<void*>(record));
+}
 
 const std::string& Item::name() const { return name_in(*type, record.get()); }
 
 std::string default_name(ItemKind kind, int number) { return std::string(kind_name(kind)) + std::to_string(number); }
 
 std::string describe_item(ItemKind kind, int number, const std::string& name, const ItemType& type) {
-  return std::string(kind_name(kind)) + " " + std::to_string(number) + " '" + (name.empty() ? default_name(kind, number) : name) +
-         "' (" + std::string(type.name) + ")";
+  return std::string(kind_name(kind)) + " " + std::to_string(number) + " '" +
+         (name.empty() ? default_name(kind, number) : name) + "' (" + std::string(type.name) + ")";
 }
 
 std::string_view kind_name(ItemKind kind) {
@@ -102,8 +104,10 @@ std::string suggest_parameter(const ItemType& type, std::string_view name, const
   const bool of_body = name.starts_with("body") || name.starts_with("object") || name.starts_with("node");
   for (const char* markers : {"markerNumber", "markerNumbers"})
     if (of_body && name.find("umber") != std::string_view::npos && std::ranges::find(known, markers) != known.end())
-      return std::string(type.name) + " acts on markers: pass " + in_quotes(markers) + ", made of what AddMarker(...) returned. Functions of the system, such as " +
-             (type.kind == ItemKind::load ? "mbs.CreateForce(...) and CreateTorque(...)" : "mbs.CreateSpringDamper(...) and CreateGenericJoint(...)") +
+      return std::string(type.name) + " acts on markers: pass " + in_quotes(markers) +
+             ", made of what AddMarker(...) returned. Functions of the system, such as " +
+             (type.kind == ItemKind::load ? "mbs.CreateForce(...) and CreateTorque(...)"
+                                          : "mbs.CreateSpringDamper(...) and CreateGenericJoint(...)") +
              ", take body numbers and make the markers.";
   return suggestion(name, known);
 }

@@ -16,7 +16,8 @@ struct Registry {
   std::vector<ItemText> texts;
   std::vector<ItemTransformation> transformations;
 
-  void add(std::span<const ItemType* const> more, std::span<const ItemText> their_texts, std::span<const ItemTransformation> their_transformations) {
+  void add(std::span<const ItemType* const> more, std::span<const ItemText> their_texts,
+           std::span<const ItemTransformation> their_transformations) {
     append(types, more);
     append(texts, their_texts);
     append(transformations, their_transformations);
@@ -35,6 +36,8 @@ std::span<const ItemType* const> item_types() { return registry().types; }
 std::span<const ItemText> item_texts() { return registry().texts; }
 std::span<const ItemTransformation> item_transformations() { return registry().transformations; }
 
-void add_item_types(const ItemPackage& package) { registry().add(package.types, package.texts, package.transformations); }
+void add_item_types(const ItemPackage& package) {
+  registry().add(package.types, package.texts, package.transformations);
+}
 
 }  // namespace dalembert

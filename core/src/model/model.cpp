@@ -16,7 +16,8 @@ constexpr std::size_t remembered_changes = 4096;
 
 void refuse_planned(const ItemType& type) {
   Complaint complaint;
-  complaint.problem = std::string(type.name) + " is specified, but its physics is planned and not yet part of this release";
+  complaint.problem =
+      std::string(type.name) + " is specified, but its physics is planned and not yet part of this release";
   complaint.advice = "Its parameters are described in " + std::string(type.spec) +
                      "; a kernel for it would make it ready, see docs/developer.";
   refuse(ErrorKind::planned, complaint);
@@ -114,7 +115,8 @@ int Model::add(Item item) {
   const ItemKind kind = item.type->kind;
   const int number = count(kind);
   if (item.type->physics == nullptr) refuse_planned(*item.type);
-  if (names_are_used()) item = with_numbers(*this, std::move(item), describe_item(kind, number, item.name(), *item.type));
+  if (names_are_used())
+    item = with_numbers(*this, std::move(item), describe_item(kind, number, item.name(), *item.type));
   if (!item.name().empty()) {
     adopt_name(kind, number, item);
     register_name(kind, number, item.name());
@@ -217,7 +219,8 @@ void Model::note_structure_change(ItemKind kind) {
 }
 
 void Model::note_value_change(const ItemChange& change) {
-  if (changes_.size() >= remembered_changes) changes_.erase(changes_.begin(), changes_.begin() + remembered_changes / 2);
+  if (changes_.size() >= remembered_changes)
+    changes_.erase(changes_.begin(), changes_.begin() + remembered_changes / 2);
   changes_.push_back(change);
   ++value_changes_;
 }

@@ -57,7 +57,8 @@ void Model::shift_load_dependencies(ItemKind kind, int removed) {
   if (kind != ItemKind::load) return;
   load_dependencies_.erase(removed);
   std::map<int, std::vector<int>> shifted;
-  for (auto& [load, coordinates] : load_dependencies_) shifted[load > removed ? load - 1 : load] = std::move(coordinates);
+  for (auto& [load, coordinates] : load_dependencies_)
+    shifted[load > removed ? load - 1 : load] = std::move(coordinates);
   load_dependencies_ = std::move(shifted);
 }
 
@@ -71,7 +72,8 @@ std::vector<std::string> Model::remove(ItemKind kind, int number, bool with_depe
   std::vector<std::string> lost;
   shift_references(kind, number, lost);
   shift_load_dependencies(kind, number);
-  for (std::size_t i = 0; i < term_sources_.size(); ++i) term_sources_[i]->shift_references(kind, number, term_name(i), lost);
+  for (std::size_t i = 0; i < term_sources_.size(); ++i)
+    term_sources_[i]->shift_references(kind, number, term_name(i), lost);
   if (!with_dependents) return lost;
 
   const auto take_along = [&](ItemKind dependent) {

@@ -36,8 +36,12 @@ std::string output_path(const std::string& name) {
   const std::string& directory = output_directory();
   if (directory.empty() || name.empty()) return name;
   if (std::filesystem::path(name).is_absolute())
-    refuse(ErrorKind::value, {.item = "exu.config", .parameter = "outputDirectory", .problem = "is '" + directory + "', but the name of a file is absolute",
-                              .received = name, .expected = "a relative name", .advice = "Set exu.config.outputDirectory = ''."});
+    refuse(ErrorKind::value, {.item = "exu.config",
+                              .parameter = "outputDirectory",
+                              .problem = "is '" + directory + "', but the name of a file is absolute",
+                              .received = name,
+                              .expected = "a relative name",
+                              .advice = "Set exu.config.outputDirectory = ''."});
   return (std::filesystem::path(directory) / name).string();
 }
 
@@ -64,9 +68,10 @@ void OutputFile::resume(const std::string& name, double length, std::string_view
   if (!S_ISREG(status.st_mode)) return;
   const auto wanted = static_cast<off_t>(length);
   if (status.st_size < wanted) {
-    throw ModelError(ErrorKind::value, std::string(purpose) + " '" + name + "': expected at least " + std::to_string(wanted) +
-                                           " bytes, as there were when the restart file was written; received " +
-                                           std::to_string(status.st_size) + ". Restore the file, or write to one with another name");
+    throw ModelError(ErrorKind::value,
+                     std::string(purpose) + " '" + name + "': expected at least " + std::to_string(wanted) +
+                         " bytes, as there were when the restart file was written; received " +
+                         std::to_string(status.st_size) + ". Restore the file, or write to one with another name");
   }
   if (::ftruncate(descriptor_, wanted) != 0) fail(errno, "cannot be shortened");
 }

@@ -46,7 +46,8 @@ bool create_free(const std::string& target, std::string& name, Create&& create) 
   for (int i = 0; i < most_leftovers; ++i) {
     name = target + unused_ending();
     if (create(name)) return true;
-    if (errno != EEXIST && !(errno == ENOENT && status_of(target))) break;  // no file, as another thread was replacing it just then
+    if (errno != EEXIST && !(errno == ENOENT && status_of(target)))
+      break;  // no file, as another thread was replacing it just then
   }
   name.clear();  // does not change errno
   return false;
@@ -54,7 +55,8 @@ bool create_free(const std::string& target, std::string& name, Create&& create) 
 
 }  // namespace
 
-ReplacedFile::ReplacedFile(const std::string& name, std::string_view purpose) : purpose_(purpose), target_(end_of_links(name)) {
+ReplacedFile::ReplacedFile(const std::string& name, std::string_view purpose)
+    : purpose_(purpose), target_(end_of_links(name)) {
   if (target_.empty()) fail(ELOOP, "cannot be opened", name);
   const auto before = status_of(target_);
   if (before && !S_ISREG(before->st_mode)) {
@@ -65,7 +67,8 @@ ReplacedFile::ReplacedFile(const std::string& name, std::string_view purpose) : 
   if (replaces_one_ && ::access(target_.c_str(), W_OK) != 0) fail(errno, "cannot be opened", target_);
   const int descriptor = create_beside();
   file_.adopt(descriptor, target_, purpose_);
-  if (before && ::fchmod(descriptor, before->st_mode & 07777) != 0) fail(errno, "cannot get the permissions of the one before", target_);
+  if (before && ::fchmod(descriptor, before->st_mode & 07777) != 0)
+    fail(errno, "cannot get the permissions of the one before", target_);
 }
 
 int ReplacedFile::create_beside() {
@@ -96,11 +99,11 @@ void ReplacedFile::commit(std::string_view backup_ending) {
 // There is a file under one of both names at any moment, and where links between names are possible under `target_`.
 void ReplacedFile::keep_as(const std::string& backup) {
   const auto before = status_of(backup);
-  if (before && !S_ISREG(before->st_mode)) fail(EEXIST, "cannot be kept under a name that is no regular file's", backup);
+  if (before && !S_ISREG(before->st_mode))
+    fail(EEXIST, "cannot be kept under a name that is no regular file's", backup);
   std::string second_name;
-  const bool linked = create_free(target_, second_name, [this](const std::string& free) {
-    return ::link(target_.c_str(), free.c_str()) == 0;
-  });
+  const bool linked = create_free(
+      target_, second_name, [this](const std::string& free) { return ::link(target_.c_str(), free.c_str()) == 0; });
   if (std::rename((linked ? second_name : target_).c_str(), backup.c_str()) != 0) {
     const int code = errno;
     if (linked) ::unlink(second_name.c_str());

@@ -45,7 +45,8 @@ class Reader {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
     if (!file) throw FileError(errno, purpose, "cannot be opened", name);
     std::array<char, 1 << 14> part;
-    while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get())) text_.append(part.data(), count);
+    while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get()))
+      text_.append(part.data(), count);
     if (std::ferror(file.get())) throw FileError(errno, purpose, "cannot be read", name);
   }
 
@@ -72,10 +73,11 @@ class Reader {
     if (position_ != text_.size()) refuse_line("the end of the file,", std::string_view(text_).substr(position_));
   }
   [[noreturn]] void refuse_line(const std::string& expected, std::string_view received) const {
-    throw ModelError(ErrorKind::value, std::string(purpose) + " '" + name_ + "', line " + std::to_string(line_) + ": expected " +
-                                           expected + " received '" + std::string(received.substr(0, std::min<std::size_t>(40, received.find('\n')))) +
-                                           "'. The file is damaged or incomplete; the one before may be in '" + name_ +
-                                           backup_ending + "'.");
+    throw ModelError(
+        ErrorKind::value,
+        std::string(purpose) + " '" + name_ + "', line " + std::to_string(line_) + ": expected " + expected +
+            " received '" + std::string(received.substr(0, std::min<std::size_t>(40, received.find('\n')))) +
+            "'. The file is damaged or incomplete; the one before may be in '" + name_ + backup_ending + "'.");
   }
 
  private:
@@ -93,7 +95,8 @@ class Reader {
     std::vector<double> values;
     for (const char *p = line.data(), *end = p + line.size(); p != end;) {
       double x = 0;
-      const auto result = *p == ' ' ? std::from_chars(p + 1, end, x) : std::from_chars_result{p, std::errc::invalid_argument};
+      const auto result =
+          *p == ' ' ? std::from_chars(p + 1, end, x) : std::from_chars_result{p, std::errc::invalid_argument};
       if (result.ec != std::errc()) refuse_line("numbers separated by blanks,", std::string_view(p, end));
       values.push_back(x);
       p = result.ptr;
@@ -165,11 +168,13 @@ RestartData read_restart_file(const std::string& name) {
 }
 
 void require_fitting(const RestartData& data, const State& system, const std::string& name) {
-  if (std::ranges::all_of(std::array{&State::q, &State::v, &State::a, &State::y, &State::y_t, &State::lambda, &State::data},
-                          [&](const auto member) { return (data.state.*member).size() == (system.*member).size(); })) {
+  if (std::ranges::all_of(
+          std::array{&State::q, &State::v, &State::a, &State::y, &State::y_t, &State::lambda, &State::data},
+          [&](const auto member) { return (data.state.*member).size() == (system.*member).size(); })) {
     return;
   }
-  throw ModelError(ErrorKind::value, std::string(purpose) + " '" + name + "': the numbers of coordinates are not those of this system");
+  throw ModelError(ErrorKind::value,
+                   std::string(purpose) + " '" + name + "': the numbers of coordinates are not those of this system");
 }
 
 }  // namespace dalembert

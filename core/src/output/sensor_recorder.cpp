@@ -33,8 +33,10 @@ void SensorRecorder::open(const SimulationSettings& settings, const std::vector<
     const SensorChannel& c = channels[i];
     if (c.write_to_file && !c.file_name.empty()) {
       const std::string purpose = "file of sensor " + std::to_string(i);
-      if (i < lengths.size()) files_[i].resume(output_path(c.file_name), lengths[i], purpose);
-      else files_[i].open(output_path(c.file_name), s.sensorsAppendToFile, purpose);
+      if (i < lengths.size())
+        files_[i].resume(output_path(c.file_name), lengths[i], purpose);
+      else
+        files_[i].open(output_path(c.file_name), s.sensorsAppendToFile, purpose);
       targets_[i].file = &files_[i];
     }
     if (storage == nullptr || !c.store_internal) continue;
@@ -132,7 +134,8 @@ void SensorStorage::begin(const std::vector<SensorColumns>& columns, std::size_t
 
 // A chunk that is full stays where it is, so that long recordings are not copied as they grow.
 void SensorStorage::append(const std::vector<double>& row) {
-  if (chunks_.back().values.size() >= chunks_.back().rows * chunks_.back().width) begin(chunks_.back().columns, chunks_.back().rows);
+  if (chunks_.back().values.size() >= chunks_.back().rows * chunks_.back().width)
+    begin(chunks_.back().columns, chunks_.back().rows);
   std::vector<double>& values = chunks_.back().values;
   values.insert(values.end(), row.begin(), row.end());
 }

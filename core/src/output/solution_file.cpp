@@ -130,7 +130,8 @@ void SolutionFile::write_header(const SimulationSettings& settings, const RunDes
   file_.written();
 }
 
-void SolutionFile::write_text_header(const SimulationSettings& settings, const RunDescription& run, const Sizes& sizes) {
+void SolutionFile::write_text_header(const SimulationSettings& settings, const RunDescription& run,
+                                     const Sizes& sizes) {
   const auto& s = settings.solutionSettings;
   const auto counts = exported(settings, run.is_static, sizes);
   std::string& t = file_.text();
@@ -201,7 +202,9 @@ void SolutionFile::write_row(const SimulationSettings& settings, const State& st
 
 std::string solution_footer(const SolverIterationData& it, const SolverConvergenceData& conv, double seconds) {
   std::string t = "#simulation finished=" + date_and_time() + "\n#Solver Info: cpuTime=" + format_number(seconds);
-  const auto entry = [&t](const char* name, StepCount value) { t += std::string(",") + name + "=" + std::to_string(value); };
+  const auto entry = [&t](const char* name, StepCount value) {
+    t += std::string(",") + name + "=" + std::to_string(value);
+  };
   entry("stepReductionFailed(or step failed)", conv.stepReductionFailed);
   entry("discontinuousIterationSuccessful", conv.discontinuousIterationSuccessful);
   entry("newtonSolutionDiverged", conv.newtonSolutionDiverged);

@@ -54,12 +54,14 @@ std::optional<NumberRange> range_of(std::span<const double> numbers) {
       low = std::min(low, lows[j][i]), high = std::max(high, highs[j][i]), sum += sums[j][i];
     }
   });
-  for (const double number : numbers.subspan(whole)) low = std::min(low, number), high = std::max(high, number), sum += 0 * number;
+  for (const double number : numbers.subspan(whole))
+    low = std::min(low, number), high = std::max(high, number), sum += 0 * number;
   if (!(sum == 0)) return std::nullopt;
   return NumberRange{low, high};
 }
 
-void contour_shades(std::span<const double> numbers, double low, double high, std::span<const std::uint8_t> table, std::uint8_t* bytes) {
+void contour_shades(std::span<const double> numbers, double low, double high, std::span<const std::uint8_t> table,
+                    std::uint8_t* bytes) {
   const std::size_t above = table.size() / bytes_of_shade - 1;
   const auto steps = static_cast<double>(above - 2);
   const double scale = steps / (high - low), first = -tolerance * steps, last = steps - first;
@@ -76,7 +78,8 @@ void contour_shades(std::span<const double> numbers, double low, double high, st
       }
     });
     // Four bytes at once, of which the next shade replaces the last.
-    for (std::size_t k = 0; k + 1 < count; ++k, bytes += bytes_of_shade) std::memcpy(bytes, &shades[static_cast<std::size_t>(places[k])], sizeof shades[0]);
+    for (std::size_t k = 0; k + 1 < count; ++k, bytes += bytes_of_shade)
+      std::memcpy(bytes, &shades[static_cast<std::size_t>(places[k])], sizeof shades[0]);
     std::memcpy(bytes, &shades[static_cast<std::size_t>(places[count - 1])], bytes_of_shade);
     bytes += bytes_of_shade;
   }

@@ -16,14 +16,18 @@ struct Linear {
 };
 
 // One component of a linear function over a triangle, at four positions.
-DALEMBERT_INLINE inline Four component(const Linear<Four>& q, int i, Four x, Four y) { return four(q.value[i]) + x * four(q.dx[i]) + y * four(q.dy[i]); }
+DALEMBERT_INLINE inline Four component(const Linear<Four>& q, int i, Four x, Four y) {
+  return four(q.value[i]) + x * four(q.dx[i]) + y * four(q.dy[i]);
+}
 
 constexpr Four steps{0, 1, 2, 3};
 
 // Vertical order of three points, indexed by the results of pairwise comparisons.
-constexpr std::array<std::array<std::uint8_t, 3>, 8> orders{{{2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {}, {}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2}}};
+constexpr std::array<std::array<std::uint8_t, 3>, 8> orders{
+    {{2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {}, {}, {0, 2, 1}, {1, 0, 2}, {0, 1, 2}}};
 DALEMBERT_INLINE inline std::size_t is_before(Point a, Point b) {
-  return static_cast<std::size_t>(a.y < b.y) | (static_cast<std::size_t>(a.y == b.y) & static_cast<std::size_t>(a.x < b.x));
+  return static_cast<std::size_t>(a.y < b.y) |
+         (static_cast<std::size_t>(a.y == b.y) & static_cast<std::size_t>(a.x < b.x));
 }
 
 // Covered samples of a tile as a bit mask: their center, and their indices.
@@ -111,7 +115,8 @@ void Picture::cover(const Corners& v, const Plan& plan, std::int32_t item, Shade
     int left = columns_, right = 0;
     for (; row < stop; row += 4) {
       const auto [b, e] = spans(sides, four(static_cast<float>(row)) + steps);
-      store(whole(b), &begins[static_cast<std::size_t>(row - first)]), store(whole(e), &ends[static_cast<std::size_t>(row - first)]);
+      store(whole(b), &begins[static_cast<std::size_t>(row - first)]),
+          store(whole(e), &ends[static_cast<std::size_t>(row - first)]);
     }
     row = stop;
     for (std::size_t j = 0; j < static_cast<std::size_t>(stop - first); ++j)
@@ -133,7 +138,8 @@ void Picture::cover(const Corners& v, const Plan& plan, std::int32_t item, Shade
       }
       if (count == 0) continue;
       const float part = 1 / static_cast<float>(count);
-      const auto [color, normal] = shade(four(part * static_cast<float>(x_sum)), four(part * static_cast<float>(y_sum)));
+      const auto [color, normal] =
+          shade(four(part * static_cast<float>(x_sum)), four(part * static_cast<float>(y_sum)));
       for (std::size_t i = 0; i < count; ++i)
         color_[won[i]] = static_cast<std::uint32_t>(color[0]), normal_[won[i]] = static_cast<std::uint32_t>(normal[0]);
     }
@@ -179,16 +185,19 @@ void Picture::cover_squares(const Corners& v, const Plan& plan, std::int32_t ite
   Unshaded pixels;
   float* const depth = depth_.data();
   std::int32_t* const items = item_.data();
-  const std::uint32_t *const colors = color_.data(), *const normals = normal_.data();  // brought to the cache while pixels wait
+  const std::uint32_t *const colors = color_.data(), *const normals =
+                                                         normal_.data();  // brought to the cache while pixels wait
   for (int begin = first & ~1; begin < end; begin += 4) {
     const Four rows = four(static_cast<float>(begin)) + steps;
     const FourWhole are_inside = (rows >= four(static_cast<float>(first))) & (rows < four(static_cast<float>(end)));
     auto [begins, ends] = spans(sides, rows);
     begins = chosen(are_inside, begins, four(static_cast<float>(columns_))), ends = chosen(are_inside, ends, Four{});
     for (int row = begin; row < std::min(begin + 4, end); row += 2) {
-      const Four b = __builtin_shufflevector(begins, begins, 0, 0, 1, 1), e = __builtin_shufflevector(ends, ends, 0, 0, 1, 1);
+      const Four b = __builtin_shufflevector(begins, begins, 0, 0, 1, 1),
+                 e = __builtin_shufflevector(ends, ends, 0, 0, 1, 1);
       const Four down = (four(static_cast<float>(row)) + Four{0, 0, 1, 1}) * four(near.dy);
-      begins = __builtin_shufflevector(begins, begins, 2, 3, 2, 3), ends = __builtin_shufflevector(ends, ends, 2, 3, 2, 3);
+      begins = __builtin_shufflevector(begins, begins, 2, 3, 2, 3),
+      ends = __builtin_shufflevector(ends, ends, 2, 3, 2, 3);
       const int left = static_cast<int>(std::min(b[0], b[2])) & ~1, right = static_cast<int>(std::max(e[0], e[2]));
       for (int from = left; from < right; from += 2 * most) {
         const int stop = std::min(from + 2 * most, right);
@@ -206,7 +215,8 @@ void Picture::cover_squares(const Corners& v, const Plan& plan, std::int32_t ite
           const std::size_t i = pixels.count++;
           pixels.places[i] = k, pixels.samples[i] = which;
           __builtin_prefetch(colors + k, 1), __builtin_prefetch(normals + k, 1);
-          pixels.xs[i] = static_cast<float>(column) + squares[which].x, pixels.ys[i] = static_cast<float>(row) + squares[which].y;
+          pixels.xs[i] = static_cast<float>(column) + squares[which].x,
+          pixels.ys[i] = static_cast<float>(row) + squares[which].y;
         }
       }
     }
@@ -217,11 +227,14 @@ void Picture::cover_squares(const Corners& v, const Plan& plan, std::int32_t ite
 void Picture::add(const Corners& v, std::int32_t item) {
   const float opacity = v[0]->paint[3] / v[0]->weight();
   if (opacity < 0.999f) {
-    if (opacity > 0.001f) sheets_.push_back({{*v[0], *v[1], *v[2]}, v[0]->place.z + v[1]->place.z + v[2]->place.z, item});
+    if (opacity > 0.001f)
+      sheets_.push_back({{*v[0], *v[1], *v[2]}, v[0]->place.z + v[1]->place.z + v[2]->place.z, item});
     return;
   }
   const Plan plan(v[0]->place, v[1]->place, v[2]->place);
-  const auto covered = [&](auto&& shade) { samples_ == 2 ? cover_squares(v, plan, item, shade) : cover(v, plan, item, shade); };
+  const auto covered = [&](auto&& shade) {
+    samples_ == 2 ? cover_squares(v, plan, item, shade) : cover(v, plan, item, shade);
+  };
   const bool has_one_color = v[0]->color == v[1]->color && v[0]->color == v[2]->color;
   const auto color = four(static_cast<std::int32_t>(v[0]->color));
   const auto paints = plan.linear(v[0]->paint, v[1]->paint, v[2]->paint);
@@ -241,11 +254,14 @@ void Picture::add(const Corners& v, std::int32_t item) {
     if (has_one_color)
       covered([&](Four, Four) { return std::pair(color, normal); });
     else
-      covered([&](Four x, Four y) { return std::pair(color_at(x, y, [&](Four, Four) { return four(n[3]); }), normal); });
+      covered(
+          [&](Four x, Four y) { return std::pair(color_at(x, y, [&](Four, Four) { return four(n[3]); }), normal); });
     return;
   }
   const auto normals = plan.linear(v[0]->normal, v[1]->normal, v[2]->normal);
-  const auto normal_at = [&](Four x, Four y) { return packed_normal(component(normals, 0, x, y), component(normals, 1, x, y), component(normals, 2, x, y)); };
+  const auto normal_at = [&](Four x, Four y) {
+    return packed_normal(component(normals, 0, x, y), component(normals, 1, x, y), component(normals, 2, x, y));
+  };
   const auto weight_at = [&](Four x, Four y) { return component(normals, 3, x, y); };
   if (has_one_color)
     covered([&](Four x, Four y) { return std::pair(color, normal_at(x, y)); });
@@ -257,7 +273,8 @@ void Picture::blend(const Sheet& sheet) {
   const auto& v = sheet.corners;
   const Plan plan(v[0].place, v[1].place, v[2].place);
   const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
-  const auto normals = plan.linear(v[0].normal, v[1].normal, v[2].normal), paints = plan.linear(v[0].paint, v[1].paint, v[2].paint);
+  const auto normals = plan.linear(v[0].normal, v[1].normal, v[2].normal),
+             paints = plan.linear(v[0].paint, v[1].paint, v[2].paint);
   const Sides sides({&v[0], &v[1], &v[2]});
   const int last = first_sample(sides.high, rows_);
   for (int row = first_sample(sides.low, rows_); row < last; ++row) {
@@ -269,7 +286,8 @@ void Picture::blend(const Sheet& sheet) {
       if (near.at(fx, fy) <= depth_[k]) continue;
       const Four n = normals.at(fx, fy), paint = paints.at(fx, fy) / four(n[3]);
       float shine = 0;
-      const float bright = strength(unpacked(packed_normal(Point{n[0], n[1], n[2]})), shine), opacity = std::clamp(paint[3], 0.0f, 1.0f);
+      const float bright = strength(unpacked(packed_normal(Point{n[0], n[1], n[2]})), shine),
+                  opacity = std::clamp(paint[3], 0.0f, 1.0f);
       const auto channel = [&](int shift, float front) {
         const float behind = static_cast<float>(color_[k] >> shift & 255) / 255;
         return behind + opacity * (std::min(bright * front + shine, 1.0f) - behind);

@@ -32,13 +32,15 @@ struct Sum {
   std::uint32_t even = 0, odd = 0;
   void add(std::uint32_t color) { even += color & 0xff00ffu, odd += color >> 8 & 255; }
   DALEMBERT_INLINE void add(FourWhole colors) {
-    even += static_cast<std::uint32_t>(sum_of(colors & four(0xff00ff))), odd += static_cast<std::uint32_t>(sum_of((colors >> 8) & four(255)));
+    even += static_cast<std::uint32_t>(sum_of(colors & four(0xff00ff))),
+        odd += static_cast<std::uint32_t>(sum_of((colors >> 8) & four(255)));
   }
   // Mean of `count` colors; powers of two use shifts.
   DALEMBERT_INLINE std::uint32_t mean(std::uint32_t count) const {
     if (count == 1) return even | odd << 8;
     if (count == 4) return ((even + 0x20002u) >> 2 & 0xff00ffu) | ((odd + 2) >> 2) << 8;
-    return (((even & 0xffff) + count / 2) / count) | (((odd + count / 2) / count) << 8) | ((((even >> 16) + count / 2) / count) << 16);
+    return (((even & 0xffff) + count / 2) / count) | (((odd + count / 2) / count) << 8) |
+           ((((even >> 16) + count / 2) / count) << 16);
   }
 };
 
@@ -57,7 +59,8 @@ float Picture::strength(const Point& normal, float& shine) const {
     const Light& light = lighting_.lights[i];
     const float facing = dot(normal, light.direction), half = dot(normal, halves_[i]);
     bright += light.diffuse * std::max(facing, 0.0f);
-    if (facing > 0 && half > 0) shine += light.specular * shine_[static_cast<std::size_t>(std::min(half, 1.0f) * steps)];
+    if (facing > 0 && half > 0)
+      shine += light.specular * shine_[static_cast<std::size_t>(std::min(half, 1.0f) * steps)];
   }
   return bright;
 }
@@ -81,7 +84,9 @@ bool Picture::join(std::size_t first) {
     }
   }
   const int count = samples * samples;
-  const auto mean = [&](int sum) { return static_cast<std::uint32_t>(static_cast<std::uint16_t>(static_cast<std::int16_t>(sum / count))); };
+  const auto mean = [&](int sum) {
+    return static_cast<std::uint32_t>(static_cast<std::uint16_t>(static_cast<std::int16_t>(sum / count)));
+  };
   color_[first] = color.mean(static_cast<std::uint32_t>(count)) | to_be_lit;
   normal_[first] = mean(x) | mean(y) << 16;
   return true;
@@ -95,13 +100,19 @@ std::uint32_t Picture::join_squares(std::size_t first, int count) {
     const auto normals = load<FourWhole>(&normal_[first + 4 * i]);
     colors[i] = load<FourWhole>(&color_[first + 4 * i]), x[i] = (normals << 16) >> 16, y[i] = normals >> 16;
     const FourWhole dx = x[i] - four(x[i][0]), dy = y[i] - four(y[i][0]), limit = four(alike);
-    joined |= (bits((colors[i] < FourWhole{}) & (dx <= limit) & (dx >= -limit) & (dy <= limit) & (dy >= -limit)) == 15 ? 1u : 0u) << i;
+    joined |=
+        (bits((colors[i] < FourWhole{}) & (dx <= limit) & (dx >= -limit) & (dy <= limit) & (dy >= -limit)) == 15 ? 1u
+                                                                                                                 : 0u)
+        << i;
   }
   if (joined == 0) return 0;
-  const auto sums = [](const std::array<FourWhole, 4>& parts, const auto& of) { return sums_of(of(parts[0]), of(parts[1]), of(parts[2]), of(parts[3])); };
+  const auto sums = [](const std::array<FourWhole, 4>& parts, const auto& of) {
+    return sums_of(of(parts[0]), of(parts[1]), of(parts[2]), of(parts[3]));
+  };
   const FourWhole even = sums(colors, [](FourWhole color) { return color & four(0xff00ff); });
   const FourWhole odd = sums(colors, [](FourWhole color) { return (color >> 8) & four(255); });
-  const FourWhole color = (((even + four(0x20002)) >> 2) & four(0xff00ff)) | ((odd + four(2)) >> 2) << 8 | four(static_cast<std::int32_t>(to_be_lit));
+  const FourWhole color = (((even + four(0x20002)) >> 2) & four(0xff00ff)) | ((odd + four(2)) >> 2) << 8 |
+                          four(static_cast<std::int32_t>(to_be_lit));
   const auto quarters = [](const std::array<FourWhole, 4>& parts) {  // towards zero
     const FourWhole sum = sums_of(parts[0], parts[1], parts[2], parts[3]);
     return (sum + ((sum >> 31) & four(3))) >> 2;
@@ -120,16 +131,19 @@ void Picture::light_surfaces(std::size_t count) {
   const float steps = static_cast<float>(shine_.size() - 1);
   for (std::size_t first = 0; first < count; first += 4) {
     Surface* s = surfaces_.data() + first;
-    const FourWhole colors{s[0].color, s[1].color, s[2].color, s[3].color}, normals{s[0].normal, s[1].normal, s[2].normal, s[3].normal};
+    const FourWhole colors{s[0].color, s[1].color, s[2].color, s[3].color},
+        normals{s[0].normal, s[1].normal, s[2].normal, s[3].normal};
     const Four x = as_numbers((normals << 16) >> 16) / four(32767.0f), y = as_numbers(normals >> 16) / four(32767.0f);
     const Four z = -root(larger(four(0.0f), four(1.0f) - x * x - y * y));
     Four bright = four(lighting_.ambient), shine = four(0.0f);
     for (std::size_t i = 0; i < lighting_.lights.size(); ++i) {
       const Light& light = lighting_.lights[i];
       const Point d = light.direction, h = halves_[i];
-      const Four facing = x * four(d.x) + y * four(d.y) + z * four(d.z), half = x * four(h.x) + y * four(h.y) + z * four(h.z);
+      const Four facing = x * four(d.x) + y * four(d.y) + z * four(d.z),
+                 half = x * four(h.x) + y * four(h.y) + z * four(h.z);
       bright += four(light.diffuse) * larger(facing, four(0.0f));
-      const FourWhole shines = (facing > four(0.0f)) & (half > four(0.0f)), step = shines ? whole(smaller(half, four(1.0f)) * four(steps)) : FourWhole{};
+      const FourWhole shines = (facing > four(0.0f)) & (half > four(0.0f)),
+                      step = shines ? whole(smaller(half, four(1.0f)) * four(steps)) : FourWhole{};
       const Four power{shine_[static_cast<std::size_t>(step[0])], shine_[static_cast<std::size_t>(step[1])],
                        shine_[static_cast<std::size_t>(step[2])], shine_[static_cast<std::size_t>(step[3])]};
       shine += shines ? four(light.specular) * power : four(0.0f);
@@ -188,7 +202,8 @@ void Picture::light(int pixel_row, std::uint8_t* pixels) {
     }
     for (int j = 0; j < samples; ++j)
       for (int i = 0; i < samples; ++i)
-        if (const std::size_t k = sample(column * samples + i, pixel_row * samples + j); color_[k] >= to_be_lit) add(k, column, Lit::sample);
+        if (const std::size_t k = sample(column * samples + i, pixel_row * samples + j); color_[k] >= to_be_lit)
+          add(k, column, Lit::sample);
     *next++ = {first, 0, column, Lit::all_samples};
   }
   light_surfaces(static_cast<std::size_t>(surface - surfaces_.data()) + 1);
@@ -237,16 +252,20 @@ void Picture::outline_samples(int row) {
         return static_cast<std::uint32_t>(item[other] != item[k]) & static_cast<std::uint32_t>(depth[other] < depth[k]);
       };
       for (std::ptrdiff_t k = begin; k < end; ++k)
-        rim[static_cast<std::size_t>(k - begin)] |= behind(k - side, k) | behind(k + side, k) | behind(k - above, k) | behind(k + above, k);
+        rim[static_cast<std::size_t>(k - begin)] |=
+            behind(k - side, k) | behind(k + side, k) | behind(k - above, k) | behind(k + above, k);
     }
     for (std::ptrdiff_t k = begin; k < end; ++k)
-      color[k] = rim[static_cast<std::size_t>(k - begin)] != 0 && color[k] >= to_be_lit ? (color[k] >> 1 & 0x7f7f7fu) | to_be_lit : color[k];
+      color[k] = rim[static_cast<std::size_t>(k - begin)] != 0 && color[k] >= to_be_lit
+                     ? (color[k] >> 1 & 0x7f7f7fu) | to_be_lit
+                     : color[k];
   }
 }
 
 // The same for four samples of a pixel, side by side; there is no rim at the border of the picture.
 void Picture::outline_squares(int pixel_row) {
-  const std::ptrdiff_t length = 2 * columns_, up = pixel_row > 0 ? -length : 0, down = pixel_row + 1 < height_ ? length : 0;
+  const std::ptrdiff_t length = 2 * columns_, up = pixel_row > 0 ? -length : 0,
+                       down = pixel_row + 1 < height_ ? length : 0;
   const std::int32_t* item = item_.data() + row_start(2 * pixel_row);
   const float* depth = depth_.data() + row_start(2 * pixel_row);
   std::uint32_t* const color = color_.data() + row_start(2 * pixel_row);
@@ -259,21 +278,26 @@ void Picture::outline_squares(int pixel_row) {
     FourWhole others{};  // zero: all around are of one item, as nearly everywhere
     const FourWhole one = four(from[0]);
     for (std::ptrdiff_t k = 0; k < count; k += 4)
-      others |= (load<FourWhole>(from + k) ^ one) | (load<FourWhole>(from + up + k) ^ one) | (load<FourWhole>(from + down + k) ^ one);
+      others |= (load<FourWhole>(from + k) ^ one) | (load<FourWhole>(from + up + k) ^ one) |
+                (load<FourWhole>(from + down + k) ^ one);
     if (bits(others == FourWhole{}) == 15) continue;
     for (std::ptrdiff_t k = begin; k < end; k += 4) {
       const std::ptrdiff_t left = k > 0 ? k - 4 : k, right = k + 4 < length ? k + 4 : k;
       const auto items = load<FourWhole>(item + k);
       const auto depths = load<Four>(depth + k);
       const auto behind = [&](FourWhole other, Four nearness) { return (other != items) & (nearness < depths); };
-      const FourWhole rim =
-          behind(__builtin_shufflevector(load<FourWhole>(item + left), items, 1, 4, 3, 6), __builtin_shufflevector(load<Four>(depth + left), depths, 1, 4, 3, 6)) |
-          behind(__builtin_shufflevector(items, load<FourWhole>(item + right), 1, 4, 3, 6), __builtin_shufflevector(depths, load<Four>(depth + right), 1, 4, 3, 6)) |
-          behind(__builtin_shufflevector(load<FourWhole>(item + up + k), items, 2, 3, 4, 5), __builtin_shufflevector(load<Four>(depth + up + k), depths, 2, 3, 4, 5)) |
-          behind(__builtin_shufflevector(items, load<FourWhole>(item + down + k), 2, 3, 4, 5), __builtin_shufflevector(depths, load<Four>(depth + down + k), 2, 3, 4, 5));
+      const FourWhole rim = behind(__builtin_shufflevector(load<FourWhole>(item + left), items, 1, 4, 3, 6),
+                                   __builtin_shufflevector(load<Four>(depth + left), depths, 1, 4, 3, 6)) |
+                            behind(__builtin_shufflevector(items, load<FourWhole>(item + right), 1, 4, 3, 6),
+                                   __builtin_shufflevector(depths, load<Four>(depth + right), 1, 4, 3, 6)) |
+                            behind(__builtin_shufflevector(load<FourWhole>(item + up + k), items, 2, 3, 4, 5),
+                                   __builtin_shufflevector(load<Four>(depth + up + k), depths, 2, 3, 4, 5)) |
+                            behind(__builtin_shufflevector(items, load<FourWhole>(item + down + k), 2, 3, 4, 5),
+                                   __builtin_shufflevector(depths, load<Four>(depth + down + k), 2, 3, 4, 5));
       const FourWhole inner{left < k ? -1 : 0, right > k ? -1 : 0, left < k ? -1 : 0, right > k ? -1 : 0};
       const auto colors = load<FourWhole>(color + k);
-      store_some(rim & inner & inner_rows & (colors < FourWhole{}), ((colors >> 1) & four(0x7f7f7f)) | four(static_cast<std::int32_t>(to_be_lit)), color + k);
+      store_some(rim & inner & inner_rows & (colors < FourWhole{}),
+                 ((colors >> 1) & four(0x7f7f7f)) | four(static_cast<std::int32_t>(to_be_lit)), color + k);
     }
   }
 }
@@ -282,7 +306,8 @@ template <int Samples>
 std::vector<std::uint8_t> Picture::developed() {
   const std::size_t width = 3 * static_cast<std::size_t>(width_);
   std::vector<std::uint8_t> image(width * static_cast<std::size_t>(height_));
-  const std::size_t most = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(samples_);  // samples of a row of pixels
+  const std::size_t most =
+      static_cast<std::size_t>(columns_) * static_cast<std::size_t>(samples_);  // samples of a row of pixels
   surfaces_.resize(most + 4), waiting_.resize(most + static_cast<std::size_t>(width_));
   std::uint8_t* pixels = image.data();
   for (int pixel_row = 0; pixel_row < height_; ++pixel_row, pixels += width) {
@@ -295,7 +320,8 @@ std::vector<std::uint8_t> Picture::developed() {
   sheets_.clear();
   pixels = image.data();
   for (int pixel_row = 0; pixel_row < height_; ++pixel_row)
-    for (int column = 0; column < width_; ++column, pixels += 3) write(mean<Samples>(sample(column * samples_, pixel_row * samples_)), pixels);
+    for (int column = 0; column < width_; ++column, pixels += 3)
+      write(mean<Samples>(sample(column * samples_, pixel_row * samples_)), pixels);
   return image;
 }
 

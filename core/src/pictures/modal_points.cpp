@@ -23,7 +23,8 @@ void ModalPoints::deform(std::span<const double> weights) {
   if (!deformation_.empty() && std::ranges::equal(weights, weights_)) return;
   weights_.assign(weights.begin(), weights.end());
   deformation_.resize(rest_.size());
-  for (std::size_t first = 0; first < planes_.nodes(); first += ModePlanes::block) planes_.sum(weights, first, deformation_.data() + 3 * first);
+  for (std::size_t first = 0; first < planes_.nodes(); first += ModePlanes::block)
+    planes_.sum(weights, first, deformation_.data() + 3 * first);
 }
 
 void ModalPoints::place(std::span<const double> weights, Rows rows, float* to) {
@@ -51,7 +52,8 @@ void ModalPoints::displacements(std::span<const double> weights, Rows rows, Rows
   std::array<double, 12> change;
   std::ranges::transform(rows, at_rest, change.begin(), std::minus{});
   const std::array<float, 12> frame = in_single_precision(rows), moved = in_single_precision(change);
-  const std::size_t begin = component < 0 ? 0 : static_cast<std::size_t>(component), end = component < 0 ? 3 : std::min<std::size_t>(begin + 1, 3);
+  const std::size_t begin = component < 0 ? 0 : static_cast<std::size_t>(component),
+                    end = component < 0 ? 3 : std::min<std::size_t>(begin + 1, 3);
   std::array<float, 3 * ModePlanes::block> found{};
   for (std::size_t first = 0; first < planes_.nodes(); first += ModePlanes::block) {
     const std::size_t count = planes_.size_of_block(first);
@@ -61,7 +63,8 @@ void ModalPoints::displacements(std::span<const double> weights, Rows rows, Rows
         const float *const f = frame.data() + 4 * row, *const m = moved.data() + 4 * row;
         float* const d = found.data() + (row - begin) * count;
         for (std::size_t k = 0; k < count; ++k)
-          d[k] = m[3] + m[0] * x[k] + m[1] * x[count + k] + m[2] * x[2 * count + k] + f[0] * u[k] + f[1] * u[count + k] + f[2] * u[2 * count + k];
+          d[k] = m[3] + m[0] * x[k] + m[1] * x[count + k] + m[2] * x[2 * count + k] + f[0] * u[k] +
+                 f[1] * u[count + k] + f[2] * u[2 * count + k];
       }
       if (component < 0)
         find_lengths(found.data(), 3, count, to);

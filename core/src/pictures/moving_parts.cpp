@@ -43,7 +43,8 @@ double along(const double* begin, const double* end, double* frame) {
 
 void multiply(const double* a, const double* b, double* result) {
   for (std::size_t i = 0; i < 12; i += 4)
-    for (std::size_t j = 0; j < 4; ++j) result[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j] + (j == 3 ? a[i + 3] : 0.0);
+    for (std::size_t j = 0; j < 4; ++j)
+      result[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j] + (j == 3 ? a[i + 3] : 0.0);
 }
 
 constexpr double turned = 1e-4;  // tolerance of rotations: three units of their bytes
@@ -62,7 +63,8 @@ DALEMBERT_INLINE inline Four row_of(const double* row) {
 
 }  // namespace
 
-MovingParts::MovingParts(std::vector<Frame> frames) : frames_(std::move(frames)), at_(frames_.size()), lengths_(frames_.size(), -1) {
+MovingParts::MovingParts(std::vector<Frame> frames)
+    : frames_(std::move(frames)), at_(frames_.size()), lengths_(frames_.size(), -1) {
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     asked_[items_of(frames_[i].kind)] = true;
     if (is_made(frames_[i].kind)) made_frames_.push_back(i);
@@ -122,20 +124,23 @@ int MovingParts::add(std::span<const std::int32_t> index, std::span<const double
   if (local.size() != 12 * index.size()) throw std::invalid_argument("local: expected 12 numbers for each index");
   const int number = add(index);
   double difference = 0;
-  for (std::size_t k = 0; k < local.size(); ++k) difference = std::max(difference, std::abs(local[k] - unturned[k % 12]));
+  for (std::size_t k = 0; k < local.size(); ++k)
+    difference = std::max(difference, std::abs(local[k] - unturned[k % 12]));
   if (!(difference < standing)) groups_.back().local.assign(local.begin(), local.end());
   return number;
 }
 
 int MovingParts::add(std::span<const std::int32_t> index) {
   for (const std::int32_t i : index)
-    if (i < 0 || static_cast<std::size_t>(i) >= frames_.size()) throw std::out_of_range("index: there is no frame " + std::to_string(i));
+    if (i < 0 || static_cast<std::size_t>(i) >= frames_.size())
+      throw std::out_of_range("index: there is no frame " + std::to_string(i));
   groups_.push_back({{index.begin(), index.end()}, {}});
   return static_cast<int>(groups_.size()) - 1;
 }
 
 // Pose of a part: computed in `product`, unless it equals its frame.
-DALEMBERT_INLINE inline const double* MovingParts::placed(const Group& group, std::size_t k, std::array<double, 12>& product) const {
+DALEMBERT_INLINE inline const double* MovingParts::placed(const Group& group, std::size_t k,
+                                                          std::array<double, 12>& product) const {
   const double* const frame = at_[static_cast<std::size_t>(group.index[k])];
   if (group.local.empty()) return frame;
   multiply(frame, group.local.data() + 12 * k, product.data());
@@ -156,12 +161,14 @@ bool MovingParts::each(const Group& group, const Take& take) const {
 }
 
 bool MovingParts::place(int group, double* rows) const {
-  return each<0, 1>(groups_[static_cast<std::size_t>(group)], [rows](std::size_t k, const double* from) { std::copy_n(from, 12, rows + 12 * k); });
+  return each<0, 1>(groups_[static_cast<std::size_t>(group)],
+                    [rows](std::size_t k, const double* from) { std::copy_n(from, 12, rows + 12 * k); });
 }
 
 bool MovingParts::are_turned(int group) const {
   const Group& parts = groups_[static_cast<std::size_t>(group)];
-  const bool are_rigid = std::ranges::all_of(parts.index, [&](std::int32_t i) { return frames_[static_cast<std::size_t>(i)].kind != FrameKind::span; });
+  const bool are_rigid = std::ranges::all_of(
+      parts.index, [&](std::int32_t i) { return frames_[static_cast<std::size_t>(i)].kind != FrameKind::span; });
   double off = 0;
   const bool finite = each<0, 1>(parts, [&off](std::size_t, const double* row) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -188,7 +195,8 @@ bool MovingParts::write_turns(int group, std::uint32_t* to) const {
       least = smaller(least, squares), most = larger(most, squares), sum += four(0.0f) * squares;
       const Four place{a[3], b[3], c[3], 0};
       const FourWhole x = in_units(a), y = in_units(b);
-      const FourWhole lower = __builtin_shufflevector(x, y, 0, 2, 5, 7), upper = __builtin_shufflevector(x, y, 1, 4, 6, 7);
+      const FourWhole lower = __builtin_shufflevector(x, y, 0, 2, 5, 7),
+                      upper = __builtin_shufflevector(x, y, 1, 4, 6, 7);
       const FourWhole turn = (lower & four(0xffff)) | (upper << 16);
       std::uint32_t* const words = to + words_of_turn * k;
       std::memcpy(words, &place, words_of_turn / 2 * sizeof *words);

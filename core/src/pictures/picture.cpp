@@ -18,14 +18,22 @@ constexpr std::size_t beyond = 15;  // samples that four side by side, or four p
 
 constexpr std::size_t ahead = 8;  // triangles whose vertices are brought to the cache
 
-constexpr std::size_t most_kept = std::size_t{4} << 20;  // samples, of 16 bytes; the memory of larger pictures is given back
+constexpr std::size_t most_kept = std::size_t{4}
+                                  << 20;  // samples, of 16 bytes; the memory of larger pictures is given back
 
 }  // namespace
 
 Picture::Picture(int width, int height, int samples, const Camera& camera, const Lighting& lighting)
-    : width_(width), height_(height), samples_(samples), columns_(width * samples), rows_(height * samples),
-      scale_(static_cast<float>(camera.scale * samples)), perspective_(static_cast<float>(camera.perspective)), view_(camera.view),
-      lighting_(lighting), shine_(shine_steps + 1) {
+    : width_(width),
+      height_(height),
+      samples_(samples),
+      columns_(width * samples),
+      rows_(height * samples),
+      scale_(static_cast<float>(camera.scale * samples)),
+      perspective_(static_cast<float>(camera.perspective)),
+      view_(camera.view),
+      lighting_(lighting),
+      shine_(shine_steps + 1) {
   const std::size_t size = row_start(rows_) + beyond;
   exchange_memory();
   depth_.assign(size, -std::numeric_limits<float>::infinity());
@@ -65,7 +73,8 @@ void Picture::begin() {
 void Picture::clip(const Plane& plane) { planes_.push_back(plane); }
 
 bool Picture::is_inside(const Point& eye) const {
-  return std::ranges::all_of(planes_, [&](const Plane& p) { return p.a * eye.x + p.b * eye.y + p.c * eye.z + p.d >= 0; });
+  return std::ranges::all_of(planes_,
+                             [&](const Plane& p) { return p.a * eye.x + p.b * eye.y + p.c * eye.z + p.d >= 0; });
 }
 
 Point Picture::to_eye(const double* p) const {
@@ -103,7 +112,9 @@ void Picture::project(const Mesh& mesh) {
   corners_.resize(n), vertices_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const float* c = mesh.colors.data() + 4 * i;
-    corners_[i] = {to_eye(mesh.points.data() + 3 * i), mesh.is_smooth() ? turned(mesh.normals.data() + 3 * i) : Point{}, {c[0], c[1], c[2], c[3]}};
+    corners_[i] = {to_eye(mesh.points.data() + 3 * i),
+                   mesh.is_smooth() ? turned(mesh.normals.data() + 3 * i) : Point{},
+                   {c[0], c[1], c[2], c[3]}};
     vertices_[i] = project(corners_[i]);
     vertices_[i].inside = is_inside(corners_[i].eye) && is_finite(vertices_[i].place);
   }
@@ -116,14 +127,18 @@ void Picture::triangles(const Mesh& mesh) {
   const Vertex* const vertices = vertices_.data();
   const bool smooth = mesh.is_smooth();
   const auto corner = [&](std::size_t t, std::size_t k) { return static_cast<std::size_t>(mesh.triangles[3 * t + k]); };
-  const auto vertices_of = [&](std::size_t t) { return Corners{&vertices[corner(t, 0)], &vertices[corner(t, 1)], &vertices[corner(t, 2)]}; };
+  const auto vertices_of = [&](std::size_t t) {
+    return Corners{&vertices[corner(t, 0)], &vertices[corner(t, 1)], &vertices[corner(t, 2)]};
+  };
   const auto flat = [&](std::size_t t) {
     const Point a = corners[corner(t, 0)].eye;
     return cross(corners[corner(t, 1)].eye - a, corners[corner(t, 2)].eye - a);
   };
   const auto faces_away = [&](std::size_t t) {
-    if (smooth) return corners[corner(t, 0)].normal.z + corners[corner(t, 1)].normal.z + corners[corner(t, 2)].normal.z > 0;
-    return (perspective_ == 0 ? flat(t).z : dot(flat(t), corners[corner(t, 0)].eye + Point{0, 0, 1 / perspective_})) > 0;
+    if (smooth)
+      return corners[corner(t, 0)].normal.z + corners[corner(t, 1)].normal.z + corners[corner(t, 2)].normal.z > 0;
+    return (perspective_ == 0 ? flat(t).z : dot(flat(t), corners[corner(t, 0)].eye + Point{0, 0, 1 / perspective_})) >
+           0;
   };
   // Back faces come last, because most of them are hidden.
   const std::size_t count = mesh.triangles.size() / 3;
@@ -143,7 +158,8 @@ void Picture::triangles(const Mesh& mesh) {
       if (!smooth || side < 0) {
         turned = {*v[0], *v[1], *v[2]};
         const Point n = smooth ? Point{} : side * flat(t);
-        for (Vertex& vertex : turned) vertex.normal = smooth ? vertex.normal * Four{-1, -1, -1, 1} : vertex.weight() * Four{n.x, n.y, n.z, 1};
+        for (Vertex& vertex : turned)
+          vertex.normal = smooth ? vertex.normal * Four{-1, -1, -1, 1} : vertex.weight() * Four{n.x, n.y, n.z, 1};
         v = {&turned[0], &turned[1], &turned[2]};
       }
       add(v, mesh.items[t]);
@@ -169,7 +185,9 @@ void Picture::triangles(const Mesh& mesh) {
   draw_all(front, 1);
   if (back.size() >= Squares::many && has_squares()) {
     const std::vector<float> farthest = farthest_of(squares);
-    const auto hidden = std::ranges::remove_if(back, [&](std::uint32_t t) { return is_whole(vertices_of(t)) && is_hidden(vertices_of(t), squares, farthest); });
+    const auto hidden = std::ranges::remove_if(back, [&](std::uint32_t t) {
+      return is_whole(vertices_of(t)) && is_hidden(vertices_of(t), squares, farthest);
+    });
     back = back.first(back.size() - hidden.size());
   }
   draw_all(back, -1);
@@ -179,7 +197,8 @@ void Picture::triangles(const Mesh& mesh) {
 void Picture::prefetch(const Squares& squares, std::size_t square) const {
   constexpr int in_line = 16;  // samples of an array
   const auto across = static_cast<std::size_t>(squares.across());
-  const int column = static_cast<int>(square % across) * Squares::side, row = static_cast<int>(square / across) * Squares::side;
+  const int column = static_cast<int>(square % across) * Squares::side,
+            row = static_cast<int>(square / across) * Squares::side;
   for (int y = row; y < std::min(row + Squares::side, rows_); y += 2) {
     const std::size_t first = sample(column, y), end = std::min(first + 2 * Squares::side, row_start(y + 2));
     for (std::size_t k = first; k < end; k += in_line) {
@@ -192,7 +211,9 @@ void Picture::prefetch(const Squares& squares, std::size_t square) const {
 // Whether all of a triangle is on one side of the picture.
 bool Picture::is_beside(const Corners& v) const {
   const Four across{0, 0, static_cast<float>(columns_), static_cast<float>(rows_)};
-  const auto sides = [&](const Vertex& corner) { return Four{-corner.place.x, -corner.place.y, corner.place.x, corner.place.y} > across; };
+  const auto sides = [&](const Vertex& corner) {
+    return Four{-corner.place.x, -corner.place.y, corner.place.x, corner.place.y} > across;
+  };
   return v[0]->inside && v[1]->inside && v[2]->inside && bits(sides(*v[0]) & sides(*v[1]) & sides(*v[2])) != 0;
 }
 
@@ -205,7 +226,8 @@ std::vector<float> Picture::farthest_of(const Squares& squares) const {
     Four least = four(std::numeric_limits<float>::infinity());
     for (int y = row; y < last; y += 2) {
       const float* const to = depth_.data() + row_start(y) + 2 * end;
-      for (const float* from = depth_.data() + sample(column, y); from < to; from += 4) least = smaller(least, load<Four>(from));
+      for (const float* from = depth_.data() + sample(column, y); from < to; from += 4)
+        least = smaller(least, load<Four>(from));
     }
     result[static_cast<std::size_t>(square)] = std::min({least[0], least[1], least[2], least[3]});
   }
@@ -237,14 +259,16 @@ void Picture::clipped(const std::array<Corner, 3>& corners, std::int32_t item) {
       if (da >= 0) rest.push_back(a);
       if ((da >= 0) != (db >= 0)) {
         const float s = da / (da - db);
-        rest.push_back({a.eye + s * (b.eye - a.eye), a.normal + s * (b.normal - a.normal), a.paint + s * (b.paint - a.paint)});
+        rest.push_back(
+            {a.eye + s * (b.eye - a.eye), a.normal + s * (b.normal - a.normal), a.paint + s * (b.paint - a.paint)});
       }
     }
     polygon.swap(rest);
   }
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const Three v{project(polygon[0]), project(polygon[i - 1]), project(polygon[i])};
-    if (std::ranges::all_of(v, [](const Vertex& corner) { return is_finite(corner.place); })) add({&v[0], &v[1], &v[2]}, item);
+    if (std::ranges::all_of(v, [](const Vertex& corner) { return is_finite(corner.place); }))
+      add({&v[0], &v[1], &v[2]}, item);
   }
 }
 
@@ -252,7 +276,8 @@ std::vector<std::int32_t> Picture::items() const {
   std::vector<std::int32_t> result(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   std::size_t pixel = 0;
   for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x) result[pixel++] = item_[sample(x * samples_ + samples_ / 2, y * samples_ + samples_ / 2)];
+    for (int x = 0; x < width_; ++x)
+      result[pixel++] = item_[sample(x * samples_ + samples_ / 2, y * samples_ + samples_ / 2)];
   return result;
 }
 

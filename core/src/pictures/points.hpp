@@ -23,12 +23,15 @@ constexpr std::uint32_t to_be_lit = 0xff000000u;
 
 // Red, green and blue of four colors.
 DALEMBERT_INLINE inline FourWhole packed(Four r, Four g, Four b) {
-  const auto bytes = [](Four part) { return whole(smaller(larger(part, four(0.0f)), four(1.0f)) * four(255.0f) + four(0.5f)); };
+  const auto bytes = [](Four part) {
+    return whole(smaller(larger(part, four(0.0f)), four(1.0f)) * four(255.0f) + four(0.5f));
+  };
   return bytes(r) | bytes(g) << 8 | bytes(b) << 16;
 }
 DALEMBERT_INLINE inline std::uint32_t packed(Four paint) {
   const FourWhole bytes = whole(smaller(larger(paint, four(0.0f)), four(1.0f)) * four(255.0f) + four(0.5f));
-  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 | static_cast<std::uint32_t>(bytes[2]) << 16;
+  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 |
+         static_cast<std::uint32_t>(bytes[2]) << 16;
 }
 inline std::uint32_t packed(Paint p) { return packed(Four{p.r, p.g, p.b, 1}); }
 
@@ -38,9 +41,13 @@ DALEMBERT_INLINE inline FourWhole packed_normal(Four x, Four y, Four z) {
   const Four part = four(1.0f) / root(larger(x * x + y * y + z * z, four(1e-30f)));
   return (whole(part * x * four(32767.0f)) & four(0xffff)) | whole(part * y * four(32767.0f)) << 16;
 }
-inline std::uint32_t packed_normal(Point n) { return static_cast<std::uint32_t>(packed_normal(four(n.x), four(n.y), four(n.z))[0]); }
+inline std::uint32_t packed_normal(Point n) {
+  return static_cast<std::uint32_t>(packed_normal(four(n.x), four(n.y), four(n.z))[0]);
+}
 inline Point unpacked(std::uint32_t normal) {
-  const auto part = [](std::uint32_t v) { return static_cast<float>(static_cast<std::int16_t>(static_cast<std::uint16_t>(v))) / 32767; };
+  const auto part = [](std::uint32_t v) {
+    return static_cast<float>(static_cast<std::int16_t>(static_cast<std::uint16_t>(v))) / 32767;
+  };
   const float x = part(normal & 0xffff), y = part(normal >> 16);
   return {x, y, -std::sqrt(std::max(0.0f, 1 - x * x - y * y))};
 }
@@ -54,6 +61,8 @@ DALEMBERT_INLINE inline Four first_samples(Four x, Four end) {
   const FourWhole result = reinterpret_cast<FourWhole>(below < from ? below + four(1.0f) : below) & (x > four(0.5f));
   return reinterpret_cast<Four>(result);
 }
-inline int first_sample(float x, int end) { return static_cast<int>(first_samples(four(x), four(static_cast<float>(end)))[0]); }
+inline int first_sample(float x, int end) {
+  return static_cast<int>(first_samples(four(x), four(static_cast<float>(end)))[0]);
+}
 
 }  // namespace dalembert

@@ -39,7 +39,9 @@ Ray RayTracer::Scene::first_ray(double x, double y) const {
 }
 
 bool RayTracer::Scene::is_cut_off(const Vec3<double>& e) const {
-  return std::ranges::any_of(planes, [&](const Plane& p) { return double{p.a} * e[0] + double{p.b} * e[1] + double{p.c} * e[2] + double{p.d} < 0; });
+  return std::ranges::any_of(planes, [&](const Plane& p) {
+    return double{p.a} * e[0] + double{p.b} * e[1] + double{p.c} * e[2] + double{p.d} < 0;
+  });
 }
 
 RayTracer::Scene::Meeting RayTracer::Scene::meet_uncut(const Ray& ray, std::uint32_t shape) const {
@@ -124,8 +126,8 @@ double RayTracer::Scene::passing(Ray ray) const {
   return part < 1.0 / 512 ? 0 : part;
 }
 
-RayTracer::RayTracer(int width, int height, const Camera& camera, std::vector<RayLight> lights, std::vector<RayMaterial> materials,
-                     const RayOptions& options)
+RayTracer::RayTracer(int width, int height, const Camera& camera, std::vector<RayLight> lights,
+                     std::vector<RayMaterial> materials, const RayOptions& options)
     : scene_(std::make_unique<Scene>()) {
   Scene& s = *scene_;
   s.width = width, s.height = height, s.scale = camera.scale, s.perspective = camera.perspective;
@@ -157,8 +159,10 @@ void RayTracer::triangles(const Mesh& mesh, std::span<const std::int32_t> materi
   }
   for (std::size_t i = 0; i < materials.size(); ++i) {
     std::array<std::uint32_t, 3> index{};
-    for (std::size_t k = 0; k < 3; ++k) index[k] = static_cast<std::uint32_t>(start + static_cast<std::size_t>(mesh.triangles[3 * i + k]));
-    if (std::ranges::all_of(index, [&](std::uint32_t p) { return is_finite(s.points[p]); })) s.triangles.push_back({index, materials[i], is_smooth});
+    for (std::size_t k = 0; k < 3; ++k)
+      index[k] = static_cast<std::uint32_t>(start + static_cast<std::size_t>(mesh.triangles[3 * i + k]));
+    if (std::ranges::all_of(index, [&](std::uint32_t p) { return is_finite(s.points[p]); }))
+      s.triangles.push_back({index, materials[i], is_smooth});
   }
 }
 
@@ -166,7 +170,8 @@ void RayTracer::spheres(std::span<const double> centers, std::span<const double>
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const Vec3<double> center = scene_->to_eye(centers.data() + 3 * i);
     const float* c = colors.data() + 4 * i;
-    if (is_finite(center) && std::isfinite(radii[i]) && radii[i] > 0) scene_->balls.push_back({center, radii[i], {c[0], c[1], c[2], c[3]}});
+    if (is_finite(center) && std::isfinite(radii[i]) && radii[i] > 0)
+      scene_->balls.push_back({center, radii[i], {c[0], c[1], c[2], c[3]}});
   }
 }
 
@@ -174,7 +179,8 @@ void RayTracer::lines(std::span<const double> segments, std::span<const float> c
   for (std::size_t i = 0; i < segments.size() / 6; ++i) {
     const Vec3<double> a = scene_->to_eye(segments.data() + 6 * i), b = scene_->to_eye(segments.data() + 6 * i + 3);
     const float* c = colors.data() + 4 * i;
-    if (is_finite(a) && is_finite(b)) scene_->rods.push_back({a, b, 0.5 * width / scene_->scale, {c[0], c[1], c[2], c[3]}});
+    if (is_finite(a) && is_finite(b))
+      scene_->rods.push_back({a, b, 0.5 * width / scene_->scale, {c[0], c[1], c[2], c[3]}});
   }
 }
 

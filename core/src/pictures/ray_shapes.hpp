@@ -32,7 +32,8 @@ struct Crossings {
 };
 
 // Möller and Trumbore; u and v are the weights of the second and the third corner.
-inline double meet_triangle(const Ray& ray, const Vec3<double>& corner, const Vec3<double>& u_edge, const Vec3<double>& v_edge, double& u, double& v) {
+inline double meet_triangle(const Ray& ray, const Vec3<double>& corner, const Vec3<double>& u_edge,
+                            const Vec3<double>& v_edge, double& u, double& v) {
   const Vec3<double> p = cross(ray.direction, v_edge);
   const double determinant = dot(u_edge, p);
   if (determinant == 0) return never;
@@ -54,7 +55,8 @@ inline double meet_rod(const Ray& ray, const Vec3<double>& begin, const Vec3<dou
   const double length2 = dot(axis, axis);
   double t = std::min(meet_sphere(ray, begin, radius), meet_sphere(ray, end, radius));
   if (length2 == 0) return t;
-  const Vec3<double> across = ray.direction - (dot(ray.direction, axis) / length2) * axis, offset = s - (dot(s, axis) / length2) * axis;
+  const Vec3<double> across = ray.direction - (dot(ray.direction, axis) / length2) * axis,
+                     offset = s - (dot(s, axis) / length2) * axis;
   const Crossings c(dot(across, across), dot(across, offset), dot(offset, offset) - radius * radius);
   for (const double side : {c.first, c.second}) {
     if (!ray.has(side) || side >= t) continue;

@@ -27,7 +27,8 @@ Vec3<double> place_on_disc(const Vec3<double>& direction, double radius, int num
   if (count == 1 || radius <= 0) return {};
   const Vec3<double> other = std::abs(direction[0]) < 0.6 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 1, 0};
   const Vec3<double> x = unit_of(cross(direction, other)), y = cross(direction, x);
-  const double r = radius * std::sqrt((number + 0.5) / count), angle = number * std::numbers::pi * (3 - 2.2360679774997896);
+  const double r = radius * std::sqrt((number + 0.5) / count),
+               angle = number * std::numbers::pi * (3 - 2.2360679774997896);
   return r * (std::cos(angle) * x + std::sin(angle) * y);
 }
 
@@ -83,7 +84,8 @@ class Tracer {
       if (light.shadow > 0) strength *= 1 - std::min(light.shadow, 1.0) * (1 - reaching(s, light));
       const double half = dot(s.normal, unit_of(direction - ray.direction));
       color += (strength * light.diffuse * facing) * s.color;
-      if (half > 0) color += (strength * light.specular * std::pow(half, std::max(material.shininess, 1.0))) * material.specular;
+      if (half > 0)
+        color += (strength * light.specular * std::pow(half, std::max(material.shininess, 1.0))) * material.specular;
     }
     return color;
   }
@@ -129,7 +131,8 @@ std::vector<std::uint8_t> RayTracer::develop() {
     }
   };
   // Each idle thread takes the next part of the picture; the assignment has no influence on the bytes.
-  const int threads = std::clamp(o.threads, 1, s.height), parts = std::min(threads * std::max(o.tiles_per_thread, 1), s.height);
+  const int threads = std::clamp(o.threads, 1, s.height),
+            parts = std::min(threads * std::max(o.tiles_per_thread, 1), s.height);
   std::atomic<int> next = 0;
   const auto work = [&] {
     for (int part = next++; part < parts; part = next++)

@@ -35,7 +35,8 @@ class RayTree {
  private:
   struct Node {
     Box box;
-    std::uint32_t first = 0, count = 0;  // count > 0: shapes; otherwise the second child, the first one is the next node
+    std::uint32_t first = 0,
+                  count = 0;  // count > 0: shapes; otherwise the second child, the first one is the next node
     int axis = 0;
   };
   static constexpr std::uint32_t few = 4;

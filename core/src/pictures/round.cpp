@@ -22,9 +22,11 @@ void Picture::spheres(std::span<const double> centers, std::span<const double> r
     const Vertex middle = project({c, {}, {}});
     const float size = scale_ * middle.weight() * r;
     if (is_finite(middle.place) && std::isfinite(size))
-      balls.push_back({middle.place.x, middle.place.y, size, c.z, r, packed(Paint{rgb[0], rgb[1], rgb[2], 1}) | to_be_lit, items[i]});
+      balls.push_back({middle.place.x, middle.place.y, size, c.z, r,
+                       packed(Paint{rgb[0], rgb[1], rgb[2], 1}) | to_be_lit, items[i]});
   }
-  if (balls.size() >= Squares::many) Squares(columns_, rows_).sort(std::span(balls), [](const Ball& ball) { return Point{ball.x, ball.y, 0}; });
+  if (balls.size() >= Squares::many)
+    Squares(columns_, rows_).sort(std::span(balls), [](const Ball& ball) { return Point{ball.x, ball.y, 0}; });
   for (const Ball& ball : balls) sphere(ball);
 }
 
@@ -37,7 +39,8 @@ void Picture::sphere(const Ball& ball) {
   const int begin = first_sample(cx - size, columns_), stop = first_sample(cx + size, columns_);
   const int first = first_sample(cy - size, rows_), end = first_sample(cy + size, rows_);
   const int wide = has_squares() ? 2 : 4, high = 4 / wide;
-  const FourWhole right = has_squares() ? FourWhole{0, 1, 0, 1} : FourWhole{0, 1, 2, 3}, down = has_squares() ? FourWhole{0, 0, 1, 1} : FourWhole{};
+  const FourWhole right = has_squares() ? FourWhole{0, 1, 0, 1} : FourWhole{0, 1, 2, 3},
+                  down = has_squares() ? FourWhole{0, 0, 1, 1} : FourWhole{};
   for (int row = first / high * high; row < end; row += high) {
     const FourWhole rows = four(row) + down, are_inside = (rows >= four(first)) & (rows < four(end));
     const Four dy = (as_numbers(rows) + four(0.5f) - four(cy)) * four(part);
@@ -49,7 +52,8 @@ void Picture::sphere(const Ball& ball) {
       const Four dx = (as_numbers(columns) + four(0.5f - cx)) * four(part), rest = four(1.0f) - dy * dy - dx * dx;
       const Four dz = root(larger(rest, four(0.0f))), z = four(middle) - four(radius) * dz;
       const Four n = perspective_ > 0 ? four(1.0f) / (four(1.0f) + four(perspective_) * z) : -z;
-      const FourWhole won = (rest > four(0.0f)) & are_inside & (columns >= four(begin)) & (columns < four(stop)) & (n > known);
+      const FourWhole won =
+          (rest > four(0.0f)) & are_inside & (columns >= four(begin)) & (columns < four(stop)) & (n > known);
       if (bits(won) == 0) continue;
       store(won ? n : known, &depth_[k]);
       store_some(won, four(static_cast<std::int32_t>(color)), &color_[k]);

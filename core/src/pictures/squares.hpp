@@ -17,13 +17,15 @@ class Squares {
   static constexpr std::size_t many = 1000;  // smaller numbers are not sorted
   static constexpr int side = 32;            // samples, of 16 bytes each, which stay in the nearest cache
 
-  Squares(int columns, int rows) : columns_(columns), rows_(rows), across_(columns / side + 1), count_(across_ * (rows / side + 1)) {}
+  Squares(int columns, int rows)
+      : columns_(columns), rows_(rows), across_(columns / side + 1), count_(across_ * (rows / side + 1)) {}
 
   int across() const { return across_; }
   int count() const { return count_; }
   // Column and row of the tile of a point in samples.
   DALEMBERT_INLINE FourWhole of(Point place) const {
-    return whole(first_samples(Four{place.x, place.y}, Four{static_cast<float>(columns_), static_cast<float>(rows_)})) / side;
+    return whole(first_samples(Four{place.x, place.y}, Four{static_cast<float>(columns_), static_cast<float>(rows_)})) /
+           side;
   }
 
   // Sorts by tiles, row by row; the order within a tile is kept. place_of: a point in samples. Returns the end of

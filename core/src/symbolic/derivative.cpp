@@ -36,7 +36,8 @@ class Rates {
     if (const Node rate = rate_along(e)) known_.emplace(e.get(), rate);
   }
   static Node zero(Shape shape) {
-    return shape.is_scalar() ? constant(0) : variable(shape, std::vector<double>(static_cast<std::size_t>(shape.size())), "");
+    return shape.is_scalar() ? constant(0)
+                             : variable(shape, std::vector<double>(static_cast<std::size_t>(shape.size())), "");
   }
 
  private:
@@ -92,7 +93,8 @@ class Rates {
       case Op::add: return of(a) && of(operand(1)) ? of(a) + of(operand(1)) : of(a) ? of(a) : of(operand(1));
       case Op::subtract: return of(a) && of(operand(1)) ? of(a) - of(operand(1)) : of(a) ? of(a) : -of(operand(1));
       case Op::multiply_components:
-        return of_product(a, operand(1), [](const Node& x, const Node& y) { return apply(Op::multiply_components, x, y); });
+        return of_product(a, operand(1),
+                          [](const Node& x, const Node& y) { return apply(Op::multiply_components, x, y); });
       case Op::scale:
       case Op::dot:
       case Op::matrix_vector:
@@ -106,7 +108,9 @@ class Rates {
       }
       case Op::modulo: {
         const Node quotient = a / operand(1);
-        return of_remainder(a, operand(1), select(apply(Op::less, quotient, plain(0)), apply(Op::ceil, quotient), apply(Op::floor, quotient)));
+        return of_remainder(
+            a, operand(1),
+            select(apply(Op::less, quotient, plain(0)), apply(Op::ceil, quotient), apply(Op::floor, quotient)));
       }
       case Op::floored_modulo: return of_remainder(a, operand(1), apply(Op::floored_quotient, a, operand(1)));
       case Op::minimum: return select(apply(Op::less, a, operand(1)), or_zero(a), or_zero(operand(1)));

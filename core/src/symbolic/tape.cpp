@@ -179,11 +179,21 @@ void run(std::span<const Instruction> instructions, std::span<const Node> tables
     S* out = x + at.result;
     const S *a = x + at.a, *b = x + at.b, *c = x + at.c;
     switch (at.op) {
-      case Op::add: for (int i = 0; i < at.n; ++i) out[i] = a[i] + b[i]; break;
-      case Op::subtract: for (int i = 0; i < at.n; ++i) out[i] = a[i] - b[i]; break;
-      case Op::negate: for (int i = 0; i < at.n; ++i) out[i] = -a[i]; break;
-      case Op::scale: for (int i = 0; i < at.n; ++i) out[i] = *a * b[i]; break;
-      case Op::multiply_components: for (int i = 0; i < at.n; ++i) out[i] = a[i] * b[i]; break;
+      case Op::add:
+        for (int i = 0; i < at.n; ++i) out[i] = a[i] + b[i];
+        break;
+      case Op::subtract:
+        for (int i = 0; i < at.n; ++i) out[i] = a[i] - b[i];
+        break;
+      case Op::negate:
+        for (int i = 0; i < at.n; ++i) out[i] = -a[i];
+        break;
+      case Op::scale:
+        for (int i = 0; i < at.n; ++i) out[i] = *a * b[i];
+        break;
+      case Op::multiply_components:
+        for (int i = 0; i < at.n; ++i) out[i] = a[i] * b[i];
+        break;
       case Op::select: std::copy_n(value_of(*a) != 0 ? b : c, at.n, out); break;
       case Op::gather: std::copy_n(a, at.n, out); break;
       case Op::equal: *out = S(all_equal(a, b, at.n) ? 1.0 : 0.0); break;
@@ -195,7 +205,8 @@ void run(std::span<const Instruction> instructions, std::span<const Node> tables
       case Op::vector_matrix:
       case Op::matrix_matrix: multiply(a, b, out, at.n, at.m, at.k); break;
       default:
-        *out = at.op >= Op::divide && at.op <= Op::greater_equal ? value_of_two(at.op, *a, *b) : value_of_one(at.op, *a);
+        *out =
+            at.op >= Op::divide && at.op <= Op::greater_equal ? value_of_two(at.op, *a, *b) : value_of_one(at.op, *a);
     }
   }
 }
@@ -296,7 +307,8 @@ S* Tape::loaded(std::span<const double* const> inputs) const {
   thread_local std::vector<S> memory;
   if (memory.size() < static_cast<std::size_t>(size_)) memory.resize(static_cast<std::size_t>(size_));
   S* x = memory.data();
-  for (std::size_t i = 0; i < input_places_.size(); ++i) std::copy_n(inputs[i], input_shapes_[i].size(), x + input_places_[i]);
+  for (std::size_t i = 0; i < input_places_.size(); ++i)
+    std::copy_n(inputs[i], input_shapes_[i].size(), x + input_places_[i]);
   for (const Constant& constant : constants_) x[constant.place] = constant.value;
   for (const Live& live : live_) std::ranges::copy(live.variable->values, x + live.place);
   return x;
@@ -315,7 +327,8 @@ std::vector<double> Tape::evaluate() const {
 }
 
 template <int N>
-void Tape::sweep(std::span<const double* const> inputs, std::span<const int> places, std::span<double> results, std::span<double> slopes) const {
+void Tape::sweep(std::span<const double* const> inputs, std::span<const int> places, std::span<double> results,
+                 std::span<double> slopes) const {
   Dual<N>* x = loaded<Dual<N>>(inputs);
   for (std::size_t i = 0; i < places.size(); ++i) x[places[i]].d[i] = 1;
   run<Dual<N>>(instructions_, tables_, x);
@@ -326,8 +339,8 @@ void Tape::sweep(std::span<const double* const> inputs, std::span<const int> pla
   }
 }
 
-void Tape::linearize(std::span<const double* const> inputs, std::size_t first, std::span<const int> numbers, std::span<double> results,
-                     std::span<double> slopes) const {
+void Tape::linearize(std::span<const double* const> inputs, std::size_t first, std::span<const int> numbers,
+                     std::span<double> results, std::span<double> slopes) const {
   constexpr std::size_t few = 2, most = 6;
   std::size_t done = 0;
   do {

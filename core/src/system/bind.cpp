@@ -70,7 +70,8 @@ Pattern SystemParts::make_sparse_pattern() const {
 
 const Pattern& System::pattern(bool dense) {
   SystemParts& parts = *parts_;
-  if (dense) return parts.dense_pattern ? *parts.dense_pattern : parts.dense_pattern.emplace(Pattern::dense(sizes_.total()));
+  if (dense)
+    return parts.dense_pattern ? *parts.dense_pattern : parts.dense_pattern.emplace(Pattern::dense(sizes_.total()));
   if (parts.sparse_patterns.empty()) parts.add_sparse_pattern();
   return parts.sparse_patterns.back();
 }
@@ -85,7 +86,9 @@ void SystemParts::find_masses_without_matrix() {
   struct Counter final : BlockVisitor {
     explicit Counter(int coordinates) : users(static_cast<std::size_t>(coordinates), nullptr) {}
     void entry(int row, int) override { use(row); }
-    void block(std::span<const int> rows, std::span<const int>) override { std::ranges::for_each(rows, [this](int row) { use(row); }); }
+    void block(std::span<const int> rows, std::span<const int>) override {
+      std::ranges::for_each(rows, [this](int row) { use(row); });
+    }
     void use(int row) {
       const Term*& user = users[static_cast<std::size_t>(row)];
       if (user != nullptr && user != now) shared.push_back({user, now});
@@ -105,7 +108,8 @@ void SystemParts::find_masses_without_matrix() {
     std::erase_if(without_matrix, [&](const Term* term) { return term == pair.first || term == pair.second; });
   for (const Term* term : without_matrix) mass_solvers.push_back(separate_solver(*term));
   for (std::size_t i = 0; i < counter.users.size(); ++i)
-    if (counter.users[i] != nullptr && is_without_matrix(*counter.users[i])) coordinates_without_matrix.push_back(static_cast<int>(i));
+    if (counter.users[i] != nullptr && is_without_matrix(*counter.users[i]))
+      coordinates_without_matrix.push_back(static_cast<int>(i));
 }
 
 const Pattern& System::mass_pattern() {

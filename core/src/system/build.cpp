@@ -20,7 +20,8 @@ namespace {
 
 class Builder {
  public:
-  Builder(SystemParts& parts, const Model& model, const Division& division) : parts_(parts), model_(model), division_(division) {}
+  Builder(SystemParts& parts, const Model& model, const Division& division)
+      : parts_(parts), model_(model), division_(division) {}
 
   void run() {
     reserve();
@@ -49,7 +50,9 @@ class Builder {
 
  private:
   void reserve() {
-    const auto make_room = [&](auto& places, ItemKind kind) { places.reserve(static_cast<std::size_t>(model_.count(kind))); };
+    const auto make_room = [&](auto& places, ItemKind kind) {
+      places.reserve(static_cast<std::size_t>(model_.count(kind)));
+    };
     make_room(parts_.nodes, ItemKind::node);
     make_room(parts_.objects, ItemKind::object);
     make_room(parts_.markers, ItemKind::marker);
@@ -61,7 +64,8 @@ class Builder {
     parts_.others_take_functions = std::ranges::any_of(counts_, [](const auto& counted) {
       const ItemType& type = *counted.first;
       const auto is_function = [](const Row& row) { return row.storage == Storage::user_function; };
-      return (type.kind == ItemKind::node || type.kind == ItemKind::object) && std::ranges::any_of(type.rows, is_function);
+      return (type.kind == ItemKind::node || type.kind == ItemKind::object) &&
+             std::ranges::any_of(type.rows, is_function);
     });
   }
 
@@ -98,9 +102,10 @@ class Builder {
       const Sizes& n = node_sizes_.emplace_back(physics<NodePhysics>(item, number).sizes(item.record.get()));
       sum += std::int64_t{n.ode2} + n.ode1 + n.ae + n.data;
       if (sum > std::numeric_limits<int>::max())
-        refuse(ErrorKind::value, {model_.describe(ItemKind::node, number), "",
-                                  "with its coordinates the system has " + std::to_string(sum), "",
-                                  "at most " + std::to_string(std::numeric_limits<int>::max()) + " coordinates of all kinds", ""});
+        refuse(
+            ErrorKind::value,
+            {model_.describe(ItemKind::node, number), "", "with its coordinates the system has " + std::to_string(sum),
+             "", "at most " + std::to_string(std::numeric_limits<int>::max()) + " coordinates of all kinds", ""});
     }
     regions_ = Regions(node_sizes_, division_.coordinates);
     parts_.plan.regions.resize(static_cast<std::size_t>(regions_.count()));
@@ -122,11 +127,14 @@ class Builder {
     return region;
   }
 
-  RegionNumbers& numbers_of(int region) { return parts_.plan.regions[static_cast<std::size_t>(std::max(region, Regions::whole))].numbers; }
+  RegionNumbers& numbers_of(int region) {
+    return parts_.plan.regions[static_cast<std::size_t>(std::max(region, Regions::whole))].numbers;
+  }
 
   void name_items() {
     for (int k = 0; k < item_kinds; ++k)
-      for (const auto& [name, number] : model_.names(static_cast<ItemKind>(k))) parts_.given_names[k].emplace(number, name);
+      for (const auto& [name, number] : model_.names(static_cast<ItemKind>(k)))
+        parts_.given_names[k].emplace(number, name);
     parts_.titles = model_.titles();
   }
 
@@ -136,11 +144,14 @@ class Builder {
   template <class P>
   const P& physics(const Item& item, int number) const {
     if (item.type->physics == nullptr)
-      refuse(ErrorKind::planned, {model_.describe(item.type->kind, number), "", "the physics of this item type is planned, not there yet",
-                                  "", "", "Remove the item; its spec is " + std::string(item.type->spec)});
+      refuse(ErrorKind::planned,
+             {model_.describe(item.type->kind, number), "", "the physics of this item type is planned, not there yet",
+              "", "", "Remove the item; its spec is " + std::string(item.type->spec)});
     return static_cast<const P&>(*item.type->physics);
   }
-  static const ObjectPhysics& physics(const ObjectPlace& place) { return static_cast<const ObjectPhysics&>(*place.type->physics); }
+  static const ObjectPhysics& physics(const ObjectPlace& place) {
+    return static_cast<const ObjectPhysics&>(*place.type->physics);
+  }
 
   // Numbers that an item's parameters name, of one kind, in the order of the spec.
   Stretch refer(const Item& item, ItemKind kind) {
@@ -172,7 +183,8 @@ class Builder {
   }
 
   int place_rotating(const NodePlace& node, int number) {
-    auto [batch, is_new] = rotating_.try_emplace({std::max(regions_.of_node(number), Regions::whole), node.type}, nullptr);
+    auto [batch, is_new] =
+        rotating_.try_emplace({std::max(regions_.of_node(number), Regions::whole), node.type}, nullptr);
     if (is_new)
       if (auto made = node.physics->make_rotating(); made != nullptr) {
         batch->second = parts_.rotating_nodes.emplace_back(std::move(made)).get();
@@ -191,7 +203,8 @@ class Builder {
   // Nodes of a type can be in several regions: there are no more than all nodes.
   void make_room_for_rotating(int count) {
     Ports& ports = parts_.ports;
-    const std::size_t most = std::min(ports.node_motions.size() + static_cast<std::size_t>(count), parts_.nodes.capacity());
+    const std::size_t most =
+        std::min(ports.node_motions.size() + static_cast<std::size_t>(count), parts_.nodes.capacity());
     ports.node_motions.reserve(most);
     ports.node_loads.reserve(most);
     ports.point_forces.reserve(most);
@@ -235,7 +248,8 @@ class Builder {
     physics.check(record, p, parts_.ports, {model_, ItemKind::marker, number});
     marker_regions_.push_back(region_of(ItemKind::marker, number));
     const Row* const turn = row_of_turn(*item.type, record);
-    const Mat3<double> rotation = turn == nullptr ? identity<double>() : *static_cast<const Mat3<double>*>(member(record, *turn));
+    const Mat3<double> rotation =
+        turn == nullptr ? identity<double>() : *static_cast<const Mat3<double>*>(member(record, *turn));
     GrowingBatch<MarkerBatch>* growing = nullptr;
     if (physics.passes_frame(shape, local, record)) {
       record = &local;
@@ -243,7 +257,9 @@ class Builder {
     } else {
       const std::vector<int> chosen = physics.coordinates(record, p);
       select(p, chosen, number);
-      const auto make = [&] { return turned(physics.make_batch(*p.owner_type, placing_.node_types(p.nodes)), turn != nullptr); };
+      const auto make = [&] {
+        return turned(physics.make_batch(*p.owner_type, placing_.node_types(p.nodes)), turn != nullptr);
+      };
       const void* const variant = turn != nullptr ? static_cast<const void*>(turn) : item.type;
       growing = &batch_of(marker_batches_, variant, *p.owner_type, make, ItemKind::marker, number);
     }
@@ -251,7 +267,8 @@ class Builder {
     if (turn != nullptr) static_cast<TurnedMarkers&>(batch).next(rotation);
     const auto forces_before = static_cast<int>(parts_.ports.forces.size());
     parts_.ports.append(batch.value_count(record, p), batch.force_count(record, p), p.dofs, batch.translations());
-    numbers_of(marker_regions_.back()).forces.add(forces_before, static_cast<int>(parts_.ports.forces.size()) - forces_before);
+    numbers_of(marker_regions_.back())
+        .forces.add(forces_before, static_cast<int>(parts_.ports.forces.size()) - forces_before);
     growing->acts = growing->acts || has_coordinates(p);
     batch.add(record, p, parts_.ports);
     place.member = {&batch, growing->entries++};
@@ -261,16 +278,20 @@ class Builder {
   // The row of a marker's own rotation; nullptr if it does not turn its frame.
   static const Row* row_of_turn(const ItemType& type, const void* record) {
     const Row* row = find_row(type, "localRotation");
-    return row == nullptr || *static_cast<const Mat3<double>*>(member(record, *row)) == identity<double>() ? nullptr : row;
+    return row == nullptr || *static_cast<const Mat3<double>*>(member(record, *row)) == identity<double>() ? nullptr
+                                                                                                           : row;
   }
   static std::unique_ptr<MarkerBatch> turned(std::unique_ptr<MarkerBatch> batch, bool turns) {
     if (!turns || batch == nullptr) return batch;
     return std::make_unique<TurnedMarkers>(std::move(batch));
   }
-  GrowingBatch<MarkerBatch>& frame_batch(int number, const MarkerPlace& place, FrameShape shape, const Placement& p, bool turns) {
+  GrowingBatch<MarkerBatch>& frame_batch(int number, const MarkerPlace& place, FrameShape shape, const Placement& p,
+                                         bool turns) {
     const auto make = [&] {
-      return turned(place.object >= 0 ? physics(parts_.objects[place.object]).make_marker(shape, placing_.node_types(p.nodes))
-                                      : parts_.nodes[place.node].physics->make_marker(shape), turns);
+      return turned(place.object >= 0
+                        ? physics(parts_.objects[place.object]).make_marker(shape, placing_.node_types(p.nodes))
+                        : parts_.nodes[place.node].physics->make_marker(shape),
+                    turns);
     };
     return batch_of(marker_batches_, tag(shape, turns), *p.owner_type, make, ItemKind::marker, number);
   }
@@ -297,7 +318,8 @@ class Builder {
 
   // The batch for items of type `on`, or for the nodes of the placement.
   template <class B, class Make>
-  GrowingBatch<B>& batch_of(BatchTable<B>& table, const void* variant, const ItemType& on, Make&& make, ItemKind kind, int number) {
+  GrowingBatch<B>& batch_of(BatchTable<B>& table, const void* variant, const ItemType& on, Make&& make, ItemKind kind,
+                            int number) {
     key_.region = std::max(kind == ItemKind::marker ? marker_regions_.back() : region_of(kind, number), Regions::whole);
     key_.types.assign({variant, &on});
     for (const int n : placement_.nodes) key_.types.push_back(parts_.nodes[n].type);
@@ -318,12 +340,16 @@ class Builder {
     for (const int n : placement_.nodes) turns = turns || provides(*parts_.nodes[n].type, "Orientation");
     std::string advice = "See the pages of these items for what they accept";
     if (kind == ItemKind::marker && !turns && provides(*item_of(kind, number).type, "Orientation"))
-      advice = std::string(on) + " has no orientation: forces act on markers of positions alone; "
+      advice = std::string(on) +
+               " has no orientation: forces act on markers of positions alone; "
                "torques, hinges and rotations need a rigid body, for example by mbs.CreateRigidBody(...)";
     for (const int n : placement_.nodes)
-      if (parts_.nodes[n].type->name != on) nodes += (nodes.empty() ? "" : ", ") + std::string(parts_.nodes[n].type->name);
-    refuse(ErrorKind::value, {model_.describe(kind, number), "", "this combination is not available: " + std::string(on) +
-                              (nodes.empty() ? "" : " with " + nodes), "", "", advice});
+      if (parts_.nodes[n].type->name != on)
+        nodes += (nodes.empty() ? "" : ", ") + std::string(parts_.nodes[n].type->name);
+    refuse(ErrorKind::value,
+           {model_.describe(kind, number), "",
+            "this combination is not available: " + std::string(on) + (nodes.empty() ? "" : " with " + nodes), "", "",
+            advice});
   }
 
   // Multipliers of the constraints follow those of the nodes.
@@ -331,7 +357,8 @@ class Builder {
     std::vector<int> marker_coordinates;
     for (ObjectPlace& place : parts_.objects) {
       marker_coordinates.clear();
-      for (const int marker : place.markers.of(parts_.references)) marker_coordinates.push_back(parts_.ports.ports[marker].forces);
+      for (const int marker : place.markers.of(parts_.references))
+        marker_coordinates.push_back(parts_.ports.ports[marker].forces);
       const int equations = physics(place).algebraic_equations(place.record.get(), marker_coordinates);
       place.equations = equations;
       if (equations > 0) place.first_ae = parts_.sizes.ae;
@@ -345,10 +372,13 @@ class Builder {
     Placement& p = placing_.of_object(number);
     for (const int marker : p.markers)
       if (!static_cast<const MarkerPhysics&>(*parts_.markers[marker].type->physics).has_rate())
-        refuse(ErrorKind::value, {model_.describe(ItemKind::object, number), "markerNumbers", model_.describe(ItemKind::marker, marker) + " gives no velocity", "",
-                                  "markers on coordinates of second order", "Markers on coordinates of first order take loads only"});
+        refuse(ErrorKind::value,
+               {model_.describe(ItemKind::object, number), "markerNumbers",
+                model_.describe(ItemKind::marker, marker) + " gives no velocity", "",
+                "markers on coordinates of second order", "Markers on coordinates of first order take loads only"});
     if (!p.markers.empty()) check_object(number, p);
-    auto& growing = term(place.type, *place.type, [&] { return physics.make_batch(placing_.node_types(p.nodes)); }, number);
+    auto& growing =
+        term(place.type, *place.type, [&] { return physics.make_batch(placing_.node_types(p.nodes)); }, number);
     place.member = {growing.batch, enter_term(growing, place.record.get(), p)};
     note_run(place.member);
     numbers_of(growing.region).rows.add(p.ae_offset + p.first_ae, place.equations);
@@ -356,7 +386,8 @@ class Builder {
 
   void note_run(const Membership<Term>& member) {
     auto& runs = parts_.object_runs;
-    const bool follows = !runs.empty() && runs.back().first.batch == member.batch && runs.back().first.entry + runs.back().count == member.entry;
+    const bool follows = !runs.empty() && runs.back().first.batch == member.batch &&
+                         runs.back().first.entry + runs.back().count == member.entry;
     if (!follows) runs.push_back({member, 0});
     ++runs.back().count;
   }
@@ -386,7 +417,8 @@ class Builder {
     const bool fixed = physics.body_fixed(item.record.get());
     const void* variant = fixed ? static_cast<const void*>(&physics) : item.type;
     auto& growing = term(variant, *item.type, [&] { return physics.make_batch(fixed); }, number);
-    parts_.loads.push_back({item.type, item.record, {growing.batch, enter_term(growing, item.record.get(), p)}, p.markers.front()});
+    parts_.loads.push_back(
+        {item.type, item.record, {growing.batch, enter_term(growing, item.record.get(), p)}, p.markers.front()});
   }
 
   SystemParts& parts_;

@@ -21,8 +21,12 @@ struct HalfTurn {
 template <class S>
 // rotations of a step are small: the series is exact to rounding
 DALEMBERT_INLINE inline HalfTurn<S> small_half_turn(const Vec3<S>& v, const S& square) {
-  return {1.0 - square * 0.5 * (1.0 - square * (1.0 / 12) * (1.0 - square * (1.0 / 30) * (1.0 - square * (1.0 / 56) * (1.0 - square * (1.0 / 90))))),
-          S(0.5 * (1.0 - square * (1.0 / 6) * (1.0 - square * (1.0 / 20) * (1.0 - square * (1.0 / 42) * (1.0 - square * (1.0 / 72)))))) * v};
+  return {1.0 - square * 0.5 *
+                    (1.0 - square * (1.0 / 12) *
+                               (1.0 - square * (1.0 / 30) * (1.0 - square * (1.0 / 56) * (1.0 - square * (1.0 / 90))))),
+          S(0.5 * (1.0 - square * (1.0 / 6) *
+                             (1.0 - square * (1.0 / 20) * (1.0 - square * (1.0 / 42) * (1.0 - square * (1.0 / 72)))))) *
+              v};
 }
 template <class S>
 DALEMBERT_INLINE inline HalfTurn<S> any_half_turn(const Vec3<S>& v, const S& square) {
@@ -64,12 +68,14 @@ DALEMBERT_INLINE inline S any_angle_by_sine(const S& sine_squared, const S& cosi
 }
 // An angle in [0, pi] by its sine.
 DALEMBERT_INLINE inline double angle_by_sine(double sine_squared, double cosine) {
-  return sine_squared < small && cosine > 0.0 ? small_angle_by_sine(sine_squared) : any_angle_by_sine(sine_squared, cosine);
+  return sine_squared < small && cosine > 0.0 ? small_angle_by_sine(sine_squared)
+                                              : any_angle_by_sine(sine_squared, cosine);
 }
 template <int N>
 DALEMBERT_INLINE inline Pack<N> angle_by_sine(const Pack<N>& sine_squared, const Pack<N>& cosine) {
   const Pack<N> series = small_angle_by_sine(sine_squared), one(1.0);
-  const Pack<N> others = Pack<N>::chosen(less(Pack<N>(), cosine), Pack<N>::chosen(less(sine_squared, Pack<N>(small)), Pack<N>(), one), one);
+  const Pack<N> others = Pack<N>::chosen(less(Pack<N>(), cosine),
+                                         Pack<N>::chosen(less(sine_squared, Pack<N>(small)), Pack<N>(), one), one);
   if (is_zero(others)) return series;
   return Pack<N>::chosen(equal(others, Pack<N>()), series, any_angle_by_sine(sine_squared, cosine));
 }
@@ -100,7 +106,8 @@ struct Composition {
     Vec<S, 6> change{};
     for (const WeightedVector& part : increment) change += part.factor * of(part.x);
     const Vec<S, 6> from = of(q0), first = of(reference);
-    const Vec3<S> composed = composed_rotation_vector(segment<3>(first, 3) + segment<3>(from, 3), segment<3>(change, 3));
+    const Vec3<S> composed =
+        composed_rotation_vector(segment<3>(first, 3) + segment<3>(from, 3), segment<3>(change, 3));
     const Vec<S, 6> result = joined(segment<3>(from, 0) + segment<3>(change, 0), composed - segment<3>(first, 3));
     store_numbers(result, group.each([&](std::size_t i) DALEMBERT_INLINE { return q + blocks[i].rotation - 3; }));
   }
@@ -118,11 +125,14 @@ void System::compose(std::span<const double> q0, std::span<const WeightedVector>
   // single nodes are not computed separately: ranges differ with the number of threads
   const auto compose_some = [&](std::size_t begin, std::size_t end) {
     in_wide_registers([&]() DALEMBERT_INLINE {
-      for (std::size_t i = begin; i < end; i += 4) composition(Group<4>{i, static_cast<int>(std::min<std::size_t>(4, end - i))}, blocks);
+      for (std::size_t i = begin; i < end; i += 4)
+        composition(Group<4>{i, static_cast<int>(std::min<std::size_t>(4, end - i))}, blocks);
     });
   };
-  if (blocks.size() < blocks_to_share) compose_some(0, blocks.size());
-  else each_stretch(*this, blocks.size(), compose_some);
+  if (blocks.size() < blocks_to_share)
+    compose_some(0, blocks.size());
+  else
+    each_stretch(*this, blocks.size(), compose_some);
 }
 
 void System::compose(std::span<const double> q0, std::span<const double> increment, std::span<double> q) const {

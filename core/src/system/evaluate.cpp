@@ -41,9 +41,11 @@ DALEMBERT_INLINE inline Evaluation view_of(const SystemParts& parts, const State
 
 // Computed per region: the data is still in the cache of its thread.
 DALEMBERT_INLINE inline void find_totals(SystemParts& parts, const RegionPlan& region, const Evaluation& e) {
-  region.numbers.coordinates.each([reference = e.reference, u = e.u, q = parts.total.data()](std::size_t first, std::size_t count) {
-    each_number(count, [q = q + first, from = reference + first, u = u + first](std::size_t i) { q[i] = from[i] + u[i]; });
-  });
+  region.numbers.coordinates.each(
+      [reference = e.reference, u = e.u, q = parts.total.data()](std::size_t first, std::size_t count) {
+        each_number(count,
+                    [q = q + first, from = reference + first, u = u + first](std::size_t i) { q[i] = from[i] + u[i]; });
+      });
 }
 
 // For outputs; the totals at q are left to the caller.
@@ -72,7 +74,8 @@ Evaluation SystemParts::output_evaluation(const State& state, std::vector<double
   const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
   Evaluation e = view_of(*this, state, {});
   totals.resize(total.size());
-  each_number(total.size(), [q = totals.data(), from = reference.data(), u = e.u](std::size_t i) { q[i] = from[i] + u[i]; });
+  each_number(total.size(),
+              [q = totals.data(), from = reference.data(), u = e.u](std::size_t i) { q[i] = from[i] + u[i]; });
   e.q = totals.data();
   return e;
 }
@@ -80,7 +83,8 @@ Evaluation SystemParts::output_evaluation(const State& state, std::vector<double
 Evaluation SystemParts::output_evaluation(const State& state) {
   const Evaluation e = output_view(*this, state);
   const double* reference = this->state(ConfigurationType::Reference).q.data();
-  each_number(total.size(), [q = output_total.data(), reference, u = e.u](std::size_t i) { q[i] = reference[i] + u[i]; });
+  each_number(total.size(),
+              [q = output_total.data(), reference, u = e.u](std::size_t i) { q[i] = reference[i] + u[i]; });
   return e;
 }
 
@@ -135,17 +139,23 @@ class Flagged {
 };
 
 // Constant loads are there from the start.
-DALEMBERT_INLINE inline void begin_residual(SystemParts& parts, const RegionPlan& region, const Evaluation& e, bool loads, double* r) {
-  const double* constant = loads && !parts.plan.constant.residual.empty() ? parts.plan.constant.residual.data() : nullptr;
+DALEMBERT_INLINE inline void begin_residual(SystemParts& parts, const RegionPlan& region, const Evaluation& e,
+                                            bool loads, double* r) {
+  const double* constant =
+      loads && !parts.plan.constant.residual.empty() ? parts.plan.constant.residual.data() : nullptr;
   region.numbers.rows.each([=](std::size_t first, std::size_t count) {
     if (constant == nullptr) return clear_numbers(r + first, count);
-    each_number(count, [load_factor = e.load_factor, from = constant + first, to = r + first](std::size_t i) { to[i] = load_factor * from[i]; });
+    each_number(count, [load_factor = e.load_factor, from = constant + first, to = r + first](std::size_t i) {
+      to[i] = load_factor * from[i];
+    });
   });
   Ports& ports = parts.ports;
   if (!e.reads_nodes || !region.needed.empty())
-    region.numbers.forces.each([&](std::size_t first, std::size_t count) { clear_numbers(ports.forces.data() + first, count); });
+    region.numbers.forces.each(
+        [&](std::size_t first, std::size_t count) { clear_numbers(ports.forces.data() + first, count); });
   region.numbers.node_loads.each([&](std::size_t first, std::size_t count) {
-    clear_numbers(reinterpret_cast<double*>(ports.node_loads.data() + first), count * sizeof(NodeLoad) / sizeof(double));
+    clear_numbers(reinterpret_cast<double*>(ports.node_loads.data() + first),
+                  count * sizeof(NodeLoad) / sizeof(double));
   });
 }
 
@@ -189,7 +199,8 @@ void clear_columns(const RegionPlan& region, const Pattern& pattern, double* val
 }  // namespace
 
 void System::residual(const State& state, const Conditions& conditions, std::span<double> r) {
-  if (late_ != nullptr) [[unlikely]] refresh(*late_);
+  if (late_ != nullptr) [[unlikely]]
+    refresh(*late_);
   ++evaluations_;
   ports_hold(nullptr);
   find_residual(*parts_, view_of(*parts_, state, conditions), r.data(), conditions.loads);
@@ -243,7 +254,8 @@ void System::mass_matrix(const State& state, const Pattern& pattern, std::span<d
 bool System::add_diagonal_masses(const State& state, std::span<double> diagonal) {
   ports_hold(nullptr);
   const Evaluation e = parts_->evaluation(state, {});
-  return std::ranges::all_of(parts_->terms, [&](const auto& term) { return term->add_diagonal_masses(e, diagonal.data()); });
+  return std::ranges::all_of(parts_->terms,
+                             [&](const auto& term) { return term->add_diagonal_masses(e, diagonal.data()); });
 }
 
 // Totals are those of right_hand_sides or mass_matrix of this state, which come before.
@@ -264,7 +276,8 @@ void System::rates(const State& state, const Conditions& conditions, std::span<d
 }
 
 std::span<const double> System::negative_forces(const State& state, const Conditions& conditions) {
-  if (late_ != nullptr) [[unlikely]] refresh(*late_);
+  if (late_ != nullptr) [[unlikely]]
+    refresh(*late_);
   ports_hold(nullptr);
   ++evaluations_;
   SystemParts& parts = *parts_;
@@ -274,14 +287,17 @@ std::span<const double> System::negative_forces(const State& state, const Condit
   e.direct = !conditions.holds_contact;
   e.lambda = residual.data() + residual.size();  // zeros
   if (e.direct && conditions.unseen && !parts.system_terms.empty()) {
-    if (!parts.knows_needed_markers) [[unlikely]] find_nodes_of_terms();
-    e.reads_nodes = parts.leaves_markers_to_terms && std::ranges::all_of(parts.system_terms, [](const SystemTerm* term) { return term->reads_nodes(); });
+    if (!parts.knows_needed_markers) [[unlikely]]
+      find_nodes_of_terms();
+    e.reads_nodes = parts.leaves_markers_to_terms &&
+                    std::ranges::all_of(parts.system_terms, [](const SystemTerm* term) { return term->reads_nodes(); });
   }
   find_residual(parts, e, residual.data());
   return residual;
 }
 
-[[gnu::flatten]] void System::right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t) {
+[[gnu::flatten]] void System::right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs,
+                                               std::span<double> y_t) {
   const std::span<const double> residual = negative_forces(state, conditions);
   each_number(*this, rhs.size(), [to = rhs.data(), from = residual.data()](std::size_t i) { to[i] = -from[i]; });
   for (std::size_t i = 0; i < y_t.size(); ++i) y_t[i] = residual[sizes_.ode2 + i] + state.y_t[i];
@@ -321,7 +337,8 @@ Discontinuity System::post_newton(State& state, const Conditions& conditions, Up
     if (!term->has_history()) continue;
     const bool settles = updates == Updates::without_switches && term->has_switches();
     double *data = state.data.data(), *lambda = state.lambda.data();
-    verdict.add(settles ? term->settle(e, parts.ports, start, data, lambda) : term->post_newton(e, parts.ports, start, data, lambda));
+    verdict.add(settles ? term->settle(e, parts.ports, start, data, lambda)
+                        : term->post_newton(e, parts.ports, start, data, lambda));
   }
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.post_newton(e, parts.ports, state.data.data()); });
   return {verdict.error, verdict.recommended_step_size};

@@ -18,7 +18,8 @@ class Copier {
   int copy(ItemKind kind, int number) {
     const auto [found, is_new] = numbers_.try_emplace({kind, number}, being_copied);
     if (found->second == being_copied && !is_new)
-      refuse(ErrorKind::value, {from_.describe(kind, number), "", "it refers to itself, by what it refers to", "", "", ""});
+      refuse(ErrorKind::value,
+             {from_.describe(kind, number), "", "it refers to itself, by what it refers to", "", "", ""});
     if (!is_new) return found->second;
     const ItemChange here{{kind, number}};
     from_.check({&here, 1});  // also that there is a body where one is asked for
@@ -29,7 +30,8 @@ class Copier {
       const IndexStorage storage = index_storage(row.storage);
       if (!storage.is_index) continue;
       for (int& reference : index_values(row, record.get()))
-        if (reference >= 0 && from_.find_item(storage.kind, reference) != nullptr) reference = copy(storage.kind, reference);
+        if (reference >= 0 && from_.find_item(storage.kind, reference) != nullptr)
+          reference = copy(storage.kind, reference);
     }
     name_in(*item.type, record.get()).clear();
     const int copied = to.add({item.type, record});

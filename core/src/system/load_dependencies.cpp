@@ -50,7 +50,10 @@ LoadDependency& dependency_of(SystemParts& parts, int number) {
 class MovedState {
  public:
   MovedState(const System& system, SystemParts& parts)
-      : system_(system), parts_(parts), state_(parts.state(ConfigurationType::Current)), saved_(state_),
+      : system_(system),
+        parts_(parts),
+        state_(parts.state(ConfigurationType::Current)),
+        saved_(state_),
         increment_(state_.q.size(), 0.0) {
     parts_.current_moved = true;
   }
@@ -61,7 +64,9 @@ class MovedState {
   MovedState(const MovedState&) = delete;
   MovedState& operator=(const MovedState&) = delete;
 
-  double size(int i, bool velocity) const { return std::abs((velocity ? saved_.v : saved_.q)[static_cast<std::size_t>(i)]); }
+  double size(int i, bool velocity) const {
+    return std::abs((velocity ? saved_.v : saved_.q)[static_cast<std::size_t>(i)]);
+  }
   void move(int i, double by, bool velocity) {
     const auto k = static_cast<std::size_t>(i);
     (velocity ? state_.v : state_.q)[k] += by;
@@ -86,7 +91,12 @@ class MovedState {
 class LoadDifferences {
  public:
   LoadDifferences(SystemParts& parts, const Evaluation& evaluation, const LoadDependency& dependency, MovedState& state)
-      : parts_(parts), evaluation_(evaluation), dependency_(dependency), state_(state), r_(dependency.rows.size()), ahead_(r_),
+      : parts_(parts),
+        evaluation_(evaluation),
+        dependency_(dependency),
+        state_(state),
+        r_(dependency.rows.size()),
+        ahead_(r_),
         behind_(r_) {}
 
   void add(double weight, bool velocity, double* values) {
@@ -104,7 +114,9 @@ class LoadDifferences {
 
  private:
   // The error of central differences is least for the third root of the precision of numbers.
-  double step_of(int coordinate, bool velocity) const { return 6e-6 * std::max(1.0, state_.size(coordinate, velocity)); }
+  double step_of(int coordinate, bool velocity) const {
+    return 6e-6 * std::max(1.0, state_.size(coordinate, velocity));
+  }
 
   // Most loads depend only on time: they do not change when all coordinates are varied, by different steps.
   bool rests(bool velocity) {
@@ -124,7 +136,8 @@ class LoadDifferences {
   }
   // Adds the load to its rows.
   void force(std::vector<double>& r) {
-    const MarkerPlace& marker = parts_.markers[static_cast<std::size_t>(parts_.loads[static_cast<std::size_t>(dependency_.load)].marker)];
+    const MarkerPlace& marker =
+        parts_.markers[static_cast<std::size_t>(parts_.loads[static_cast<std::size_t>(dependency_.load)].marker)];
     parts_.ports.clear_forces();
     for (const int row : dependency_.rows) parts_.work[static_cast<std::size_t>(row)] = 0;
     dependency_.term->residual(evaluation_, parts_.ports, parts_.work.data());
@@ -144,9 +157,11 @@ class LoadDifferences {
 
 void make_load_dependencies(SystemParts& parts, const Model& model) {
   for (int i = 0; i < static_cast<int>(parts.loads.size()); ++i)
-    if (const LoadPlace& load = parts.loads[static_cast<std::size_t>(i)]; has_user_function(*load.type, load.record.get()))
+    if (const LoadPlace& load = parts.loads[static_cast<std::size_t>(i)];
+        has_user_function(*load.type, load.record.get()))
       dependency_of(parts, i);
-  for (const auto& [load, coordinates] : model.load_dependencies()) add_columns(dependency_of(parts, load), coordinates);
+  for (const auto& [load, coordinates] : model.load_dependencies())
+    add_columns(dependency_of(parts, load), coordinates);
 }
 
 void refresh_load_dependency(SystemParts& parts, int number) {
@@ -166,8 +181,8 @@ void find_slots(LoadDependency& dependency, const Pattern& pattern) {
     for (const int column : dependency.columns) dependency.slots.push_back(pattern.slot(row, column));
 }
 
-void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights, bool by_velocities,
-                           double* values) {
+void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights,
+                           bool by_velocities, double* values) {
   evaluation.same_state = false;
   const auto forces = parts.ports.forces;  // further tangents may follow the same residual
   const auto node_loads = parts.ports.node_loads;
@@ -193,7 +208,9 @@ void System::add_load_dependencies(int load, std::span<const int> coordinates) {
 void System::complete_pattern() {
   SystemParts& parts = *parts_;
   if (parts.sparse_patterns.empty()) return;
-  const auto known = [&](const LoadDependency& dependency) { return contains(parts.sparse_patterns.back(), dependency); };
+  const auto known = [&](const LoadDependency& dependency) {
+    return contains(parts.sparse_patterns.back(), dependency);
+  };
   if (!std::ranges::all_of(parts.load_dependencies, known)) parts.add_sparse_pattern();
 }
 

@@ -30,7 +30,8 @@ const std::vector<int>& outermost_nodes(SystemParts& parts, ObjectPlace& object,
   rest.q = parts.state(ConfigurationType::Reference).q.data();
   rest.u = rest.v = rest.a = zero.data();
   std::vector<double> points;
-  if (!object.member.batch->mesh_outputs(object.member.entry, 0, count, OutputVariableType::Position, rest, points)) return outermost.nodes;
+  if (!object.member.batch->mesh_outputs(object.member.entry, 0, count, OutputVariableType::Position, rest, points))
+    return outermost.nodes;
   for (int direction = 0; direction < 27; ++direction) {
     const Vec3<double> along{direction % 3 - 1.0, direction / 3 % 3 - 1.0, direction / 9 - 1.0};
     int farthest = 0;
@@ -104,7 +105,8 @@ class Box {
   // Zero: all is one point.
   double size() const {
     const Vec3<double> span = high_ - low_;
-    const double diagonal = std::sqrt(dot(span, span)), size = std::isfinite(diagonal) ? std::max(diagonal, reach_) : reach_;
+    const double diagonal = std::sqrt(dot(span, span)),
+                 size = std::isfinite(diagonal) ? std::max(diagonal, reach_) : reach_;
     return size > smallest_extent ? size : 0;
   }
 
@@ -119,7 +121,8 @@ void fill_boxes(SystemParts& parts, F&& box) {
   const Ports& ports = parts.ports;
   for (const PortLayout& port : ports.ports)
     if (port.values == PointPort::values || port.values == RigidPort::values)
-      box(port.n > 0 ? ports.dofs[static_cast<std::size_t>(port.first_dof)] : -1).include(ports.values.data() + port.first_value, 3);
+      box(port.n > 0 ? ports.dofs[static_cast<std::size_t>(port.first_dof)] : -1)
+          .include(ports.values.data() + port.first_value, 3);
   for (const NodePlace& node : parts.nodes)
     if (is_in_space(node)) box(node.ode2).include(parts.total.data() + node.ode2, node.translations);
   std::vector<int> coordinates;

@@ -21,7 +21,8 @@ void assign(const Vec3<double>& v, Values& values) { values.assign(v.x.begin(), 
 void assign_transformation(const Mat3<double>& rotation, const Vec3<double>& position, Values& values) {
   values.assign(16, 0.0);
   for (std::size_t i = 0; i < 3; ++i) {
-    std::copy_n(rotation.x.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, values.begin() + static_cast<std::ptrdiff_t>(4 * i));
+    std::copy_n(rotation.x.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                values.begin() + static_cast<std::ptrdiff_t>(4 * i));
     values[4 * i + 3] = position[static_cast<int>(i)];
   }
   values[15] = 1;
@@ -36,8 +37,11 @@ Values slice(const std::vector<double>& from, int first, int count) {
 }
 
 [[noreturn]] void unknown_energy(const std::string& item, Variable variable) {
-  refuse(ErrorKind::value, {item, "", std::string(variable_name(variable)) + " is not available, because a user function defines its forces or masses", "", "",
-                            "Use dalembert.physics.ComputeEnergies(mbs), which integrates the forces along a path"});
+  refuse(
+      ErrorKind::value,
+      {item, "",
+       std::string(variable_name(variable)) + " is not available, because a user function defines its forces or masses",
+       "", "", "Use dalembert.physics.ComputeEnergies(mbs), which integrates the forces along a path"});
 }
 
 // Outputs of a motion; `reference()` returns the motion of the same point in the reference configuration.
@@ -69,9 +73,11 @@ bool frame_output(Variable variable, const Motion<double>& m, Reference&& refere
 
 // Outputs that follow from an orientation: a finite element has one if it has the output Rotation.
 bool asks_orientation(Variable variable) {
-  static constexpr Variable oriented[] = {Variable::RotationMatrix,       Variable::Rotation,          Variable::AngularVelocity,
-                                          Variable::AngularVelocityLocal, Variable::AngularAcceleration, Variable::AngularAccelerationLocal,
-                                          Variable::DisplacementLocal,    Variable::VelocityLocal,     Variable::AccelerationLocal};
+  static constexpr Variable oriented[] = {Variable::RotationMatrix,      Variable::Rotation,
+                                          Variable::AngularVelocity,     Variable::AngularVelocityLocal,
+                                          Variable::AngularAcceleration, Variable::AngularAccelerationLocal,
+                                          Variable::DisplacementLocal,   Variable::VelocityLocal,
+                                          Variable::AccelerationLocal};
   return std::ranges::find(oriented, variable) != std::end(oriented);
 }
 bool lacks(const ItemType& type, Variable variable) {
@@ -80,8 +86,8 @@ bool lacks(const ItemType& type, Variable variable) {
 }
 
 // Coordinates are relative to the reference; the reference configuration has the reference values.
-bool coordinate_output(Variable variable, const Evaluation& e, std::span<const int> ode2, std::span<const int> ode1, bool of_reference,
-                       const State& reference, Values& values) {
+bool coordinate_output(Variable variable, const Evaluation& e, std::span<const int> ode2, std::span<const int> ode1,
+                       bool of_reference, const State& reference, Values& values) {
   const auto pick = [&](const double* from, std::span<const int> dofs) {
     for (const int i : dofs) values.push_back(from[i]);
   };
@@ -91,7 +97,10 @@ bool coordinate_output(Variable variable, const Evaluation& e, std::span<const i
       pick(of_reference ? reference.q.data() : e.u, ode2);
       pick(e.y, ode1);
       return true;
-    case Variable::Coordinates_t: pick(e.v, ode2); pick(e.y_t, ode1); return true;
+    case Variable::Coordinates_t:
+      pick(e.v, ode2);
+      pick(e.y_t, ode1);
+      return true;
     case Variable::Coordinates_tt: pick(e.a, ode2); return true;
     case Variable::CoordinatesTotal:
       pick(e.q, ode2);
@@ -141,12 +150,16 @@ Mat3<double> rotation_at_marker(const ItemType& type, const void* record, std::s
 // The force on the markers of an object, as its own variables of output; -1: another variable.
 int marker_of(Variable variable) {
   switch (variable) {
-    case Variable::WrenchOnMarker0: case Variable::WrenchOnMarker0Local: return 0;
-    case Variable::WrenchOnMarker1: case Variable::WrenchOnMarker1Local: return 1;
+    case Variable::WrenchOnMarker0:
+    case Variable::WrenchOnMarker0Local: return 0;
+    case Variable::WrenchOnMarker1:
+    case Variable::WrenchOnMarker1Local: return 1;
     default: return -1;
   }
 }
-bool is_local(Variable variable) { return variable == Variable::WrenchOnMarker0Local || variable == Variable::WrenchOnMarker1Local; }
+bool is_local(Variable variable) {
+  return variable == Variable::WrenchOnMarker0Local || variable == Variable::WrenchOnMarker1Local;
+}
 
 // Forces go to memory of their own: a user function may ask in the middle of an evaluation.
 class OwnForces {
@@ -180,7 +193,8 @@ struct Range {
   std::span<const int> all;
 };
 
-NodeView view(const SystemParts& parts, const NodePlace& node, const State& state, const Evaluation& e, Values& y_total) {
+NodeView view(const SystemParts& parts, const NodePlace& node, const State& state, const Evaluation& e,
+              Values& y_total) {
   const auto part = [](const double* from, int first, int count) {
     return first < 0 ? std::span<const double>{} : std::span(from + first, static_cast<std::size_t>(count));
   };
@@ -188,9 +202,9 @@ NodeView view(const SystemParts& parts, const NodePlace& node, const State& stat
   y_total = slice(state.y, node.ode1, n.ode1);
   const State& reference = parts.states[static_cast<std::size_t>(ConfigurationType::Reference)];
   for (int i = 0; i < n.ode1; ++i) y_total[i] += reference.y[node.ode1 + i];
-  return {part(e.q, node.ode2, n.ode2), part(e.u, node.ode2, n.ode2), part(e.v, node.ode2, n.ode2),
-          part(e.a, node.ode2, n.ode2), part(e.y, node.ode1, n.ode1), y_total, part(e.y_t, node.ode1, n.ode1),
-          part(e.lambda, node.ae, n.ae), part(e.data, node.data, n.data)};
+  return {part(e.q, node.ode2, n.ode2),   part(e.u, node.ode2, n.ode2),  part(e.v, node.ode2, n.ode2),
+          part(e.a, node.ode2, n.ode2),   part(e.y, node.ode1, n.ode1),  y_total,
+          part(e.y_t, node.ode1, n.ode1), part(e.lambda, node.ae, n.ae), part(e.data, node.data, n.data)};
 }
 
 }  // namespace
@@ -217,7 +231,8 @@ void System::node_output(int node, Variable variable, ConfigurationType configur
   Motion<double> m;
   const auto reference = [&] {
     Motion<double> r;
-    place.physics->motion(place.record.get(), view(parts, place, rest, parts.output_evaluation(rest, dofs.all), y_total), r);
+    place.physics->motion(place.record.get(),
+                          view(parts, place, rest, parts.output_evaluation(rest, dofs.all), y_total), r);
     return r;
   };
   if (place.physics->motion(place.record.get(), now, m) && frame_output(variable, m, reference, values)) return;
@@ -247,7 +262,8 @@ void System::wrench_output(int object, Variable variable, ConfigurationType conf
   const auto* forces = dynamic_cast<const MarkerForces*>(place.member.batch);
   const auto markers = place.markers.of(parts.references);
   const auto which = static_cast<std::size_t>(marker_of(variable));
-  if (forces == nullptr || which >= markers.size()) no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
+  if (forces == nullptr || which >= markers.size())
+    no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
   const int marker = markers[which];
   const PortsFor ports(parts, configuration);
   ports_hold(parts.evaluating ? evaluated_ : nullptr);
@@ -258,8 +274,10 @@ void System::wrench_output(int object, Variable variable, ConfigurationType conf
     for (std::size_t i = 0; i < state.lambda.size(); ++i) parts.output_multipliers[i] *= parts.static_signs[i];
     e.lambda = parts.output_multipliers.data();
   } else if (place.equations > 0 && state.sign == MultiplierSign::unknown) {
-    refuse(ErrorKind::state, {parts.describe(ItemKind::object, object), "", "has no output variable " + std::string(variable_name(variable)) +
-                              " in this configuration: its Lagrange multipliers were set by mbs.systemData, and those of statics and dynamics differ in sign",
+    refuse(ErrorKind::state, {parts.describe(ItemKind::object, object), "",
+                              "has no output variable " + std::string(variable_name(variable)) +
+                                  " in this configuration: its Lagrange multipliers were set by mbs.systemData, and "
+                                  "those of statics and dynamics differ in sign",
                               "", "", "Ask after SolveStatic or SolveDynamic, before other coordinates are set"});
   }
   {
@@ -281,9 +299,12 @@ void System::wrench_output(int object, Variable variable, ConfigurationType conf
   if (!is_local(variable)) return;
   Motion<double> motion;
   if (!provides(*at.type, "Orientation") || !at.member.batch->motion(at.member.entry, e, motion))
-    refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "", "has no output variable " + std::string(variable_name(variable)) +
-                              ", because " + parts.describe(ItemKind::marker, marker) + " has no axes", "", "",
-                              which == 0 ? "Use WrenchOnMarker0, whose components are in global axes" : "Use WrenchOnMarker1, whose components are in global axes"});
+    refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "",
+                              "has no output variable " + std::string(variable_name(variable)) + ", because " +
+                                  parts.describe(ItemKind::marker, marker) + " has no axes",
+                              "", "",
+                              which == 0 ? "Use WrenchOnMarker0, whose components are in global axes"
+                                         : "Use WrenchOnMarker1, whose components are in global axes"});
   const Mat3<double> axes = motion.rotation * rotation_at_marker(*place.type, place.record.get(), which);
   for (std::size_t i = 0; i < 6; i += 3) {
     const Vec3<double> components = transposed_times(axes, Vec3<double>{values[i], values[i + 1], values[i + 2]});
@@ -296,7 +317,8 @@ void System::body_output(int object, Variable variable, std::array<double, 3> lo
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   if (marker_of(variable) >= 0) return wrench_output(object, variable, configuration, values);
-  if (variable == Variable::NonUniqueReactions && provides(*place.type, "Constraint")) return values.assign(1, not_unique(parts, place));
+  if (variable == Variable::NonUniqueReactions && provides(*place.type, "Constraint"))
+    return values.assign(1, not_unique(parts, place));
   const Vec3<double> at{local[0], local[1], local[2]};
   const State& state = parts.state(configuration);
   NumberList list(parts.free_numbers);
@@ -309,35 +331,43 @@ void System::body_output(int object, Variable variable, std::array<double, 3> lo
   const Evaluation e = parts.output_evaluation(state, dofs);
   ports_hold(parts.evaluating ? evaluated_ : nullptr);
   if (variable == Variable::KineticEnergy || (variable == Variable::PotentialEnergy && place.markers.count == 0)) {
-    if (std::ranges::find(place.type->outputs, variable) == place.type->outputs.end()) no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
+    if (std::ranges::find(place.type->outputs, variable) == place.type->outputs.end())
+      no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
     values.assign(1, 0.0);
-    if (!batch->energy(entry, variable == Variable::KineticEnergy ? Energy::kinetic : Energy::potential, e, values[0])) unknown_energy(parts.describe(ItemKind::object, object), variable);
+    if (!batch->energy(entry, variable == Variable::KineticEnergy ? Energy::kinetic : Energy::potential, e, values[0]))
+      unknown_energy(parts.describe(ItemKind::object, object), variable);
     return;
   }
   if (batch->output(entry, variable, at, e, parts.ports, values)) return;
-  if (variable == Variable::PotentialEnergy && std::ranges::find(place.type->outputs, variable) != place.type->outputs.end())
+  if (variable == Variable::PotentialEnergy &&
+      std::ranges::find(place.type->outputs, variable) != place.type->outputs.end())
     unknown_energy(parts.describe(ItemKind::object, object), variable);
-  if ((variable == Variable::HomogeneousTransformation || variable == Variable::HomogeneousTransformationLocal) && place.markers.count >= 2 &&
-      std::ranges::find(place.type->outputs, variable) != place.type->outputs.end()) {
+  if ((variable == Variable::HomogeneousTransformation || variable == Variable::HomogeneousTransformationLocal) &&
+      place.markers.count >= 2 && std::ranges::find(place.type->outputs, variable) != place.type->outputs.end()) {
     std::array<Motion<double>, 2> joint;
     const Evaluation whole = parts.output_evaluation(state);
     for (std::size_t i = 0; i < 2; ++i) {
       const MarkerPlace& marker = parts.markers[static_cast<std::size_t>(place.markers.of(parts.references)[i])];
-      if (!marker.member.batch->motion(marker.member.entry, whole, joint[i])) no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
+      if (!marker.member.batch->motion(marker.member.entry, whole, joint[i]))
+        no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
       joint[i].rotation = joint[i].rotation * rotation_at_marker(*place.type, place.record.get(), i);
     }
-    if (variable == Variable::HomogeneousTransformation) return assign_transformation(joint[0].rotation, joint[0].position, values);
-    return assign_transformation(transpose(joint[0].rotation) * joint[1].rotation, transposed_times(joint[0].rotation, joint[1].position - joint[0].position), values);
+    if (variable == Variable::HomogeneousTransformation)
+      return assign_transformation(joint[0].rotation, joint[0].position, values);
+    return assign_transformation(transpose(joint[0].rotation) * joint[1].rotation,
+                                 transposed_times(joint[0].rotation, joint[1].position - joint[0].position), values);
   }
   const State& rest = parts.state(ConfigurationType::Reference);
-  if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), &state == &rest, rest, values)) return;
+  if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), &state == &rest, rest, values))
+    return;
   Motion<double> m;
   const auto reference = [&] {
     Motion<double> r;
     batch->motion(entry, parts.output_evaluation(rest, dofs), at, r);
     return r;
   };
-  if (!lacks(*place.type, variable) && batch->motion(entry, e, at, m) && frame_output(variable, m, reference, values)) return;
+  if (!lacks(*place.type, variable) && batch->motion(entry, e, at, m) && frame_output(variable, m, reference, values))
+    return;
   no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
 }
 
@@ -345,25 +375,31 @@ void System::object_output(int object, Variable variable, ConfigurationType conf
   body_output(object, variable, {0, 0, 0}, configuration, values);
 }
 
-void System::link_output(int object, Variable variable, int link, std::array<double, 3> local, ConfigurationType configuration,
-                         Values& values) {
+void System::link_output(int object, Variable variable, int link, std::array<double, 3> local,
+                         ConfigurationType configuration, Values& values) {
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const auto* bodies = dynamic_cast<const LinkedBodies*>(place.member.batch);
   const int entry = place.member.entry;
   const int count = bodies == nullptr ? 0 : bodies->links(entry);
   if (link < 0 || link >= count)
-    refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "linkNumber", "", std::to_string(link),
-                              count == 0 ? "a kinematic tree: this object has no links" : "a link from 0 to " + std::to_string(count - 1), ""});
+    refuse(ErrorKind::value,
+           {parts.describe(ItemKind::object, object), "linkNumber", "", std::to_string(link),
+            count == 0 ? "a kinematic tree: this object has no links" : "a link from 0 to " + std::to_string(count - 1),
+            ""});
   NumberList list(parts.free_numbers);
   parts.list_coordinates(place, Coordinates::ode2, list.numbers);
   const auto motion_in = [&](const State& state) {
-    return bodies->link_motion(entry, link, {local[0], local[1], local[2]}, parts.output_evaluation(state, list.numbers));
+    return bodies->link_motion(entry, link, {local[0], local[1], local[2]},
+                               parts.output_evaluation(state, list.numbers));
   };
   const auto reference = [&] { return motion_in(parts.state(ConfigurationType::Reference)); };
   if (frame_output(variable, motion_in(parts.state(configuration)), reference, values)) return;
-  refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "", "its links have no output variable " + std::string(variable_name(variable)), "",
-                            "Position, Displacement, Velocity, Acceleration, Rotation, RotationMatrix, AngularVelocity, AngularAcceleration, or one of these with Local", ""});
+  refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "",
+                            "its links have no output variable " + std::string(variable_name(variable)), "",
+                            "Position, Displacement, Velocity, Acceleration, Rotation, RotationMatrix, "
+                            "AngularVelocity, AngularAcceleration, or one of these with Local",
+                            ""});
 }
 
 void System::super_element_output(int object, Variable variable, int mesh_node, ConfigurationType configuration,
@@ -371,17 +407,27 @@ void System::super_element_output(int object, Variable variable, int mesh_node, 
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const auto& [batch, entry] = place.member;
-  if (dynamic_cast<const LinkedBodies*>(batch) != nullptr) return link_output(object, variable, mesh_node, {0, 0, 0}, configuration, values);
+  if (dynamic_cast<const LinkedBodies*>(batch) != nullptr)
+    return link_output(object, variable, mesh_node, {0, 0, 0}, configuration, values);
   const int own = batch->mesh_nodes(entry), count = own != 0 ? std::max(own, 0) : static_cast<int>(place.nodes.count);
   if (mesh_node < 0 || mesh_node >= count)
     refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "meshNodeNumber", "", std::to_string(mesh_node),
-                              count == 0 ? "an object with mesh nodes: this one has none" : "a mesh node from 0 to " + std::to_string(count - 1), ""});
-  if (own == 0) return node_output(place.nodes.of(parts.references)[static_cast<std::size_t>(mesh_node)], variable, configuration, values);
+                              count == 0 ? "an object with mesh nodes: this one has none"
+                                         : "a mesh node from 0 to " + std::to_string(count - 1),
+                              ""});
+  if (own == 0)
+    return node_output(place.nodes.of(parts.references)[static_cast<std::size_t>(mesh_node)], variable, configuration,
+                       values);
   NumberList list(parts.free_numbers);
   parts.list_coordinates(place, Coordinates::ode2, list.numbers);
-  if (batch->mesh_outputs(entry, mesh_node, 1, variable, parts.output_evaluation(parts.state(configuration), list.numbers), values)) return;
-  refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "", "its mesh nodes have no output variable " + std::string(variable_name(variable)), "",
-                            "Position, Displacement, Velocity, Acceleration, DisplacementLocal, VelocityLocal, or that of its modes", ""});
+  if (batch->mesh_outputs(entry, mesh_node, 1, variable,
+                          parts.output_evaluation(parts.state(configuration), list.numbers), values))
+    return;
+  refuse(
+      ErrorKind::value,
+      {parts.describe(ItemKind::object, object), "",
+       "its mesh nodes have no output variable " + std::string(variable_name(variable)), "",
+       "Position, Displacement, Velocity, Acceleration, DisplacementLocal, VelocityLocal, or that of its modes", ""});
 }
 
 void System::with_ports(ConfigurationType configuration, const std::function<void(const Ports&)>& look) {
@@ -406,19 +452,24 @@ void System::marker_output(int marker, Variable variable, ConfigurationType conf
   if (variable == Variable::CoordinatesTotal && place.member.batch->shows_coordinates()) {
     const auto dofs = parts.ports.marker_dofs(marker);
     const Evaluation e = parts.output_evaluation(parts.state(configuration), dofs);
-    values.assign(static_cast<std::size_t>(parts.ports.ports[static_cast<std::size_t>(marker)].forces), 0.0);  // of ground: they rest
+    values.assign(static_cast<std::size_t>(parts.ports.ports[static_cast<std::size_t>(marker)].forces),
+                  0.0);  // of ground: they rest
     std::ranges::transform(dofs, values.begin(), [&](int i) { return e.q[i]; });
     return;
   }
   Motion<double> m;
   const auto reference = [&] {
     Motion<double> r;
-    place.member.batch->motion(place.member.entry, parts.output_evaluation(parts.state(ConfigurationType::Reference)), r);
+    place.member.batch->motion(place.member.entry, parts.output_evaluation(parts.state(ConfigurationType::Reference)),
+                               r);
     return r;
   };
   const Evaluation e = parts.output_evaluation(parts.state(configuration));
-  const bool unoriented = place.object >= 0 && lacks(*parts.objects[static_cast<std::size_t>(place.object)].type, variable);
-  if (!unoriented && place.member.batch->motion(place.member.entry, e, m) && frame_output(variable, m, reference, values)) return;
+  const bool unoriented =
+      place.object >= 0 && lacks(*parts.objects[static_cast<std::size_t>(place.object)].type, variable);
+  if (!unoriented && place.member.batch->motion(place.member.entry, e, m) &&
+      frame_output(variable, m, reference, values))
+    return;
   no_output(parts.describe(ItemKind::marker, marker), variable, {});
 }
 

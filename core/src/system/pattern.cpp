@@ -39,14 +39,16 @@ void check_entries(std::int64_t entries, int size, const char* storage, const ch
   constexpr std::int64_t most = std::numeric_limits<int>::max();
   if (entries <= most) return;
   const std::int64_t gigabytes = entries * static_cast<std::int64_t>(sizeof(double)) / 1'000'000'000;
-  refuse(ErrorKind::value, {.item = std::string("the ") + storage + " system matrix of " + std::to_string(size) + " unknowns",
-                            .problem = "it is too large: it would take " + std::to_string(gigabytes) + " GB",
-                            .received = std::to_string(entries) + " entries",
-                            .expected = std::to_string(most) + " at most",
-                            .advice = advice});
+  refuse(ErrorKind::value,
+         {.item = std::string("the ") + storage + " system matrix of " + std::to_string(size) + " unknowns",
+          .problem = "it is too large: it would take " + std::to_string(gigabytes) + " GB",
+          .received = std::to_string(entries) + " entries",
+          .expected = std::to_string(most) + " at most",
+          .advice = advice});
 }
 void check_sparse(std::int64_t entries, int size) {
-  check_entries(entries, size, "sparse", "Use items that couple fewer coordinates with each other, e.g. a reduced model.");
+  check_entries(entries, size, "sparse",
+                "Use items that couple fewer coordinates with each other, e.g. a reduced model.");
 }
 
 // The unknowns that each unknown is coupled with.
@@ -55,7 +57,8 @@ class Neighbours {
   Neighbours(int size, const Couplings& couplings) : first_(static_cast<std::size_t>(size) + 2, 0) {
     couplings.for_each([&](auto unknowns, auto others) {
       for (const int i : unknowns) are_columns_ = ++first_[static_cast<std::size_t>(i) + 2] == 1 && are_columns_;
-      are_columns_ = are_columns_ && unknowns.data() == others.data() && std::ranges::adjacent_find(others, std::greater_equal()) == others.end();
+      are_columns_ = are_columns_ && unknowns.data() == others.data() &&
+                     std::ranges::adjacent_find(others, std::greater_equal()) == others.end();
     });
     for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
     lists_.resize(static_cast<std::size_t>(first_.back()));
@@ -72,7 +75,9 @@ class Neighbours {
   }
   // Whether each unknown has at most one sorted list, which contains it: true if each body has its own unknowns.
   bool are_columns() const { return are_columns_; }
-  std::span<const int> list(int i) const { return first_[i] < first_[i + 1] ? lists_[first_[i]] : std::span<const int>(); }
+  std::span<const int> list(int i) const {
+    return first_[i] < first_[i + 1] ? lists_[first_[i]] : std::span<const int>();
+  }
 
  private:
   bool are_columns_ = true;
@@ -98,7 +103,8 @@ Pattern pattern_of_columns(int size, const Neighbours& neighbours) {
 }  // namespace
 
 Pattern Pattern::dense(int size) {
-  check_entries(std::int64_t{size} * size, size, "dense", "Use simulationSettings.linearSolverType = exu.LinearSolverType.EigenSparse.");
+  check_entries(std::int64_t{size} * size, size, "dense",
+                "Use simulationSettings.linearSolverType = exu.LinearSolverType.EigenSparse.");
   Pattern p;
   p.size_ = size;
   return p;
@@ -141,7 +147,8 @@ Pattern Pattern::sparse(std::vector<int> column_start, std::vector<int> row_inde
 
 bool Pattern::contains(int row, int column) const {
   if (is_dense()) return true;
-  return std::binary_search(row_index_.begin() + column_start_[column], row_index_.begin() + column_start_[column + 1], row);
+  return std::binary_search(row_index_.begin() + column_start_[column], row_index_.begin() + column_start_[column + 1],
+                            row);
 }
 
 int Pattern::slot(int row, int column) const {

@@ -64,7 +64,8 @@ class Placing {
         p.first_data = node.data;
         p.data_count = node.sizes.data;
       }
-      if (node.sizes.ode2 > 0) p.reference.insert(p.reference.end(), reference + node.ode2, reference + node.ode2 + node.sizes.ode2);
+      if (node.sizes.ode2 > 0)
+        p.reference.insert(p.reference.end(), reference + node.ode2, reference + node.ode2 + node.sizes.ode2);
     }
     return p;
   }

@@ -66,7 +66,8 @@ void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& di
   for (const LoadPlace& load : parts.loads) loads.add(load.member.batch);
   loads.sort();
   for (const auto& term : parts.terms)
-    if (RegionPlan* region = region_of(term.get())) (loads.contains(term.get()) ? region->loads : region->terms).push_back(term.get());
+    if (RegionPlan* region = region_of(term.get()))
+      (loads.contains(term.get()) ? region->loads : region->terms).push_back(term.get());
   list_sizes(plan, division);
   for (const ObjectPlace& object : parts.objects)
     for (const int marker : object.markers.of(parts.references))
@@ -92,7 +93,8 @@ void sort_loads(SystemParts& parts) {
     if (batch->has_tangent() || calls || !passing.contains(batch_of(load.marker))) changing.add(batch);
   }
   changing.sort();
-  for (const LoadPlace& load : parts.loads) (changing.contains(load.member.batch) ? pulled : loaded).add(batch_of(load.marker));
+  for (const LoadPlace& load : parts.loads)
+    (changing.contains(load.member.batch) ? pulled : loaded).add(batch_of(load.marker));
   for (const MarkerBatch* batch : parts.plan.connected) pulled.add(batch);
   pulled.sort();
   loaded.sort();
@@ -102,7 +104,8 @@ void sort_loads(SystemParts& parts) {
   for (RegionPlan& region : parts.plan.regions) {
     region.changing_loads.clear();
     region.pulled.clear();
-    for (const Term* load : region.loads) (changing.contains(load) ? region.changing_loads : constant.loads).push_back(load);
+    for (const Term* load : region.loads)
+      (changing.contains(load) ? region.changing_loads : constant.loads).push_back(load);
     for (const MarkerBatch* batch : region.moving) {
       if (pulled.contains(batch)) region.pulled.push_back(batch);
       if (loaded.contains(batch)) constant.markers.push_back(batch);
@@ -111,17 +114,21 @@ void sort_loads(SystemParts& parts) {
 }
 
 void find_terms_with_equations(SystemParts& parts) {
-  std::unordered_set<const Batch*> plain;  // batches of objects alone that neither have equations nor nodes with equations
+  std::unordered_set<const Batch*>
+      plain;  // batches of objects alone that neither have equations nor nodes with equations
   const auto has_equations = [&](const ObjectPlace& object) {
     const auto nodes = object.nodes.of(parts.references);
-    return object.equations > 0 || std::ranges::any_of(nodes, [&](int node) { return parts.nodes[static_cast<std::size_t>(node)].sizes.ae > 0; });
+    return object.equations > 0 || std::ranges::any_of(nodes, [&](int node) {
+             return parts.nodes[static_cast<std::size_t>(node)].sizes.ae > 0;
+           });
   };
   for (const ObjectPlace& object : parts.objects) plain.insert(object.member.batch);
   for (const ObjectPlace& object : parts.objects)
     if (has_equations(object)) plain.erase(object.member.batch);
   for (RegionPlan& region : parts.plan.regions) {
     region.with_equations.clear();
-    std::ranges::copy_if(region.terms, std::back_inserter(region.with_equations), [&](const Term* term) { return !plain.contains(term); });
+    std::ranges::copy_if(region.terms, std::back_inserter(region.with_equations),
+                         [&](const Term* term) { return !plain.contains(term); });
   }
   parts.knows_terms_with_equations = true;
 }
@@ -132,7 +139,8 @@ void find_needed_markers(SystemParts& parts) {
   for (const ObjectPlace& object : parts.objects)
     for (const int marker : object.markers.of(parts.references)) need(marker);
   std::unordered_set<const Batch*> changing;
-  for (const RegionPlan& region : parts.plan.regions) changing.insert(region.changing_loads.begin(), region.changing_loads.end());
+  for (const RegionPlan& region : parts.plan.regions)
+    changing.insert(region.changing_loads.begin(), region.changing_loads.end());
   for (const LoadPlace& load : parts.loads)
     if (!changing.empty() && changing.contains(load.member.batch)) need(load.marker);
   for (const SystemTerm* term : parts.system_terms)
@@ -147,7 +155,8 @@ void find_needed_markers(SystemParts& parts) {
     std::ranges::copy_if(region.moving, std::back_inserter(region.needed), among_needed);
     std::ranges::copy_if(region.pulled, std::back_inserter(region.needed_pulled), among_needed);
     parts.leaves_markers_to_terms |= region.needed.size() < region.moving.size();
-    parts.needs_totals |= !region.needed.empty() || std::ranges::any_of(region.nodes, reads_totals) || std::ranges::any_of(region.terms, reads_totals);
+    parts.needs_totals |= !region.needed.empty() || std::ranges::any_of(region.nodes, reads_totals) ||
+                          std::ranges::any_of(region.terms, reads_totals);
   }
 }
 

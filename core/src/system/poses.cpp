@@ -20,7 +20,8 @@ void forget_rotation(double* rows) {
 
 // A finite element has an orientation if it has the output Rotation.
 bool has_orientation(const ItemType& type) {
-  return type.category != "FiniteElement" || std::ranges::find(type.outputs, OutputVariableType::Rotation) != type.outputs.end();
+  return type.category != "FiniteElement" ||
+         std::ranges::find(type.outputs, OutputVariableType::Rotation) != type.outputs.end();
 }
 
 void find_objects(const SystemParts& parts, const Evaluation& e, double* rows) {
@@ -38,7 +39,8 @@ void find_markers(const SystemParts& parts, const Evaluation& e, double* rows) {
     Motion<double> m;
     if (place.member.batch->motion(place.member.entry, e, m)) {
       write_pose(m.position, m.rotation, rows);
-      if (place.object >= 0 && !has_orientation(*parts.objects[static_cast<std::size_t>(place.object)].type)) forget_rotation(rows);
+      if (place.object >= 0 && !has_orientation(*parts.objects[static_cast<std::size_t>(place.object)].type))
+        forget_rotation(rows);
     } else {
       forget(rows, 0, 1);
     }
@@ -56,9 +58,15 @@ void find_nodes(const SystemParts& parts, const Evaluation& e, const State& rest
     const auto y = part(e.y, place.ode1, n.ode1), y_reference = part(rest.y.data(), place.ode1, n.ode1);
     y_total.assign(y.begin(), y.end());
     std::ranges::transform(y_total, y_reference, y_total.begin(), std::plus{});
-    const NodeView view{part(e.q, place.ode2, n.ode2),   part(e.u, place.ode2, n.ode2),  part(e.v, place.ode2, n.ode2),
-                        part(e.a, place.ode2, n.ode2),   y,                              y_total,
-                        part(e.y_t, place.ode1, n.ode1), part(e.lambda, place.ae, n.ae), part(e.data, place.data, n.data)};
+    const NodeView view{part(e.q, place.ode2, n.ode2),
+                        part(e.u, place.ode2, n.ode2),
+                        part(e.v, place.ode2, n.ode2),
+                        part(e.a, place.ode2, n.ode2),
+                        y,
+                        y_total,
+                        part(e.y_t, place.ode1, n.ode1),
+                        part(e.lambda, place.ae, n.ae),
+                        part(e.data, place.data, n.data)};
     Motion<double> m;
     if (place.physics->motion(place.record.get(), view, m)) {
       write_pose(m.position, m.rotation, rows);
@@ -78,7 +86,9 @@ void place_nodes_in_frames(const SystemParts& parts, const Evaluation& e, double
     if (first.batch->has_nodes_in_frame())
       for (int i = 0; i < count; ++i) {
         const auto mesh = parts.objects[number + static_cast<std::size_t>(i)].nodes.of(parts.references).subspan(1);
-        if (!first.batch->mesh_outputs(first.entry + i, 0, static_cast<int>(mesh.size()), OutputVariableType::Position, e, positions)) continue;
+        if (!first.batch->mesh_outputs(first.entry + i, 0, static_cast<int>(mesh.size()), OutputVariableType::Position,
+                                       e, positions))
+          continue;
         first.batch->poses(first.entry + i, 1, e, frame.data());
         const double* from = positions.data();
         for (const int node : mesh) {
@@ -120,7 +130,8 @@ std::array<double, 12> System::pose(int object, ConfigurationType configuration,
   return rows;
 }
 
-int System::mesh_outputs(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const {
+int System::mesh_outputs(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals,
+                         Values& values) const {
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const auto& [batch, entry] = place.member;

@@ -20,12 +20,16 @@ void check_link(const SystemParts& parts, const SensorSubject& subject, int sens
   const std::string item = parts.describe(ItemKind::sensor, sensor);
   const auto& [link, object] = *subject.link;
   if (bodies == nullptr)
-    refuse(ErrorKind::value, {item, "objectNumber", "", parts.describe(subject.kind, subject.number), std::string(object), ""});
+    refuse(ErrorKind::value,
+           {item, "objectNumber", "", parts.describe(subject.kind, subject.number), std::string(object), ""});
   if (const int links = bodies->links(member.entry); link < 0 || link >= links)
-    refuse(ErrorKind::value, {item, "linkNumber", "", std::to_string(link), "a link from 0 to " + std::to_string(links - 1), ""});
+    refuse(ErrorKind::value,
+           {item, "linkNumber", "", std::to_string(link), "a link from 0 to " + std::to_string(links - 1), ""});
   if (!follows_from_motion(subject.variable))
-    refuse(ErrorKind::value, {item, "outputVariableType", "", std::string(variable_name(subject.variable)), "an output variable of links",
-                              "Use Position, Displacement, Velocity, Acceleration, Rotation, RotationMatrix, AngularVelocity or AngularAcceleration"});
+    refuse(ErrorKind::value,
+           {item, "outputVariableType", "", std::string(variable_name(subject.variable)), "an output variable of links",
+            "Use Position, Displacement, Velocity, Acceleration, Rotation, RotationMatrix, AngularVelocity or "
+            "AngularAcceleration"});
 }
 
 }  // namespace
@@ -69,9 +73,10 @@ void SystemParts::check_sensors() const {
     }
     const ItemType& type = type_of(subject->kind, subject->number);
     if (may_have(type, subject->variable)) continue;
-    refuse(ErrorKind::value, {describe(ItemKind::sensor, i), "outputVariableType", "", std::string(variable_name(subject->variable)),
-                              "an output variable of " + describe(subject->kind, subject->number),
-                              type.outputs.empty() ? "" : "Use one of " + variable_names(type.outputs)});
+    refuse(ErrorKind::value,
+           {describe(ItemKind::sensor, i), "outputVariableType", "", std::string(variable_name(subject->variable)),
+            "an output variable of " + describe(subject->kind, subject->number),
+            type.outputs.empty() ? "" : "Use one of " + variable_names(type.outputs)});
   }
 }
 

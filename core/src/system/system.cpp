@@ -15,7 +15,8 @@ System::System() : parts_(std::make_unique<SystemParts>()), states_(parts_->stat
 System::~System() = default;
 
 void System::assemble(const Model& model, const Division& division) {
-  const bool is_checked = assembled_ && parts_->structure == model.structure_changes() && parts_->records == model.record_changes();
+  const bool is_checked =
+      assembled_ && parts_->structure == model.structure_changes() && parts_->records == model.record_changes();
   if (!is_checked || !model.term_sources().empty()) model.check();
   auto parts = std::make_unique<SystemParts>();
   build(*parts, model, division);
@@ -24,7 +25,8 @@ void System::assemble(const Model& model, const Division& division) {
   parts->total.assign(sizes_.ode2, 0);
   parts->static_signs.assign(sizes_.ae, -1);
   for (const auto& term : parts->terms) {
-    if (const auto* coordinates = dynamic_cast<const AlgebraicCoordinates*>(term.get())) coordinates->mark(parts->static_signs);
+    if (const auto* coordinates = dynamic_cast<const AlgebraicCoordinates*>(term.get()))
+      coordinates->mark(parts->static_signs);
     if (const auto* vectors = dynamic_cast<const UnitVectors*>(term.get())) vectors->list(parts->unit_vectors);
   }
   ports_hold(nullptr);
@@ -59,7 +61,8 @@ bool System::assembled() const { return assembled_; }
 bool System::calls_user_functions() const {
   const auto calls = [](const auto& place) { return has_user_function(*place.type, place.record.get()); };
   if (parts_->loads_call_functions) return true;
-  return parts_->others_take_functions && (std::ranges::any_of(parts_->nodes, calls) || std::ranges::any_of(parts_->objects, calls));
+  return parts_->others_take_functions &&
+         (std::ranges::any_of(parts_->nodes, calls) || std::ranges::any_of(parts_->objects, calls));
 }
 
 std::shared_ptr<const void> System::hold_states() const {
@@ -74,9 +77,11 @@ void check_change(SystemParts& parts, const Model& model, Placing& placing, cons
   if (change.kind != ItemKind::object && change.kind != ItemKind::marker) return;
   const ItemLabel label{model, change.kind, change.number};
   const Item& changed = model.item(change.kind, change.number);
-  const Placement& on = change.kind == ItemKind::object ? placing.of_object(change.number)
-                                                        : placing.of_marker(change.number, parts.markers[static_cast<std::size_t>(change.number)]);
-  if (change.row != nullptr) return changed.type->physics->check_row(changed.record.get(), on, parts.ports, label, *change.row);
+  const Placement& on = change.kind == ItemKind::object
+                            ? placing.of_object(change.number)
+                            : placing.of_marker(change.number, parts.markers[static_cast<std::size_t>(change.number)]);
+  if (change.row != nullptr)
+    return changed.type->physics->check_row(changed.record.get(), on, parts.ports, label, *change.row);
   changed.type->physics->check(changed.record.get(), on, parts.ports, label);
 }
 
@@ -98,8 +103,10 @@ std::span<const MarkerSeat> SystemParts::markers_on(ItemKind kind, int number) {
     for (std::size_t m = 0; m < markers.size(); ++m) {
       const MarkerPlace& marker = markers[m];
       const auto on = marker.objects.of(references);
-      for (std::size_t k = 0; k < on.size(); ++k) f(static_cast<std::size_t>(on[k]), MarkerSeat{static_cast<int>(m), static_cast<int>(k)});
-      if (marker.object < 0 && marker.node >= 0) f(objects.size() + static_cast<std::size_t>(marker.node), MarkerSeat{static_cast<int>(m), 0});
+      for (std::size_t k = 0; k < on.size(); ++k)
+        f(static_cast<std::size_t>(on[k]), MarkerSeat{static_cast<int>(m), static_cast<int>(k)});
+      if (marker.object < 0 && marker.node >= 0)
+        f(objects.size() + static_cast<std::size_t>(marker.node), MarkerSeat{static_cast<int>(m), 0});
     }
   };
   if (seats_end.empty()) {
@@ -135,7 +142,9 @@ void System::refresh(const Model& model) {
   parts.plan.resting_evaluated = false;
   const auto complete = [&](ObjectPlace& place, int number) {
     const auto& physics = static_cast<const ObjectPhysics&>(*place.type->physics);
-    if (physics.completes()) place.record = physics.completed(place.record.get(), placing.of_object(number), {model, ItemKind::object, number});
+    if (physics.completes())
+      place.record =
+          physics.completed(place.record.get(), placing.of_object(number), {model, ItemKind::object, number});
   };
   // Whether a load is constant depends on how its marker passes it on.
   const auto renew_markers = [&](std::span<const MarkerSeat> seats, const auto& renew) {
@@ -154,12 +163,14 @@ void System::refresh(const Model& model) {
     if (before != after) parts.loads_are_sorted = false;
   };
   const auto tell_markers = [&](ItemKind kind, int number, const void* record) {
-    renew_markers(parts.markers_on(kind, number),
-                  [&](const MarkerPlace& marker, int which) { marker.member.batch->refresh_owners(marker.member.entry, which, record); });
+    renew_markers(parts.markers_on(kind, number), [&](const MarkerPlace& marker, int which) {
+      marker.member.batch->refresh_owners(marker.member.entry, which, record);
+    });
   };
   const auto passed_record = [](const MarkerPlace& marker, Vec3<double>& local) {
     FrameShape shape{};
-    const bool frame = static_cast<const MarkerPhysics*>(marker.type->physics)->passes_frame(shape, local, marker.record.get());
+    const bool frame =
+        static_cast<const MarkerPhysics*>(marker.type->physics)->passes_frame(shape, local, marker.record.get());
     return frame ? static_cast<const void*>(&local) : marker.record.get();
   };
   // Items on a ground node have read its position.
@@ -193,7 +204,8 @@ void System::refresh(const Model& model) {
         if (parts.objects[i].equations > 0) ++renewed_constraints_;
         parts.objects[i].record = record;
         complete(parts.objects[i], number);
-        refresh_entry(*parts.objects[i].member.batch, parts.objects[i].member.entry, parts.objects[i].record.get(), row);
+        refresh_entry(*parts.objects[i].member.batch, parts.objects[i].member.entry, parts.objects[i].record.get(),
+                      row);
         parts.look_for_functions(parts.objects[i]);
         tell_markers(kind, number, parts.objects[i].record.get());
         break;
@@ -207,7 +219,8 @@ void System::refresh(const Model& model) {
         break;
       }
       case ItemKind::load:
-        if (has_user_function(*parts.loads[i].type, record.get()) != has_user_function(*parts.loads[i].type, parts.loads[i].record.get()))
+        if (has_user_function(*parts.loads[i].type, record.get()) !=
+            has_user_function(*parts.loads[i].type, parts.loads[i].record.get()))
           parts.loads_are_sorted = false;
         parts.loads[i].record = record;
         parts.loads[i].member.batch->refresh(parts.loads[i].member.entry, record.get());
@@ -226,7 +239,8 @@ void System::refresh(const Model& model) {
 
 std::vector<std::pair<int, std::shared_ptr<const void>>> System::completed_records() const {
   std::vector<std::pair<int, std::shared_ptr<const void>>> records;
-  for (const int number : parts_->completed) records.emplace_back(number, parts_->objects[static_cast<std::size_t>(number)].record);
+  for (const int number : parts_->completed)
+    records.emplace_back(number, parts_->objects[static_cast<std::size_t>(number)].record);
   return records;
 }
 
@@ -251,7 +265,8 @@ bool System::renew_sensors(const Model& model) {
 }
 
 bool System::constant_mass_matrix() const {
-  return std::ranges::none_of(parts_->terms, [](const auto& term) { return term->has_mass() && !term->constant_mass(); });
+  return std::ranges::none_of(parts_->terms,
+                              [](const auto& term) { return term->has_mass() && !term->constant_mass(); });
 }
 bool System::has_lie_nodes() const { return !parts_->lie_blocks.empty(); }
 std::span<const System::LieBlock> System::lie_blocks() const { return parts_->lie_blocks; }
@@ -272,7 +287,8 @@ int count_of(const Sizes& sizes, System::Coordinates kind) {
 
 void SystemParts::list_coordinates(const ObjectPlace& object, System::Coordinates kind, std::vector<int>& list) const {
   list.clear();
-  for (const int n : object.nodes.of(references)) append_range(list, nodes[n].first(kind), count_of(nodes[n].sizes, kind));
+  for (const int n : object.nodes.of(references))
+    append_range(list, nodes[n].first(kind), count_of(nodes[n].sizes, kind));
   if (kind == System::Coordinates::ae) append_range(list, object.first_ae, object.equations);
   if (kind == System::Coordinates::ode2)
     for (const int marker : object.markers.of(references)) {
@@ -319,7 +335,9 @@ std::string SystemParts::describe(ItemKind kind, int number) const {
 
 std::string System::describe_row(int row) const {
   const SystemParts& parts = *parts_;
-  const auto within = [](int index, int first, int count) { return first >= 0 && index >= first && index < first + count; };
+  const auto within = [](int index, int first, int count) {
+    return first >= 0 && index >= first && index < first + count;
+  };
   const bool algebraic = row >= sizes_.first_ae(), ode1 = !algebraic && row >= sizes_.ode2;
   const int index = algebraic ? row - sizes_.first_ae() : ode1 ? row - sizes_.ode2 : row;
   for (std::size_t i = 0; i < parts.nodes.size(); ++i) {
@@ -333,7 +351,8 @@ std::string System::describe_row(int row) const {
   for (std::size_t i = 0; i < parts.objects.size(); ++i) {
     const ObjectPlace& object = parts.objects[i];
     if (algebraic && within(index, object.first_ae, object.equations))
-      return parts.describe(ItemKind::object, static_cast<int>(i)) + ", equation " + std::to_string(index - object.first_ae);
+      return parts.describe(ItemKind::object, static_cast<int>(i)) + ", equation " +
+             std::to_string(index - object.first_ae);
   }
   return "row " + std::to_string(row);
 }
@@ -345,7 +364,8 @@ std::vector<System::EquationOwner> System::equation_owners() const {
     if (first >= 0 && count > 0) owners.push_back({of_node, static_cast<int>(i), first, count});
   };
   for (std::size_t i = 0; i < parts.nodes.size(); ++i) add(true, i, parts.nodes[i].ae, parts.nodes[i].sizes.ae);
-  for (std::size_t i = 0; i < parts.objects.size(); ++i) add(false, i, parts.objects[i].first_ae, parts.objects[i].equations);
+  for (std::size_t i = 0; i < parts.objects.size(); ++i)
+    add(false, i, parts.objects[i].first_ae, parts.objects[i].equations);
   std::ranges::sort(owners, {}, &EquationOwner::first);
   return owners;
 }

@@ -22,10 +22,12 @@ class ContainmentCheck final : public BlockVisitor {
 // Markers under it are differentiated, and their forces pulled back, as if an item were connected.
 void System::add(std::unique_ptr<SystemTerm> term) {
   SystemParts& parts = *parts_;
-  for (const int marker : term->markers()) parts.plan.connected.insert(parts.markers[static_cast<std::size_t>(marker)].member.batch);
+  for (const int marker : term->markers())
+    parts.plan.connected.insert(parts.markers[static_cast<std::size_t>(marker)].member.batch);
   for (RegionPlan& region : parts.plan.regions)
     for (const MarkerBatch* batch : region.moving)
-      if (parts.plan.connected.contains(batch) && std::ranges::find(region.differentiated, batch) == region.differentiated.end())
+      if (parts.plan.connected.contains(batch) &&
+          std::ranges::find(region.differentiated, batch) == region.differentiated.end())
         region.differentiated.push_back(batch);
   sort_loads(parts);
   parts.plan.resting_evaluated = parts.knows_terms_with_equations = false;
@@ -128,7 +130,8 @@ void System::begin_history() {
   SystemParts& parts = *parts_;
   ports_hold(nullptr);
   const auto grows = [](const SystemTerm* term) { return term->has_history_of_steps(); };
-  if (std::ranges::any_of(parts.system_terms, grows)) parts.update_ports(parts.evaluation(state(ConfigurationType::Initial), {}));
+  if (std::ranges::any_of(parts.system_terms, grows))
+    parts.update_ports(parts.evaluation(state(ConfigurationType::Initial), {}));
   for (SystemTerm* term : parts.system_terms) term->begin_history(parts.ports);
 }
 
@@ -139,7 +142,8 @@ std::vector<double> System::history() const {
 }
 
 bool System::take_history(std::span<const double> numbers) {
-  return std::ranges::all_of(parts_->system_terms, [&](SystemTerm* term) { return term->take_history(numbers); }) && numbers.empty();
+  return std::ranges::all_of(parts_->system_terms, [&](SystemTerm* term) { return term->take_history(numbers); }) &&
+         numbers.empty();
 }
 
 }  // namespace dalembert

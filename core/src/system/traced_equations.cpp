@@ -45,7 +45,8 @@ std::string TracedEquations::obstacle(const System& system) {
 }
 
 // Markers at rest have been evaluated, or are now: their frames are constants.
-TracedEquations::TracedEquations(System& system) : parts_(*system.parts_), total_(static_cast<std::size_t>(parts_.sizes.ode2)) {
+TracedEquations::TracedEquations(System& system)
+    : parts_(*system.parts_), total_(static_cast<std::size_t>(parts_.sizes.ode2)) {
   parts_.evaluate_resting(parts_.evaluation(parts_.state(ConfigurationType::Current), {}));
   ports_ = TracedPorts(parts_.ports);
 }
@@ -71,7 +72,8 @@ void TracedEquations::residual(const TracedState& state, const Conditions& condi
   const TracedEvaluation e = evaluation(state, conditions);
   const RegionPlan& plan = parts_.plan.regions.front();
   const std::vector<double>& constant = parts_.plan.constant.residual;
-  for (std::size_t i = 0; i < r.size(); ++i) r[i] = conditions.loads && !constant.empty() ? conditions.load_factor * constant[i] : 0.0;
+  for (std::size_t i = 0; i < r.size(); ++i)
+    r[i] = conditions.loads && !constant.empty() ? conditions.load_factor * constant[i] : 0.0;
   std::ranges::fill(ports_.forces, Traced());
   const auto note = [&](const auto& batches, TracedCall::Function function) {
     for (const auto* batch : batches) batch->trace({function, e, Weights{}, ports_, r.data()});
@@ -82,8 +84,8 @@ void TracedEquations::residual(const TracedState& state, const Conditions& condi
   note(plan.pulled, TracedCall::Function::pull_back);
 }
 
-void TracedEquations::tangent(const TracedState& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
-                              std::span<Traced> values) {
+void TracedEquations::tangent(const TracedState& state, const Conditions& conditions, const Weights& weights,
+                              const Pattern& pattern, std::span<Traced> values) {
   parts_.bind(pattern);
   if (!conditions.follows_residual) {
     std::vector<Traced> unused(static_cast<std::size_t>(parts_.sizes.total()));

@@ -66,7 +66,8 @@ void Workers::run_all(int tasks) {
   const std::uint64_t count = static_cast<std::uint64_t>(tasks), parts = parts_.size();
   for (std::uint64_t i = 0; i < parts; ++i) {
     const std::uint64_t begin = count * i / parts, end = count * (i + 1) / parts;
-    parts_[i].tasks.store((std::uint64_t{round} << (2 * task_bits)) | (end << task_bits) | begin, std::memory_order_release);
+    parts_[i].tasks.store((std::uint64_t{round} << (2 * task_bits)) | (end << task_bits) | begin,
+                          std::memory_order_release);
   }
   round_.store(round, std::memory_order_release);
   round_.notify_all();

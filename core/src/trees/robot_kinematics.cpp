@@ -18,7 +18,8 @@ constexpr double negligible_share = 1e-14;  // of an eigenvalue, with respect to
 // Control 1, 1978.
 Vec3<double> rotation_vector(const Mat3<double>& a) {
   const double trace = a(0, 0) + a(1, 1) + a(2, 2);
-  const std::array<double, 4> squares{1 + trace, 1 + 2 * a(0, 0) - trace, 1 + 2 * a(1, 1) - trace, 1 + 2 * a(2, 2) - trace};
+  const std::array<double, 4> squares{1 + trace, 1 + 2 * a(0, 0) - trace, 1 + 2 * a(1, 1) - trace,
+                                      1 + 2 * a(2, 2) - trace};
   const std::array<std::array<double, 4>, 4> products{{
       {squares[0], a(2, 1) - a(1, 2), a(0, 2) - a(2, 0), a(1, 0) - a(0, 1)},
       {a(2, 1) - a(1, 2), squares[1], a(0, 1) + a(1, 0), a(0, 2) + a(2, 0)},
@@ -44,7 +45,12 @@ double largest(std::span<const double> list) {
 class Search {
  public:
   Search(std::span<const Link> links, const Reach& task)
-      : links_(links), task_(task), joints_(links.size()), jacobian_(6 * links.size()), step_(links.size()), free_(links.size()) {}
+      : links_(links),
+        task_(task),
+        joints_(links.size()),
+        jacobian_(6 * links.size()),
+        step_(links.size()),
+        free_(links.size()) {}
 
   Vec<double, 6> error_at(const std::vector<double>& q) {
     place_joints(links_, task_.base, q.data(), joints_);
@@ -52,7 +58,8 @@ class Search {
   }
   // A damped step from q, where the joints have been placed last, and towards other coordinates where it is free to go there.
   // Joints at a limit that the step would leave are held.
-  const std::vector<double>& step(const std::vector<double>& q, const Vec<double, 6>& error, double damping, const std::vector<double>& towards) {
+  const std::vector<double>& step(const std::vector<double>& q, const Vec<double, 6>& error, double damping,
+                                  const std::vector<double>& towards) {
     find_jacobian(links_, joints_, task_.carrier, frame().r, jacobian_.data());
     std::ranges::fill(free_, 1);
     while (true) {
@@ -73,7 +80,10 @@ class Search {
   }
 
  private:
-  Pose frame() const { return joints_[static_cast<std::size_t>(task_.carrier)] * links_[static_cast<std::size_t>(task_.carrier)].behind * task_.local; }
+  Pose frame() const {
+    return joints_[static_cast<std::size_t>(task_.carrier)] * links_[static_cast<std::size_t>(task_.carrier)].behind *
+           task_.local;
+  }
   double row(int r, std::size_t i) const { return jacobian_[static_cast<std::size_t>(r) * links_.size() + i]; }
 
   void find_step(const Vec<double, 6>& error, double damping, const std::vector<double>& towards) {
@@ -129,7 +139,8 @@ void place_joints(std::span<const Link> links, const Pose& base, const double* q
   }
 }
 
-void find_jacobian(std::span<const Link> links, std::span<const Pose> joints, int link, const Vec3<double>& point, double* jacobian) {
+void find_jacobian(std::span<const Link> links, std::span<const Pose> joints, int link, const Vec3<double>& point,
+                   double* jacobian) {
   const std::size_t n = joints.size();
   std::fill_n(jacobian, 6 * n, 0.0);
   for (int i = link; i >= 0; i = links[static_cast<std::size_t>(i)].parent) {
@@ -144,11 +155,13 @@ void find_jacobian(std::span<const Link> links, std::span<const Pose> joints, in
   }
 }
 
-void find_static_torques(std::span<const Link> links, std::span<const Pose> joints, const Vec3<double>& gravity, double* torques) {
+void find_static_torques(std::span<const Link> links, std::span<const Pose> joints, const Vec3<double>& gravity,
+                         double* torques) {
   std::fill_n(torques, links.size(), 0.0);
   for (std::size_t k = 0; k < links.size(); ++k) {
     const Pose& behind = links[k].behind;
-    const Vec3<double> weight = links[k].mass * gravity, centre = joints[k].r + joints[k].A * (behind.r + behind.A * links[k].centre);
+    const Vec3<double> weight = links[k].mass * gravity,
+                       centre = joints[k].r + joints[k].A * (behind.r + behind.A * links[k].centre);
     for (int i = static_cast<int>(k); i >= 0; i = links[static_cast<std::size_t>(i)].parent) {
       const auto j = static_cast<std::size_t>(i);
       const Vec3<double> axis = column(joints[j].A, links[j].axis);

@@ -16,13 +16,23 @@ struct States {
   using S = Pack<N>;
 
   explicit States(const Tree& tree)
-      : tree(tree), links(tree.links.size()), q(links), v(links), a(links), x(links), places(links), masses(links), motions(links), wrenches(links) {}
+      : tree(tree),
+        links(tree.links.size()),
+        q(links),
+        v(links),
+        a(links),
+        x(links),
+        places(links),
+        masses(links),
+        motions(links),
+        wrenches(links) {}
 
   // Lanes beyond the last state repeat it.
   void begin(std::size_t first_state, std::size_t states) {
     first = first_state;
     count = static_cast<int>(std::min<std::size_t>(N, states - first_state));
-    for (int lane = 0; lane < N; ++lane) offsets[lane] = (first + static_cast<std::size_t>(std::min(lane, count - 1))) * links;
+    for (int lane = 0; lane < N; ++lane)
+      offsets[lane] = (first + static_cast<std::size_t>(std::min(lane, count - 1))) * links;
   }
   DALEMBERT_INLINE void gather(const double* from, AlignedVector<S>& to) const {
     std::array<const double*, N> rows;
@@ -41,7 +51,8 @@ struct States {
     each_four([&](std::size_t i) DALEMBERT_INLINE {
       double* rows = to + first * links + i;
       each_row<N>({from[i], from[i + 1], from[i + 2], from[i + 3]}, count,
-                  [&](int lane, const Pack<4>& row) DALEMBERT_INLINE { row.store(rows + static_cast<std::size_t>(lane) * links); });
+                  [&](int lane, const Pack<4>& row)
+                      DALEMBERT_INLINE { row.store(rows + static_cast<std::size_t>(lane) * links); });
     });
   }
   // Number `at` of the `size` numbers that a result has per state.
@@ -59,7 +70,8 @@ struct States {
   DALEMBERT_INLINE void move(const double* rates, const double* accelerations, const Vec3<double>& gravity) {
     gather(rates, v);
     if (accelerations != nullptr) gather(accelerations, a);
-    trees::move_links<S>(tree, places, v.data(), accelerations == nullptr ? nullptr : a.data(), Vec3<S>{} - gravity, motions);
+    trees::move_links<S>(tree, places, v.data(), accelerations == nullptr ? nullptr : a.data(), Vec3<S>{} - gravity,
+                         motions);
   }
   DALEMBERT_INLINE void find_origins() {
     origins.resize(links);
@@ -110,7 +122,8 @@ void each_group(const Tree& tree, std::size_t states, const F& f) {
     }
   };
   if constexpr (most == 8)
-    if (states > 4 && numbers_in_register() == 8) return run_in_widest_registers([&] { in_groups.template operator()<8>(); });
+    if (states > 4 && numbers_in_register() == 8)
+      return run_in_widest_registers([&] { in_groups.template operator()<8>(); });
   in_wide_registers([&] { in_groups.template operator()<4>(); });
 }
 
@@ -128,8 +141,11 @@ std::vector<LaneLink> lane_links(const Tree& tree) {
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     const TreeLink& link = tree.links[i];
     LaneLink& lane = lanes[i];
-    const Mat3<double> own = axis_first(link), carrier = link.parent < 0 ? identity<double>() : axis_first(tree.links[static_cast<std::size_t>(link.parent)]),
-                       orientation = transpose(carrier) * link.orientation * own, inertia = transpose(own) * link.inertia * own;
+    const Mat3<double> own = axis_first(link),
+                       carrier = link.parent < 0 ? identity<double>()
+                                                 : axis_first(tree.links[static_cast<std::size_t>(link.parent)]),
+                       orientation = transpose(carrier) * link.orientation * own,
+                       inertia = transpose(own) * link.inertia * own;
     const double half = 0.5 * (inertia(0, 0) + inertia(1, 1) + inertia(2, 2));
     lane = {.parent = link.parent,
             .depth = link.parent < 0 ? 0 : lanes[static_cast<std::size_t>(link.parent)].depth + 1,
@@ -142,7 +158,8 @@ std::vector<LaneLink> lane_links(const Tree& tree) {
             .mass = link.mass,
             .mass_behind = link.mass,
             .moment = transposed_times(own, link.moment),
-            .second_moment = {half - inertia(0, 0), -inertia(0, 1), -inertia(0, 2), half - inertia(1, 1), -inertia(1, 2), half - inertia(2, 2)}};
+            .second_moment = {half - inertia(0, 0), -inertia(0, 1), -inertia(0, 2), half - inertia(1, 1),
+                              -inertia(1, 2), half - inertia(2, 2)}};
     if (link.parent >= 0 && !lane.follows) lanes[static_cast<std::size_t>(link.parent)].forks = true;
   }
   for (std::size_t i = lanes.size(); i-- > 0;)
@@ -150,7 +167,8 @@ std::vector<LaneLink> lane_links(const Tree& tree) {
   return lanes;
 }
 
-void TreeFunctions::inverse_dynamics(std::size_t states, const double* q, const double* v, const double* a, double* forces) const {
+void TreeFunctions::inverse_dynamics(std::size_t states, const double* q, const double* v, const double* a,
+                                     double* forces) const {
   each_group(tree_, states, [&](auto& group) {
     group.place(q);
     group.move(v, a, gravity_);
@@ -159,7 +177,8 @@ void TreeFunctions::inverse_dynamics(std::size_t states, const double* q, const 
   });
 }
 
-int TreeFunctions::forward_dynamics(std::size_t states, const double* q, const double* v, const double* forces, double* a) const {
+int TreeFunctions::forward_dynamics(std::size_t states, const double* q, const double* v, const double* forces,
+                                    double* a) const {
   int loose = -1;
   each_group<8>(tree_, states, [&]<int N>(States<N>& group) {
     using S = Pack<N>;
@@ -174,7 +193,8 @@ int TreeFunctions::forward_dynamics(std::size_t states, const double* q, const d
       group.sines[i] = sine;
       group.cosines[i] = cosine;
     });
-    trees::go_outward<S>(lanes_, group.q.data(), group.sines.data(), group.cosines.data(), group.v.data(), Vec3<S>{} - gravity_, group.stations, group.forks);
+    trees::go_outward<S>(lanes_, group.q.data(), group.sines.data(), group.cosines.data(), group.v.data(),
+                         Vec3<S>{} - gravity_, group.stations, group.forks);
     if (tree_.count() > few_links_in_lanes) {
       trees::go_inward<S>(lanes_, group.x.data(), group.stations, group.forks);
       trees::go_outward_again<S>(lanes_, group.x.data(), group.stations, group.forks);
@@ -206,7 +226,8 @@ void TreeFunctions::mass_matrix(std::size_t states, const double* q, double* mat
   });
 }
 
-void TreeFunctions::derivatives(std::size_t states, const double* q, const double* v, const double* a, double* by_q, double* by_v) const {
+void TreeFunctions::derivatives(std::size_t states, const double* q, const double* v, const double* a, double* by_q,
+                                double* by_v) const {
   const std::size_t n = tree_.links.size();
   for (double* matrices : {by_q, by_v}) std::fill_n(matrices, states * n * n, 0.0);
   each_group(tree_, states, [&]<int N>(States<N>& group) {
@@ -218,12 +239,14 @@ void TreeFunctions::derivatives(std::size_t states, const double* q, const doubl
     group.sum_inertia_forces();
     trees::compose<S>(tree_, group.places, group.masses, group.motions, group.bodies);
     const auto find = [&](const Weights& w, double* matrices) {
-      for (std::size_t i = 0; i < n; ++i) group.increments[i] = trees::increment_of(tree_.links[i], group.places[i].axis, group.motions[i], w);
-      trees::tangent<S>(tree_, group.places, group.bodies, group.wrenches, group.increments, w, [&](int k, int j, const S& row, const S& column) {
-        const auto behind = static_cast<std::size_t>(k), before = static_cast<std::size_t>(j);
-        group.give(matrices, n * n, before * n + behind, column);
-        group.give(matrices, n * n, behind * n + before, row);
-      });
+      for (std::size_t i = 0; i < n; ++i)
+        group.increments[i] = trees::increment_of(tree_.links[i], group.places[i].axis, group.motions[i], w);
+      trees::tangent<S>(tree_, group.places, group.bodies, group.wrenches, group.increments, w,
+                        [&](int k, int j, const S& row, const S& column) {
+                          const auto behind = static_cast<std::size_t>(k), before = static_cast<std::size_t>(j);
+                          group.give(matrices, n * n, before * n + behind, column);
+                          group.give(matrices, n * n, behind * n + before, row);
+                        });
     };
     find({.q = 1, .v = 0, .a = 0}, by_q);
     find({.q = 0, .v = 1, .a = 0}, by_v);
@@ -242,7 +265,8 @@ void TreeFunctions::frames(std::size_t states, const double* q, double* rotation
   });
 }
 
-void TreeFunctions::jacobian(std::size_t states, const double* q, int link, const Vec3<double>& local, double* matrices) const {
+void TreeFunctions::jacobian(std::size_t states, const double* q, int link, const Vec3<double>& local,
+                             double* matrices) const {
   const std::size_t n = tree_.links.size();
   std::fill_n(matrices, states * 6 * n, 0.0);
   each_group(tree_, states, [&]<int N>(States<N>& group) {
@@ -287,7 +311,8 @@ void TreeFunctions::centre_of_mass(std::size_t states, const double* q, double* 
   });
 }
 
-void TreeFunctions::energies(std::size_t states, const double* q, const double* v, double* kinetic, double* potential) const {
+void TreeFunctions::energies(std::size_t states, const double* q, const double* v, double* kinetic,
+                             double* potential) const {
   each_group(tree_, states, [&]<int N>(States<N>& group) {
     using S = Pack<N>;
     group.place(q);
@@ -300,7 +325,8 @@ void TreeFunctions::energies(std::size_t states, const double* q, const double* 
       const LinkMotion<S>& m = group.motions[i];
       const Mat3<S>& rotation = group.places[i].rotation;
       const Vec3<S> w = transposed_times(rotation, m.spin);
-      sum += 0.5 * (link.mass * dot(m.velocity, m.velocity) + dot(w, link.inertia * w)) + dot(m.velocity, cross(m.spin, rotation * link.moment));
+      sum += 0.5 * (link.mass * dot(m.velocity, m.velocity) + dot(w, link.inertia * w)) +
+             dot(m.velocity, cross(m.spin, rotation * link.moment));
     }
     group.give(kinetic, 1, 0, sum);
   });

@@ -18,8 +18,10 @@ struct BodyPhysics final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const override {
     std::unique_ptr<Term> batch;
     choose(nodes, [&]<class E>() {
-      if constexpr (RotatingBodyElement<E>) batch = std::make_unique<RotatingBodyBatch<E, Record>>();
-      else batch = std::make_unique<ElementBatch<E, Record>>();
+      if constexpr (RotatingBodyElement<E>)
+        batch = std::make_unique<RotatingBodyBatch<E, Record>>();
+      else
+        batch = std::make_unique<ElementBatch<E, Record>>();
     });
     return batch;
   }
@@ -37,16 +39,20 @@ struct BodyPhysics final : ObjectPhysics {
   void check(const void*, const Placement& on, const Ports&, const ItemLabel& item) const override {
     if constexpr (requires { Body::size; })
       if (static_cast<int>(on.dofs.size()) != Body::size)
-        refuse(ErrorKind::value, {item, "nodeNumber", "", "nodes with " + std::to_string(on.dofs.size()) + " coordinates together",
-                                  std::to_string(Body::size), ""});
+        refuse(ErrorKind::value,
+               {item, "nodeNumber", "", "nodes with " + std::to_string(on.dofs.size()) + " coordinates together",
+                std::to_string(Body::size), ""});
   }
 
  private:
   template <class Node>
   static auto standing_on() {
-    if constexpr (Node::size == 0) return std::type_identity<OnRestingNode<Body, Node>>{};
-    else if constexpr (Body::traits.pure_inertia && Node::traits.translations < Node::size) return std::type_identity<OnNode<Body, PositionOf<Node>>>{};
-    else return std::type_identity<OnNode<Body, Node>>{};
+    if constexpr (Node::size == 0)
+      return std::type_identity<OnRestingNode<Body, Node>>{};
+    else if constexpr (Body::traits.pure_inertia && Node::traits.translations < Node::size)
+      return std::type_identity<OnNode<Body, PositionOf<Node>>>{};
+    else
+      return std::type_identity<OnNode<Body, Node>>{};
   }
   template <class Node>
   using StandingOn = typename decltype(standing_on<Node>())::type;
@@ -65,12 +71,14 @@ struct BodyPhysics final : ObjectPhysics {
     } else if constexpr (requires { Body::node_counts; }) {  // different numbers of nodes
       [&]<std::size_t... i>(std::index_sequence<i...>) {
         const auto choose_count = [&]<int count>() {
-          if (static_cast<int>(nodes.size()) == count) f.template operator()<StrainElement<typename Body::template On<count>>>();
+          if (static_cast<int>(nodes.size()) == count)
+            f.template operator()<StrainElement<typename Body::template On<count>>>();
         };
         if ((all(Nodes::item) || ...)) (choose_count.template operator()<Body::node_counts[i]>(), ...);
       }(std::make_index_sequence<Body::node_counts.size()>{});
     } else if constexpr (requires { Body::nodes; }) {  // motions of several nodes of one type
-      ((all(Nodes::item) ? (f.template operator()<StrainElement<typename Body::template On<Nodes>>>(), true) : false) || ...);
+      ((all(Nodes::item) ? (f.template operator()<StrainElement<typename Body::template On<Nodes>>>(), true) : false) ||
+       ...);
     } else if constexpr (requires { Body::size; }) {
       using Element = typename ElementOf<Body>::Type;
       static_assert(ElementKernel<Element>, "see core/include/dalembert/contracts/element.hpp");

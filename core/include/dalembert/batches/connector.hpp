@@ -79,7 +79,8 @@ class PortBatch final : public Term, public MarkerForces {
     }
   }
   void add_marker_forces(int entry, const Evaluation& evaluation, Ports& ports) const override {
-    add_forces_of(std::span(&entries_[static_cast<std::size_t>(entry)], 1), std::identity(), evaluation, ports, std::make_index_sequence<M>());
+    add_forces_of(std::span(&entries_[static_cast<std::size_t>(entry)], 1), std::identity(), evaluation, ports,
+                  std::make_index_sequence<M>());
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
     if constexpr (is_constant) return;
@@ -106,42 +107,52 @@ class PortBatch final : public Term, public MarkerForces {
       if (call.function == TracedCall::Function::residual)
         return add_forces_of(entries_, std::identity(), call.evaluation, call.ports, std::make_index_sequence<M>());
       if constexpr (!is_constant)
-        each_block(call.ports, [&](const Entry& e, const Columns<M>&, const int* slot) { add_in_closed_form(e, call.ports, slot, call.sums); });
+        each_block(call.ports, [&](const Entry& e, const Columns<M>&, const int* slot) {
+          add_in_closed_form(e, call.ports, slot, call.sums);
+        });
     }
   }
 
   // K::update(p, c, m0, m1, start, data): new history from the frames; returns the error and a recommended step size.
-  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double*) override {
+  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data,
+                         double*) override {
     return Histories<History>::update(entries_, with_history(evaluation, ports, start, data));
   }
   bool has_history() const override { return has_update; }
   bool has_switches() const override { return History::has_switches; }
   void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override {
-    Histories<History>::find_switches(entries_, [&](const Entry& e, const auto& call) {
-      const auto frames = read(ports, e);
-      call(context(evaluation, e), frames[0], frames[1]);
-    }, switches);
+    Histories<History>::find_switches(
+        entries_,
+        [&](const Entry& e, const auto& call) {
+          const auto frames = read(ports, e);
+          call(context(evaluation, e), frames[0], frames[1]);
+        },
+        switches);
   }
-  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data, double*) override {
+  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data,
+                   double*) override {
     Histories<History>::switch_over(entries_, with_history(evaluation, ports, before, data));
   }
-  PostNewton settle(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double*) override {
+  PostNewton settle(const Evaluation& evaluation, const Ports& ports, const double* start, double* data,
+                    double*) override {
     return Histories<History>::settle(entries_, with_history(evaluation, ports, start, data));
   }
 
-  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
-              std::vector<double>& values) const override {
+  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation,
+              const Ports& ports, std::vector<double>& values) const override {
     const Entry& e = entries_[entry];
     const auto frames = read(ports, e);
-    if constexpr (M == 2) return K::output(e.parameters, context(evaluation, e), frames[0], frames[1], variable, values);
-    else return false;
+    if constexpr (M == 2)
+      return K::output(e.parameters, context(evaluation, e), frames[0], frames[1], variable, values);
+    else
+      return false;
   }
 
  private:
   // Markers are spelt out, not looped over, so that frames and forces stay in registers.
   template <class S, std::size_t... m>
-  static void add_forces_of(const auto& which, const auto& entry_of, const EvaluationOf<S>& evaluation, PortsOf<S>& ports,
-                            std::index_sequence<m...>) {
+  static void add_forces_of(const auto& which, const auto& entry_of, const EvaluationOf<S>& evaluation,
+                            PortsOf<S>& ports, std::index_sequence<m...>) {
     const S* values = ports.values.data();
     S* sums = ports.forces.data();
     Context c = Context::of(evaluation, -1);
@@ -158,7 +169,8 @@ class PortBatch final : public Term, public MarkerForces {
   // Loads have no history, and connectors are never constant.
   using History = std::conditional_t<is_load, NoPairHistory, K>;
   using Change = std::conditional_t<is_load, K, ReadsMarker>;
-  static constexpr bool has_update = History::has_history, has_data = History::data_coordinates != 0, is_constant = Change::is_constant;
+  static constexpr bool has_update = History::has_history, has_data = History::data_coordinates != 0,
+                        is_constant = Change::is_constant;
   // Whether its arithmetic may be traced, if `has_closed_form` is also true.
   static constexpr bool is_traced = is_load || (!has_update && TracedSpanConnector<K>);
 
@@ -210,7 +222,8 @@ class PortBatch final : public Term, public MarkerForces {
     if (is_active(e.parameters)) f(e, columns, slot);
     return slot + columns.total * columns.total;
   }
-  static void sweep(const Entry& e, const Evaluation& evaluation, const Columns<M>& columns, Ports& ports, const int* slot, double* values) {
+  static void sweep(const Entry& e, const Evaluation& evaluation, const Columns<M>& columns, Ports& ports,
+                    const int* slot, double* values) {
     for (int first = 0; first < columns.total; first += sweep_width) {
       std::array<typename Port::template Frame<SweepDual>, M> frames;
       for (int m = 0; m < M; ++m) frames[m] = read_moving_frame<Port>(ports, e.markers[m], columns.offset[m], first);
@@ -221,9 +234,12 @@ class PortBatch final : public Term, public MarkerForces {
 
   // A load that does not read its marker adds nothing.
   static bool has_closed_form(const typename K::Parameters& p) {
-    if constexpr (is_load) return !K::reads_marker(p);
-    else if constexpr (SpanConnector<K>) return K::has_tangent(p);
-    else return false;
+    if constexpr (is_load)
+      return !K::reads_marker(p);
+    else if constexpr (SpanConnector<K>)
+      return K::has_tangent(p);
+    else
+      return false;
   }
   template <class S>
   static bool add_in_closed_form(const Entry& e, const PortsOf<S>& ports, const int* slots, S* values) {
@@ -236,10 +252,14 @@ class PortBatch final : public Term, public MarkerForces {
   }
 
   // Connectors with user functions have no law; an inactive connector has a law with zero force.
-  void take_law(int entry) requires SpanLawConnector<K> {
+  void take_law(int entry)
+    requires SpanLawConnector<K>
+  {
     const typename K::Parameters& p = entries_[entry].parameters;
-    if (!has_closed_form(p)) spans_.drop_law(entry);
-    else spans_.set_law(entry, is_active(p) ? K::law(p) : spans_.no_force);
+    if (!has_closed_form(p))
+      spans_.drop_law(entry);
+    else
+      spans_.set_law(entry, is_active(p) ? K::law(p) : spans_.no_force);
   }
 
   std::vector<Entry> entries_;
@@ -264,12 +284,15 @@ struct PairPhysics final : ObjectPhysics {
       expected = K::data_of(static_cast<const Record*>(record)->parameters);
     }
     if (expected > 0 && !placement.nodes.empty() && placement.data_count != expected)
-      refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(placement.data_count) + " data coordinates", data_node_of(expected), ""});
+      refuse(ErrorKind::value,
+             {item, "nodeNumber", "", "a node with " + std::to_string(placement.data_count) + " data coordinates",
+              data_node_of(expected), ""});
   }
 };
 
 // Selects the batch for two markers of one shape, or for any number of markers.
 template <class K, class Record>
-using ConnectorPhysics = std::conditional_t<requires { typename K::Port; }, PairPhysics<K, Record>, ManyPortsPhysics<K, Record>>;
+using ConnectorPhysics =
+    std::conditional_t<requires { typename K::Port; }, PairPhysics<K, Record>, ManyPortsPhysics<K, Record>>;
 
 }  // namespace dalembert

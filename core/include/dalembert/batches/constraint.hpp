@@ -76,12 +76,14 @@ class ConstraintBatch final : public Term, public MarkerForces {
     const Entry& e = entries_[static_cast<std::size_t>(entry)];
     if (!is_active(e.parameters)) return;
     add_forces<Port, 2>(ports, e.markers, -1.0,
-                        reaction<double>(e.parameters, Context::of(evaluation, e.item), read(ports, e), load<double, m>(evaluation.lambda + e.first_ae)));
+                        reaction<double>(e.parameters, Context::of(evaluation, e.item), read(ports, e),
+                                         load<double, m>(evaluation.lambda + e.first_ae)));
   }
   bool traceable() const override { return LinearConstraint<K>; }
   void trace(const TracedCall& call) const override {
     if constexpr (LinearConstraint<K>) {
-      if (call.function == TracedCall::Function::tangent) return add_linear_blocks(call.evaluation, call.weights, call.ports, call.sums);
+      if (call.function == TracedCall::Function::tangent)
+        return add_linear_blocks(call.evaluation, call.weights, call.ports, call.sums);
       for (const Entry& e : entries_) add_residual<Traced>(e, call.evaluation, call.ports, call.sums);
     }
   }
@@ -112,8 +114,8 @@ class ConstraintBatch final : public Term, public MarkerForces {
     });
   }
 
-  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
-              std::vector<double>& values) const override {
+  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation,
+              const Ports& ports, std::vector<double>& values) const override {
     const Entry& e = entries_[entry];
     const auto frames = read(ports, e);
     const Context c = Context::of(evaluation, e.item);
@@ -161,13 +163,16 @@ class ConstraintBatch final : public Term, public MarkerForces {
       }
       const auto frame = [&](std::size_t marker) {
         const double* values = ports.values.data();
-        return gathered<RigidFrame>(group.each([&](std::size_t i) { return &read_frame<Port>(values + entries_[i].offsets[marker].value); }));
+        return gathered<RigidFrame>(
+            group.each([&](std::size_t i) { return &read_frame<Port>(values + entries_[i].offsets[marker].value); }));
       };
-      const auto lambda = gathered<m>(group.each([&](std::size_t i) { return evaluation.lambda + entries_[i].first_ae; }));
+      const auto lambda =
+          gathered<m>(group.each([&](std::size_t i) { return evaluation.lambda + entries_[i].first_ae; }));
       const auto sums = joint_sums<K::rows>(table, frame(0), frame(1), lambda);
       add_numbers(sums.gap, group.each([&](std::size_t i) { return r + entries_[i].first_row; }), group.count);
       for (std::size_t marker = 0; marker < 2; ++marker) {
-        const auto places = group.each([&](std::size_t i) { return ports.forces.data() + entries_[i].offsets[marker].force; });
+        const auto places =
+            group.each([&](std::size_t i) { return ports.forces.data() + entries_[i].offsets[marker].force; });
         add_numbers(joined(-sums.reaction[marker].force, -sums.reaction[marker].moment), places, group.count);
       }
     });
@@ -202,7 +207,9 @@ class ConstraintBatch final : public Term, public MarkerForces {
   struct BlockSlots {
     const int *gaps, *multipliers, *forces, *diagonal;
     BlockSlots(const int* first, int coordinates)
-        : gaps(first), multipliers(gaps + m * coordinates), forces(multipliers + m * coordinates),
+        : gaps(first),
+          multipliers(gaps + m * coordinates),
+          forces(multipliers + m * coordinates),
           diagonal(forces + coordinates * coordinates) {}
     const int* end() const { return diagonal + m; }
   };
@@ -234,8 +241,8 @@ class ConstraintBatch final : public Term, public MarkerForces {
     }
   }
   template <class S, class L>
-  static std::array<typename Port::template Force<S>, 2> reaction(const Parameters& p, const Context& c, const Frames<S>& f,
-                                                                  const Vec<L, m>& multipliers) {
+  static std::array<typename Port::template Force<S>, 2> reaction(const Parameters& p, const Context& c,
+                                                                  const Frames<S>& f, const Vec<L, m>& multipliers) {
     Vec<L, m> lambda = multipliers;
     for (int k = 0; k < m; ++k)
       if (!K::constrains(p, k)) lambda[k] = 0;
@@ -267,27 +274,30 @@ class ConstraintBatch final : public Term, public MarkerForces {
     return Tangent::fits(ports, e.markers);
   }
   // Slots: gaps by coordinates, multipliers transposed, coordinates by coordinates.
-  static void closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports, const int* slots,
-                          double* values) {
+  static void closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                          const int* slots, double* values) {
     const Frames<double> frames = read(ports, e);
     Tangent tangent(ports, e.markers, frames);
     const int total = tangent.total();
     const double* lambda = evaluation.lambda + e.first_ae;
     for (int k = 0; k < m; ++k)
       if (K::constrains(e.parameters, k))
-        tangent.add(e.table[static_cast<std::size_t>(k)], lambda[k], 1 / weights.q, slots + k * total, slots + (m + k) * total, values);
+        tangent.add(e.table[static_cast<std::size_t>(k)], lambda[k], 1 / weights.q, slots + k * total,
+                    slots + (m + k) * total, values);
     tangent.add_forces(slots + 2 * m * total, values);
   }
 
   template <class S>
-  void add_linear_blocks(const EvaluationOf<S>& evaluation, const Weights& weights, const PortsOf<S>& ports, S* values) const {
+  void add_linear_blocks(const EvaluationOf<S>& evaluation, const Weights& weights, const PortsOf<S>& ports,
+                         S* values) const {
     each_block(ports, values, [&](const Entry& e, const Columns<2>&, const BlockSlots& blocks) {
       add_linear(e, ports, at_rate_level(e.parameters, evaluation.rate_level), row_scale(weights), blocks.gaps, values);
     });
   }
   // Slots: gaps by coordinates, multipliers transposed. Forces do not change with the coordinates.
   template <class S>
-  static void add_linear(const Entry& e, const PortsOf<S>& ports, bool rate, double row_scale, const int* slots, S* values) {
+  static void add_linear(const Entry& e, const PortsOf<S>& ports, bool rate, double row_scale, const int* slots,
+                         S* values) {
     const Columns<2> columns(ports, e.markers);
     const auto equations = K::linear(e.parameters);
     for (int k = 0; k < m; ++k) {
@@ -358,6 +368,7 @@ struct PairConstraintPhysics final : ObjectPhysics {
 
 // Selects the batch for two markers of one shape, or for any number of markers.
 template <class K, class Record>
-using ConstraintPhysics = std::conditional_t<requires { typename K::Port; }, PairConstraintPhysics<K, Record>, ManyPortsPhysics<K, Record>>;
+using ConstraintPhysics =
+    std::conditional_t<requires { typename K::Port; }, PairConstraintPhysics<K, Record>, ManyPortsPhysics<K, Record>>;
 
 }  // namespace dalembert

@@ -47,8 +47,10 @@ class ElementBatch : public Term {
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
-        if constexpr (!is_diagonal) visitor.block(e.dofs, e.dofs);
-        else for (const int dof : e.dofs) visitor.entry(dof, dof);
+        if constexpr (!is_diagonal)
+          visitor.block(e.dofs, e.dofs);
+        else
+          for (const int dof : e.dofs) visitor.entry(dof, dof);
       }
   }
 
@@ -68,8 +70,9 @@ class ElementBatch : public Term {
   void trace(const TracedCall& call) const override {
     if constexpr (TracedElement<E>)
       for (std::size_t i = 0; i < entries_.size(); ++i)
-        call.function == TracedCall::Function::residual ? add_residual(entries_[i], call.evaluation, call.sums)
-                                                        : add_tangent(entries_[i], call.evaluation, call.weights, slots_of(i), call.sums);
+        call.function == TracedCall::Function::residual
+            ? add_residual(entries_[i], call.evaluation, call.sums)
+            : add_tangent(entries_[i], call.evaluation, call.weights, slots_of(i), call.sums);
   }
   bool has_mass() const override { return n > 0; }
   bool reads_totals() const override { return !PureInertia<E>; }
@@ -82,7 +85,8 @@ class ElementBatch : public Term {
   bool constant_mass() const override {
     if constexpr (RotatingBodyElement<E>) {
       if constexpr (LieKernel<typename E::OwnRotation> && E::Kernel::traits.constant_mass)
-        return std::ranges::none_of(entries_, [](const Entry& e) { return E::Kernel::mass_properties(e.parameters).eccentric(); });
+        return std::ranges::none_of(
+            entries_, [](const Entry& e) { return E::Kernel::mass_properties(e.parameters).eccentric(); });
     }
     return E::traits.constant_mass;
   }
@@ -100,7 +104,8 @@ class ElementBatch : public Term {
         // consecutive entries
         const auto q = gathered<n>(group.each([&](std::size_t i) { return evaluation.q + entries_[i].dofs[0]; }));
         const auto m = E::OwnRotation::template motion<Numbers<L>>({q, {}, {}});
-        store_numbers(pose_numbers(m.position, m.rotation), group.each([&](std::size_t i) { return rows + 12 * (i - begin); }));
+        store_numbers(pose_numbers(m.position, m.rotation),
+                      group.each([&](std::size_t i) { return rows + 12 * (i - begin); }));
       });
     } else if constexpr (requires { typename E::Kernel; }) {
       const Evaluation e = evaluation;  // local copy: the compiler then knows that writing rows does not change it
@@ -113,8 +118,8 @@ class ElementBatch : public Term {
       Term::poses(first, count, evaluation, rows);
     }
   }
-  bool output(int entry, OutputVariableType variable, const Vec3<double>& local, const Evaluation& evaluation, const Ports&,
-              std::vector<double>& values) const override {
+  bool output(int entry, OutputVariableType variable, const Vec3<double>& local, const Evaluation& evaluation,
+              const Ports&, std::vector<double>& values) const override {
     const Entry& e = entries_[entry];
     const auto x = gather<n>(evaluation, e.dofs.data());
     const OutputRequest request{variable, local, e.reference.x, evaluation.of_reference};
@@ -132,7 +137,8 @@ class ElementBatch : public Term {
         return true;
       }
       const auto forces = [&](const Vec<double, n>& a) {
-        return element_residual<E, double>(e.parameters, e.constants, context(evaluation, e), Coordinates<double, n>{.q = x.q, .v = {}, .a = a});
+        return element_residual<E, double>(e.parameters, e.constants, context(evaluation, e),
+                                           Coordinates<double, n>{.q = x.q, .v = {}, .a = a});
       };
       const auto moving = forces(x.v), resting = forces({});
       for (int i = 0; i < n; ++i) value += 0.5 * x.v[i] * (moving[i] - resting[i]);
@@ -154,8 +160,10 @@ class ElementBatch : public Term {
 
  private:
   static constexpr bool moves_in_packs = [] {
-    if constexpr (requires { typename E::OwnRotation; }) return NodeInPacks<typename E::OwnRotation>;
-    else return false;
+    if constexpr (requires { typename E::OwnRotation; })
+      return NodeInPacks<typename E::OwnRotation>;
+    else
+      return false;
   }();
   template <class S>
   static Context context(const EvaluationOf<S>& evaluation, const Entry& e) {
@@ -168,13 +176,15 @@ class ElementBatch : public Term {
     for (int k = 0; k < n; ++k) r[e.dofs[k]] += f[k];
   }
   template <class S>
-  static void add_tangent(const Entry& e, const EvaluationOf<S>& evaluation, const Weights& weights, const int* slot, S* values) {
+  static void add_tangent(const Entry& e, const EvaluationOf<S>& evaluation, const Weights& weights, const int* slot,
+                          S* values) {
     if constexpr (PureInertia<E>) return add_mass(e, evaluation, weights.a, slot, values);
     const auto x = gather<n>(evaluation, e.dofs.data());
     if constexpr (TangentKernel<E>) {
       add(E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights), slot, values);
     } else {
-      const auto f = element_residual<E, Dual<n, S>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
+      const auto f =
+          element_residual<E, Dual<n, S>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
       for (int row = 0; row < n; ++row)
         for (int column = 0; column < n; ++column) values[*slot++] += f[row].d[column];
     }
@@ -228,7 +238,8 @@ class ElementBatch : public Term {
             }
           };
           if constexpr (E::most_lanes == 8)
-            if (end - i > 4 && numbers_in_register() == 8) run_in_widest_registers([&] { in_groups.template operator()<8>(); });
+            if (end - i > 4 && numbers_in_register() == 8)
+              run_in_widest_registers([&] { in_groups.template operator()<8>(); });
           if (end - i > 1) run_in_wide_registers([&] { in_groups.template operator()<4>(); });
           if (i == end) continue;
         }
@@ -259,7 +270,8 @@ class ElementBatch : public Term {
   Vec<Pack<L>, n> gather_lanes(const double* from, const Group<L>& group) const {
     Vec<Pack<L>, n> x;
     for (int node = 0; node < nodes; ++node) {
-      const auto numbers = gathered<node_size>(group.each([&](std::size_t i) { return from + lanes_[i].starts[node]; }));
+      const auto numbers =
+          gathered<node_size>(group.each([&](std::size_t i) { return from + lanes_[i].starts[node]; }));
       for (int j = 0; j < node_size; ++j) x[node * node_size + j] = numbers[j];
     }
     return x;
@@ -272,14 +284,18 @@ class ElementBatch : public Term {
   template <int L>
   void residuals_in_lanes(const Group<L>& group, const Evaluation& evaluation, double* r) const {
     const Entry& e = entries_[group.first];
-    const auto f = element_residual<E, Pack<L>>(e.parameters, e.constants, context(evaluation, e), gather_lanes<L>(evaluation, group));
+    const auto f = element_residual<E, Pack<L>>(e.parameters, e.constants, context(evaluation, e),
+                                                gather_lanes<L>(evaluation, group));
     for (int node = 0; node < nodes; ++node)
-      add_numbers(segment<node_size>(f, node * node_size), group.each([&](std::size_t i) { return r + lanes_[i].starts[node]; }), group.count);
+      add_numbers(segment<node_size>(f, node * node_size),
+                  group.each([&](std::size_t i) { return r + lanes_[i].starts[node]; }), group.count);
   }
   template <int L>
-  void tangents_in_lanes(const Group<L>& group, const Evaluation& evaluation, const Weights& weights, double* values) const {
+  void tangents_in_lanes(const Group<L>& group, const Evaluation& evaluation, const Weights& weights,
+                         double* values) const {
     const Entry& e = entries_[group.first];
-    const auto k = E::tangent(e.parameters, e.constants, context(evaluation, e), gather_lanes<L>(evaluation, group), weights);
+    const auto k =
+        E::tangent(e.parameters, e.constants, context(evaluation, e), gather_lanes<L>(evaluation, group), weights);
     for (int row = 0; row < n; row += node_size)  // the rows of one node lie side by side (system/pattern.hpp)
       for (int column = 0; column < n; ++column)
         add_numbers(vector_of<node_size>([&](int j) { return k(row + j, column); }),

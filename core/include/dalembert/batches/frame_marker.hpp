@@ -44,7 +44,8 @@ struct RigidShape : PointShape<E> {
   template <class S>
   static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>& local,
                         const auto* f) {
-    return E::template pull_back<S>(p, x, local, Vec3<S>{S(f[0]), S(f[1]), S(f[2])}, Vec3<S>{S(f[3]), S(f[4]), S(f[5])});
+    return E::template pull_back<S>(p, x, local, Vec3<S>{S(f[0]), S(f[1]), S(f[2])},
+                                    Vec3<S>{S(f[3]), S(f[4]), S(f[5])});
   }
 };
 
@@ -77,9 +78,7 @@ class FrameMarkerBatch : public MarkerBatch {
 
   int value_count(const void*, const Placement&) const override { return Shape::values; }
   int force_count(const void*, const Placement&) const override { return Shape::forces; }
-  int translations() const override {
-    return E::traits.translations;
-  }
+  int translations() const override { return E::traits.translations; }
 
   void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
   // The record of a frame marker is only its local position; the body's record comes with the placement.
@@ -94,12 +93,15 @@ class FrameMarkerBatch : public MarkerBatch {
     if constexpr (passes_on) add_to_runs(e);
     entries_.push_back(std::move(e));
   }
-  void refresh(int entry, const void* local) override { entries_[entry].local = *static_cast<const Vec3<double>*>(local); }
+  void refresh(int entry, const void* local) override {
+    entries_[entry].local = *static_cast<const Vec3<double>*>(local);
+  }
   void refresh_owner(int entry, const void* record) override {
     if constexpr (owner_has_parameters) renew_parameters<E, OwnerRecord>(owners_[entries_[entry].owner], record);
   }
   void refresh_resting(int entry, const void*, const Placement& placement) override {
-    if constexpr (owner_has_parameters) take_parameters<E, OwnerRecord>(owners_[entries_[entry].owner], placement.owner, placement);
+    if constexpr (owner_has_parameters)
+      take_parameters<E, OwnerRecord>(owners_[entries_[entry].owner], placement.owner, placement);
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (has_geometric)
@@ -114,7 +116,9 @@ class FrameMarkerBatch : public MarkerBatch {
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     differentiate(evaluation, weights, ports);
   }
-  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override { subtract_forces(evaluation, ports, r); }
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
+    subtract_forces(evaluation, ports, r);
+  }
   bool traceable() const override { return only_translates; }
   void trace(const TracedCall& call) const override {
     if constexpr (only_translates) {
@@ -128,7 +132,8 @@ class FrameMarkerBatch : public MarkerBatch {
   }
   bool constant_pull_back(bool) const override { return n > 0 && !has_geometric; }
   bool geometric_follows_tangent() const override { return false; }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     if constexpr (has_geometric) {
       SlotCursor slot(slots.data(), values);
       for (const Entry& e : entries_) {
@@ -136,7 +141,8 @@ class FrameMarkerBatch : public MarkerBatch {
         const double* force = ports.force(e.marker);
         Mat<double, n, n> changes;
         for (int first = 0; first < n; first += directions) {
-          const auto q = Shape::template pull_back<Dual<directions>>(parameters(e), seeded_from<E, directions>(first, x, weights), e.local, force);
+          const auto q = Shape::template pull_back<Dual<directions>>(
+              parameters(e), seeded_from<E, directions>(first, x, weights), e.local, force);
           for (int i = 0; i < n; ++i) std::copy_n(q[i].d.begin(), std::min(directions, n - first), &changes(i, first));
         }
         for (const double change : changes.x) slot.add(-change);
@@ -165,8 +171,10 @@ class FrameMarkerBatch : public MarkerBatch {
 
   static constexpr bool owner_has_parameters = !std::is_empty_v<typename E::Parameters>;
   const typename E::Parameters& parameters(const Entry& e) const {
-    if constexpr (owner_has_parameters) return owners_[e.owner];
-    else return no_parameters;
+    if constexpr (owner_has_parameters)
+      return owners_[e.owner];
+    else
+      return no_parameters;
   }
 
  private:
@@ -193,8 +201,10 @@ class FrameMarkerBatch : public MarkerBatch {
   void differentiate(const EvaluationOf<S>& evaluation, const Weights& weights, PortsOf<S>& ports) const {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
-        if constexpr (translates) translate(e, weights, ports);
-        else sweep(e, gather<n>(evaluation, e.dofs.data()), weights, ports);
+        if constexpr (translates)
+          translate(e, weights, ports);
+        else
+          sweep(e, gather<n>(evaluation, e.dofs.data()), weights, ports);
       }
   }
   template <class S>
@@ -240,16 +250,20 @@ class FrameMarkerBatch : public MarkerBatch {
   void add_to_runs(const Entry& e) {
     const Run* last = runs_.empty() ? nullptr : &runs_.back();
     const auto follows = [&](int first, int size, int next) { return first + size * last->count == next; };
-    const bool goes_on = last != nullptr && follows(last->dof, n, e.dofs[0]) && follows(last->value, Shape::values, e.port.value) &&
+    const bool goes_on = last != nullptr && follows(last->dof, n, e.dofs[0]) &&
+                         follows(last->value, Shape::values, e.port.value) &&
                          follows(last->force, room_of_forces(n), e.port.force);
     goes_on ? void(++runs_.back().count) : runs_.push_back({e.dofs[0], e.port.value, e.port.force, 1});
   }
   static constexpr bool has_geometric = [] {
-    if constexpr (requires { requires Shape::constant_jacobian; } || E::traits.constant_jacobian || only_translates) return false;
-    else return n > 0;
+    if constexpr (requires { requires Shape::constant_jacobian; } || E::traits.constant_jacobian || only_translates)
+      return false;
+    else
+      return n > 0;
   }();
   // The position is the first coordinates: derivatives are those of the identity.
-  static constexpr bool translates = E::traits.translations > 0 && (only_translates || (E::traits.constant_jacobian && !E::traits.oriented)) &&
+  static constexpr bool translates = E::traits.translations > 0 &&
+                                     (only_translates || (E::traits.constant_jacobian && !E::traits.oriented)) &&
                                      Shape::values == PointShape<E>::values;
   template <class S>
   static void translate(const Entry& e, const Weights& weights, PortsOf<S>& ports) {
@@ -268,10 +282,12 @@ class FrameMarkerBatch : public MarkerBatch {
   void sweep(const Entry& e, const Coordinates<S, n>& x, const Weights& weights, PortsOf<S>& ports) const {
     if constexpr (Shape::values > 0) {
       for (int first = 0; first < n; first += directions) {
-        const auto frame = Shape::frame(E::template motion<Dual<directions>>(parameters(e), seeded_from<E, directions>(first, x, weights), e.local));
+        const auto frame = Shape::frame(E::template motion<Dual<directions>>(
+            parameters(e), seeded_from<E, directions>(first, x, weights), e.local));
         const auto* from = reinterpret_cast<const Dual<directions>*>(&frame);
         double* to = ports.derivative(e.marker) + first;
-        for (int i = 0; i < Shape::values; ++i) std::copy_n(from[i].d.begin(), std::min(directions, n - first), to + i * n);
+        for (int i = 0; i < Shape::values; ++i)
+          std::copy_n(from[i].d.begin(), std::min(directions, n - first), to + i * n);
       }
     }
     S* jacobian = ports.jacobian(e.marker);

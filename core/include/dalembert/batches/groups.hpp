@@ -42,8 +42,10 @@ struct Group {
   template <class F>
   DALEMBERT_INLINE Numbers<L> numbers(const F& of_entry) const {
     const std::array<double, L> all = each(of_entry);
-    if constexpr (L == 1) return all[0];
-    else return Pack<L>::of_each([&all](int lane) { return all[static_cast<std::size_t>(lane)]; });
+    if constexpr (L == 1)
+      return all[0];
+    else
+      return Pack<L>::of_each([&all](int lane) { return all[static_cast<std::size_t>(lane)]; });
   }
 };
 
@@ -60,9 +62,12 @@ void each_group(std::size_t begin, std::size_t end, const F& f) {
   const auto one_by_one = [&] {
     for (std::size_t i = begin; i < end; ++i) f(Group<1>{i, 1});
   };
-  if constexpr (!together) in_wide_registers(one_by_one);
-  else if (has_wide_registers()) run_in_wide_registers([&] { each_group_of_four(begin, end, f); });
-  else run_in_any_registers(one_by_one);
+  if constexpr (!together)
+    in_wide_registers(one_by_one);
+  else if (has_wide_registers())
+    run_in_wide_registers([&] { each_group_of_four(begin, end, f); });
+  else
+    run_in_any_registers(one_by_one);
 }
 
 // Calls f<first>, where up to four of `Count` numbers begin; the last four may overlap those before.
@@ -87,7 +92,8 @@ DALEMBERT_INLINE inline auto gathered(const std::array<T*, L>& from) {
   } else {
     const auto fours = vector_of<(Count + 3) / 4>([&](int four) DALEMBERT_INLINE {
       const int first = std::min(4 * four, Count - 4);
-      return columns_of<lanes>([&](int lane) DALEMBERT_INLINE { return Pack<4>::load(from[static_cast<std::size_t>(lane)] + first); });
+      return columns_of<lanes>(
+          [&](int lane) DALEMBERT_INLINE { return Pack<4>::load(from[static_cast<std::size_t>(lane)] + first); });
     });
     return vector_of<Count>([&](int i) DALEMBERT_INLINE {
       const int four = i / 4;
@@ -111,7 +117,8 @@ DALEMBERT_INLINE inline void store_numbers(const Vec<S, Count>& from, const std:
   } else {
     each_four<Count>([&]<int first>() DALEMBERT_INLINE {
       each_row<lanes>({from[first], from[first + 1], from[first + 2], from[first + 3]}, lanes,
-                      [&](int lane, const Pack<4>& row) DALEMBERT_INLINE { row.store(to[static_cast<std::size_t>(lane)] + first); });
+                      [&](int lane, const Pack<4>& row)
+                          DALEMBERT_INLINE { row.store(to[static_cast<std::size_t>(lane)] + first); });
     });
   }
 }
@@ -129,7 +136,8 @@ DALEMBERT_INLINE inline void add_numbers(const Vec<S, Count>& from, const std::a
       constexpr int done = first % 4 == 0 ? 0 : 4 - Count % 4;  // numbers that the four before have added
       const auto number = [&](int i) DALEMBERT_INLINE { return i < done ? S(0.0) : from[first + i]; };
       each_row<lanes>({number(0), number(1), number(2), number(3)}, count,
-                      [&](int lane, const Pack<4>& row) DALEMBERT_INLINE { row.add_to(to[static_cast<std::size_t>(lane)] + first); });
+                      [&](int lane, const Pack<4>& row)
+                          DALEMBERT_INLINE { row.add_to(to[static_cast<std::size_t>(lane)] + first); });
     });
   }
 }

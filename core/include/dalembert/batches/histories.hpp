@@ -21,16 +21,21 @@ struct Histories {
     return result;
   }
   static void switch_over(const auto& entries, const auto& with) {
-    if constexpr (!K::has_switches) return;
-    else if constexpr (K::switches_by_update) update(entries, with);
-    else each_active(entries, with, [](const auto& p, const auto&... given) { K::switch_over(p, given...); });
+    if constexpr (!K::has_switches)
+      return;
+    else if constexpr (K::switches_by_update)
+      update(entries, with);
+    else
+      each_active(entries, with, [](const auto& p, const auto&... given) { K::switch_over(p, given...); });
   }
   static void find_switches(const auto& entries, const auto& with, Switches& switches) {
     if constexpr (K::has_switches)
       for (const auto& e : entries) {
         switches.of(e.item);
-        if (is_active(e.parameters)) with(e, [&](const auto&... given) { K::find_switches(e.parameters, given..., switches); });
-        else switches.none(K::switch_count(e.parameters));
+        if (is_active(e.parameters))
+          with(e, [&](const auto&... given) { K::find_switches(e.parameters, given..., switches); });
+        else
+          switches.none(K::switch_count(e.parameters));
       }
   }
 

@@ -28,7 +28,8 @@ class JointTangent {
 
   // Adds one equation: the gap's derivative times `scale` by gap_slots, the generalised force of a unit multiplier by
   // multiplier_slots. The reaction of `multiplier` is varied along the way.
-  void add(const JointEquation& e, double multiplier, double scale, const int* gap_slots, const int* multiplier_slots, double* values) {
+  void add(const JointEquation& e, double multiplier, double scale, const int* gap_slots, const int* multiplier_slots,
+           double* values) {
     if (e.kind == JointEquation::Kind::displacement) {
       for (int k = 0; k < 3; ++k)
         if (e.first[k] != 0) add_component(k, e.first[k], scale, gap_slots, multiplier_slots, values);
@@ -54,11 +55,13 @@ class JointTangent {
           const int* row = slots + (first_column(i) + side.t + j) * total_;
           for (int l = 0; l < 2; ++l) add_turns(l, 1, dot(weight, moment_[l]), row, values);
           if (!turns_) continue;
-          add_turns(0, -1, dot(Vec3<double>{sign * forces[0][j], sign * forces[1][j], sign * forces[2][j]}, force_), row, values);
+          add_turns(0, -1, dot(Vec3<double>{sign * forces[0][j], sign * forces[1][j], sign * forces[2][j]}, force_),
+                    row, values);
           if (i == 0) add_lever(weight, row, values);
         }
         if (turns_)
-          for (int j = 0; j < side.t; ++j) add_turns(0, -sign, force_[j], slots + (first_column(i) + j) * total_, values);
+          for (int j = 0; j < side.t; ++j)
+            add_turns(0, -sign, force_[j], slots + (first_column(i) + j) * total_, values);
       }
     }
   }
@@ -66,7 +69,7 @@ class JointTangent {
  private:
   static constexpr int most_turns = 4;
   using Turns = Vec<double, most_turns>;  // one value per coordinate that rotates a frame; further values are unused
-  using Moving = Vec3<Turns>;             // the derivative of a vector
+  using Moving = Vec3<Turns>;  // the derivative of a vector
 
   struct Side {
     int n = 0, t = 0;  // coordinates, and how many of them translate
@@ -76,7 +79,10 @@ class JointTangent {
 
     Side() = default;
     Side(const Ports& ports, int marker)
-        : n(ports.ports[marker].n), t(ports.ports[marker].translations), derivative(ports.derivative(marker)), jacobian(ports.jacobian(marker)) {
+        : n(ports.ports[marker].n),
+          t(ports.ports[marker].translations),
+          derivative(ports.derivative(marker)),
+          jacobian(ports.jacobian(marker)) {
       if (t > 0) weight = derivative[0];
     }
     int turns() const { return n - t; }
@@ -104,7 +110,8 @@ class JointTangent {
     for (int c = 0; c < sides_[side].turns(); ++c) values[slots[c]] += factor * x[c];
   }
   // A displacement along global axis k, times a factor.
-  void add_component(int k, double factor, double scale, const int* gap_slots, const int* multiplier_slots, double* values) const {
+  void add_component(int k, double factor, double scale, const int* gap_slots, const int* multiplier_slots,
+                     double* values) const {
     for (int i = 0; i < 2; ++i) {
       const Side& side = sides_[i];
       const double sign = i == 0 ? -factor : factor;
@@ -117,7 +124,8 @@ class JointTangent {
       add_turns(i, sign, side.row(side.jacobian, k), multiplier_slots, values);
     }
   }
-  void add_product(const JointEquation& e, double multiplier, double scale, const int* gap_slots, const int* multiplier_slots, double* values) {
+  void add_product(const JointEquation& e, double multiplier, double scale, const int* gap_slots,
+                   const int* multiplier_slots, double* values) {
     const Vec3<double> a = frames_[0].rotation * e.first, b = frames_[1].rotation * e.second, moment = cross(a, b);
     const Moving da = sides_[0].turned(e.first), db = sides_[1].turned(e.second);
     add_turns(0, scale, dot(b, da), gap_slots, values);
@@ -128,8 +136,8 @@ class JointTangent {
     moment_[1] += multiplier * cross(a, db);
   }
   // Adds the contribution of an axis that rotates with the first frame to a displacement along it.
-  void add_turning_axis(const Vec3<double>& local, const Vec3<double>& axis, double multiplier, double scale, const int* gap_slots,
-                        const int* multiplier_slots, double* values) {
+  void add_turning_axis(const Vec3<double>& local, const Vec3<double>& axis, double multiplier, double scale,
+                        const int* gap_slots, const int* multiplier_slots, double* values) {
     turns_ = true;
     const Moving turned = sides_[0].turned(local);
     add_turns(0, scale, dot(span_, turned), gap_slots, values);
@@ -145,7 +153,8 @@ class JointTangent {
     const Vec3<double> translation = cross(weight, axis_);
     for (int l = 0; l < 2; ++l) {
       const double sign = l == 0 ? -1 : 1;
-      for (int c = 0; c < sides_[l].t; ++c) values[row[first_column(l) + c]] += sign * sides_[l].weight * translation[c];
+      for (int c = 0; c < sides_[l].t; ++c)
+        values[row[first_column(l) + c]] += sign * sides_[l].weight * translation[c];
       add_turns(l, -1, dot(weight, lever_[l]), row, values);
     }
   }

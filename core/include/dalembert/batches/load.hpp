@@ -11,8 +11,10 @@ struct LoadPhysicsOf final : LoadPhysics {
   static_assert(LoadKernel<K>);
 
   bool body_fixed(const void* record) const override {
-    if constexpr (has_follower) return K::BodyFixed::applies(static_cast<const Record*>(record)->parameters);
-    else return false;
+    if constexpr (has_follower)
+      return K::BodyFixed::applies(static_cast<const Record*>(record)->parameters);
+    else
+      return false;
   }
   std::unique_ptr<Term> make_batch(bool body_fixed) const override {
     if constexpr (has_follower)

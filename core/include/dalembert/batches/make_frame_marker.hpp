@@ -31,19 +31,23 @@ struct PointElement<AtNode<Node>> {
 template <class E, class OwnerRecord>
 std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
   const auto make = [&]<template <class> class Shape, class On = E>() -> std::unique_ptr<MarkerBatch> {
-    if constexpr (E::traits.planar) return std::make_unique<PlanarMarkerBatch<E, OwnerRecord, Shape>>();
-    else if constexpr (RotatesWith<Shape<E>, E>) return std::make_unique<RotatingMarkerBatch<E, OwnerRecord, Shape>>();
-    else return std::make_unique<FrameMarkerBatch<On, OwnerRecord, Shape>>();
+    if constexpr (E::traits.planar)
+      return std::make_unique<PlanarMarkerBatch<E, OwnerRecord, Shape>>();
+    else if constexpr (RotatesWith<Shape<E>, E>)
+      return std::make_unique<RotatingMarkerBatch<E, OwnerRecord, Shape>>();
+    else
+      return std::make_unique<FrameMarkerBatch<On, OwnerRecord, Shape>>();
   };
   switch (shape) {
     case FrameShape::point: return make.template operator()<PointShape, typename PointElement<E>::Type>();
     case FrameShape::rigid:
-      if constexpr (PointMotion<E>) return nullptr;
-      else return make.template operator()<RigidShape>();
+      if constexpr (PointMotion<E>)
+        return nullptr;
+      else
+        return make.template operator()<RigidShape>();
     case FrameShape::mass:
-      if constexpr (requires(const typename E::Parameters& p, const Coordinates<double, E::size>& x, const Vec3<double>& g) {
-                      E::template mass_load<double>(p, x, g);
-                    })
+      if constexpr (requires(const typename E::Parameters& p, const Coordinates<double, E::size>& x,
+                             const Vec3<double>& g) { E::template mass_load<double>(p, x, g); })
         return make.template operator()<MassShape>();
   }
   return nullptr;

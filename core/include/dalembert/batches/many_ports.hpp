@@ -27,7 +27,8 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
     e.first_data = placement.first_data;
     e.data_count = placement.data_count;
     e.first_ae = placement.first_ae;
-    for (const int marker : placement.markers) e.coordinates.push_back(ports.ports[static_cast<std::size_t>(marker)].forces);
+    for (const int marker : placement.markers)
+      e.coordinates.push_back(ports.ports[static_cast<std::size_t>(marker)].forces);
     e.algebraic = K::algebraic_equations(e.parameters, e.coordinates);
     for (int k = 0; k < e.algebraic; ++k) e.rows.push_back(placement.ae_offset + placement.first_ae + k);
     e.first_order = placement.ode1;
@@ -35,7 +36,8 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
     const ActingMarkers acting = K::acting(e.parameters, static_cast<int>(placement.markers.size()));
     for (const int position : acting.always) e.markers.push_back(placement.markers[static_cast<std::size_t>(position)]);
     e.always = static_cast<int>(e.markers.size());
-    for (const int position : acting.alternatives) e.markers.push_back(placement.markers[static_cast<std::size_t>(position)]);
+    for (const int position : acting.alternatives)
+      e.markers.push_back(placement.markers[static_cast<std::size_t>(position)]);
     e.is_full = K::forces_follow_motion(e.parameters);
     for (int i = 0; i < e.cases(); ++i) {
       e.first_slots.push_back(next_slot_);
@@ -48,8 +50,10 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
   void refresh(int entry, const void* record) override {
     Entry& e = entries_[static_cast<std::size_t>(entry)];
     e.parameters = parameters_between_markers<Parameters, Record>(record);
-    if (K::algebraic_equations(e.parameters, e.coordinates) != e.algebraic || K::forces_follow_motion(e.parameters) != e.is_full)
-      refuse(ErrorKind::state, {"object " + std::to_string(e.item), "", "its equations have changed their number or their kind since the system was assembled",
+    if (K::algebraic_equations(e.parameters, e.coordinates) != e.algebraic ||
+        K::forces_follow_motion(e.parameters) != e.is_full)
+      refuse(ErrorKind::state, {"object " + std::to_string(e.item), "",
+                                "its equations have changed their number or their kind since the system was assembled",
                                 "", "", "Use mbs.ModifyObject(...), then mbs.Assemble()"});
   }
   // Each alternative has rows and columns for the coordinates of its markers, followed by the unknowns of the item.
@@ -64,7 +68,8 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
         });
         const std::size_t coordinates = all.size();
         all.insert(all.end(), e.rows.begin(), e.rows.end());
-        visitor.block(std::span(all).first(coordinates), e.is_full ? std::span<const int>(all) : std::span<const int>(e.rows));
+        visitor.block(std::span(all).first(coordinates),
+                      e.is_full ? std::span<const int>(all) : std::span<const int>(e.rows));
         visitor.block(e.rows, all);
       }
   }
@@ -106,26 +111,32 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
     }
   }
 
-  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) override {
+  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data,
+                         double* lambda) override {
     return Histories<K>::update(entries_, with_history(evaluation, ports, start, data, lambda));
   }
   bool has_history() const override { return K::has_history; }
   bool has_switches() const override { return K::has_switches; }
   void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override {
-    Histories<K>::find_switches(entries_, [&](const Entry& e, const auto& call) {
-      take_unknowns(e, evaluation);
-      call(context(e, evaluation), exchange(e, evaluation, ports, nullptr));
-    }, switches);
+    Histories<K>::find_switches(
+        entries_,
+        [&](const Entry& e, const auto& call) {
+          take_unknowns(e, evaluation);
+          call(context(e, evaluation), exchange(e, evaluation, ports, nullptr));
+        },
+        switches);
   }
-  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data, double* lambda) override {
+  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data,
+                   double* lambda) override {
     Histories<K>::switch_over(entries_, with_history(evaluation, ports, before, data, lambda));
   }
-  PostNewton settle(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) override {
+  PostNewton settle(const Evaluation& evaluation, const Ports& ports, const double* start, double* data,
+                    double* lambda) override {
     return Histories<K>::settle(entries_, with_history(evaluation, ports, start, data, lambda));
   }
 
-  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
-              std::vector<double>& values) const override {
+  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation,
+              const Ports& ports, std::vector<double>& values) const override {
     const Entry& e = entries_[static_cast<std::size_t>(entry)];
     const Context c = context(e, evaluation);
     auto x = reading(e, evaluation, ports);
@@ -162,7 +173,8 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
   // Position of the entries of one alternative among its slots.
   struct Block {
     int coordinates, columns, left;  // left: the first column that rows of coordinates have
-    Block(const Entry& e, int n) : coordinates(n), columns(n + static_cast<int>(e.rows.size())), left(e.is_full ? 0 : n) {}
+    Block(const Entry& e, int n)
+        : coordinates(n), columns(n + static_cast<int>(e.rows.size())), left(e.is_full ? 0 : n) {}
     int size() const { return unknown(columns - coordinates, 0); }
     int coordinate(int row, int column) const { return row * (columns - left) + column - left; }
     int unknown(int row, int column) const { return coordinates * (columns - left) + row * columns + column; }
@@ -172,12 +184,14 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
     return Context::of(evaluation, e.item, e.first_data, e.data_count);
   }
 
-  auto with_history(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) const {
+  auto with_history(const Evaluation& evaluation, const Ports& ports, const double* start, double* data,
+                    double* lambda) const {
     return [=, this, &evaluation, &ports](const Entry& e, const auto& call) {
       take_unknowns(e, evaluation);
       const int first = std::max(e.first_data, 0);
       call(context(e, evaluation), exchange(e, evaluation, ports, nullptr),
-           History{start + first, data + first, {lambda + std::max(e.first_ae, 0), static_cast<std::size_t>(e.algebraic)}});
+           History{
+               start + first, data + first, {lambda + std::max(e.first_ae, 0), static_cast<std::size_t>(e.algebraic)}});
     };
   }
   void take_unknowns(const Entry& e, const Evaluation& evaluation) const {
@@ -229,7 +243,8 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
     return coordinates;
   }
 
-  void sweep(const Entry& e, const Context& c, const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const {
+  void sweep(const Entry& e, const Context& c, const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+             double* values) const {
     const int chosen = K::alternative(e.parameters, c);
     const Block block(e, place_markers(e, chosen, ports));
     const int* slot = slots.data() + e.first_slots[static_cast<std::size_t>(chosen)];
@@ -267,10 +282,12 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
     moving_equations_.assign(e.rows.size(), SweepDual());
     for (int k = 0; k < static_cast<int>(e.rows.size()); ++k)
       if (const int column = coordinates + k - first; column >= 0 && column < sweep_width)
-        moving_unknowns_[static_cast<std::size_t>(k)].d[static_cast<std::size_t>(column)] = k < e.algebraic ? 1 : weights.y;
+        moving_unknowns_[static_cast<std::size_t>(k)].d[static_cast<std::size_t>(column)] =
+            k < e.algebraic ? 1 : weights.y;
   }
   // values -= J^T force.d in the rows of one marker.
-  void scatter(const Ports& ports, std::size_t i, const Block& block, int first, const int* slot, double* values) const {
+  void scatter(const Ports& ports, std::size_t i, const Block& block, int first, const int* slot,
+               double* values) const {
     const auto [marker, offset] = acting_[i];
     const int begin = std::max(0, block.left - first), end = std::min(sweep_width, block.columns - first);
     if (begin >= end) return;
@@ -286,13 +303,15 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates, public Ma
     }
   }
   // Rows of constraints are divided by the weight of the coordinates.
-  void add_equations(const Entry& e, const Weights& weights, const Block& block, int first, const int* slot, double* values) const {
+  void add_equations(const Entry& e, const Weights& weights, const Block& block, int first, const int* slot,
+                     double* values) const {
     const double scale = 1 / (weights.q != 0 ? weights.q : weights.v);
     const int count = std::min(sweep_width, block.columns - first);
     for (int row = 0; row < static_cast<int>(e.rows.size()); ++row)
       for (int k = 0; k < count; ++k) {
         const double factor = row < e.algebraic && first + k < block.coordinates ? scale : 1;
-        values[slot[block.unknown(row, first + k)]] += factor * moving_equations_[static_cast<std::size_t>(row)].d[static_cast<std::size_t>(k)];
+        values[slot[block.unknown(row, first + k)]] +=
+            factor * moving_equations_[static_cast<std::size_t>(row)].d[static_cast<std::size_t>(k)];
       }
   }
 
@@ -314,7 +333,9 @@ template <class K, class Record>
 struct ManyPortsPhysics final : ObjectPhysics {
   static_assert(ManyPortsKernel<K>, "see core/include/dalembert/contracts/many_ports.hpp");
 
-  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<ManyPortsBatch<K, Record>>(); }
+  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
+    return std::make_unique<ManyPortsBatch<K, Record>>();
+  }
   int algebraic_equations(const void* record, std::span<const int> marker_coordinates) const override {
     return K::algebraic_equations(static_cast<const Record*>(record)->parameters, marker_coordinates);
   }

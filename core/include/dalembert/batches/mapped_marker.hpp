@@ -12,11 +12,16 @@ namespace dalembert {
 template <MappedMarkerKernel K, class Record>
 class MappedMarkerBatch final : public MarkerBatch {
  public:
-  int value_count(const void* record, const Placement& on) const override { return K::values(parameters(record), prepared(record, on)); }
-  int force_count(const void* record, const Placement& on) const override { return K::forces(parameters(record), prepared(record, on)); }
+  int value_count(const void* record, const Placement& on) const override {
+    return K::values(parameters(record), prepared(record, on));
+  }
+  int force_count(const void* record, const Placement& on) const override {
+    return K::forces(parameters(record), prepared(record, on));
+  }
 
   void add(const void* record, const Placement& placement, const Ports&) override {
-    entries_.push_back({parameters(record), prepared(record, placement), placement.owner_type, placement.owner, placement.reference, placement.item, placement.dofs});
+    entries_.push_back({parameters(record), prepared(record, placement), placement.owner_type, placement.owner,
+                        placement.reference, placement.item, placement.dofs});
   }
   void refresh(int entry, const void* record) override {
     Entry& e = entries_[static_cast<std::size_t>(entry)];
@@ -64,7 +69,8 @@ class MappedMarkerBatch final : public MarkerBatch {
     }
   }
   bool geometric_follows_tangent() const override { return false; }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     const int* slot = slots.data();
     for (const Entry& e : entries_) {
       if (K::constant_pull_back(e.parameters)) continue;
@@ -75,10 +81,12 @@ class MappedMarkerBatch final : public MarkerBatch {
       for (int first = 0; first < n; first += sweep_width) {
         seed(e, weights, first);
         moving_generalised_.assign(e.dofs.size(), SweepDual());
-        K::template pull_back<SweepDual>(e.parameters, e.constants, moving_q_.data(), moving_force_.data(), moving_generalised_.data());
+        K::template pull_back<SweepDual>(e.parameters, e.constants, moving_q_.data(), moving_force_.data(),
+                                         moving_generalised_.data());
         for (int i = 0; i < n; ++i)
           for (int j = first; j < std::min(n, first + sweep_width); ++j)
-            values[slot[i * n + j]] -= moving_generalised_[static_cast<std::size_t>(i)].d[static_cast<std::size_t>(j - first)];
+            values[slot[i * n + j]] -=
+                moving_generalised_[static_cast<std::size_t>(i)].d[static_cast<std::size_t>(j - first)];
       }
       slot += n * n;
     }
@@ -102,7 +110,9 @@ class MappedMarkerBatch final : public MarkerBatch {
     int marker = -1;
     std::vector<int> dofs;
   };
-  static const typename K::Parameters& parameters(const void* record) { return static_cast<const Record*>(record)->parameters; }
+  static const typename K::Parameters& parameters(const void* record) {
+    return static_cast<const Record*>(record)->parameters;
+  }
   static typename K::Constants prepared(const void* record, const Placement& on) {
     return K::prepare(parameters(record), *on.owner_type, on.owner, on.reference);
   }

@@ -58,7 +58,8 @@ struct MarkerPhysicsOf final : MarkerPhysics {
                 "see core/include/dalembert/contracts/marker.hpp");
 
   void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
-    if constexpr (RelativeMarkerKernel<K>) check_relative_marker(static_cast<const Record*>(record)->parameters, on, item);
+    if constexpr (RelativeMarkerKernel<K>)
+      check_relative_marker(static_cast<const Record*>(record)->parameters, on, item);
     if constexpr (MappedMarkerKernel<K>) K::check_body(static_cast<const Record*>(record)->parameters, on, item);
   }
   bool works_without_data(const void*) const override { return RelativeMarkerKernel<K>; }

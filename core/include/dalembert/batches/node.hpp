@@ -34,7 +34,9 @@ class UnitLengthBatch final : public Term, public UnitVectors {
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
     each_group(0, entries_.size(), [&]<int L>(const Group<L>& group) {
       using S = Numbers<L>;
-      const auto of_node = [&](auto* list) { return group.each([&, list](std::size_t i) { return list + entries_[i].dofs[0]; }); };
+      const auto of_node = [&](auto* list) {
+        return group.each([&, list](std::size_t i) { return list + entries_[i].dofs[0]; });
+      };
       const auto x = gathered<n>(of_node(evaluation.q));
       const S lambda = group.numbers([&](std::size_t i) { return evaluation.lambda[entries_[i].first_ae]; });
       const Vec<S, n> reaction = (2.0 * lambda) * x;
@@ -74,7 +76,9 @@ template <class Node, class Record>
 struct RestingNodePhysics final : NodePhysics {
   Sizes sizes(const void*) const override { return {}; }
   void values(const void*, NodeValues&) const override {}
-  std::unique_ptr<MarkerBatch> make_marker(FrameShape shape) const override { return make_frame_marker<Node, Record>(shape); }
+  std::unique_ptr<MarkerBatch> make_marker(FrameShape shape) const override {
+    return make_frame_marker<Node, Record>(shape);
+  }
   bool motion(const void* record, const NodeView&, Motion<double>& m) const override {
     m = Node::template motion<double>(static_cast<const Record*>(record)->parameters, {}, {});
     return true;
@@ -107,9 +111,7 @@ struct MovingNodePhysics final : NodePhysics {
     take(values.velocity, p.initialVelocities);
     values.algebraic.assign(static_cast<std::size_t>(sizes(record).ae), 0.0);
   }
-  int lie_rotation() const override {
-    return Node::traits.lie_rotation;
-  }
+  int lie_rotation() const override { return Node::traits.lie_rotation; }
   int translations() const override { return Node::traits.translations; }
   std::unique_ptr<Term> make_condition() const override {
     if constexpr (equations() > 0) return std::make_unique<UnitLengthBatch<Node>>();
@@ -128,7 +130,8 @@ struct MovingNodePhysics final : NodePhysics {
     m = Node::template motion<double>(x);
     return true;
   }
-  bool output(const void*, OutputVariableType variable, const NodeView& view, std::vector<double>& values) const override {
+  bool output(const void*, OutputVariableType variable, const NodeView& view,
+              std::vector<double>& values) const override {
     return Node::output(variable, view, values);
   }
 
@@ -146,9 +149,7 @@ struct MovingNodePhysics final : NodePhysics {
     values.assign(given.begin(), given.end());
     values.resize(Node::size);
   }
-  static constexpr int equations() {
-    return Node::traits.unit_from >= 0 ? 1 : 0;
-  }
+  static constexpr int equations() { return Node::traits.unit_from >= 0 ? 1 : 0; }
 };
 
 namespace detail {

@@ -9,8 +9,8 @@ namespace dalembert {
 template <class E, class OwnerRecord, template <class> class ShapeOf>
 class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf> {
   using Base = FrameMarkerBatch<E, OwnerRecord, ShapeOf>;
-  using typename Base::Entry, typename Base::Shape;
   using Base::entries_, Base::n;
+  using typename Base::Entry, typename Base::Shape;
 
  public:
   void visit(BlockVisitor& visitor, const Ports&) const override {
@@ -21,12 +21,17 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     differentiate(evaluation, weights, ports);
   }
-  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override { subtract_forces(evaluation, ports, r); }
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
+    subtract_forces(evaluation, ports, r);
+  }
   bool constant_pull_back(bool) const override {
     return !turns || std::ranges::all_of(entries_, [this](const Entry& e) { return at_node(e); });
   }
-  bool passes_constantly(int entry, bool) const override { return !turns || at_node(entries_[static_cast<std::size_t>(entry)]); }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  bool passes_constantly(int entry, bool) const override {
+    return !turns || at_node(entries_[static_cast<std::size_t>(entry)]);
+  }
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     add_geometric(evaluation, weights, ports, values);
   }
   bool traceable() const override { return true; }
@@ -100,7 +105,8 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
     }
   }
   template <class S>
-  void add_geometric(const EvaluationOf<S>& evaluation, const Weights& weights, const PortsOf<S>& ports, S* values) const {
+  void add_geometric(const EvaluationOf<S>& evaluation, const Weights& weights, const PortsOf<S>& ports,
+                     S* values) const {
     if constexpr (turns) {
       SlotCursorOf slot(this->slots.data(), values);
       for (const Entry& e : entries_) slot.add(weights.q * dot(arm(e, evaluation, ports), force(e, ports)));
@@ -112,8 +118,10 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
   static constexpr bool keeps_rotation = Shape::values == 18;  // stored in the port
 
   Vec3<double> point(const Entry& e) const {
-    if constexpr (on_node) return {};
-    else return Shape::point(this->parameters(e), e.local);
+    if constexpr (on_node)
+      return {};
+    else
+      return Shape::point(this->parameters(e), e.local);
   }
   template <class S>
   Arm<S> force(const Entry& e, const PortsOf<S>& ports) const {
@@ -127,10 +135,14 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
   template <class S>
   Arm<S> arm(const Entry& e, const EvaluationOf<S>& evaluation, const PortsOf<S>& ports) const {
     const Vec3<double> local = point(e);
-    if constexpr (!turns) return {local[0], local[1]};
-    else if (local[0] == 0 && local[1] == 0) return {};
-    else if constexpr (keeps_rotation) return kept_rotation(e, ports).arm(local);
-    else return PlanarRotation<S>::by(evaluation.q[e.dofs[2]]).arm(local);
+    if constexpr (!turns)
+      return {local[0], local[1]};
+    else if (local[0] == 0 && local[1] == 0)
+      return {};
+    else if constexpr (keeps_rotation)
+      return kept_rotation(e, ports).arm(local);
+    else
+      return PlanarRotation<S>::by(evaluation.q[e.dofs[2]]).arm(local);
   }
 };
 

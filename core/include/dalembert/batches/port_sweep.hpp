@@ -18,7 +18,8 @@ using SweepDual = Dual<sweep_width>;
 // Calls f(first, count) for the directions of each sweep over n of them.
 template <class F>
 void each_sweep(std::size_t n, const F& f) {
-  for (int first = 0, all = static_cast<int>(n); first < all; first += sweep_width) f(first, std::min(sweep_width, all - first));
+  for (int first = 0, all = static_cast<int>(n); first < all; first += sweep_width)
+    f(first, std::min(sweep_width, all - first));
 }
 
 // Refuses markers that give less than the frame of `Port`, or several coordinates instead of one. The frame of a rigid body
@@ -30,7 +31,8 @@ void check_markers(const Placement& placement, const Ports& ports, const ItemLab
     const bool one_coordinate = Port::forces == ScalarPort::forces;
     if (one_coordinate ? port.forces == 1 : port.values >= Port::values && port.forces >= Port::forces) continue;
     refuse(ErrorKind::value,
-           {item, "markerNumbers", "marker " + std::to_string(marker) + " gives " + std::to_string(port.forces) + " coordinates", "",
+           {item, "markerNumbers",
+            "marker " + std::to_string(marker) + " gives " + std::to_string(port.forces) + " coordinates", "",
             one_coordinate ? "markers of a single coordinate" : "markers of a point or a rigid body", ""});
   }
 }
@@ -99,8 +101,9 @@ std::vector<int> all_dofs(const Ports& ports, const std::array<int, M>& markers)
 
 // values[slot] += sign * J^T force.d for all markers' rows and the columns of one sweep; entries that are always zero have no slot.
 template <class Port, int M>
-void scatter_forces(const Ports& ports, const std::array<int, M>& markers, const Columns<M>& columns, int first, double sign,
-                    const std::array<typename Port::template Force<SweepDual>, M>& forces, const int* slots, double* values) {
+void scatter_forces(const Ports& ports, const std::array<int, M>& markers, const Columns<M>& columns, int first,
+                    double sign, const std::array<typename Port::template Force<SweepDual>, M>& forces,
+                    const int* slots, double* values) {
   const int count = std::min(sweep_width, columns.total - first);
   for (int m = 0; m < M; ++m) {
     const int n = ports.ports[markers[m]].n;

@@ -28,8 +28,9 @@ template <class Parameters>
 void check_relative_marker(const Parameters& p, const Placement& on, const ItemLabel& item) {
   if constexpr (requires { p.nodeNumber; })
     if (p.nodeNumber.valid() && on.data_count != 1)
-      refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(on.data_count) + " data coordinates",
-                                data_node_of(1), ""});
+      refuse(ErrorKind::value,
+             {item, "nodeNumber", "", "a node with " + std::to_string(on.data_count) + " data coordinates",
+              data_node_of(1), ""});
 }
 
 template <class K, class Record>
@@ -51,8 +52,9 @@ class RelativeMarkerBatch final : public MarkerBatch {
       dofs = dofs.subspan(own.size());
       e.bodies[m] = bodies_.add(owner, FrameShape::rigid, own, locals[m]);
       if (e.bodies[m] < 0)
-        refuse(ErrorKind::value, {"marker " + std::to_string(e.marker), "bodyNumbers", "",
-                                  "a " + std::string(owner.type->name) + ", which has no rigid frame", "two rigid bodies", ""});
+        refuse(ErrorKind::value,
+               {"marker " + std::to_string(e.marker), "bodyNumbers", "",
+                "a " + std::string(owner.type->name) + ", which has no rigid frame", "two rigid bodies", ""});
     }
     entries_.push_back(std::move(e));
   }
@@ -100,7 +102,8 @@ class RelativeMarkerBatch final : public MarkerBatch {
     set_wrenches(ports);
     bodies_.pull_back(evaluation, r);
   }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     set_wrenches(ports);
     std::span<const int> slot = slots;
     for (const Entry& e : entries_) {
@@ -109,7 +112,8 @@ class RelativeMarkerBatch final : public MarkerBatch {
       for (int first = 0; first < columns.total; first += sweep_width) {
         const auto m = e.moving_frames(bodies_.ports, columns, first);
         scatter_forces<RigidPort, 2>(bodies_.ports, e.bodies, columns, first, -1.0,
-                                     K::template forces<SweepDual>(e.parameters, m[0], m[1], force), slot.data(), values);
+                                     K::template forces<SweepDual>(e.parameters, m[0], m[1], force), slot.data(),
+                                     values);
       }
       slot = slot.subspan(static_cast<std::size_t>(columns.total * columns.total));
     }

@@ -13,8 +13,8 @@ namespace dalembert {
 // Adds the derivative of the inertia forces by values[slot[row * n + column]]. The wrench is held fixed in the maps to
 // coordinates: that part is the node's.
 template <RotatingBody Body, RotatingNode Node>
-void add_inertia_tangent(const typename Body::Parameters& p, const SpinMotion<double>& motion, const RotationTangent<Node::size - 3>& t,
-                         const Weights& w, const int* slot, double* values) {
+void add_inertia_tangent(const typename Body::Parameters& p, const SpinMotion<double>& motion,
+                         const RotationTangent<Node::size - 3>& t, const Weights& w, const int* slot, double* values) {
   constexpr int n = Node::size, r = n - 3;
   const InertiaTangent b = Body::inertia_tangent(Body::mass_properties(p), motion);
   const auto add = [&](int row, int column, double x) { values[slot[row * n + column]] += x; };
@@ -22,7 +22,8 @@ void add_inertia_tangent(const typename Body::Parameters& p, const SpinMotion<do
   // in body axes
   Mat<double, 3, r> moment = b.moment_by_spin * t.spin_tangent + b.moment_by_spin_rate * t.spin_rate_tangent;
   if (b.eccentric) {
-    const Mat<double, 3, r> swing = t.rotation * (b.swing_by_spin * t.spin_tangent + b.swing_by_spin_rate * t.spin_rate_tangent);
+    const Mat<double, 3, r> swing =
+        t.rotation * (b.swing_by_spin * t.spin_tangent + b.swing_by_spin_rate * t.spin_rate_tangent);
     for (int j = 0; j < r; ++j) {
       const Vec3<double> turned = t.turn[j] * b.swing;
       const Vec3<double> lever = b.moment_by_acceleration * transposed_times(t.turn[j], motion.acceleration);
@@ -31,7 +32,8 @@ void add_inertia_tangent(const typename Body::Parameters& p, const SpinMotion<do
         moment(i, j) += lever[i];
       }
     }
-    const Mat<double, r, 3> by_acceleration = transpose(t.spin_map) * (b.moment_by_acceleration * transpose(t.rotation));
+    const Mat<double, r, 3> by_acceleration =
+        transpose(t.spin_map) * (b.moment_by_acceleration * transpose(t.rotation));
     for (int i = 0; i < r; ++i)
       for (int j = 0; j < 3; ++j) add(3 + i, j, w.a * by_acceleration(i, j));
   }
@@ -43,8 +45,8 @@ void add_inertia_tangent(const typename Body::Parameters& p, const SpinMotion<do
 template <class E, class Record>
 class RotatingBodyBatch final : public ElementBatch<E, Record> {
   using Base = ElementBatch<E, Record>;
-  using typename Base::Entry;
   using Base::entries_, Base::n;
+  using typename Base::Entry;
   using Body = typename E::Kernel;
   using Node = typename E::OwnRotation;
 
@@ -62,17 +64,23 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
   bool reads_totals() const override { return false; }
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
     each_group(0, entries_.size(), [&]<int L>(const Group<L>& group) {
-      if (!evaluation.inertia && std::ranges::all_of(group.each([&](std::size_t i) { return round_[i]; }), [](char round) { return round != 0; })) return;
+      if (!evaluation.inertia && std::ranges::all_of(group.each([&](std::size_t i) { return round_[i]; }),
+                                                     [](char round) { return round != 0; }))
+        return;
       const auto motion = [&](std::size_t i) -> const NodeMotion& { return ports.node_motions[entries_[i].node]; };
       const auto first = [&](std::size_t i) { return evaluation.a + entries_[i].dofs[0]; };
       const auto b = gathered<MassProperties>(group.each([&](std::size_t i) { return &masses_[i]; }));
-      const auto spin = gathered<6>(group.each([&](std::size_t i) { return motion(i).spin.x.data(); }));  // and its rate
+      const auto spin =
+          gathered<6>(group.each([&](std::size_t i) { return motion(i).spin.x.data(); }));  // and its rate
       Mat3<Numbers<L>> rotation;  // used only by this class
-      if (b.eccentric()) rotation = {gathered<9>(group.each([&](std::size_t i) { return motion(i).rotation.x.data(); })).x};
+      if (b.eccentric())
+        rotation = {gathered<9>(group.each([&](std::size_t i) { return motion(i).rotation.x.data(); })).x};
       Vec3<Numbers<L>> acceleration{};
       if (evaluation.inertia) acceleration = segment<3>(gathered<4>(group.each(first)), 0);
-      const auto w = Body::inertia(b, SpinMotion<Numbers<L>>{acceleration, rotation, segment<3>(spin, 0), segment<3>(spin, 3)});
-      const auto loads = group.each([&](std::size_t i) { return ports.node_loads[entries_[i].node].own_moment.x.data(); });
+      const auto w =
+          Body::inertia(b, SpinMotion<Numbers<L>>{acceleration, rotation, segment<3>(spin, 0), segment<3>(spin, 3)});
+      const auto loads =
+          group.each([&](std::size_t i) { return ports.node_loads[entries_[i].node].own_moment.x.data(); });
       add_numbers(joined(-w.moment, -w.force), loads, group.count);
     });
   }
@@ -81,9 +89,10 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
     in_wide_registers([&] {
       for (const Entry& e : entries_) {
         const NodeMotion& m = ports.node_motions[e.node];
-        const Vec3<double> acceleration = evaluation.inertia ? load<double, 3>(evaluation.a + e.dofs[0]) : Vec3<double>{};
-        add_inertia_tangent<Body, Node>(e.parameters, {acceleration, m.rotation, m.spin, m.spin_rate}, ports.template rotation<n - 3>(e.node),
-                                        weights, slot, values);
+        const Vec3<double> acceleration =
+            evaluation.inertia ? load<double, 3>(evaluation.a + e.dofs[0]) : Vec3<double>{};
+        add_inertia_tangent<Body, Node>(e.parameters, {acceleration, m.rotation, m.spin, m.spin_rate},
+                                        ports.template rotation<n - 3>(e.node), weights, slot, values);
         slot += n * n;
       }
     });
@@ -94,8 +103,8 @@ class RotatingBodyBatch final : public ElementBatch<E, Record> {
     const int* slot = this->slots.data();
     for (const Entry& e : entries_) {
       const auto x = gather<n>(evaluation, e.dofs.data());
-      add_inertia_tangent<Body, Node>(e.parameters, Node::template spin_motion<double>(x), Node::rotation_tangent(x, weights), weights, slot,
-                                      values);
+      add_inertia_tangent<Body, Node>(e.parameters, Node::template spin_motion<double>(x),
+                                      Node::rotation_tangent(x, weights), weights, slot, values);
       slot += n * n;
     }
   }

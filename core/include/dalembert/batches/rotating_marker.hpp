@@ -12,7 +12,8 @@ namespace dalembert {
 // the rotation row by row and the angular velocity, all in global axes. Writes the nonzero part of a matrix row by
 // row.
 template <int Values, RotatingNode Node>
-void write_frame_tangent(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local, const Weights& w, double* d) {
+void write_frame_tangent(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local, const Weights& w,
+                         double* d) {
   constexpr int n = Node::size;
   const auto put = [&](int row, int j, const Vec3<double>& v) {
     for (int i = 0; i < 3; ++i) d[(row + i) * n + 3 + j] = v[i];
@@ -48,8 +49,8 @@ void write_force_map(const RotationTangent<Node::size - 3>& t, const Vec3<double
 template <class E, class OwnerRecord, template <class> class ShapeOf>
 class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf> {
   using Base = FrameMarkerBatch<E, OwnerRecord, ShapeOf>;
-  using typename Base::Entry, typename Base::Shape;
   using Base::entries_;
+  using typename Base::Entry, typename Base::Shape;
   using Node = typename E::OwnRotation;
   static constexpr int turns = Node::size - 3;
 
@@ -101,7 +102,8 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
         const Vec3<double>& point = Shape::point(this->parameters(e), e.local);
         if constexpr (Shape::values > 0)
           write_frame_tangent<Shape::values, Node>(rotation, point, weights, ports.derivative(e.marker));
-        write_force_map<Shape::forces, Node>(rotation, point, Shape::scale(this->parameters(e)), ports.jacobian(e.marker));
+        write_force_map<Shape::forces, Node>(rotation, point, Shape::scale(this->parameters(e)),
+                                             ports.jacobian(e.marker));
       }
     });
   }
@@ -113,20 +115,23 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
       Vec3<double> moment{};
       if constexpr (Shape::forces == 6) moment = load<double, 3>(f + 3);
       if (beside == nullptr) return ports.node_loads[static_cast<std::size_t>(at.node)].add_at_node(force, moment);
-      ports.add_load(at.node, Shape::point(this->parameters(*beside), beside->local), Shape::scale(this->parameters(*beside)) * force, moment);
+      ports.add_load(at.node, Shape::point(this->parameters(*beside), beside->local),
+                     Shape::scale(this->parameters(*beside)) * force, moment);
     };
     in_wide_registers([&] { each_place(leave); });
   }
   // Forces at the node itself do not turn with it.
   bool constant_pull_back(bool of_moments) const override {
     if (apart()) return Base::constant_pull_back(of_moments);
-    return (Shape::forces == 3 || !of_moments) && std::ranges::all_of(entries_, [this](const Entry& e) { return at_node(e); });
+    return (Shape::forces == 3 || !of_moments) &&
+           std::ranges::all_of(entries_, [this](const Entry& e) { return at_node(e); });
   }
   bool passes_constantly(int entry, bool of_moments) const override {
     if (apart()) return Base::constant_pull_back(of_moments);
     return (Shape::forces == 3 || !of_moments) && at_node(entries_[static_cast<std::size_t>(entry)]);
   }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     if (apart()) Base::geometric(evaluation, weights, ports, values);
   }
 
@@ -147,7 +152,8 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
   };
   static bool is_at_node_itself(const Entry& e) { return Shape::values > 0 && is_zero(e.local); }
   static Place place_behind(const Place& p, int count) {
-    return {p.node + count, p.dof + count * Node::size, p.value + count * Shape::values, p.force + count * room_of_forces(Shape::forces)};
+    return {p.node + count, p.dof + count * Node::size, p.value + count * Shape::values,
+            p.force + count * room_of_forces(Shape::forces)};
   }
   void add_to_runs(std::size_t number) {
     const Entry& e = entries_[number];

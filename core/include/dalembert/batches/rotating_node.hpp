@@ -17,19 +17,23 @@ template <RotatingNode Node, class S>
 NodeMotionOf<S> node_motion(const Coordinates<S, Node::size>& x) {
   const SpinMotion<S> own = Node::template spin_motion<S>(x);
   // also computed by `motion`
-  if constexpr (LieKernel<Node>) return {own.spin, own.spin_rate, own.rotation, own.rotation * own.spin};
-  else return {own.spin, own.spin_rate, own.rotation, Node::template motion<S>(x).angular_velocity};
+  if constexpr (LieKernel<Node>)
+    return {own.spin, own.spin_rate, own.rotation, own.rotation * own.spin};
+  else
+    return {own.spin, own.spin_rate, own.rotation, Node::template motion<S>(x).angular_velocity};
 }
 // Derivative of the generalised forces of a fixed load with respect to the rotation coordinates, in their rows.
 template <RotatingNode Node>
-Mat<double, Node::size - 3, Node::size - 3> load_tangent(const NodeLoad& load, const PointForces& beside, const Coordinates<double, Node::size>& x,
+Mat<double, Node::size - 3, Node::size - 3> load_tangent(const NodeLoad& load, const PointForces& beside,
+                                                         const Coordinates<double, Node::size>& x,
                                                          const RotationTangent<Node::size - 3>& t, const Weights& w) {
   constexpr int r = Node::size - 3;
   const Vec3<double> moment = load.beside == 0 ? load.own_moment : load.own_moment + beside.moment(t.rotation);
   Mat<double, r, r> k = Node::moment_tangent(x, moment, load.moment, w);
   for (int j = 0; j < r && load.beside != 0; ++j) {
     const Vec3<double> turned = beside.moment(t.turn[j]);
-    for (int i = 0; i < r; ++i) k(i, j) += t.spin_map(0, i) * turned[0] + t.spin_map(1, i) * turned[1] + t.spin_map(2, i) * turned[2];
+    for (int i = 0; i < r; ++i)
+      k(i, j) += t.spin_map(0, i) * turned[0] + t.spin_map(1, i) * turned[1] + t.spin_map(2, i) * turned[2];
   }
   return k;
 }
@@ -54,7 +58,8 @@ class RotatingNodes final : public RotatingNodeBatch {
   }
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
     each_group<NodeInPacks<Node>>(0, entries_.size(), [&]<int L>(const Group<L>& group) {
-      const auto places = group.each([&](std::size_t i) { return reinterpret_cast<double*>(&ports.node_motions[entries_[i].node]); });
+      const auto places =
+          group.each([&](std::size_t i) { return reinterpret_cast<double*>(&ports.node_motions[entries_[i].node]); });
       store_numbers(node_motion<Node>(coordinates(evaluation, group)).numbers(), places);
     });
   }
@@ -68,11 +73,14 @@ class RotatingNodes final : public RotatingNodeBatch {
   void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
     each_group<NodeInPacks<Node>>(0, entries_.size(), [&]<int L>(const Group<L>& group) {
       using S = Numbers<L>;
-      const auto load = gathered<NodeLoadOf>(group.each([&](std::size_t i) { return &ports.node_loads[entries_[i].node]; }));
-      const auto rotation = gathered<9>(group.each([&](std::size_t i) { return ports.node_motions[entries_[i].node].rotation.x.data(); }));
+      const auto load =
+          gathered<NodeLoadOf>(group.each([&](std::size_t i) { return &ports.node_loads[entries_[i].node]; }));
+      const auto rotation = gathered<9>(
+          group.each([&](std::size_t i) { return ports.node_motions[entries_[i].node].rotation.x.data(); }));
       Vec3<S> own_moment = load.own_moment;
       if (!is_zero(load.beside)) {
-        const auto beside = gathered<PointForcesOf>(group.each([&](std::size_t i) { return &std::as_const(ports.point_forces[entries_[i].node]); }));
+        const auto beside = gathered<PointForcesOf>(
+            group.each([&](std::size_t i) { return &std::as_const(ports.point_forces[entries_[i].node]); }));
         const Vec3<S> moment = beside.moment({rotation.x});
         for (int i = 0; i < 3; ++i) own_moment[i] = own_moment[i] + only_where(load.beside, moment[i]);
       }
@@ -93,7 +101,8 @@ class RotatingNodes final : public RotatingNodeBatch {
     in_wide_registers([&] {
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
-        const auto k = load_tangent<Node>(ports.node_loads[e.node], ports.point_forces[e.node], x, ports.template rotation<turns>(e.node), weights);
+        const auto k = load_tangent<Node>(ports.node_loads[e.node], ports.point_forces[e.node], x,
+                                          ports.template rotation<turns>(e.node), weights);
         for (const double entry : k.x) slot.add(-entry);
       }
     });
@@ -106,7 +115,9 @@ class RotatingNodes final : public RotatingNodeBatch {
   };
   template <int L>
   Coordinates<Numbers<L>, n> coordinates(const Evaluation& evaluation, const Group<L>& group) const {
-    const auto of = [&](const double* from) { return gathered<n>(group.each([&](std::size_t i) { return from + entries_[i].dofs[0]; })); };
+    const auto of = [&](const double* from) {
+      return gathered<n>(group.each([&](std::size_t i) { return from + entries_[i].dofs[0]; }));
+    };
     const bool adds_up = evaluation.reads_nodes && !reads_totals();
     auto totals = of(adds_up ? evaluation.reference : evaluation.q);
     if (adds_up) totals += of(evaluation.u);

@@ -9,7 +9,8 @@ template <class K, class Record>
 struct SensorPhysicsOf final : SensorPhysics {
   static_assert(SensorKernel<K>, "see core/include/dalembert/contracts/sensor.hpp");
 
-  void measure(System& system, const void* record, int sensor, ConfigurationType configuration, std::vector<double>& values) const override {
+  void measure(System& system, const void* record, int sensor, ConfigurationType configuration,
+               std::vector<double>& values) const override {
     K::measure(system, static_cast<const Record*>(record)->parameters, sensor, configuration, values);
   }
   std::optional<SensorSubject> subject(const void* record) const override {

@@ -115,14 +115,16 @@ class SizedBodyBatch final : public Term {
     if (kind == Energy::kinetic) {
       add_all(evaluation.v, first);
       add_all(none.data(), second);
-      for (const int i : dofs) value += 0.5 * evaluation.v[i] * (first[static_cast<std::size_t>(i)] - second[static_cast<std::size_t>(i)]);
+      for (const int i : dofs)
+        value += 0.5 * evaluation.v[i] * (first[static_cast<std::size_t>(i)] - second[static_cast<std::size_t>(i)]);
       return true;
     }
     Work work = own_work(e, at);
     e.law.add_forces(at, work.law, first.data());
     at.u = none.data();
     e.law.add_forces(at, work.law, second.data());
-    for (const int i : dofs) value += 0.5 * evaluation.u[i] * (first[static_cast<std::size_t>(i)] + second[static_cast<std::size_t>(i)]);
+    for (const int i : dofs)
+      value += 0.5 * evaluation.u[i] * (first[static_cast<std::size_t>(i)] + second[static_cast<std::size_t>(i)]);
     return true;
   }
   int mesh_nodes(int entry) const override {
@@ -132,7 +134,8 @@ class SizedBodyBatch final : public Term {
     }
     return 0;
   }
-  bool mesh_outputs(int entry, int first, int count, OutputVariableType variable, const Evaluation& evaluation, std::vector<double>& values) const override {
+  bool mesh_outputs(int entry, int first, int count, OutputVariableType variable, const Evaluation& evaluation,
+                    std::vector<double>& values) const override {
     if constexpr (places_mesh<B>) return own_mesh_outputs(entries_[entry], first, count, variable, evaluation, values);
     return false;
   }
@@ -184,11 +187,12 @@ class SizedBodyBatch final : public Term {
     const std::span<SweepDual> r = std::span(work_.moving_forces).first(n);
     each_sweep(n, [&](int first, int count) {
       B::template residual<SweepDual>(e.constants, work_.vectors.template seeded<SweepDual>(w, first), r);
-      for (std::size_t i = 0; i < n; ++i) std::copy_n(r[i].d.begin(), count, block.begin() + static_cast<std::ptrdiff_t>(i * n) + first);
+      for (std::size_t i = 0; i < n; ++i)
+        std::copy_n(r[i].d.begin(), count, block.begin() + static_cast<std::ptrdiff_t>(i * n) + first);
     });
   }
-  static bool own_mesh_outputs(const Entry& e, int first, int count, OutputVariableType variable, const Evaluation& evaluation,
-                               std::vector<double>& values) {
+  static bool own_mesh_outputs(const Entry& e, int first, int count, OutputVariableType variable,
+                               const Evaluation& evaluation, std::vector<double>& values) {
     const typename B::Parameters& p = *e.parameters;
     GatheredVectors vectors;
     vectors.make_room(e.law.dofs().size());
@@ -208,7 +212,9 @@ class SizedBodyBatch final : public Term {
     };
     const auto deformed = [&](int node) { return B::rest(p, node) + combined(x.u, node); };
     const Motion<double> frame = frame_motion<Frame>(x);
-    const auto motion = [&](int node) { return motion_in(frame, deformed(node), combined(x.v, node), combined(x.a, node)); };
+    const auto motion = [&](int node) {
+      return motion_in(frame, deformed(node), combined(x.v, node), combined(x.a, node));
+    };
     const auto position = [&](int node) { return frame.position + frame.rotation * deformed(node); };
     switch (variable) {
       case OutputVariableType::Position: return give(position);
@@ -247,7 +253,8 @@ struct SizedBodyPhysics final : ObjectPhysics {
       return nullptr;
     });
   }
-  std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape shape, std::span<const ItemType* const> nodes, MeshMeanReader read) const override {
+  std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape shape, std::span<const ItemType* const> nodes,
+                                                MeshMeanReader read) const override {
     return choose<MarkerBatch>(nodes, [&]<class B>() -> std::unique_ptr<MarkerBatch> {
       if constexpr (B::mesh != Mesh::none) switch (shape) {
           case FrameShape::point: return make<B, PointPort, MeshSeat>(nodes, read);
@@ -299,7 +306,9 @@ struct SizedBodyPhysics final : ObjectPhysics {
     using Type = On<N>;
   };
   using Plain = typename FirstOf<Nodes...>::Type::Type;  // part that does not depend on the frame
-  static const typename Plain::Parameters& parameters(const void* record) { return static_cast<const Record*>(record)->parameters; }
+  static const typename Plain::Parameters& parameters(const void* record) {
+    return static_cast<const Record*>(record)->parameters;
+  }
 
   template <class B, class Port, template <class, class> class Seat>
   static std::unique_ptr<MarkerBatch> make(std::span<const ItemType* const> nodes, MeshMeanReader read = nullptr) {
@@ -314,7 +323,10 @@ struct SizedBodyPhysics final : ObjectPhysics {
     if constexpr (sizeof...(Nodes) == 0) {
       batch = make.template operator()<Body>();
     } else {
-      (void)((!nodes.empty() && nodes[0]->name == Nodes::item ? (batch = make.template operator()<typename On<Nodes>::Type>(), true) : false) || ...);
+      (void)((!nodes.empty() && nodes[0]->name == Nodes::item
+                  ? (batch = make.template operator()<typename On<Nodes>::Type>(), true)
+                  : false) ||
+             ...);
     }
     return batch;
   }

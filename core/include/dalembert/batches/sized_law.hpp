@@ -63,6 +63,7 @@ class LawOfBody {
 // Rejects matrices and vectors whose size is neither zero nor the number of coordinates.
 void check_sizes(const SizedLaw& law, int coordinates, std::string_view called, const ItemLabel& item);
 // Refuses a matrix of another size.
-void check_size(const char* parameter, const DynamicMatrix<double>& m, int rows, int columns, const ItemLabel& item, const char* advice);
+void check_size(const char* parameter, const DynamicMatrix<double>& m, int rows, int columns, const ItemLabel& item,
+                const char* advice);
 
 }  // namespace dalembert

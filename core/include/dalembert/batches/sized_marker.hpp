@@ -63,7 +63,8 @@ struct MeshSeat {
     for (const int number : mean_.nodes) {
       const auto node = static_cast<int>(nodes_.rest.size());
       nodes_.rest.push_back(B::rest(p, number));
-      B::each_shape(p, number, [&](int i, const Vec3<double>& by) { nodes_.shapes.push_back({node, frame_size<B> + i, by}); });
+      B::each_shape(p, number,
+                    [&](int i, const Vec3<double>& by) { nodes_.shapes.push_back({node, frame_size<B> + i, by}); });
     }
   }
 
@@ -77,7 +78,8 @@ class SizedMarkerBatch final : public MarkerBatch {
   using Frame = typename B::Frame;
 
  public:
-  SizedMarkerBatch(std::span<const ItemType* const> nodes, MeshMeanReader read) : made_for_{{nodes.begin(), nodes.end()}, read} {}
+  SizedMarkerBatch(std::span<const ItemType* const> nodes, MeshMeanReader read)
+      : made_for_{{nodes.begin(), nodes.end()}, read} {}
 
   int value_count(const void*, const Placement&) const override { return Port::values; }
   int force_count(const void*, const Placement&) const override { return Port::forces; }
@@ -90,7 +92,9 @@ class SizedMarkerBatch final : public MarkerBatch {
     forces_.resize(std::max(forces_.size(), placement.dofs.size()));
     moving_forces_.resize(forces_.size());
   }
-  void refresh(int entry, const void* record) override { entries_[entry].seat.refresh(record, entries_[entry].marker, made_for_); }
+  void refresh(int entry, const void* record) override {
+    entries_[entry].seat.refresh(record, entries_[entry].marker, made_for_);
+  }
   void refresh_owner(int entry, const void* record) override {
     entries_[entry].seat.refresh_owner(record, entries_[entry].marker);
   }
@@ -116,7 +120,8 @@ class SizedMarkerBatch final : public MarkerBatch {
       vectors_.gather(evaluation, e.dofs);
       if constexpr (Port::values > 0)
         each_sweep(n, [&](int first, int count) {
-          const auto frame = frame_of(e.seat.place.template motion<Frame>(vectors_.template seeded<SweepDual>(weights, first)));
+          const auto frame =
+              frame_of(e.seat.place.template motion<Frame>(vectors_.template seeded<SweepDual>(weights, first)));
           const auto* from = reinterpret_cast<const SweepDual*>(&frame);
           double* to = ports.derivative(e.marker) + first;
           for (int i = 0; i < Port::values; ++i, to += n) std::copy_n(from[i].d.begin(), count, to);
@@ -137,16 +142,19 @@ class SizedMarkerBatch final : public MarkerBatch {
   }
   bool constant_pull_back(bool) const override { return is_constant; }
   bool geometric_follows_tangent() const override { return false; }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     if constexpr (is_constant) return;
     const int* slot = slots.data();
     for (const Entry& e : entries_) {
       const std::size_t n = e.dofs.size();
       vectors_.gather(evaluation, e.dofs);
       each_sweep(n, [&](int first, int count) {
-        pull_back(e, vectors_.template seeded<SweepDual>(weights, first), ports.force(e.marker), std::span(moving_forces_).first(n));
+        pull_back(e, vectors_.template seeded<SweepDual>(weights, first), ports.force(e.marker),
+                  std::span(moving_forces_).first(n));
         for (std::size_t i = 0; i < n; ++i)
-          for (int j = 0; j < count; ++j) values[slot[i * n + static_cast<std::size_t>(first + j)]] -= moving_forces_[i].d[j];
+          for (int j = 0; j < count; ++j)
+            values[slot[i * n + static_cast<std::size_t>(first + j)]] -= moving_forces_[i].d[j];
       });
       slot += n * n;
     }
@@ -173,8 +181,10 @@ class SizedMarkerBatch final : public MarkerBatch {
 
   template <class S>
   static typename Port::template Frame<S> frame_of(const Motion<S>& m) {
-    if constexpr (Port::values == RigidPort::values) return {m.position, m.velocity, m.rotation, m.angular_velocity};
-    else return {m.position, m.velocity};
+    if constexpr (Port::values == RigidPort::values)
+      return {m.position, m.velocity, m.rotation, m.angular_velocity};
+    else
+      return {m.position, m.velocity};
   }
   template <class S>
   static void pull_back(const Entry& e, const SizedCoordinates<S>& x, const double* force, std::span<S> q) {

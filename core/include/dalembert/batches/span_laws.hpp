@@ -37,7 +37,8 @@ class SpanLaws {
       std::fill(block.values[m].begin() + lane, block.values[m].end(), port.first_value);
       std::fill(block.forces[m].begin() + lane, block.forces[m].end(), port.first_force);
       if (is_point(port)) {
-        std::fill(block.derivative.begin() + (block.has_points ? lane : 0), block.derivative.end(), port.first_derivative);
+        std::fill(block.derivative.begin() + (block.has_points ? lane : 0), block.derivative.end(),
+                  port.first_derivative);
         block.has_points = true;
       }
     }
@@ -58,7 +59,8 @@ class SpanLaws {
   void add_forces(const double* values, double* forces) const {
     const auto add = [&]<int L>() {
       for (const Block& block : blocks_)
-        for (int first = 0; first < block_lanes; first += L) add_some<L>(laws_[block.law], block, first, values, forces);
+        for (int first = 0; first < block_lanes; first += L)
+          add_some<L>(laws_[block.law], block, first, values, forces);
     };
     in_fours(add);
   }
@@ -76,9 +78,12 @@ class SpanLaws {
           for (int lane = 0; lane < L && entry < static_cast<int>(count_); ++lane, ++entry) {
             const Ends ends = has_law(entry) ? block.ends[first + lane] : Ends::other;
             const double* matrix = matrices.data() + matrix_size * lane;
-            if (ends == Ends::both) slots = add_between_points(matrix, slots, values);
-            else if (ends == Ends::one) slots = add_at_point(matrix, slots, values);
-            else if (ends == Ends::other) slots = add_other(entry, slots);
+            if (ends == Ends::both)
+              slots = add_between_points(matrix, slots, values);
+            else if (ends == Ends::one)
+              slots = add_at_point(matrix, slots, values);
+            else if (ends == Ends::other)
+              slots = add_other(entry, slots);
           }
         }
     };
@@ -97,8 +102,10 @@ class SpanLaws {
   // Operations are not fused: the numbers equal those of a single connector.
   template <class Loop>
   static void in_fours(const Loop& loop) {
-    if (numbers_in_register() == 2) run_in_any_registers([&] { loop.template operator()<2>(); });
-    else run_in_registers_of_four([&] { loop.template operator()<4>(); });
+    if (numbers_in_register() == 2)
+      run_in_any_registers([&] { loop.template operator()<2>(); });
+    else
+      run_in_registers_of_four([&] { loop.template operator()<4>(); });
   }
 
   static_assert(std::is_same_v<typename K::Port, PointPort>, "a frame is taken as the six numbers of a point");
@@ -108,7 +115,7 @@ class SpanLaws {
   struct Block {
     int law = -1;  // place
     std::array<std::array<int, block_lanes>, 2> values{}, forces{};  // offsets, by marker
-    std::array<int, block_lanes> derivative{};                       // offset, of a point that moves
+    std::array<int, block_lanes> derivative{};  // offset, of a point that moves
     std::array<Ends, block_lanes> ends{};
     bool has_points = false;
   };
@@ -126,10 +133,13 @@ class SpanLaws {
     Vec3<Pack<L>> span, rate;
 
     DALEMBERT_INLINE Some(const LawBlocks& laws, const Block& block, int first, const double* values) {
-      for (int i = 0; i < law_size; ++i) reinterpret_cast<Pack<L>*>(&law)[i] = Pack<L>::load(reinterpret_cast<const double*>(&laws[i]) + first);
+      for (int i = 0; i < law_size; ++i)
+        reinterpret_cast<Pack<L>*>(&law)[i] = Pack<L>::load(reinterpret_cast<const double*>(&laws[i]) + first);
       const auto differences = [&](int number) DALEMBERT_INLINE {  // differences of four numbers of the frames
         return columns_of<L>([&](int lane) DALEMBERT_INLINE {
-          const auto frame = [&](int m) DALEMBERT_INLINE { return Pack<4>::load(values + block.values[m][first + lane] + number); };
+          const auto frame = [&](int m) DALEMBERT_INLINE {
+            return Pack<4>::load(values + block.values[m][first + lane] + number);
+          };
           return frame(1) - frame(0);
         });
       };
@@ -154,14 +164,19 @@ class SpanLaws {
   // derivative with respect to span and rate. Ordered by lane, then row by row.
   static constexpr int matrix_size = 12;  // nine, stored in fours
   template <int L>
-  static void find_matrices(const LawBlocks& laws, const Block& block, int first, const Ports& ports, double* matrices) {
+  static void find_matrices(const LawBlocks& laws, const Block& block, int first, const Ports& ports,
+                            double* matrices) {
     const Some<L> some(laws, block, first, ports.values.data());
     const auto weight = [&](int component) DALEMBERT_INLINE {
-      return Pack<L>::of_each([&](int lane) { return ports.derivatives[static_cast<std::size_t>(block.derivative[first + lane] + component)]; });
+      return Pack<L>::of_each([&](int lane) {
+        return ports.derivatives[static_cast<std::size_t>(block.derivative[first + lane] + component)];
+      });
     };
     const SpanTangent<3, Pack<L>> t = K::tangent(some.law, some.span, some.rate);
     const Pack<L> span_weight = weight(0), rate_weight = weight(9);
-    const auto number = [&](int k) DALEMBERT_INLINE { return k < 9 ? span_weight * t.by_span.x[k] + rate_weight * t.by_rate.x[k] : Pack<L>(); };
+    const auto number = [&](int k) DALEMBERT_INLINE {
+      return k < 9 ? span_weight * t.by_span.x[k] + rate_weight * t.by_rate.x[k] : Pack<L>();
+    };
     for (int k = 0; k < matrix_size; k += 4) {
       const auto rows = rows_from<L>({number(k), number(k + 1), number(k + 2), number(k + 3)});
       for (int lane = 0; lane < L; ++lane) rows[lane].store(matrices + matrix_size * lane + k);

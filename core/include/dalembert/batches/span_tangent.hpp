@@ -10,18 +10,21 @@ namespace dalembert {
 
 // Tangent for markers whose coordinates are the components of the vector: one block, added four times.
 template <int N, class S, class T>
-void add_between_points(const S& span_weight, const S& rate_weight, const SpanTangent<N, T>& t, const int* slots, S* values) {
+void add_between_points(const S& span_weight, const S& rate_weight, const SpanTangent<N, T>& t, const int* slots,
+                        S* values) {
   Mat<S, N, N> block;
   for (int k = 0; k < N * N; ++k) block.x[k] = span_weight * t.by_span.x[k] + rate_weight * t.by_rate.x[k];
   for (int i = 0; i < 2; ++i)
     for (int row = 0; row < N; ++row)
       for (int j = 0; j < 2; ++j)
-        for (int column = 0; column < N; ++column, ++slots) values[*slots] += (i == j ? 1.0 : -1.0) * block(row, column);
+        for (int column = 0; column < N; ++column, ++slots)
+          values[*slots] += (i == j ? 1.0 : -1.0) * block(row, column);
 }
 
 // Adds to values[slots[row * total + column]]. Frames begin with the vector whose span counts, and its rate.
 template <int N, class S, class T>
-void add_span_tangent(const PortsOf<S>& ports, const std::array<int, 2>& markers, const SpanTangent<N, T>& t, const int* slots, S* values) {
+void add_span_tangent(const PortsOf<S>& ports, const std::array<int, 2>& markers, const SpanTangent<N, T>& t,
+                      const int* slots, S* values) {
   const std::array<int, 2> n{ports.ports[markers[0]].n, ports.ports[markers[1]].n};
   const auto is_point = [&](int marker) { return ports.ports[marker].n == N && ports.ports[marker].translations == N; };
   if (is_point(markers[0]) && is_point(markers[1])) {

@@ -23,7 +23,8 @@ Vectors<S, D, F::fields> interpolated(const Shape& shape, const std::array<Vec<S
 
 // The rate of the strains is their derivative along the rates of the fields: elements need not state it.
 template <class F, class K, class S, int D, std::size_t N>
-Vec<S, F::strains> strain_rate(const K& k, const std::array<Vec<S, D>, N>& fields, const std::array<Vec<S, D>, N>& rates) {
+Vec<S, F::strains> strain_rate(const K& k, const std::array<Vec<S, D>, N>& fields,
+                               const std::array<Vec<S, D>, N>& rates) {
   std::array<Vec<Dual<1, S>, D>, N> moving;
   for (std::size_t f = 0; f < N; ++f)
     for (int d = 0; d < D; ++d) {
@@ -53,7 +54,8 @@ struct StrainElement {
   using Parameters = typename E::Parameters;
   using Constants = typename E::Constants;
   using Map = typename E::Map;
-  static constexpr int size = Map::size, node_size = E::node_size, dimension = Map::dimension, numbers = dimension * Map::vectors;
+  static constexpr int size = Map::size, node_size = E::node_size, dimension = Map::dimension,
+                       numbers = dimension * Map::vectors;
   static constexpr ElementTraits traits{.constant_mass = E::constant_mass,
                                         .constant_jacobian = E::constant_jacobian,
                                         .oriented = E::oriented,
@@ -70,7 +72,8 @@ struct StrainElement {
   template <class... F>
   struct FreeStrainsOf<std::tuple<F...>> {
     template <class One>
-    static constexpr std::size_t most = std::tuple_size_v<std::remove_cvref_t<decltype(One::points(std::declval<const Constants&>()).at)>>;
+    static constexpr std::size_t most =
+        std::tuple_size_v<std::remove_cvref_t<decltype(One::points(std::declval<const Constants&>()).at)>>;
     using Type = std::tuple<std::array<Vec<double, F::strains>, most<F>>...>;
   };
   struct Prepared {
@@ -84,7 +87,8 @@ struct StrainElement {
     Prepared k{.constants = E::constants(p), .free = {}, .free_where_called = {}};
     const Local<double> y = Map::local(k.constants, Coordinates<double, size>{.q = reference, .v = {}, .a = {}});
     const auto fill = [&]<class F>(auto& free) {
-      for (int i = 0; i < F::points(k.constants).count; ++i) free[i] = stress_free<F>(p, k.constants, F::points(k.constants).at[i].shape, y);
+      for (int i = 0; i < F::points(k.constants).count; ++i)
+        free[i] = stress_free<F>(p, k.constants, F::points(k.constants).at[i].shape, y);
     };
     each_of<typename E::Families>(k.free, fill);
     each_of<typename E::CallingFamilies>(k.free_where_called, fill);
@@ -103,13 +107,15 @@ struct StrainElement {
 
   // Inertia forces and the sum of w B' stress over all points.
   template <class S>
-  static Vec<S, size> residual(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<S, size>& x) {
+  static Vec<S, size> residual(const Parameters& p, const Prepared& k, const Context& c,
+                               const Coordinates<S, size>& x) {
     const Local<S> y = Map::local(k.constants, x);
     Local<S> forces{};
     damped_or_not<S>(p, k, [&]<bool damped>() {
       Local<S> rate{};
       if constexpr (damped) rate = Map::local_rate(k.constants, x);
-      each_family<S>(p, k, [&]<class F>(const auto& free) { add_forces<F, damped>(p, k.constants, c, free, y, rate, forces); });
+      each_family<S>(
+          p, k, [&]<class F>(const auto& free) { add_forces<F, damped>(p, k.constants, c, free, y, rate, forces); });
     });
     Vec<S, size> r = Map::pull_back(k.constants, x, forces);
     r += E::inertia(k.constants, x);
@@ -119,8 +125,8 @@ struct StrainElement {
   // The sum of w (B' C B + geometric part): one sweep of dual numbers through strain, law and pull-back at each
   // point.
   template <class T>
-  static Mat<T, size, size> tangent(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<T, size>& x,
-                                    const Weights& w)
+  static Mat<T, size, size> tangent(const Parameters& p, const Prepared& k, const Context& c,
+                                    const Coordinates<T, size>& x, const Weights& w)
     requires Map::derives
   {
     Mat<T, size, size> r = tangent_of_stresses(p, k, c, x, w);
@@ -137,7 +143,8 @@ struct StrainElement {
       for (int i = 0; i < F::points(k.constants).count; ++i) {
         const auto& point = F::points(k.constants).at[i];
         const Vec<double, F::strains> strain = F::strain(k.constants, interpolated<F>(point.shape, y)) - free[i];
-        energy += 0.5 * point.weight * k.constants.length * dot(strain, stiffness_at<F>(k.constants, point.position) * strain);
+        energy += 0.5 * point.weight * k.constants.length *
+                  dot(strain, stiffness_at<F>(k.constants, point.position) * strain);
       }
     });
     return true;
@@ -148,8 +155,8 @@ struct StrainElement {
     return E::motion(p, x, local);
   }
   template <class S>
-  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local, const Vec3<S>& force,
-                                const Vec3<S>& moment) {
+  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local,
+                                const Vec3<S>& force, const Vec3<S>& moment) {
     return E::pull_back(p, x, local, force, moment);
   }
   template <class S>
@@ -200,15 +207,15 @@ struct StrainElement {
       return stress_free<F>(p, k, shape_at<F>(k, E::along(k, request.local)), Map::local(k, reference));
     }
   };
-  static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x, const OutputRequest& request,
-                     std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x,
+                     const OutputRequest& request, std::vector<double>& values) {
     return E::output(Section{p, c, x, request}, values);
   }
 
  private:
   template <class T>
-  static Mat<T, size, size> tangent_of_stresses(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<T, size>& x,
-                                                const Weights& w) {
+  static Mat<T, size, size> tangent_of_stresses(const Parameters& p, const Prepared& k, const Context& c,
+                                                const Coordinates<T, size>& x, const Weights& w) {
     if (w.q == 0 && w.v == 0) return {};
     const Local<T> y = Map::local(k.constants, x);
     Local<T> forces{};
@@ -222,7 +229,8 @@ struct StrainElement {
         add_tangent<F, damped, symmetric>(p, k.constants, c, free, y, rate, w, forces, m);
         if constexpr (damped && !Map::linear) {
           Local<T> ignored{};
-          add_tangent<F, damped, false>(p, k.constants, c, free, y, rate, Weights{.q = 0, .v = 1, .a = 0}, ignored, damping);
+          add_tangent<F, damped, false>(p, k.constants, c, free, y, rate, Weights{.q = 0, .v = 1, .a = 0}, ignored,
+                                        damping);
         }
       });
       if constexpr (symmetric)
@@ -255,14 +263,15 @@ struct StrainElement {
   }
 
   template <class F, class Shape>
-  static Vec<double, F::strains> stress_free(const Parameters& p, const Constants& k, const Shape& shape, const Local<double>& reference) {
+  static Vec<double, F::strains> stress_free(const Parameters& p, const Constants& k, const Shape& shape,
+                                             const Local<double>& reference) {
     return F::stress_free(p, F::strain(k, interpolated<F>(shape, reference)));
   }
 
   // ---- points ----
   template <class F, bool damped, class Fields, class Free>
-  static auto stress_at(const Parameters& p, const Constants& k, const Context& c, const PlaceOf<F, Constants>& place, const Free& free,
-                        const Fields& at, const Fields& rates) {
+  static auto stress_at(const Parameters& p, const Constants& k, const Context& c, const PlaceOf<F, Constants>& place,
+                        const Free& free, const Fields& at, const Fields& rates) {
     const auto strain = F::strain(k, at);
     if constexpr (LawFamily<F, E>) {
       return F::stress(p, k, c, place, strain, strain_rate<F>(k, at, rates), free);
@@ -274,9 +283,10 @@ struct StrainElement {
   }
   // Forces on the fields of a point, times its weight.
   template <class F, bool damped, class Point, class Fields, class Free>
-  static Fields forces_at(const Parameters& p, const Constants& k, const Context& c, const Point& point, const Free& free, const Fields& at,
-                          const Fields& rates) {
-    return F::pull_back(k, at, (point.weight * k.length) * stress_at<F, damped>(p, k, c, point.position, free, at, rates));
+  static Fields forces_at(const Parameters& p, const Constants& k, const Context& c, const Point& point,
+                          const Free& free, const Fields& at, const Fields& rates) {
+    return F::pull_back(k, at,
+                        (point.weight * k.length) * stress_at<F, damped>(p, k, c, point.position, free, at, rates));
   }
 
   template <class F, bool damped, class Free, class S>
@@ -285,7 +295,8 @@ struct StrainElement {
     const auto& points = F::points(k);
     for (int i = 0; i < points.count; ++i) {
       const auto& shape = points.at[i].shape;
-      const auto force = forces_at<F, damped>(p, k, c, points.at[i], free[i], interpolated<F>(shape, y), interpolated<F>(shape, rate));
+      const auto force =
+          forces_at<F, damped>(p, k, c, points.at[i], free[i], interpolated<F>(shape, y), interpolated<F>(shape, rate));
       for (int f = 0; f < F::fields; ++f)
         for (int v = 0; v < Map::vectors; ++v)
           if (F::uses(f, v)) forces[v] += shape[f][v] * force[f];
@@ -305,8 +316,9 @@ struct StrainElement {
   // numbers of the fields, or those of the local vectors if these are fewer. Only the lower half of a symmetric
   // matrix is computed.
   template <class F, bool damped, bool symmetric, class Free, class T>
-  static void add_tangent(const Parameters& p, const Constants& k, const Context& c, const Free& free, const Local<T>& y,
-                          const Local<T>& rate, const Weights& w, Local<T>& forces, LocalMatrix<T>& m) {
+  static void add_tangent(const Parameters& p, const Constants& k, const Context& c, const Free& free,
+                          const Local<T>& y, const Local<T>& rate, const Weights& w, Local<T>& forces,
+                          LocalMatrix<T>& m) {
     const auto& points = F::points(k);
     for (int i = 0; i < points.count; ++i) {
       const auto& shape = points.at[i].shape;
@@ -329,7 +341,8 @@ struct StrainElement {
         const auto at = interpolated<F>(shape, y), rates = interpolated<F>(shape, rate);
         Mat<T, all, all> by_field;
         for (int begin = 0; begin < all; begin += directions) {
-          const auto force = force_at(moving_from<directions>(begin, at, w.q), moving_from<directions>(begin, rates, w.v));
+          const auto force =
+              force_at(moving_from<directions>(begin, at, w.q), moving_from<directions>(begin, rates, w.v));
           for (int row = 0; row < all; ++row)
             for (int j = begin; j < std::min(all, begin + directions); ++j)
               by_field(row, j) = force[row / dimension][row % dimension].d[j - begin];
@@ -340,12 +353,14 @@ struct StrainElement {
         }
         // Force on field f times its share in local vector v, summed over the fields.
         const auto by_local = matrix_of<all, numbers>([&](int row, int column) {
-          return sum_of_shares<F, T>(shape, column / dimension, [&](int e) { return by_field(row, dimension * e + column % dimension); });
+          return sum_of_shares<F, T>(shape, column / dimension,
+                                     [&](int e) { return by_field(row, dimension * e + column % dimension); });
         });
         for (int v = 0; v < Map::vectors; ++v)
           for (int d = 0; d < dimension; ++d)
             for (int j = 0; j < (symmetric ? dimension * v + d + 1 : numbers); ++j)
-              m(dimension * v + d, j) += sum_of_shares<F, T>(shape, v, [&](int f) { return by_local(dimension * f + d, j); });
+              m(dimension * v + d, j) +=
+                  sum_of_shares<F, T>(shape, v, [&](int f) { return by_local(dimension * f + d, j); });
       }
     }
   }

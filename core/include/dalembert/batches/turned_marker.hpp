@@ -26,13 +26,21 @@ class TurnedMarkers final : public MarkerBatch {
   }
   void refresh(int entry, const void* record) override { inner_->refresh(entry, record); }
   void refresh_row(int entry, const void* record, const Row& row) override { inner_->refresh_row(entry, record, row); }
-  void refresh_resting(int entry, const void* record, const Placement& placement) override { inner_->refresh_resting(entry, record, placement); }
+  void refresh_resting(int entry, const void* record, const Placement& placement) override {
+    inner_->refresh_resting(entry, record, placement);
+  }
   void refresh_owner(int entry, const void* record) override { inner_->refresh_owner(entry, record); }
-  void refresh_owners(int entry, int which, const void* record) override { inner_->refresh_owners(entry, which, record); }
+  void refresh_owners(int entry, int which, const void* record) override {
+    inner_->refresh_owners(entry, which, record);
+  }
   void visit(BlockVisitor& visitor, const Ports& ports) const override { inner_->visit(visitor, ports); }
 
-  int value_count(const void* record, const Placement& placement) const override { return inner_->value_count(record, placement); }
-  int force_count(const void* record, const Placement& placement) const override { return inner_->force_count(record, placement); }
+  int value_count(const void* record, const Placement& placement) const override {
+    return inner_->value_count(record, placement);
+  }
+  int force_count(const void* record, const Placement& placement) const override {
+    return inner_->force_count(record, placement);
+  }
   int translations() const override { return inner_->translations(); }
 
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
@@ -47,15 +55,22 @@ class TurnedMarkers final : public MarkerBatch {
     inner_->evaluate_tangent(evaluation, weights, ports);
     for (const Entry& e : entries_) turn(e, e.derivative, ports.derivative(e.marker), columns(e));
   }
-  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override { inner_->pull_back(evaluation, ports, r); }
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
+    inner_->pull_back(evaluation, ports, r);
+  }
   bool constant_pull_back(bool of_moments) const override { return inner_->constant_pull_back(of_moments); }
-  bool passes_constantly(int entry, bool of_moments) const override { return inner_->passes_constantly(entry, of_moments); }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  bool passes_constantly(int entry, bool of_moments) const override {
+    return inner_->passes_constantly(entry, of_moments);
+  }
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     share_slots();
     inner_->geometric(evaluation, weights, ports, values);
   }
   bool geometric_follows_tangent() const override { return inner_->geometric_follows_tangent(); }
-  void post_newton(const Evaluation& evaluation, const Ports& ports, double* data) const override { inner_->post_newton(evaluation, ports, data); }
+  void post_newton(const Evaluation& evaluation, const Ports& ports, double* data) const override {
+    inner_->post_newton(evaluation, ports, data);
+  }
   bool has_history() const override { return inner_->has_history(); }
   bool motion(int entry, const Evaluation& evaluation, Motion<double>& m) const override {
     if (!inner_->motion(entry, evaluation, m)) return false;
@@ -67,7 +82,8 @@ class TurnedMarkers final : public MarkerBatch {
   struct Entry {
     int marker;
     Mat3<double> rotation;
-    mutable std::vector<double> frame, derivative;  // what `inner_` has written: it does not write constant entries again
+    mutable std::vector<double> frame,
+        derivative;  // what `inner_` has written: it does not write constant entries again
   };
   static constexpr int first_of_rotation = 6;  // behind position and velocity
 
@@ -82,7 +98,8 @@ class TurnedMarkers final : public MarkerBatch {
       for (int j = 0; j < 3; ++j)
         for (int column = 0; column < n; ++column) {
           double sum = 0;
-          for (int k = 0; k < 3; ++k) sum += kept[static_cast<std::size_t>((3 * i + k) * n + column)] * e.rotation(k, j);
+          for (int k = 0; k < 3; ++k)
+            sum += kept[static_cast<std::size_t>((3 * i + k) * n + column)] * e.rotation(k, j);
           first[(3 * i + j) * n + column] = sum;
         }
   }

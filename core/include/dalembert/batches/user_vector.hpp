@@ -20,8 +20,8 @@ inline Argument as_argument(const std::vector<double>& x) { return {x.data(), st
 // matrix(i, j) += factor * d f_i / d x_j for all x_j, row by row. `at` is f(x), `evaluate(f)` reads x, which is left as it was.
 // `derivative(j, f)` gives df/dx_j or returns false; forward differences are used then.
 template <class Evaluate, class Derivative>
-void add_derivatives(std::vector<double>& x, double factor, std::span<const double> at, std::span<double> matrix, Evaluate&& evaluate,
-                     Derivative&& derivative) {
+void add_derivatives(std::vector<double>& x, double factor, std::span<const double> at, std::span<double> matrix,
+                     Evaluate&& evaluate, Derivative&& derivative) {
   if (factor == 0 || x.empty()) return;
   const std::size_t columns = x.size();
   std::vector<double> slopes(at.size());
@@ -41,7 +41,8 @@ void add_derivatives(std::vector<double>& x, double factor, std::span<const doub
 // A function of vectors that returns a vector. Dual numbers: derivatives of recorded functions are exact, those of other
 // functions are forward differences; both only for components that move.
 template <class S>
-std::vector<S> call_with_vectors(const UserFunction& f, const Context& c, std::initializer_list<std::span<const S>> vectors, std::size_t size) {
+std::vector<S> call_with_vectors(const UserFunction& f, const Context& c,
+                                 std::initializer_list<std::span<const S>> vectors, std::size_t size) {
   std::vector<S> x;
   for (const auto& vector : vectors) x.insert(x.end(), vector.begin(), vector.end());
   std::vector<double> numbers(x.size()), results(size);
@@ -58,11 +59,15 @@ std::vector<S> call_with_vectors(const UserFunction& f, const Context& c, std::i
   } else {
     std::vector<int> moving;
     for (std::size_t i = 0; i < x.size(); ++i)
-      if (std::ranges::any_of(x[i].d, [](const auto& d) { return value_of(d) != 0; })) moving.push_back(static_cast<int>(i));
+      if (std::ranges::any_of(x[i].d, [](const auto& d) { return value_of(d) != 0; }))
+        moving.push_back(static_cast<int>(i));
     std::vector<double> slopes(moving.size() * size);
     const bool exact = f.callback->has_derivatives();
-    if (exact) f.callback->linearize(c.time, c.item, arguments, moving, results, slopes);
-    else c.same_state ? f.callback->recall(c.time, c.item, arguments, results) : f.callback->call(c.time, c.item, arguments, results);
+    if (exact)
+      f.callback->linearize(c.time, c.item, arguments, moving, results, slopes);
+    else
+      c.same_state ? f.callback->recall(c.time, c.item, arguments, results)
+                   : f.callback->call(c.time, c.item, arguments, results);
     std::vector<S> r(results.begin(), results.end());
     for (std::size_t m = 0; m < moving.size(); ++m) {
       const auto i = static_cast<std::size_t>(moving[m]);

@@ -13,8 +13,10 @@
 namespace dalembert {
 
 struct Box {
-  Vec3<double> lower{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec3<double> upper{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Vec3<double> lower{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                     std::numeric_limits<double>::infinity()};
+  Vec3<double> upper{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                     -std::numeric_limits<double>::infinity()};
 
   void add(const Vec3<double>& point) {
     for (int i = 0; i < 3; ++i) {
@@ -68,7 +70,8 @@ class BoxTree {
   // Calls f(entry) for all entries whose box may be hit by the line start + s * direction, from <= s <= to(), at this
   // distance; `to` may decrease meanwhile.
   template <class To, class F>
-  void each_along(const Vec3<double>& start, const Vec3<double>& direction, double distance, double from, const To& to, F&& f) const {
+  void each_along(const Vec3<double>& start, const Vec3<double>& direction, double distance, double from, const To& to,
+                  F&& f) const {
     each([&](const Box& box) { return passes(box, start, direction, distance, from, to()); }, f);
   }
 
@@ -95,7 +98,8 @@ class BoxTree {
       for (int i = node.first; i < node.first + node.count; ++i) f(entries_[static_cast<std::size_t>(i)]);
     }
   }
-  static bool passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double distance, double from, double to);
+  static bool passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double distance,
+                     double from, double to);
   void split(int first, int count, std::span<const Box> boxes);
 
   std::vector<Node> nodes_;

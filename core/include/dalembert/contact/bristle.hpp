@@ -13,7 +13,7 @@ namespace dalembert {
 
 struct Bristle {
   Vec3<double> root0, root1;  // from the markers, in marker frames
-  bool slides = false;        // it has given way in the last step
+  bool slides = false;  // it has given way in the last step
 };
 
 // Bristles of pairs in ascending order: they read as they were at the start of a step.

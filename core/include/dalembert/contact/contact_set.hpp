@@ -56,7 +56,9 @@ struct ContactPlane {
 struct ContactBristles {
   double stiffness = 0, damping = 0, holding = 1;
   bool grow() const { return stiffness > 0; }
-  StickSlip law(const ContactPairing& along_normal) const { return {stiffness * along_normal.stiffness, damping * along_normal.damping}; }
+  StickSlip law(const ContactPairing& along_normal) const {
+    return {stiffness * along_normal.stiffness, damping * along_normal.damping};
+  }
 };
 
 class ContactSet final : public SystemTermSource {
@@ -79,7 +81,8 @@ class ContactSet final : public SystemTermSource {
   ContactPairing pairing(const ContactSurface& a, const ContactSurface& b) const {
     const double stiffness = a.stiffness * b.stiffness / (a.stiffness + b.stiffness);
     const bool rubs = a.material >= 0 && b.material >= 0;
-    return {stiffness, a.damping + b.damping, rubs ? friction[static_cast<std::size_t>(a.material * materials + b.material)] : 0.0};
+    return {stiffness, a.damping + b.damping,
+            rubs ? friction[static_cast<std::size_t>(a.material * materials + b.material)] : 0.0};
   }
   // Settings of the interface that change nothing here; kept to be read again.
   std::map<std::string, double> without_effect;
@@ -91,7 +94,9 @@ class ContactSet final : public SystemTermSource {
   int first_triangle() const { return first_cable() + static_cast<int>(cables.size()); }
   int first_convex() const { return first_triangle() + static_cast<int>(triangles.size()); }
   int first_plane() const { return first_convex() + static_cast<int>(convex.size()); }
-  bool empty() const { return spheres.empty() && convex.empty(); }  // nothing that moves by contact: triangles and planes touch these
+  bool empty() const {
+    return spheres.empty() && convex.empty();
+  }  // nothing that moves by contact: triangles and planes touch these
 
   std::unique_ptr<SystemTerm> make_term(const Ports& ports, const std::string& name) const override;
   void check(const Model& model, const std::string& name) const override;

@@ -26,10 +26,11 @@ class ConvexMesh {
     std::vector<Candidate> candidates;
   };
   // `shape` is placed in the frame of the triangles; numbers of those near it ascend. Participants are filled in by the caller.
-  void find(const ConvexNow& shape, std::span<const int> near, const std::vector<Triangle>& all, const std::vector<Facet>& facets, Scratch& scratch,
-            std::vector<ConvexTouch>& found) const;
+  void find(const ConvexNow& shape, std::span<const int> near, const std::vector<Triangle>& all,
+            const std::vector<Facet>& facets, Scratch& scratch, std::vector<ConvexTouch>& found) const;
   // How far corners of a shape are from triangles that they will stand on, at least.
-  static double clearance(const ConvexNow& shape, std::span<const int> near, const std::vector<Facet>& facets, Scratch& scratch);
+  static double clearance(const ConvexNow& shape, std::span<const int> near, const std::vector<Facet>& facets,
+                          Scratch& scratch);
 
  private:
   struct Edge {
@@ -44,7 +45,8 @@ class ConvexMesh {
   };
   static void on_facet(const ConvexNow& shape, const Facet& facet, Scratch& scratch);
   void on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const;
-  static void rims_on_edge(const ConvexNow& shape, const Edge& edge, int number, double deepest, std::vector<ConvexTouch>& found);
+  static void rims_on_edge(const ConvexNow& shape, const Edge& edge, int number, double deepest,
+                           std::vector<ConvexTouch>& found);
   void round_on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const;
   void on_corner(const ConvexNow& shape, const Corner& corner, int number, std::vector<ConvexTouch>& found) const;
 

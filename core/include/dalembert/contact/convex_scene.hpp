@@ -14,7 +14,8 @@ namespace dalembert {
 class ConvexScene {
  public:
   // Participants: convex shapes, spheres, bodies with triangles, planes.
-  void build(const ContactSet& set, const std::vector<Triangle>& triangles, const std::vector<Facet>& facets, const std::vector<BoxTree>& trees);
+  void build(const ContactSet& set, const std::vector<Triangle>& triangles, const std::vector<Facet>& facets,
+             const std::vector<BoxTree>& trees);
   bool empty() const { return convex_ == 0 && planes_ == 0; }
   int participants() const { return first_plane() + planes_; }
   int first_ball() const { return convex_; }

@@ -22,24 +22,24 @@ struct ConvexTouch {
   enum class Kind {
     point_plane,  // first: a point with a radius; second: a plane
     rim_plane,  // first: the lowest point of a circle over the plane, or a point at an angle from it; second: the plane
-    points,       // points with radii
+    points,  // points with radii
     point_line,  // first: a point; second: a line; with radii
     point_rim,  // first: a point with a radius; second: a circle
-    lines,        // with radii
+    lines,  // with radii
     rim_line,  // first: a circle; second: a line with a radius
     rims  // two circles
   };
   int first = -1, second = -1;  // participants
   std::int64_t key = 0;  // identifies the point within its pair: convex_keys
   Kind kind = Kind::point_plane;
-  bool swapped = false;         // the point, rim or first line belongs to the second one
+  bool swapped = false;  // the point, rim or first line belongs to the second one
   Vec3<double> at0, along0, at1, along1;  // point and direction: the normal of a plane, the axis of a circle
   double radius0 = 0, radius1 = 0;  // radii, which are added; the radius of a circle
   double cosine = 1, sine = 0;  // cosine of the angle on a rim
   Vec3<double> nearby;  // rim and line, or two rims: a direction near the normal
   double share = 1;  // share in the stiffness of the pair
   bool sticks = true, presses = true;
-  std::int64_t bristle = -1;              // the key that its bristle has been known by
+  std::int64_t bristle = -1;  // the key that its bristle has been known by
 
   auto order() const { return std::tuple(first, second, key); }
 };
@@ -94,7 +94,8 @@ MeetingPlace<S> between_rim_and(const Rim<S>& rim, const Vec3<S>& normal, const 
 }
 
 template <class S>
-MeetingPlace<S> between_lines(const ConvexTouch& t, const Vec3<S>& x0, const Vec3<S>& d0, const Vec3<S>& x1, const Vec3<S>& d1) {
+MeetingPlace<S> between_lines(const ConvexTouch& t, const Vec3<S>& x0, const Vec3<S>& d0, const Vec3<S>& x1,
+                              const Vec3<S>& d1) {
   const Vec3<S> across = cross(d0, d1), span = x1 - x0;
   const S square = dot(across, across);
   using std::sqrt;
@@ -115,7 +116,9 @@ ContactMeeting<S> meeting_of(const ConvexTouch& t, const RigidFrame<S>& first, c
   MeetingPlace<S> place;
   switch (t.kind) {
     case ConvexTouch::Kind::point_plane: place = above_plane(x0, t.radius0, d1, x1); break;
-    case ConvexTouch::Kind::rim_plane: place = above_plane(on_rim(t, x0, a.rotation * t.along0, -d1, t.radius0), 0, d1, x1); break;
+    case ConvexTouch::Kind::rim_plane:
+      place = above_plane(on_rim(t, x0, a.rotation * t.along0, -d1, t.radius0), 0, d1, x1);
+      break;
     case ConvexTouch::Kind::points: place = between(x0, t.radius0, x1, t.radius1); break;
     case ConvexTouch::Kind::point_line: place = between(x0, t.radius0, x1 + dot(x0 - x1, d1) * d1, t.radius1); break;
     case ConvexTouch::Kind::point_rim: place = between(x0, t.radius0, on_rim(t, x1, d1, x0 - x1, t.radius1), 0); break;

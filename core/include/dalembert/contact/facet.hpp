@@ -30,7 +30,8 @@ struct Facet {
   }
   // How far a point is within the edge that it is nearest to, or outside of the one that it is farthest from, which is negative.
   double within_edges(const Vec3<double>& point) const {
-    return std::min(dot(inward[0], point) - at_edge[0], std::min(dot(inward[1], point) - at_edge[1], dot(inward[2], point) - at_edge[2]));
+    return std::min(dot(inward[0], point) - at_edge[0],
+                    std::min(dot(inward[1], point) - at_edge[1], dot(inward[2], point) - at_edge[2]));
   }
 };
 

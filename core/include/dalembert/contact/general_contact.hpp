@@ -31,9 +31,9 @@ namespace dalembert {
 
 struct HeldContact {
   int sphere = -1, other = -1;  // global number of a sphere with a larger number, of a cable, or of a triangle
-  bool sticks = true;           // the slip was in the proportional zone
+  bool sticks = true;  // the slip was in the proportional zone
   Stretch1D along = {};  // position of a cable interval in the circle
-  int bristle = -1;             // the number that its bristle has been known by
+  int bristle = -1;  // the number that its bristle has been known by
 };
 
 // The first hit of a line.
@@ -63,13 +63,15 @@ class GeneralContact final : public SystemTerm {
   void visit(BlockVisitor& visitor, const Ports& ports) const override;
   void residual(const Evaluation& evaluation, Ports& ports, double* r) const override;
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override;
-  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) override;
+  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data,
+                         double* lambda) override;
   bool has_history() const override { return true; }
   // Two for each sphere and each convex shape: how many push, and how many of these stick, must not change.
   bool has_switches() const override { return true; }
   void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override;
   std::string name_of_part(int part) const override;
-  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data, double* lambda) override;
+  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data,
+                   double* lambda) override;
   void forget_switches() override { verges_before_.clear(); }
   bool forget() override;
   bool has_history_of_steps() const override { return set_->bristles.grow(); }
@@ -153,11 +155,11 @@ class GeneralContact final : public SystemTerm {
   bool turns(int sphere) const { return turns_[static_cast<std::size_t>(sphere)] != 0; }
 
   struct Found {
-    int triangle = -1, rank = 0;        // 0: face, 1: edge, 2: corner
+    int triangle = -1, rank = 0;  // 0: face, 1: edge, 2: corner
     // in the frame of the carrier; the normal points from the center of the sphere to the point
     Vec3<double> point, normal;
     double distance = 0;
-    int bristle = -1;                   // the number that its bristle has been known by
+    int bristle = -1;  // the number that its bristle has been known by
   };
   // Consecutive spheres: threads share chunks, which depend only on the number of spheres, as does the order of sums.
   struct Chunk {
@@ -165,7 +167,7 @@ class GeneralContact final : public SystemTerm {
     double moved = 0;  // upper bound of the displacement of its spheres since the lists were made
     std::vector<int> at_triangles;  // spheres that are near some
     std::vector<int> near_triangles;  // candidate triangles of its spheres, one after the other,
-    std::vector<std::size_t> ends;    // up to here
+    std::vector<std::size_t> ends;  // up to here
     std::size_t first_near = 0;  // start of these among those of all chunks
     struct OnCarrier {
       int marker;
@@ -218,7 +220,8 @@ class GeneralContact final : public SystemTerm {
   template <class S>
   Meeting<S> meet_triangle(int sphere, int triangle, const Vec3<S>& p0, const RigidFrame<S>& frame) const;
   template <class S>
-  Vec3<S> force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, std::optional<bool> sticks) const;
+  Vec3<S> force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity,
+                std::optional<bool> sticks) const;
 
   // Current state of a bristle: the vector between its attachment points, and the ratio of static to kinetic
   // friction.
@@ -228,18 +231,22 @@ class GeneralContact final : public SystemTerm {
     double holding = 1;
   };
   template <class S>
-  Grip<S> grip_of(const Bristle* bristle, const Meeting<S>& at, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1) const;
+  Grip<S> grip_of(const Bristle* bristle, const Meeting<S>& at, const RigidFrame<S>& frame0,
+                  const RigidFrame<S>& frame1) const;
   template <class S>
-  Vec3<S> gripping_force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, const Grip<S>& grip) const;
+  Vec3<S> gripping_force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity,
+                         const Grip<S>& grip) const;
   template <class S>
-  Vec3<S> force_of(const HeldContact& contact, const Meeting<S>& at, const Vec3<S>& velocity, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1) const;
+  Vec3<S> force_of(const HeldContact& contact, const Meeting<S>& at, const Vec3<S>& velocity,
+                   const RigidFrame<S>& frame0, const RigidFrame<S>& frame1) const;
   const Bristle* bristle_of(const HeldContact& contact) const;
   void pass_bristles_on(int sphere, std::vector<Found>& found) const;
-  double excess_of(const Bristle* bristle, const ContactPairing& pairing, const Meeting<double>& at, double normal_force, const RigidFrame<double>& frame0,
-                   const RigidFrame<double>& frame1) const;
+  double excess_of(const Bristle* bristle, const ContactPairing& pairing, const Meeting<double>& at,
+                   double normal_force, const RigidFrame<double>& frame0, const RigidFrame<double>& frame1) const;
   void add_gripping_pairs(int chunk, const Ports& ports) const;
-  Bristle bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double normal_force,
-                        const RigidFrame<double>& frame0, const RigidFrame<double>& frame1) const;
+  Bristle bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at,
+                        const Vec3<double>& velocity, double normal_force, const RigidFrame<double>& frame0,
+                        const RigidFrame<double>& frame1) const;
   void grow_bristles(const Ports& ports);
   ContactPairing pairing_of(const HeldContact& contact) const;
   Vec3<double> velocity_at(int marker, bool turns, const Vec3<double>& arm, const Ports& ports) const;
@@ -267,7 +274,9 @@ class GeneralContact final : public SystemTerm {
     std::array<S, 8> on_cable{};
     double normal_force = 0, slip = 0;  // the mean per length (N/m), not cut at zero; the largest slip
   };
-  bool is_cable(const HeldContact& c) const { return c.other >= set_->first_cable() && c.other < set_->first_triangle(); }
+  bool is_cable(const HeldContact& c) const {
+    return c.other >= set_->first_cable() && c.other < set_->first_triangle();
+  }
   void take_cables(const double* q, const double* v) const;
   void take_cables_of_system(ConfigurationType configuration = ConfigurationType::Current) const;
   template <class F>
@@ -275,10 +284,11 @@ class GeneralContact final : public SystemTerm {
   void find_cable_touches(std::vector<HeldContact>& found) const;
   ContactPairing cable_pairing(const HeldContact& contact) const;
   template <class S>
-  CableForces<S> cable_forces(const HeldContact& contact, const RigidFrame<S>& circle, const std::array<S, 8>& q, const std::array<S, 8>& v,
-                              std::optional<bool> sticks) const;
+  CableForces<S> cable_forces(const HeldContact& contact, const RigidFrame<S>& circle, const std::array<S, 8>& q,
+                              const std::array<S, 8>& v, std::optional<bool> sticks) const;
   void add_cable(const HeldContact& contact, Ports& ports, std::optional<bool> sticks, double* r) const;
-  void add_cable_tangent(const HeldContact& contact, const Block& block, const Weights& weights, const Ports& ports, double* values) const;
+  void add_cable_tangent(const HeldContact& contact, const Block& block, const Weights& weights, const Ports& ports,
+                         double* values) const;
   const Block& block_of(const HeldContact& contact) const;
   void list_blocks(const Ports& ports);
 
@@ -300,8 +310,8 @@ class GeneralContact final : public SystemTerm {
   enum class Places { pushing, of_pushing_pairs };
   void find_convex(const Ports& ports, std::vector<ConvexTouch>& found, Places which) const;
   template <class S>
-  Vec3<S> convex_force(const ConvexTouch& touch, const Meeting<S>& at, const Vec3<S>& velocity, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1,
-                       std::optional<bool> sticks) const;
+  Vec3<S> convex_force(const ConvexTouch& touch, const Meeting<S>& at, const Vec3<S>& velocity,
+                       const RigidFrame<S>& frame0, const RigidFrame<S>& frame1, std::optional<bool> sticks) const;
   ContactPairing convex_pairing(const ConvexTouch& touch) const;
   const ConvexBristle* convex_bristle(const ConvexTouch& touch, std::int64_t key) const;
   const Bristle* bristle_of(const ConvexTouch& touch) const;
@@ -316,7 +326,8 @@ class GeneralContact final : public SystemTerm {
   std::size_t list_convex_blocks(const Ports& ports, std::size_t slot);
   void add_convex_tangent(const Ports& ports, double* values) const;
   struct Changes {
-    double count = 0, force = 0;  // contacts that have begun or ended; the largest elastic force that was missing, or pulled
+    double count = 0,
+           force = 0;  // contacts that have begun or ended; the largest elastic force that was missing, or pulled
   };
   Changes convex_changes() const;
   double elastic_force(const HeldContact& c, const Ports& ports) const;
@@ -332,7 +343,7 @@ class GeneralContact final : public SystemTerm {
   std::vector<int> markers_;
   std::vector<char> turns_;  // whether the marker of a sphere has a rotation
   std::vector<PortOffsets> offsets_;  // ports of the markers of spheres
-  std::vector<NodeFrame> at_nodes_;   // by sphere
+  std::vector<NodeFrame> at_nodes_;  // by sphere
   bool shares_nodes_ = false;
   bool shares_markers_ = false;  // several spheres add forces at one marker: threads must not do so at the same time
   std::vector<HeldContact> held_;

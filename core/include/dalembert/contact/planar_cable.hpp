@@ -30,7 +30,10 @@ struct CableShape {
   // The component of a vector of all coordinates, or of their rates, at a place.
   template <class S, class W>
   Vec<S, 2> at(const std::array<W, 4>& weights, const std::array<S, 8>& numbers) const {
-    const auto component = [&](std::size_t i) { return weights[0] * numbers[i] + weights[1] * numbers[i + 2] + weights[2] * numbers[i + 4] + weights[3] * numbers[i + 6]; };
+    const auto component = [&](std::size_t i) {
+      return weights[0] * numbers[i] + weights[1] * numbers[i + 2] + weights[2] * numbers[i + 4] +
+             weights[3] * numbers[i + 6];
+    };
     return {component(0), component(1)};
   }
   std::array<double, 8> numbers(const double* of_all) const;
@@ -43,6 +46,7 @@ struct CableShape {
 int real_zeros(std::span<const double> polynomial, double from, double to, std::array<double, 6>& zeros);
 
 // Stretches of the axis that are nearer to a point than `radius`; returns how many, of three at most.
-int stretches_within(const CableShape& cable, const std::array<double, 8>& q, const Vec<double, 2>& centre, double radius, std::array<Stretch1D, 4>& stretches);
+int stretches_within(const CableShape& cable, const std::array<double, 8>& q, const Vec<double, 2>& centre,
+                     double radius, std::array<Stretch1D, 4>& stretches);
 
 }  // namespace dalembert

@@ -51,7 +51,8 @@ template <class S>
 S slope(const Rim<S>& rim, const typename Rim<S>::Reach& reach, const Vec3<S>& w, const Vec3<S>& t) {
   return dot(t, w + rim.radius * reach.out);
 }
-inline double bend(const Rim<double>& rim, const Rim<double>::Reach& reach, const Vec3<double>& s, const Vec3<double>& t) {
+inline double bend(const Rim<double>& rim, const Rim<double>::Reach& reach, const Vec3<double>& s,
+                   const Vec3<double>& t) {
   const Vec3<double> side = cross(rim.axis, reach.out);
   return rim.radius * dot(side, s) * dot(side, t) / reach.sine;
 }
@@ -59,7 +60,8 @@ inline double bend(const Rim<double>& rim, const Rim<double>::Reach& reach, cons
 struct Newton1 {
   double slope, curvature;
 };
-inline Newton1 across_line(const Rim<double>& rim, const Vec3<double>& w, const Vec3<double>& along, const Vec3<double>& u) {
+inline Newton1 across_line(const Rim<double>& rim, const Vec3<double>& w, const Vec3<double>& along,
+                           const Vec3<double>& u) {
   const Rim<double>::Reach reach = rim.reach(u);
   const Vec3<double> t = cross(along, u);
   return {slope(rim, reach, w, t), bend(rim, reach, t, t) - dot(w, u) - rim.radius * reach.sine};
@@ -97,14 +99,17 @@ Vec3<S> step_between(const Newton2& at, const Rim<S>& a, const Rim<S>& b, const 
   const Vec3<S> pull = a.centre - b.centre + a.radius * a.reach(u).out + b.radius * b.reach(u).out;
   return at.step(dot(at.s, pull), dot(at.t, pull));
 }
-inline Vec3<double> not_longer(const Vec3<double>& step, double length) { return length > longest_step ? (longest_step / length) * step : step; }
+inline Vec3<double> not_longer(const Vec3<double>& step, double length) {
+  return length > longest_step ? (longest_step / length) * step : step;
+}
 
 }  // namespace rim_normals
 
 // Direction from the rim to the line and perpendicular to it; `point` is any point of the line. Adding a multiple of
 // the line direction has no effect.
 template <class S>
-Vec3<S> normal_of_rim_and_line(const Rim<S>& rim, const Vec3<S>& point, const Vec3<S>& along, const Vec3<double>& nearby) {
+Vec3<S> normal_of_rim_and_line(const Rim<S>& rim, const Vec3<S>& point, const Vec3<S>& along,
+                               const Vec3<double>& nearby) {
   using namespace rim_normals;
   const Rim<double> now = value_of_rim(rim);
   const Vec3<double> d = value_of_vector(along), w = now.centre - value_of_vector(point);

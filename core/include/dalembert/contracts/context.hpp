@@ -18,8 +18,8 @@ struct Context {
 
   template <class S>
   static Context of(const EvaluationOf<S>& e, int item, int first_data = -1, int data_count = 0) {
-    return {e.time, item, e.load_factor, e.step_size, first_data < 0 ? nullptr : e.data + first_data, data_count,
-            e.same_state};
+    return {e.time,     item,        e.load_factor, e.step_size, first_data < 0 ? nullptr : e.data + first_data,
+            data_count, e.same_state};
   }
 };
 

@@ -5,6 +5,8 @@
 
 namespace dalembert {
 
-inline std::string data_node_of(int count) { return "a NodeGenericData with numberOfDataCoordinates = " + std::to_string(count); }
+inline std::string data_node_of(int count) {
+  return "a NodeGenericData with numberOfDataCoordinates = " + std::to_string(count);
+}
 
 }  // namespace dalembert

@@ -38,10 +38,10 @@ struct NodeTraits {
   bool oriented = true;            // else it has a position only
   bool planar = false;             // contracts/planar_node.hpp
   int unit_from = -1;              // coordinates from this one on form a vector of length one
-  int lie_rotation = -1;           // three coordinates from this one on form a rotation vector, and take increments on the group
-  bool rotation_alone = false;     // `rotation` costs less than `motion`
-  bool rotation_tangent = false;   // it states the derivatives of its rotation: contracts/rotating_node.hpp
-  bool in_packs = false;           // motion and pull-back take numbers side by side: batches/groups.hpp
+  int lie_rotation = -1;  // three coordinates from this one on form a rotation vector, and take increments on the group
+  bool rotation_alone = false;  // `rotation` costs less than `motion`
+  bool rotation_tangent = false;  // it states the derivatives of its rotation: contracts/rotating_node.hpp
+  bool in_packs = false;  // motion and pull-back take numbers side by side: batches/groups.hpp
 };
 // Base of kernels of nodes and bodies without a check of parameters.
 struct NoCheck {
@@ -56,17 +56,18 @@ concept RotationAlone = requires(const Coordinates<double, N::size>& x) {
   { N::template rotation<double>(x) } -> std::same_as<Mat3<double>>;
 };
 template <class N>
-concept NodeKernel = requires(const typename N::Parameters& p, const Coordinates<double, N::size>& x, const Vec3<double>& w,
-                              const NodeView& view, const ItemLabel& item, std::vector<double>& values) {
-  { N::item } -> std::convertible_to<std::string_view>;  // 'NodePoint'
-  requires std::same_as<decltype(N::traits), const NodeTraits>;
-  { N::template motion<double>(x) } -> std::same_as<Motion<double>>;
-  { N::template pull_back<double>(x, w, w) } -> std::same_as<Vec<double, N::size>>;  // force, moment about the node
-  { N::check(p, item) } -> std::same_as<void>;
-  { N::output(OutputVariableType::_None, view, values) } -> std::same_as<bool>;
-  requires N::traits.rotation_alone == RotationAlone<N>;
-  requires N::traits.rotation_tangent == RotatingNode<N>;
-};
+concept NodeKernel =
+    requires(const typename N::Parameters& p, const Coordinates<double, N::size>& x, const Vec3<double>& w,
+             const NodeView& view, const ItemLabel& item, std::vector<double>& values) {
+      { N::item } -> std::convertible_to<std::string_view>;  // 'NodePoint'
+      requires std::same_as<decltype(N::traits), const NodeTraits>;
+      { N::template motion<double>(x) } -> std::same_as<Motion<double>>;
+      { N::template pull_back<double>(x, w, w) } -> std::same_as<Vec<double, N::size>>;  // force, moment about the node
+      { N::check(p, item) } -> std::same_as<void>;
+      { N::output(OutputVariableType::_None, view, values) } -> std::same_as<bool>;
+      requires N::traits.rotation_alone == RotationAlone<N>;
+      requires N::traits.rotation_tangent == RotatingNode<N>;
+    };
 
 // A node whose coordinates take increments on the group: three of them form a rotation vector.
 template <class N>
@@ -75,7 +76,7 @@ concept LieKernel = requires { requires N::traits.lie_rotation >= 0; };
 // ---- bodies -------------------------------------------------------------------------------------------------------------
 struct BodyTraits {
   bool constant_mass = false;  // in body axes; the node determines the mass matrix of its coordinates
-  bool pure_inertia = false;    // mass times acceleration, the same in all directions, and nothing else
+  bool pure_inertia = false;  // mass times acceleration, the same in all directions, and nothing else
   bool planar_tangent = false;  // it differentiates its residual on planar nodes: contracts/planar_node.hpp
 };
 // Warnings about parameters that no real body has, although they can be computed.
@@ -83,16 +84,21 @@ struct NoDoubt {
   static std::string doubt(const auto&) { return {}; }
 };
 struct NoElementOutputs {
-  static bool output(const auto&, const Context&, const auto&, const OutputRequest&, std::vector<double>&) { return false; }
+  static bool output(const auto&, const Context&, const auto&, const OutputRequest&, std::vector<double>&) {
+    return false;
+  }
 };
 
 // A body defines its inertia forces either at the frame of the node or, if they are simple in body axes, as a
 // RotatingBody.
 template <class B>
-concept FrameBody = requires(const typename B::Parameters& p, const Context& c, const Motion<double>& m, const Vec3<double>& g) {
-  { B::template residual<double>(p, c, m) } -> std::same_as<Wrench<double>>;  // r of M a + f = 0, at the node
-  { B::template mass_load<double>(p, m, g) } -> std::same_as<Wrench<double>>;  // applied force of an acceleration field
-};
+concept FrameBody =
+    requires(const typename B::Parameters& p, const Context& c, const Motion<double>& m, const Vec3<double>& g) {
+      { B::template residual<double>(p, c, m) } -> std::same_as<Wrench<double>>;  // r of M a + f = 0, at the node
+      {
+        B::template mass_load<double>(p, m, g)
+      } -> std::same_as<Wrench<double>>;  // applied force of an acceleration field
+    };
 template <class B>
 concept ChecksParameters = requires(const typename B::Parameters& p, const ItemLabel& item) {
   { B::check(p, item) } -> std::same_as<void>;
@@ -100,23 +106,24 @@ concept ChecksParameters = requires(const typename B::Parameters& p, const ItemL
 };
 // Body on a node with any number of coordinates.
 template <class B, int N>
-concept OutputsOf = requires(const typename B::Parameters& p, const Context& c, const Coordinates<double, N>& x, const OutputRequest& request,
-                             std::vector<double>& values) {
+concept OutputsOf = requires(const typename B::Parameters& p, const Context& c, const Coordinates<double, N>& x,
+                             const OutputRequest& request, std::vector<double>& values) {
   { B::output(p, c, x, request, values) } -> std::same_as<bool>;
 };
 template <class B>
-concept BodyKernel = FrameBody<B> != RotatingBody<B> && ChecksParameters<B> && requires { requires std::same_as<decltype(B::traits), const BodyTraits>; };
+concept BodyKernel = FrameBody<B> != RotatingBody<B> && ChecksParameters<B> &&
+                     requires { requires std::same_as<decltype(B::traits), const BodyTraits>; };
 
 // ---- elements -----------------------------------------------------------------------------------------------------------
 struct ElementTraits {
   int translations = 0;  // number of leading coordinates that are components of the position
   bool constant_mass = false;  // constant mass matrix of its coordinates
   bool constant_jacobian = false;  // constant Jacobian of the motion of its points
-  bool oriented = true;            // else its points have a position only
+  bool oriented = true;  // else its points have a position only
   bool planar = false;  // stands on a planar node
-  bool pure_inertia = false;       // nothing without accelerations
-  bool diagonal = false;           // its mass matrix
-  bool tangent = false;            // it states the derivative of its residual
+  bool pure_inertia = false;  // nothing without accelerations
+  bool diagonal = false;  // its mass matrix
+  bool tangent = false;  // it states the derivative of its residual
 };
 struct NoLieRotations {
   static constexpr std::array<int, 0> lie_rotations{};
@@ -128,7 +135,7 @@ struct WithReference : Given {
   Vec<double, N> reference{};
 };
 template <class P>
-concept ReadsReference = requires(const P& p) { [] <class Given, int N>(const WithReference<Given, N>&) {}(p); };
+concept ReadsReference = requires(const P& p) { []<class Given, int N>(const WithReference<Given, N>&) {}(p); };
 
 // An element may make constants of its parameters and reference coordinates, once: its residual gets them in addition.
 template <class E>
@@ -164,8 +171,8 @@ Vec<S, E::size> element_residual(const typename E::Parameters& p, const typename
 
 // The derivative of the residual along the weights, in closed form; tests compare it with differences.
 template <class E>
-concept TangentKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants, const Context& c,
-                                 const Coordinates<double, E::size>& x, const Weights& w) {
+concept TangentKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants,
+                                 const Context& c, const Coordinates<double, E::size>& x, const Weights& w) {
   { E::tangent(p, constants, c, x, w) } -> std::same_as<Mat<double, E::size, E::size>>;
 };
 
@@ -228,7 +235,8 @@ SpinMotion<S> spin_motion(const Coordinates<S, Node::size>& x) {
   }
 }
 template <class Node, class S>
-Vec<S, Node::size> pull_back_spin_wrench(const Coordinates<S, Node::size>& x, const Vec3<S>& force, const Vec3<S>& moment) {
+Vec<S, Node::size> pull_back_spin_wrench(const Coordinates<S, Node::size>& x, const Vec3<S>& force,
+                                         const Vec3<S>& moment) {
   if constexpr (RotatingNode<Node>) {
     const auto turn = Node::template pull_back_spin<S>(x, moment);
     Vec<S, Node::size> r{force[0], force[1], force[2]};
@@ -242,8 +250,10 @@ Vec<S, Node::size> pull_back_spin_wrench(const Coordinates<S, Node::size>& x, co
 // Starts of rotation vectors with increments on the group, among the coordinates of an element on this node.
 template <class Node>
 constexpr auto lie_rotations_of() {
-  if constexpr (LieKernel<Node>) return std::array{Node::traits.lie_rotation};
-  else return std::array<int, 0>{};
+  if constexpr (LieKernel<Node>)
+    return std::array{Node::traits.lie_rotation};
+  else
+    return std::array<int, 0>{};
 }
 
 // Only the position of a node, for bodies that do not rotate with it.
@@ -278,7 +288,8 @@ struct OnNode {
   static constexpr int size = Node::size;
   static_assert(Node::size == 0 || NodeKernel<Node>, "see core/include/dalembert/contracts/element.hpp");
   static_assert(OutputsOf<Body, size>, "see core/include/dalembert/contracts/element.hpp");
-  static_assert(!PlanarNode<Node> || Body::traits.planar_tangent == PlanarBody<Body, Node>, "see core/include/dalembert/contracts/planar_node.hpp");
+  static_assert(!PlanarNode<Node> || Body::traits.planar_tangent == PlanarBody<Body, Node>,
+                "see core/include/dalembert/contracts/planar_node.hpp");
   static constexpr bool pure_inertia = Body::traits.pure_inertia && Node::traits.constant_jacobian;
   static constexpr ElementTraits traits{
       .translations = Node::traits.translations,
@@ -301,8 +312,8 @@ struct OnNode {
     }
   }
   template <class S>
-  static Mat<S, size, size> tangent(const Parameters& p, const NothingPrepared&, const Context&, const Coordinates<S, size>& x,
-                                    const Weights& w)
+  static Mat<S, size, size> tangent(const Parameters& p, const NothingPrepared&, const Context&,
+                                    const Coordinates<S, size>& x, const Weights& w)
     requires PlanarBody<Body, Node>
   {
     return Body::planar_tangent(p, x, w);
@@ -337,8 +348,8 @@ struct OnNode {
       return Node::template pull_back<S>(x, w.force, w.moment);
     }
   }
-  static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x, const OutputRequest& request,
-                     std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x,
+                     const OutputRequest& request, std::vector<double>& values) {
     return Body::output(p, c, x, request, values);
   }
 };
@@ -364,7 +375,8 @@ struct OnRestingNode : NoLieRotations, NoElementOutputs {
     return moved(at_node, at_node.rotation * local);
   }
   template <class S>
-  static Vec<S, 0> pull_back(const Parameters&, const Coordinates<S, 0>&, const Vec3<double>&, const Vec3<S>&, const Vec3<S>&) {
+  static Vec<S, 0> pull_back(const Parameters&, const Coordinates<S, 0>&, const Vec3<double>&, const Vec3<S>&,
+                             const Vec3<S>&) {
     return {};
   }
   template <class S>
@@ -415,7 +427,9 @@ template <class E, int Count, class S, int N>
 Coordinates<Dual<Count, S>, N> seeded_from(int begin, const Coordinates<S, N>& x, const Weights& w) {
   using D = Dual<Count, S>;
   const auto has_direction = [begin](int i) { return i >= begin && i < begin + Count; };
-  const auto with_direction = [&](const S& value, int i, double weight) { return has_direction(i) ? D::seed(value, i - begin, weight) : D(value); };
+  const auto with_direction = [&](const S& value, int i, double weight) {
+    return has_direction(i) ? D::seed(value, i - begin, weight) : D(value);
+  };
   Coordinates<D, N> s;
   for (int i = 0; i < N; ++i) {
     s.q[i] = with_direction(x.q[i], i, w.q);

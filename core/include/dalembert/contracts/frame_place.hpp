@@ -55,9 +55,9 @@ struct FramePlace {
   double scale = 1;  // factor of the force on the frame
   Vec3<double> rest{};  // in the frame
   std::vector<double> translation = {}, rotation = {};  // three rows each, of the first coordinates; empty: none
-  bool exponential_map = true;                // else rotations are linear
-  bool exact_rate = true;                     // the angular velocity is that of the exponential map
-  bool turns_moments = true;                  // moments act through the tangent of the exponential map
+  bool exponential_map = true;  // else rotations are linear
+  bool exact_rate = true;  // the angular velocity is that of the exponential map
+  bool turns_moments = true;  // moments act through the tangent of the exponential map
 
   template <class Frame, class S>
   Motion<S> motion(const SizedCoordinates<S>& x) const {
@@ -74,7 +74,8 @@ struct FramePlace {
 
   // Generalized forces of a force and a moment in global axes.
   template <class Frame, class S>
-  void pull_back(const SizedCoordinates<S>& x, const Vec3<double>& force, const Vec3<double>& moment, std::span<S> q) const {
+  void pull_back(const SizedCoordinates<S>& x, const Vec3<double>& force, const Vec3<double>& moment,
+                 std::span<S> q) const {
     const Mat3<S> A_0F = frame_motion<Frame>(x).rotation;
     for (S& entry : q) entry = S(0);
     add(translation, transposed_times(A_0F, force), q);

@@ -45,8 +45,8 @@ struct JointSums {
 };
 // `rows` describe the `table`, whose axes are read where parameters decide about them.
 template <const auto& rows, class Table, class L, class S, int M>
-JointSums<S, static_cast<std::size_t>(M)> joint_sums(const Table& table, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
-                                                     const Vec<L, M>& multipliers) {
+JointSums<S, static_cast<std::size_t>(M)> joint_sums(const Table& table, const RigidFrame<S>& m0,
+                                                     const RigidFrame<S>& m1, const Vec<L, M>& multipliers) {
   using enum JointEquation::Kind;
   const Vec3<S> span = m1.position - m0.position;
   Vec<S, M> gap;
@@ -76,7 +76,9 @@ JointSums<S, static_cast<std::size_t>(M)> joint_sums(const Table& table, const R
       if constexpr (!goes_on) moment += cross(axis, m1.rotation * sum);
     }
   };
-  [&]<int... k>(std::integer_sequence<int, k...>) { (add.template operator()<k>(), ...); }(std::make_integer_sequence<int, M>{});
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    (add.template operator()<k>(), ...);
+  }(std::make_integer_sequence<int, M>{});
   return {gap, {Wrench<S>{-force, moment - cross(span, turning)}, Wrench<S>{force, -moment}}};
 }
 

@@ -10,9 +10,10 @@
 namespace dalembert {
 
 [[noreturn]] inline void refuse_coinciding(const Context& c, const std::string& type, const std::string& advice) {
-  refuse(ErrorKind::value, {"object " + std::to_string(c.item) + " (" + type + ")", "markerNumbers",
-                            "its markers coincide at time " + std::to_string(c.time) + ", so that its force has no direction", "", "",
-                            advice});
+  refuse(ErrorKind::value,
+         {"object " + std::to_string(c.item) + " (" + type + ")", "markerNumbers",
+          "its markers coincide at time " + std::to_string(c.time) + ", so that its force has no direction", "", "",
+          advice});
 }
 
 template <class S>
@@ -21,8 +22,7 @@ struct LineOfAction {
   S length, rate;
 
   // The points must not coincide.
-  LineOfAction(const PointFrame<S>& m0, const PointFrame<S>& m1)
-      : span(m1.position - m0.position), length(norm(span)) {
+  LineOfAction(const PointFrame<S>& m0, const PointFrame<S>& m1) : span(m1.position - m0.position), length(norm(span)) {
     axis = (1.0 / length) * span;
     rate = dot(axis, m1.velocity - m0.velocity);
   }

@@ -43,20 +43,25 @@ class Exchange {
  public:
   struct Place {
     int value = 0, values = 0, force = 0, forces = 0;  // start and number
-    bool moves = false;                                // it has coordinates
+    bool moves = false;  // it has coordinates
   };
 
-  Exchange(std::span<const Place> markers, const S* values, S* forces) : values_(values), forces_(forces), places_(markers) {}
+  Exchange(std::span<const Place> markers, const S* values, S* forces)
+      : values_(values), forces_(forces), places_(markers) {}
 
   int markers() const { return static_cast<int>(places_.size()); }
   template <class Port>
   const typename Port::template Frame<S>& frame(int marker) const {
     return *reinterpret_cast<const typename Port::template Frame<S>*>(values(marker).data());
   }
-  std::span<const S> values(int marker) const { return {values_ + place(marker).value, static_cast<std::size_t>(place(marker).values)}; }
-  std::span<S> forces(int marker) { return {forces_ + place(marker).force, static_cast<std::size_t>(place(marker).forces)}; }
+  std::span<const S> values(int marker) const {
+    return {values_ + place(marker).value, static_cast<std::size_t>(place(marker).values)};
+  }
+  std::span<S> forces(int marker) {
+    return {forces_ + place(marker).force, static_cast<std::size_t>(place(marker).forces)};
+  }
   int selected(int marker) const { return place(marker).forces; }  // how many numbers of a marker have forces
-  bool moves(int marker) const { return place(marker).moves; }     // or it rests on ground
+  bool moves(int marker) const { return place(marker).moves; }  // or it rests on ground
   // Adds the force on a marker.
   template <class Force>
   void apply(int marker, const Force& force) {
@@ -67,7 +72,7 @@ class Exchange {
 
   std::span<const S> unknowns;  // algebraic ones, then those of first order
   std::span<S> equations;
-  bool rate_level = false;      // time derivatives of constraints are asked for in the place of constraints
+  bool rate_level = false;  // time derivatives of constraints are asked for in the place of constraints
 
  private:
   const Place& place(int marker) const { return places_[static_cast<std::size_t>(marker)]; }
@@ -100,9 +105,12 @@ class Connections {
   bool gives(int position) const {
     const PortLayout& at = port(position);
     const auto is = [&]<class P>(P) { return at.values == P::values && at.forces == P::forces; };
-    if constexpr (Port::forces == ScalarPort::forces) return provides(position, "Coordinate") && is(ScalarPort());
-    else if constexpr (Port::forces == RigidPort::forces) return provides(position, "Orientation") && is(RigidPort());
-    else return provides(position, "Position") && (is(PointPort()) || is(RigidPort()));
+    if constexpr (Port::forces == ScalarPort::forces)
+      return provides(position, "Coordinate") && is(ScalarPort());
+    else if constexpr (Port::forces == RigidPort::forces)
+      return provides(position, "Orientation") && is(RigidPort());
+    else
+      return provides(position, "Position") && (is(PointPort()) || is(RigidPort()));
   }
 
   [[noreturn]] void refuse(const char* parameter, const std::string& received, const std::string& expected) const {
@@ -110,20 +118,27 @@ class Connections {
   }
   void require(bool holds, int position, const char* parameter, const std::string& expected) const {
     if (!holds)
-      refuse(parameter, "marker " + std::to_string(on_.markers[static_cast<std::size_t>(position)]) + " (" + std::string(type(position).name) + ")",
+      refuse(parameter,
+             "marker " + std::to_string(on_.markers[static_cast<std::size_t>(position)]) + " (" +
+                 std::string(type(position).name) + ")",
              expected);
   }
   // The last coordinate that moves a marker, of the system.
-  int last_coordinate(int position) const { return ports_.marker_dofs(on_.markers[static_cast<std::size_t>(position)]).back(); }
+  int last_coordinate(int position) const {
+    return ports_.marker_dofs(on_.markers[static_cast<std::size_t>(position)]).back();
+  }
   void require_data(int count, const char* parameter = "nodeNumber") const {
     if (on_.data_count != count)
-      refuse(parameter, "a node with " + std::to_string(on_.data_count) + " data coordinates",
-             data_node_of(count));
+      refuse(parameter, "a node with " + std::to_string(on_.data_count) + " data coordinates", data_node_of(count));
   }
 
  private:
-  bool provides(int position, std::string_view what) const { return std::ranges::find(type(position).provides, what) != type(position).provides.end(); }
-  const PortLayout& port(int position) const { return ports_.ports[static_cast<std::size_t>(on_.markers[static_cast<std::size_t>(position)])]; }
+  bool provides(int position, std::string_view what) const {
+    return std::ranges::find(type(position).provides, what) != type(position).provides.end();
+  }
+  const PortLayout& port(int position) const {
+    return ports_.ports[static_cast<std::size_t>(on_.markers[static_cast<std::size_t>(position)])];
+  }
 
   const Placement& on_;
   const Ports& ports_;
@@ -149,33 +164,42 @@ struct NoHistory : NoSwitches {
   static PostNewton update(const auto&, const Context&, const Exchange<double>&, const History&) { return {}; }
 };
 struct NoOutputs {
-  static bool output(const auto&, const Context&, const Exchange<double>&, OutputVariableType, std::vector<double>&) { return false; }
+  static bool output(const auto&, const Context&, const Exchange<double>&, OutputVariableType, std::vector<double>&) {
+    return false;
+  }
 };
 
 // Kernels between two markers of one shape declare `Port` instead (batches/connector.hpp, batches/constraint.hpp).
 template <class K>
-concept ManyPortsKernel = requires(const typename K::Parameters& p, const Context& c, Exchange<double>& x, const Exchange<double>& given,
-                                   const Connections& on, const History& history, Switches& switches, std::span<const int> coordinates,
-                                   OutputVariableType variable, std::vector<double>& values) {
-  { K::acting(p, 0) } -> std::same_as<ActingMarkers>;
-  { K::alternative(p, c) } -> std::same_as<int>;  // the active one: its index among the alternatives
-  // arguments: numbers of coordinates that the markers select
-  { K::algebraic_equations(p, coordinates) } -> std::same_as<int>;
-  // whether an algebraic unknown is a Lagrange multiplier; otherwise it is a coordinate
-  { K::is_multiplier(p, 0) } -> std::same_as<bool>;
-  { K::forces_follow_motion(p) } -> std::same_as<bool>;  // false: reactions of a linear constraint, which coordinates do not change
-  { K::template evaluate<double>(p, c, x) } -> std::same_as<void>;
-  requires std::same_as<decltype(K::has_history), const bool>;
-  { K::update(p, c, given, history) } -> std::same_as<PostNewton>;
-  requires std::same_as<decltype(K::has_switches), const bool>;
-  requires K::has_switches == requires {
-    { K::switch_count(p) } -> std::same_as<int>;
-    { K::find_switches(p, c, given, switches) } -> std::same_as<void>;  // so many
-  };
-  requires K::switches_by_update != requires { { K::switch_over(p, c, given, history) } -> std::same_as<void>; };
-  requires K::settles == requires { { K::settle(p, c, given, history) } -> std::same_as<PostNewton>; };
-  { K::output(p, c, given, variable, values) } -> std::same_as<bool>;
-  { K::check(p, on) } -> std::same_as<void>;
-};
+concept ManyPortsKernel =
+    requires(const typename K::Parameters& p, const Context& c, Exchange<double>& x, const Exchange<double>& given,
+             const Connections& on, const History& history, Switches& switches, std::span<const int> coordinates,
+             OutputVariableType variable, std::vector<double>& values) {
+      { K::acting(p, 0) } -> std::same_as<ActingMarkers>;
+      { K::alternative(p, c) } -> std::same_as<int>;  // the active one: its index among the alternatives
+      // arguments: numbers of coordinates that the markers select
+      { K::algebraic_equations(p, coordinates) } -> std::same_as<int>;
+      // whether an algebraic unknown is a Lagrange multiplier; otherwise it is a coordinate
+      { K::is_multiplier(p, 0) } -> std::same_as<bool>;
+      {
+        K::forces_follow_motion(p)
+      } -> std::same_as<bool>;  // false: reactions of a linear constraint, which coordinates do not change
+      { K::template evaluate<double>(p, c, x) } -> std::same_as<void>;
+      requires std::same_as<decltype(K::has_history), const bool>;
+      { K::update(p, c, given, history) } -> std::same_as<PostNewton>;
+      requires std::same_as<decltype(K::has_switches), const bool>;
+      requires K::has_switches == requires {
+        { K::switch_count(p) } -> std::same_as<int>;
+        { K::find_switches(p, c, given, switches) } -> std::same_as<void>;  // so many
+      };
+      requires K::switches_by_update != requires {
+        { K::switch_over(p, c, given, history) } -> std::same_as<void>;
+      };
+      requires K::settles == requires {
+        { K::settle(p, c, given, history) } -> std::same_as<PostNewton>;
+      };
+      { K::output(p, c, given, variable, values) } -> std::same_as<bool>;
+      { K::check(p, on) } -> std::same_as<void>;
+    };
 
 }  // namespace dalembert

@@ -16,12 +16,13 @@ namespace dalembert {
 
 template <class K>
 concept MappedMarkerKernel =
-    requires(const typename K::Parameters& p, const typename K::Constants& k, const ItemType& body, const void* record, std::span<const double> reference, const double* numbers,
-             double* results, const Placement& on, const ItemLabel& item) {
+    requires(const typename K::Parameters& p, const typename K::Constants& k, const ItemType& body, const void* record,
+             std::span<const double> reference, const double* numbers, double* results, const Placement& on,
+             const ItemLabel& item) {
       { K::check_body(p, on, item) } -> std::same_as<void>;
       { K::prepare(p, body, record, reference) } -> std::same_as<typename K::Constants>;  // of the body of the marker
-      { K::values(p, k) } -> std::same_as<int>;                                // how many numbers there are
-      { K::forces(p, k) } -> std::same_as<int>;                                // how many of them are selected: they have forces
+      { K::values(p, k) } -> std::same_as<int>;  // how many numbers there are
+      { K::forces(p, k) } -> std::same_as<int>;  // how many of them are selected: they have forces
       { K::constant_pull_back(p) } -> std::same_as<bool>;  // independent of the coordinates
       // arguments: coordinates and their rates
       { K::template map<double>(p, k, numbers, numbers, results) } -> std::same_as<void>;

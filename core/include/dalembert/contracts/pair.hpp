@@ -78,33 +78,41 @@ struct AlwaysNeedsData {
   static bool needs_data(const auto&) { return true; }
 };
 struct NoPairOutputs {
-  static bool output(const auto&, const Context&, const auto&, const auto&, OutputVariableType, std::vector<double>&) { return false; }
+  static bool output(const auto&, const Context&, const auto&, const auto&, OutputVariableType, std::vector<double>&) {
+    return false;
+  }
 };
 
 struct ConnectorForms {
   bool tangent = false;  // contracts/span_forces.hpp
-  bool law = false;      // likewise
+  bool law = false;  // likewise
 };
 struct NoConnectorForms {
   static constexpr ConnectorForms closed_forms{};
 };
 
 template <class K>
-concept PairConnectorKernel = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
-                                       const double* start, double* data, Switches& switches, OutputVariableType variable,
-                                       std::vector<double>& values) {
+concept PairConnectorKernel = requires(
+    const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
+    const double* start, double* data, Switches& switches, OutputVariableType variable, std::vector<double>& values) {
   { K::template forces<double>(p, c, m, m) } -> std::same_as<std::array<typename K::Port::template Force<double>, 2>>;
   requires std::same_as<decltype(K::has_history), const bool>;
   requires std::same_as<decltype(K::data_coordinates), const int>;
   { K::needs_data(p) } -> std::same_as<bool>;  // or it does without its node
-  { K::update(p, c, m, m, start, data) } -> std::same_as<PostNewton>;  // data after Newton's method, from those at the start of the step
+  {
+    K::update(p, c, m, m, start, data)
+  } -> std::same_as<PostNewton>;  // data after Newton's method, from those at the start of the step
   requires std::same_as<decltype(K::has_switches), const bool>;
   requires K::has_switches == requires {
     { K::switch_count(p) } -> std::same_as<int>;
     { K::find_switches(p, c, m, m, switches) } -> std::same_as<void>;  // so many
   };
-  requires K::switches_by_update != requires { { K::switch_over(p, c, m, m, start, data) } -> std::same_as<void>; };
-  requires K::settles == requires { { K::settle(p, c, m, m, start, data) } -> std::same_as<PostNewton>; };
+  requires K::switches_by_update != requires {
+    { K::switch_over(p, c, m, m, start, data) } -> std::same_as<void>;
+  };
+  requires K::settles == requires {
+    { K::settle(p, c, m, m, start, data) } -> std::same_as<PostNewton>;
+  };
   { K::output(p, c, m, m, variable, values) } -> std::same_as<bool>;
   requires std::same_as<decltype(K::closed_forms), const ConnectorForms>;
   requires K::closed_forms.tangent == SpanConnector<K>;
@@ -122,7 +130,8 @@ struct VaryingDirections {
   static constexpr bool fixed_directions = false;
 };
 struct NoConstraintOutputs {
-  static bool output(const auto&, const Context&, const auto&, const auto&, const auto&, OutputVariableType, std::vector<double>&) {
+  static bool output(const auto&, const Context&, const auto&, const auto&, const auto&, OutputVariableType,
+                     std::vector<double>&) {
     return false;
   }
 };
@@ -130,26 +139,27 @@ struct NoConstraintOutputs {
 struct ConstraintForms {
   bool gap_rate = false;  // of a constraint with a gap
   bool reaction = false;
-  bool table = false;     // contracts/joint_equations.hpp
-  bool linear = false;    // contracts/linear_equations.hpp
+  bool table = false;  // contracts/joint_equations.hpp
+  bool linear = false;  // contracts/linear_equations.hpp
 };
 struct NoConstraintForms {
   static constexpr ConstraintForms closed_forms{};
 };
 
 template <class K>
-concept PairConstraintKernel = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
-                                        const Vec<double, K::equations>& lambda, OutputVariableType variable, std::vector<double>& values) {
-  { K::constrains(p, 0) } -> std::same_as<bool>;  // equation k
-  requires std::same_as<decltype(K::nonholonomic), const bool>;
-  requires std::same_as<decltype(K::fixed_directions), const bool>;  // translations do not vary the reaction
-  { K::output(p, c, m, m, lambda, variable, values) } -> std::same_as<bool>;
-  requires std::same_as<decltype(K::closed_forms), const ConstraintForms>;
-  requires (K::closed_forms.gap_rate || K::nonholonomic) == StatesGapRate<K>;
-  requires (K::closed_forms.reaction || K::nonholonomic) == StatesReaction<K>;
-  requires K::closed_forms.table == TabulatedJoint<K>;
-  requires K::closed_forms.linear == LinearConstraint<K>;
-};
+concept PairConstraintKernel =
+    requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
+             const Vec<double, K::equations>& lambda, OutputVariableType variable, std::vector<double>& values) {
+      { K::constrains(p, 0) } -> std::same_as<bool>;  // equation k
+      requires std::same_as<decltype(K::nonholonomic), const bool>;
+      requires std::same_as<decltype(K::fixed_directions), const bool>;  // translations do not vary the reaction
+      { K::output(p, c, m, m, lambda, variable, values) } -> std::same_as<bool>;
+      requires std::same_as<decltype(K::closed_forms), const ConstraintForms>;
+      requires(K::closed_forms.gap_rate || K::nonholonomic) == StatesGapRate<K>;
+      requires(K::closed_forms.reaction || K::nonholonomic) == StatesReaction<K>;
+      requires K::closed_forms.table == TabulatedJoint<K>;
+      requires K::closed_forms.linear == LinearConstraint<K>;
+    };
 
 // ---- loads --------------------------------------------------------------------------------------------------------------
 // The force is the same wherever the marker is: it has no tangent.
@@ -167,18 +177,20 @@ struct NoFollower {
 };
 
 template <class K>
-concept ForceOnMarker = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m) {
-  { K::template force<double>(p, c, m) } -> std::same_as<typename K::Port::template Force<double>>;
-  requires std::same_as<decltype(K::is_constant), const bool>;
-  { K::reads_marker(p) } -> std::same_as<bool>;
-};
+concept ForceOnMarker =
+    requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m) {
+      { K::template force<double>(p, c, m) } -> std::same_as<typename K::Port::template Force<double>>;
+      requires std::same_as<decltype(K::is_constant), const bool>;
+      { K::reads_marker(p) } -> std::same_as<bool>;
+    };
 template <class B>
 concept FollowerKernel = std::is_void_v<B> || (ForceOnMarker<B> && requires(const typename B::Parameters& p) {
-  { B::applies(p) } -> std::same_as<bool>;
-});
+                           { B::applies(p) } -> std::same_as<bool>;
+                         });
 template <class K>
-concept LoadKernel = ForceOnMarker<K> && FollowerKernel<typename K::BodyFixed> && requires(const typename K::Parameters& p, const Context& c) {
-  K::value(p, c).x;  // the numbers of the load at a time
-};
+concept LoadKernel = ForceOnMarker<K> && FollowerKernel<typename K::BodyFixed> &&
+                     requires(const typename K::Parameters& p, const Context& c) {
+                       K::value(p, c).x;  // the numbers of the load at a time
+                     };
 
 }  // namespace dalembert

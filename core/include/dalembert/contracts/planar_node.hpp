@@ -12,11 +12,13 @@
 namespace dalembert {
 
 template <class N>
-concept PlanarNode = requires { requires N::traits.planar; } && N::traits.translations == 2 && (N::size == 2 || N::size == 3);
+concept PlanarNode =
+    requires { requires N::traits.planar; } && N::traits.translations == 2 && (N::size == 2 || N::size == 3);
 
 // A body on a planar node, whose residual it differentiates.
 template <class B, class N>
-concept PlanarBody = PlanarNode<N> && requires(const typename B::Parameters& p, const Coordinates<double, N::size>& x, const Weights& w) {
+concept PlanarBody = PlanarNode<N> && requires(const typename B::Parameters& p, const Coordinates<double, N::size>& x,
+                                               const Weights& w) {
   { B::planar_tangent(p, x, w) } -> std::same_as<Mat<double, N::size, N::size>>;
 };
 
@@ -57,7 +59,8 @@ RigidFrame<S> planar_frame(const Coordinates<S, N>& x, const PlanarRotation<S>& 
 }
 // Nonzero part of the frame's derivatives, whose rows are those of 6 or 18 Values.
 template <int Values, class S, int N>
-void write_planar_frame_tangent(const Coordinates<S, N>& x, const PlanarRotation<S>& r, const Arm<S>& arm, const Weights& w, S* d) {
+void write_planar_frame_tangent(const Coordinates<S, N>& x, const PlanarRotation<S>& r, const Arm<S>& arm,
+                                const Weights& w, S* d) {
   for (int i = 0; i < 2; ++i) {
     d[i * N + i] = w.q;
     d[(3 + i) * N + i] = w.v;

@@ -50,7 +50,8 @@ struct RelativeFrames {
   }();
   template <class S>
   static S unit_scale(const State<S>& x, int n) {
-    if constexpr (unit_from < node_size) return 1.0 / norm(segment<node_size - unit_from>(x.q, n * node_size + unit_from));
+    if constexpr (unit_from < node_size)
+      return 1.0 / norm(segment<node_size - unit_from>(x.q, n * node_size + unit_from));
     return S(1);
   }
   template <class S>
@@ -94,7 +95,8 @@ struct RelativeFrames {
     Local<S> rate;
     for (int i = 0; i < others; ++i) {
       rate[2 * i] = A_b0 * (velocity(other(i)) - velocity(base)) + cross(y[2 * i], spin(base));
-      rate[2 * i + 1] = inverse_tangent_map(y[2 * i + 1], spin(other(i))) - inverse_tangent_map(-y[2 * i + 1], spin(base));
+      rate[2 * i + 1] =
+          inverse_tangent_map(y[2 * i + 1], spin(other(i))) - inverse_tangent_map(-y[2 * i + 1], spin(base));
     }
     return rate;
   }
@@ -142,7 +144,8 @@ struct RelativeFrames {
     Mat<T, rows, size> change = m * j;
     if (w.q != 0 && std::ranges::any_of(damping.x, [](const T& d) { return d != 0; })) {
       const auto rate = local_rate(k, seeded<RelativeFrames>(x, Weights{.q = w.q, .v = 0, .a = 0}));
-      change = change + damping * matrix_of<rows, size>([&](int row, int column) { return rate[row / 3][row % 3].d[column]; });
+      change = change +
+               damping * matrix_of<rows, size>([&](int row, int column) { return rate[row / 3][row % 3].d[column]; });
     }
     Mat<T, size, size> r = transpose(j) * change;
     for (int i = 0; i < others; ++i) {

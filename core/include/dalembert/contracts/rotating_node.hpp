@@ -76,7 +76,7 @@ struct RotationTangent {
   Mat3<double> rotation{};
   std::array<Mat3<double>, R> turn{};  // derivatives of the rotation, along the weight of q
   Vec3<double> spin{};
-  Mat<double, 3, R> spin_map{}, angular_map{};             // rates to spin, rates to angular velocity in global axes
+  Mat<double, 3, R> spin_map{}, angular_map{};  // rates to spin, rates to angular velocity in global axes
   Mat<double, 3, R> spin_tangent{}, spin_rate_tangent{}, angular_tangent{};
 };
 
@@ -113,7 +113,9 @@ struct MassProperties {
 
   bool eccentric() const { return !is_zero(dot(centre, centre)); }
   // The same inertia about all axes.
-  bool round() const requires std::same_as<T, double> {
+  bool round() const
+    requires std::same_as<T, double>
+  {
     return !eccentric() && tensor[0] == tensor[1] && tensor[1] == tensor[2] && is_zero(segment<3>(tensor, 3));
   }
   static constexpr int count = 10;
@@ -121,12 +123,13 @@ struct MassProperties {
 };
 
 template <class B>
-concept RotatingBody = requires(const typename B::Parameters& p, const MassProperties<double>& b, const SpinMotion<double>& m) {
-  { B::mass_properties(p) } -> std::same_as<MassProperties<double>>;
-  { B::inertia(b, m) } -> std::same_as<SpinWrench<double>>;  // also for lane-parallel numbers
-  { B::inertia_tangent(b, m) } -> std::same_as<InertiaTangent>;
-  { B::centre(p) } -> std::convertible_to<const Vec3<double>&>;
-  { B::mass(p) } -> std::convertible_to<double>;
-};
+concept RotatingBody =
+    requires(const typename B::Parameters& p, const MassProperties<double>& b, const SpinMotion<double>& m) {
+      { B::mass_properties(p) } -> std::same_as<MassProperties<double>>;
+      { B::inertia(b, m) } -> std::same_as<SpinWrench<double>>;  // also for lane-parallel numbers
+      { B::inertia_tangent(b, m) } -> std::same_as<InertiaTangent>;
+      { B::centre(p) } -> std::convertible_to<const Vec3<double>&>;
+      { B::mass(p) } -> std::convertible_to<double>;
+    };
 
 }  // namespace dalembert

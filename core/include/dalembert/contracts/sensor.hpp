@@ -16,7 +16,8 @@ struct NoSubject {
 };
 
 template <class K>
-concept SensorKernel = requires(System& system, const typename K::Parameters& p, ConfigurationType configuration, std::vector<double>& values) {
+concept SensorKernel = requires(System& system, const typename K::Parameters& p, ConfigurationType configuration,
+                                std::vector<double>& values) {
   { K::measure(system, p, 0, configuration, values) } -> std::same_as<void>;  // 0: the number of the sensor
   { K::subject(p) } -> std::same_as<std::optional<SensorSubject>>;
 };

@@ -34,7 +34,8 @@ class ConstantMatrix {
   bool empty() const { return rows == 0 || columns == 0; }
   // Matrices whose entries are those that `matrix` was made from are left as they are.
   void make(SquareMatrix& matrix) const {
-    const MatrixContainer given = container_ != nullptr ? *container_ : MatrixContainer{rows, columns, true, values_, {}};
+    const MatrixContainer given =
+        container_ != nullptr ? *container_ : MatrixContainer{rows, columns, true, values_, {}};
     if (!matrix.is_made_from(given)) matrix = SquareMatrix(given);
   }
 
@@ -80,22 +81,21 @@ constexpr int frame_size = [] {
 
 template <class B>
 concept StatesLaw = requires(const typename B::Parameters& p, const Placement& on, const ItemLabel& item) {
-  { B::item } -> std::convertible_to<std::string_view>;                 // 'ObjectGenericODE2'
+  { B::item } -> std::convertible_to<std::string_view>;  // 'ObjectGenericODE2'
   { B::order } -> std::convertible_to<int>;  // order of its differential equations
   { B::coordinates } -> std::convertible_to<std::string_view>;  // name of its coordinates in error texts
   { B::law(p) } -> std::same_as<SizedLaw>;
-  { B::takes(B::item, 0) } -> std::same_as<bool>;                       // a node of this type at this position
-  { B::check(p, on, item) } -> std::same_as<void>;                      // beyond the sizes of the law
+  { B::takes(B::item, 0) } -> std::same_as<bool>;  // a node of this type at this position
+  { B::check(p, on, item) } -> std::same_as<void>;  // beyond the sizes of the law
   { B::computes_parameters } -> std::convertible_to<bool>;
 };
 // r of M a + f = 0 in addition to the law, row by row of the coordinates.
 template <class B>
-concept StatesResidual =
-    !has_residual<B> || requires(const typename B::Parameters& p, const typename B::Constants& k, const SizedCoordinates<double>& x,
-                                 std::span<double> r) {
-      { B::prepare(p) } -> std::same_as<typename B::Constants>;
-      { B::template residual<double>(k, x, r) } -> std::same_as<void>;
-    };
+concept StatesResidual = !has_residual<B> || requires(const typename B::Parameters& p, const typename B::Constants& k,
+                                                      const SizedCoordinates<double>& x, std::span<double> r) {
+  { B::prepare(p) } -> std::same_as<typename B::Constants>;
+  { B::template residual<double>(k, x, r) } -> std::same_as<void>;
+};
 // The mass of a framed body as a place in it, for loads proportional to mass.
 template <class B>
 concept StatesFrame = !is_framed<B> || (NodeKernel<typename B::Frame> && requires(const typename B::Parameters& p) {
@@ -104,13 +104,15 @@ concept StatesFrame = !is_framed<B> || (NodeKernel<typename B::Frame> && require
 // Mesh nodes that the kernel defines: their reference positions in the frame, shape(i, by) for each coordinate `i`
 // behind those of the frame that moves them, and outputs of many of them, one after the other.
 template <class B>
-concept StatesMesh =
-    !places_mesh<B> || requires(const typename B::Parameters& p, const SizedCoordinates<double>& x, std::vector<double>& values) {
-      { B::mesh_nodes(p) } -> std::same_as<int>;
-      { B::rest(p, 0) } -> std::same_as<Vec3<double>>;
-      { B::each_shape(p, 0, [](int, const Vec3<double>&) {}) } -> std::same_as<void>;
-      { B::mesh_outputs(p, x, 0, 1, OutputVariableType::Position, values) } -> std::same_as<bool>;
-    };
+concept StatesMesh = !places_mesh<B> || requires(const typename B::Parameters& p, const SizedCoordinates<double>& x,
+                                                 std::vector<double>& values) {
+  { B::mesh_nodes(p) } -> std::same_as<int>;
+  { B::rest(p, 0) } -> std::same_as<Vec3<double>>;
+  {
+    B::each_shape(p, 0, [](int, const Vec3<double>&) {})
+  } -> std::same_as<void>;
+  { B::mesh_outputs(p, x, 0, 1, OutputVariableType::Position, values) } -> std::same_as<bool>;
+};
 // Parameters that Assemble finds.
 template <class B>
 concept CompletesParameters = !B::computes_parameters || requires(typename B::Parameters& p, const Placement& on) {

@@ -38,7 +38,8 @@ struct SizedVector<Dual<N>> {
   Dual<N> combined(std::span<const double> factors, int begin) const {
     Dual<N> r(SizedVector<double>{values}.combined(factors, begin));
     const int end = begin + static_cast<int>(factors.size());
-    for (int i = std::max(first, begin); i < std::min(first + N, end); ++i) r.d[i - first] = weight * factors[i - begin];
+    for (int i = std::max(first, begin); i < std::min(first + N, end); ++i)
+      r.d[i - first] = weight * factors[i - begin];
     return r;
   }
 };

@@ -27,15 +27,17 @@ concept SpanConnector = requires(const typename K::Parameters& p, const typename
 
 // `tangent` takes frames of any scalar.
 template <class K>
-concept TracedSpanConnector = SpanConnector<K> && requires(const typename K::Parameters& p, const typename K::Port::template Frame<Traced>& m) {
-  K::tangent(p, m, m).by_span;
-};
+concept TracedSpanConnector =
+    SpanConnector<K> && requires(const typename K::Parameters& p, const typename K::Port::template Frame<Traced>& m) {
+      K::tangent(p, m, m).by_span;
+    };
 
 // Besides span and rate, the force depends only on a few numbers, its law: several connectors are computed side by
 // side. Law<S> consists of scalars; `force(law, span, rate)` acts on the first marker, and `tangent(law, span, rate)`
 // has its derivatives. A connector has it if `has_tangent`.
 template <class K>
-concept SpanLawConnector = SpanConnector<K> &&
+concept SpanLawConnector =
+    SpanConnector<K> &&
     requires(const typename K::Parameters& p, const typename K::template Law<double>& law, const Vec3<double>& v) {
       { K::law(p) } -> std::same_as<typename K::template Law<double>>;
       { K::force(law, v, v) } -> std::same_as<Vec3<double>>;

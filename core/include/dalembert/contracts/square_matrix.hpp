@@ -17,7 +17,8 @@ class SquareMatrix {
   bool empty() const { return rows_ == 0; }
   // Whether it was made from these very entries.
   bool is_made_from(const MatrixContainer& m) const {
-    return m.empty() ? empty() : rows_ == m.rows && (m.dense ? dense_.shares_with(m.values) : given_.shares_with(m.triplets));
+    return m.empty() ? empty()
+                     : rows_ == m.rows && (m.dense ? dense_.shares_with(m.values) : given_.shares_with(m.triplets));
   }
   bool sparse() const { return !empty() && dense_.empty(); }
   // The entries of a sparse matrix, each place once, row by row.

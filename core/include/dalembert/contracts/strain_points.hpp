@@ -23,7 +23,8 @@ namespace dalembert {
 
 // Check of elements whose length is undefined.
 inline void check_element_length(double length, const ItemLabel& item) {
-  if (!(length > 0)) refuse(ErrorKind::value, {item, "physicsLength", "", std::to_string(length), "a positive length", ""});
+  if (!(length > 0))
+    refuse(ErrorKind::value, {item, "physicsLength", "", std::to_string(length), "a positive length", ""});
 }
 
 template <class S, int D, int N>
@@ -60,8 +61,10 @@ using PlaceOf = std::remove_cvref_t<decltype(F::points(std::declval<const K&>())
 // Families whose shapes or law vary between elements or positions define the variation.
 template <class F, class K>
 auto shape_at(const K& k, const PlaceOf<F, K>& place) {
-  if constexpr (requires { F::shape(k, place); }) return F::shape(k, place);
-  else return F::shape(place);
+  if constexpr (requires { F::shape(k, place); })
+    return F::shape(k, place);
+  else
+    return F::shape(place);
 }
 template <class F, class K>
   requires requires(const K& k) { F::stiffness(k); }
@@ -87,8 +90,10 @@ auto damping_at(const K& k, const PlaceOf<F, K>& place) {
 // Definition of a point with a linear law; S is a number, dual numbers, or lane-parallel numbers.
 template <class F, class E>
 concept LinearFamily = requires(const typename E::Constants& k, const PlaceOf<F, typename E::Constants>& place) {
-  k.length* Vec<double, F::strains>{};
-  { stiffness_at<F>(k, place) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;  // stress by strain
+  k.length * Vec<double, F::strains>{};
+  {
+    stiffness_at<F>(k, place) * Vec<double, F::strains>{}
+  } -> std::same_as<Vec<double, F::strains>>;  // stress by strain
   // derivative with respect to the rate of strain
   { damping_at<F>(k, place) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;
 };
@@ -99,53 +104,62 @@ concept LawFamily = requires(const typename E::Parameters& p, const typename E::
   F::stress(p, k, c, place, strain, strain, strain);  // position, strain, its rate, free
 };
 template <class F, class E>
-concept StrainFamily =
-    (LinearFamily<F, E> || LawFamily<F, E>) &&
-    requires(const typename E::Parameters& p, const typename E::Constants& k, const PlaceOf<F, typename E::Constants>& place,
-             const Vec<double, F::strains>& strain, const Vectors<double, E::Map::dimension, F::fields>& fields) {
-      { F::uses(0, 0) } -> std::same_as<bool>;  // field, local vector: false where this share is always zero
-      { F::points(k).count } -> std::convertible_to<int>;
-      // at any position
-      { shape_at<F>(k, place) } -> std::same_as<std::remove_cvref_t<decltype(F::points(k).at[0].shape)>>;
-      { F::strain(k, fields) } -> std::same_as<Vec<double, F::strains>>;
-      // The strains without stress, from those of the reference configuration.
-      { F::stress_free(p, strain) } -> std::same_as<Vec<double, F::strains>>;
-    };
+concept StrainFamily = (LinearFamily<F, E> || LawFamily<F, E>) &&
+                       requires(const typename E::Parameters& p, const typename E::Constants& k,
+                                const PlaceOf<F, typename E::Constants>& place, const Vec<double, F::strains>& strain,
+                                const Vectors<double, E::Map::dimension, F::fields>& fields) {
+                         {
+                           F::uses(0, 0)
+                         } -> std::same_as<bool>;  // field, local vector: false where this share is always zero
+                         { F::points(k).count } -> std::convertible_to<int>;
+                         // at any position
+                         {
+                           shape_at<F>(k, place)
+                         } -> std::same_as<std::remove_cvref_t<decltype(F::points(k).at[0].shape)>>;
+                         { F::strain(k, fields) } -> std::same_as<Vec<double, F::strains>>;
+                         // The strains without stress, from those of the reference configuration.
+                         { F::stress_free(p, strain) } -> std::same_as<Vec<double, F::strains>>;
+                       };
 // stress . d(strain) = pull_back(stress) . d(fields)
 template <class F, class E>
-concept PullsBack = requires(const typename E::Constants& k, const Vectors<double, E::Map::dimension, F::fields>& fields,
-                             const Vec<double, F::stresses>& stress) {
-  { F::pull_back(k, fields, stress) } -> std::same_as<Vectors<double, E::Map::dimension, F::fields>>;
-};
+concept PullsBack =
+    requires(const typename E::Constants& k, const Vectors<double, E::Map::dimension, F::fields>& fields,
+             const Vec<double, F::stresses>& stress) {
+      { F::pull_back(k, fields, stress) } -> std::same_as<Vectors<double, E::Map::dimension, F::fields>>;
+    };
 
 // Map from coordinates to the interpolated vectors, and back.
 template <class M, class K>
-concept StrainMap = requires(const K& k, const Coordinates<double, M::size>& x, const Vectors<double, M::dimension, M::vectors>& y,
-                             const Mat<double, M::dimension * M::vectors, M::dimension * M::vectors>& m, const Weights& w) {
-  { M::local(k, x) } -> std::same_as<Vectors<double, M::dimension, M::vectors>>;
-  { M::local_rate(k, x) } -> std::same_as<Vectors<double, M::dimension, M::vectors>>;
-  { M::pull_back(k, x, y) } -> std::same_as<Vec<double, M::size>>;
-  { M::linear } -> std::convertible_to<bool>;
-  { M::lie_rotations.size() };  // see ElementKernel
-  requires !M::linear || M::derives;
-  // False: dual numbers pass through the whole element, one direction per coordinate. True: the map defines its
-  // derivative, J'mJ + d(J')y; `m` derives forces along the weights, `damping` with respect to rates only.
-  requires !M::derives || requires { { M::tangent(k, x, y, m, m, w) } -> std::same_as<Mat<double, M::size, M::size>>; };
-};
+concept StrainMap =
+    requires(const K& k, const Coordinates<double, M::size>& x, const Vectors<double, M::dimension, M::vectors>& y,
+             const Mat<double, M::dimension * M::vectors, M::dimension * M::vectors>& m, const Weights& w) {
+      { M::local(k, x) } -> std::same_as<Vectors<double, M::dimension, M::vectors>>;
+      { M::local_rate(k, x) } -> std::same_as<Vectors<double, M::dimension, M::vectors>>;
+      { M::pull_back(k, x, y) } -> std::same_as<Vec<double, M::size>>;
+      { M::linear } -> std::convertible_to<bool>;
+      { M::lie_rotations.size() };  // see ElementKernel
+      requires !M::linear || M::derives;
+      // False: dual numbers pass through the whole element, one direction per coordinate. True: the map defines its
+      // derivative, J'mJ + d(J')y; `m` derives forces along the weights, `damping` with respect to rates only.
+      requires !M::derives || requires {
+        { M::tangent(k, x, y, m, m, w) } -> std::same_as<Mat<double, M::size, M::size>>;
+      };
+    };
 
 namespace detail {
 template <class E, class Families>
 inline constexpr bool all_families = false;
 template <class E, class... F>
-inline constexpr bool all_families<E, std::tuple<F...>> = ((StrainFamily<F, E> && PullsBack<F, E>)&&...);
+inline constexpr bool all_families<E, std::tuple<F...>> = ((StrainFamily<F, E> && PullsBack<F, E>) && ...);
 }  // namespace detail
 
 template <class E>
 concept StrainKernel =
     StrainMap<typename E::Map, typename E::Constants> && detail::all_families<E, typename E::Families> &&
     detail::all_families<E, typename E::CallingFamilies> &&  // where `calls`; the same ones if there are no functions
-    requires(const typename E::Parameters& p, const typename E::Constants& k, const Coordinates<double, E::Map::size>& x,
-             const Vec3<double>& v, const Weights& w, Mat<double, E::Map::size, E::Map::size>& m) {
+    requires(const typename E::Parameters& p, const typename E::Constants& k,
+             const Coordinates<double, E::Map::size>& x, const Vec3<double>& v, const Weights& w,
+             Mat<double, E::Map::size, E::Map::size>& m) {
       { E::constants(p) } -> std::same_as<typename E::Constants>;
       { k == k } -> std::same_as<bool>;
       { k.length } -> std::convertible_to<double>;  // weights are fractions of this length
@@ -160,7 +174,7 @@ concept StrainKernel =
       { E::mass_load(p, x, v) } -> std::same_as<Vec<double, E::Map::size>>;
       { E::constant_mass } -> std::convertible_to<bool>;
       { E::constant_jacobian } -> std::convertible_to<bool>;  // of its points
-      { E::oriented } -> std::convertible_to<bool>;           // else markers have a position only
+      { E::oriented } -> std::convertible_to<bool>;  // else markers have a position only
     };
 
 // A law that reads the strains of another family at its own points. The first fields of both are the same.
@@ -183,9 +197,11 @@ struct Reading {
     return joined(Own::stress_free(p, first(of_reference)), Other::stress_free(p, rest(of_reference)));
   }
   template <class P, class K, class S>
-  static Vec<S, stresses> stress(const P& p, const K& k, const Context& c, double position, const Vec<S, strains>& strain,
-                                 const Vec<S, strains>& rate, const Vec<double, strains>& free) {
-    return Own::read_stress(p, k, c, position, first(strain), first(rate), first(free), rest(strain), rest(rate), rest(free));
+  static Vec<S, stresses> stress(const P& p, const K& k, const Context& c, double position,
+                                 const Vec<S, strains>& strain, const Vec<S, strains>& rate,
+                                 const Vec<double, strains>& free) {
+    return Own::read_stress(p, k, c, position, first(strain), first(rate), first(free), rest(strain), rest(rate),
+                            rest(free));
   }
   template <class K, class S, int D>
   static Vectors<S, D, fields> pull_back(const K& k, const Vectors<S, D, fields>& at, const Vec<S, stresses>& stress) {

@@ -47,8 +47,8 @@ class CallArguments {
     std::array<Argument, most_arguments> arguments;
     f.callback->recall(c.time, c.item, described(arguments, numbers), results);
   }
-  void linearize(const UserFunction& f, const Context& c, const double* numbers, std::span<const int> moving, std::span<double> results,
-                 std::span<double> slopes) const {
+  void linearize(const UserFunction& f, const Context& c, const double* numbers, std::span<const int> moving,
+                 std::span<double> results, std::span<double> slopes) const {
     std::array<Argument, most_arguments> arguments;
     f.callback->linearize(c.time, c.item, described(arguments, numbers), moving, results, slopes);
   }
@@ -88,7 +88,8 @@ inline bool all_finite(std::span<const double> numbers) {
 }
 
 template <int Results, int Capacity>
-Vec<double, Results> evaluate(const UserFunction& f, const Context& c, const CallArguments<double, Capacity>& arguments) {
+Vec<double, Results> evaluate(const UserFunction& f, const Context& c,
+                              const CallArguments<double, Capacity>& arguments) {
   Vec<double, Results> r;
   arguments.call(f, c, &arguments[0], r.x);
   return r;
@@ -108,8 +109,11 @@ Vec<Dual<N, T>, Results> evaluate(const UserFunction& f, const Context& c,
   Vec<double, Results> at;
   std::array<double, Capacity * Results> slopes;
   const bool exact = f.callback->has_derivatives();
-  if (exact) arguments.linearize(f, c, numbers.data(), std::span(moving).first(count), at.x, std::span(slopes).first(count * Results));
-  else c.same_state ? arguments.recall(f, c, numbers.data(), at.x) : arguments.call(f, c, numbers.data(), at.x);
+  if (exact)
+    arguments.linearize(f, c, numbers.data(), std::span(moving).first(count), at.x,
+                        std::span(slopes).first(count * Results));
+  else
+    c.same_state ? arguments.recall(f, c, numbers.data(), at.x) : arguments.call(f, c, numbers.data(), at.x);
   Vec<Dual<N, T>, Results> r;
   for (int k = 0; k < Results; ++k) r[k] = Dual<N, T>(at[k]);
   for (std::size_t m = 0; m < count; ++m) {

@@ -12,18 +12,24 @@
 namespace dalembert {
 
 template <class K>
-concept FollowsOffset = requires { { K::offsets } -> std::convertible_to<int>; };
+concept FollowsOffset = requires {
+  { K::offsets } -> std::convertible_to<int>;
+};
 
 // Closed forms of a gap.
 template <class K>
-concept StatesGapRate = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m) {
-  { K::template gap_rate<double>(p, c, m, m) } -> std::same_as<Vec<double, K::equations>>;
-};
+concept StatesGapRate =
+    requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m) {
+      { K::template gap_rate<double>(p, c, m, m) } -> std::same_as<Vec<double, K::equations>>;
+    };
 template <class K>
-concept StatesReaction = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
-                                  const Vec<double, K::equations>& lambda) {
-  { K::template reaction<double>(p, c, m, m, lambda) } -> std::same_as<std::array<typename K::Port::template Force<double>, 2>>;
-};
+concept StatesReaction =
+    requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
+             const Vec<double, K::equations>& lambda) {
+      {
+        K::template reaction<double>(p, c, m, m, lambda)
+      } -> std::same_as<std::array<typename K::Port::template Force<double>, 2>>;
+    };
 
 template <class K, class S, class Frame>
 auto gap(const typename K::Parameters& p, const Context& c, const Frame& m0, const Frame& m1) {
@@ -130,8 +136,9 @@ ScalarFrame<T> varied(const ScalarFrame<S>& f, int first) {
 
 // Forces G^T lambda on both frames.
 template <class K, class S, class Frame, class L>
-std::array<typename K::Port::template Force<S>, 2> virtual_work(const typename K::Parameters& p, const Context& c, const Frame& m0,
-                                                                const Frame& m1, const Vec<L, K::equations>& lambda) {
+std::array<typename K::Port::template Force<S>, 2> virtual_work(const typename K::Parameters& p, const Context& c,
+                                                                const Frame& m0, const Frame& m1,
+                                                                const Vec<L, K::equations>& lambda) {
   constexpr int n = K::Port::forces;
   using T = Dual<2 * n, S>;
   const auto g = gap<K, T>(p, c, varied<T>(m0, 0), varied<T>(m1, n));

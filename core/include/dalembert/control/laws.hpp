@@ -19,7 +19,8 @@ class DesiredMotion {
   // There is one more time than pieces. Each piece and coordinate has four coefficients, lowest power first, of the
   // time since its start. The rows of `ends` hold before and after: coordinates, velocities, accelerations before,
   // and the same after.
-  DesiredMotion(std::size_t count, std::vector<double> times, std::vector<double> coefficients, std::vector<double> ends);
+  DesiredMotion(std::size_t count, std::vector<double> times, std::vector<double> coefficients,
+                std::vector<double> ends);
   DesiredMotion(std::size_t count, Function function) : count_(count), function_(function) {}
 
   std::size_t count() const { return count_; }
@@ -36,7 +37,8 @@ class ControlLaw {
   virtual ~ControlLaw() = default;
   virtual std::size_t count() const = 0;  // of coordinates; 0: any
   // Coordinates include reference values. Called from several threads.
-  virtual void forces(double time, int item, std::span<const double> q, std::span<const double> v, std::span<double> f) const = 0;
+  virtual void forces(double time, int item, std::span<const double> q, std::span<const double> v,
+                      std::span<double> f) const = 0;
 };
 
 // Gains of coordinate and velocity errors, per coordinate.
@@ -50,7 +52,8 @@ class ProportionalDerivative final : public ControlLaw {
   ProportionalDerivative(std::shared_ptr<const DesiredMotion> desired, Gains gains, std::vector<double> feed_forward)
       : desired_(std::move(desired)), gains_(std::move(gains)), feed_forward_(std::move(feed_forward)) {}
   std::size_t count() const override { return desired_->count(); }
-  void forces(double time, int item, std::span<const double> q, std::span<const double> v, std::span<double> f) const override;
+  void forces(double time, int item, std::span<const double> q, std::span<const double> v,
+              std::span<double> f) const override;
 
  private:
   std::shared_ptr<const DesiredMotion> desired_;
@@ -64,7 +67,8 @@ class ComputedTorque final : public ControlLaw {
   ComputedTorque(Tree tree, const Vec3<double>& gravity, std::shared_ptr<const DesiredMotion> desired, Gains gains)
       : tree_(std::move(tree)), gravity_(gravity), desired_(std::move(desired)), gains_(std::move(gains)) {}
   std::size_t count() const override { return desired_->count(); }
-  void forces(double time, int item, std::span<const double> q, std::span<const double> v, std::span<double> f) const override;
+  void forces(double time, int item, std::span<const double> q, std::span<const double> v,
+              std::span<double> f) const override;
 
  private:
   Tree tree_;
@@ -76,10 +80,12 @@ class ComputedTorque final : public ControlLaw {
 // A C function of the user, with the arguments of a forceUserFunction.
 class CompiledLaw final : public ControlLaw {
  public:
-  using Function = void (*)(double time, std::int64_t item, const double* q, std::int64_t, const double* v, std::int64_t, double* f, std::int64_t);
+  using Function = void (*)(double time, std::int64_t item, const double* q, std::int64_t, const double* v,
+                            std::int64_t, double* f, std::int64_t);
   explicit CompiledLaw(Function function) : function_(function) {}
   std::size_t count() const override { return 0; }
-  void forces(double time, int item, std::span<const double> q, std::span<const double> v, std::span<double> f) const override;
+  void forces(double time, int item, std::span<const double> q, std::span<const double> v,
+              std::span<double> f) const override;
 
  private:
   Function function_;
@@ -114,7 +120,9 @@ class SampledForces {
  private:
   double same_time() const { return 1e-9 * period_; }
   double next_sample() const { return start_ + samples_ * period_; }
-  double next_release() const { return start_ + (samples_ - static_cast<double>(waiting_.size())) * period_ + dead_time_; }
+  double next_release() const {
+    return start_ + (samples_ - static_cast<double>(waiting_.size())) * period_ + dead_time_;
+  }
   bool release(double time);
 
   double period_, dead_time_;

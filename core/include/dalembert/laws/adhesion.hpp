@@ -23,7 +23,9 @@ struct AdhesiveLaw {
         attraction_exponent(p.adhesionExponent) {}
 
   // Plastic part of the penetration after first loading.
-  double plastic_overlap(double penetration) const { return plasticity == 0 ? 0 : std::pow(plasticity, 1 / exponent) * penetration; }
+  double plastic_overlap(double penetration) const {
+    return plasticity == 0 ? 0 : std::pow(plasticity, 1 / exponent) * penetration;
+  }
 
   // Loading and unloading coincide without plasticity; attraction acts only if unloading would be tensile.
   template <class S>

@@ -120,12 +120,16 @@ struct StickSlip {
     return at_most(at_most(stiffness * stretch, limit) + damping * slip, limit);
   }
   // x_a such that `force` acts at x = `position`.
-  double anchor(double position, double slip, double force) const { return position - (force - damping * slip) / stiffness; }
+  double anchor(double position, double slip, double force) const {
+    return position - (force - damping * slip) / stiffness;
+  }
 
   // Stick ends where the holding force reaches the limit, and slip where it turns back. `direction`: sign of the sliding force, 0 for stick.
   void find_switch(double direction, double holding_force, double slip, double limit, Switches& switches) const {
-    if (direction == 0) switches.holds("friction", false, limit - std::abs(holding_force), rounding * limit);
-    else switches.holds("friction", true, direction * slip);
+    if (direction == 0)
+      switches.holds("friction", false, limit - std::abs(holding_force), rounding * limit);
+    else
+      switches.holds("friction", true, direction * slip);
   }
 };
 

@@ -35,7 +35,9 @@ S with_losses(bool limited, const S& lossless, const S& losses) {
 }
 
 // Changes its sign where the limitation of losses begins.
-inline double pull_margin(bool limited, double lossless, double losses) { return limited ? lossless + losses - std::min(lossless, 0.0) : 1; }
+inline double pull_margin(bool limited, double lossless, double losses) {
+  return limited ? lossless + losses - std::min(lossless, 0.0) : 1;
+}
 
 struct ImpactLaw {
   double stiffness = 0, exponent = 1, damping = 0;

@@ -34,11 +34,11 @@ S function(const S& x, double value, double slope) {
   }
 }
 
-#define DALEMBERT_RECORDED(name, slope)                         \
-  template <class S>                                            \
-  S name(const S& x) {                                          \
-    const double a = value_of(x), y = std::name(a);             \
-    return function(x, y, slope);                               \
+#define DALEMBERT_RECORDED(name, slope)             \
+  template <class S>                                \
+  S name(const S& x) {                              \
+    const double a = value_of(x), y = std::name(a); \
+    return function(x, y, slope);                   \
   }
 DALEMBERT_RECORDED(exp, y)
 DALEMBERT_RECORDED(sqrt, 0.5 / y)

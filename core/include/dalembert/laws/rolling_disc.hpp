@@ -17,7 +17,8 @@ struct RollingContact {
   Vec3<S> slip;                      // velocity of the disc against the plane there
 
   template <class Parameters>
-  RollingContact(const Parameters& p, const RigidFrame<S>& plane, const RigidFrame<S>& disc) : normal(plane.rotation * p.planeNormal) {
+  RollingContact(const Parameters& p, const RigidFrame<S>& plane, const RigidFrame<S>& disc)
+      : normal(plane.rotation * p.planeNormal) {
     const Vec3<S> axis = disc.rotation * p.discAxis, along = cross(axis, normal);
     forward = (1.0 / norm(along)) * along;
     lateral = cross(normal, forward);
@@ -42,8 +43,10 @@ Vec3<double> trail_velocity(const Parameters& p, const RigidFrame<double>& plane
                             const RollingContact<double>& contact, const Vec3<double>& point) {
   const Vec3<double> axis = disc.rotation * p.discAxis, along = cross(axis, contact.normal);
   const Vec3<double> axis_rate = cross(disc.angular_velocity, axis);
-  const Vec3<double> along_rate = cross(axis_rate, contact.normal) + cross(axis, cross(plane.angular_velocity, contact.normal));
-  const Vec3<double> forward_rate = (1 / norm(along)) * (along_rate - dot(contact.forward, along_rate) * contact.forward);
+  const Vec3<double> along_rate =
+      cross(axis_rate, contact.normal) + cross(axis, cross(plane.angular_velocity, contact.normal));
+  const Vec3<double> forward_rate =
+      (1 / norm(along)) * (along_rate - dot(contact.forward, along_rate) * contact.forward);
   const Vec3<double> radius_rate = p.discRadius * (cross(axis_rate, contact.forward) + cross(axis, forward_rate));
   return disc.velocity + radius_rate - plane.velocity - cross(plane.angular_velocity, point);
 }

@@ -31,7 +31,13 @@ struct Touch {
 
 // Data coordinates of a contact, of the last update.
 struct TouchData {
-  enum { gap = 0, speed = 1, impact = 2, overlap = 3, count = 4 };  // impact: rate of penetration when the contact closed; overlap: plastic
+  enum {
+    gap = 0,
+    speed = 1,
+    impact = 2,
+    overlap = 3,
+    count = 4
+  };  // impact: rate of penetration when the contact closed; overlap: plastic
 };
 
 // The speed of the last update decides whether it sticks.
@@ -53,24 +59,27 @@ PostNewton update_touch(const Parameters& p, const Touch<double>& touch, const d
   }
   data[TouchData::gap] = touch.gap;
   data[TouchData::speed] = norm(touch.slip);
-  data[TouchData::impact] = start[TouchData::gap] > 0 && touch.gap <= 0 ? touch.penetration_rate : start[TouchData::impact];
+  data[TouchData::impact] =
+      start[TouchData::gap] > 0 && touch.gap <= 0 ? touch.penetration_rate : start[TouchData::impact];
   return verdict;
 }
 
 // Contact that opens or closes; friction that begins to slide or to stick; and where losses would begin to pull.
 constexpr int touch_switches = 3;
 template <class Parameters>
-void find_touch_switches(const Parameters& p, const Touch<double>& touch, const double* data, double pull_margin, Switches& switches) {
+void find_touch_switches(const Parameters& p, const Touch<double>& touch, const double* data, double pull_margin,
+                         Switches& switches) {
   const bool touches = data[TouchData::gap] < 0;
   switches.holds("contact", touches, touches ? -touch.gap : touch.gap);
   if (!touches) return switches.none(touch_switches - 1);
-  find_coulomb_switch(p.dynamicFriction != 0, data[TouchData::speed], norm(touch.slip), p.frictionProportionalZone, switches);
+  find_coulomb_switch(p.dynamicFriction != 0, data[TouchData::speed], norm(touch.slip), p.frictionProportionalZone,
+                      switches);
   switches.kink("pull", pull_margin);
 }
 
 // Outputs that all contacts at one point share; `force` acts on body 0.
-inline bool touch_output(const Touch<double>& touch, const Vec3<double>& position0, const Vec3<double>& force, OutputVariableType variable,
-                         std::vector<double>& values) {
+inline bool touch_output(const Touch<double>& touch, const Vec3<double>& position0, const Vec3<double>& force,
+                         OutputVariableType variable, std::vector<double>& values) {
   const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
   switch (variable) {
     case OutputVariableType::Position: vector(position0 + touch.arm0); return true;

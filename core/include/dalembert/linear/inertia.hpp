@@ -12,6 +12,7 @@ namespace dalembert {
 std::optional<int> negative_eigenvalues(std::span<double> symmetric, int size);
 // Returns the number of negative eigenvalues of a matrix with the pattern of this solver, whose factors are kept. Returns nothing if the
 // elimination order of the factors is not symmetric, or if the count would take long.
-std::optional<int> negative_eigenvalues(const LinearSolver& solver, const Pattern& pattern, std::span<const double> values);
+std::optional<int> negative_eigenvalues(const LinearSolver& solver, const Pattern& pattern,
+                                        std::span<const double> values);
 
 }  // namespace dalembert

@@ -17,13 +17,15 @@ struct LinearSolverOptions {
   bool ignore_singular = false;  // drop dependent equations instead of failing
   int unsettled_matrices = 0;  // zeros in the first matrices may become nonzero in later ones
   std::string instructions = {};  // one of instruction_sets(); empty: the first
-  std::vector<int> tiny_diagonal = {};  // unknowns whose diagonal entry, if there is one, is too small to count as a pivot
+  std::vector<int> tiny_diagonal =
+      {};  // unknowns whose diagonal entry, if there is one, is too small to count as a pivot
   std::vector<int> dependent = {};  // redundant ones among these: their last pivots are that entry
 };
 
 struct LinearSolverStatistics {
   std::size_t factorizations = 0;
-  std::size_t pivot_searches = 0;  // factorizations that chose their pivots: the first, and those that growth has forced
+  std::size_t pivot_searches =
+      0;  // factorizations that chose their pivots: the first, and those that growth has forced
   std::size_t entries = 0;         // numbers in the factors
 };
 

@@ -10,10 +10,14 @@ namespace dalembert {
 // Disjoint sets of the numbers from zero on, initially single.
 class DisjointSets {
  public:
-  explicit DisjointSets(int count = 0) : parent_(static_cast<std::size_t>(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit DisjointSets(int count = 0) : parent_(static_cast<std::size_t>(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
   // The smallest number of a set.
   int of(int i) {
-    while (parent_[static_cast<std::size_t>(i)] != i) i = parent_[static_cast<std::size_t>(i)] = parent_[static_cast<std::size_t>(parent_[static_cast<std::size_t>(i)])];
+    while (parent_[static_cast<std::size_t>(i)] != i)
+      i = parent_[static_cast<std::size_t>(i)] =
+          parent_[static_cast<std::size_t>(parent_[static_cast<std::size_t>(i)])];
     return i;
   }
   // False: they are together.

@@ -90,7 +90,11 @@ struct Dual {
     return r;
   }
   // Constants carry no derivatives: half the work.
-  friend constexpr Dual operator+(const Dual& a, double b) { Dual r = a; r.value = r.value + b; return r; }
+  friend constexpr Dual operator+(const Dual& a, double b) {
+    Dual r = a;
+    r.value = r.value + b;
+    return r;
+  }
   friend constexpr Dual operator+(double a, const Dual& b) { return b + a; }
   friend constexpr Dual operator-(const Dual& a, double b) { return a + (-b); }
   friend constexpr Dual operator-(double a, const Dual& b) { return -b + a; }

@@ -191,7 +191,8 @@ constexpr auto entry_of(int i, const First& first, const Rest&... rest) {
 // The entries of vectors and matrices, one after the other.
 template <class... Parts>
 constexpr auto joined(const Parts&... parts) {
-  return vector_of<(static_cast<int>(std::tuple_size_v<std::remove_cvref_t<decltype(parts.x)>>) + ...)>([&](int i) { return detail::entry_of(i, parts...); });
+  return vector_of<(static_cast<int>(std::tuple_size_v<std::remove_cvref_t<decltype(parts.x)>>) + ...)>(
+      [&](int i) { return detail::entry_of(i, parts...); });
 }
 
 template <class S, int N>

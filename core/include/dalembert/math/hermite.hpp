@@ -11,7 +11,9 @@ constexpr std::array<double, 4> values(double xi, double length) {
   return {rest * rest * (1 + 2 * xi), length * xi * rest * rest, xi * xi * (3 - 2 * xi), -length * xi * xi * rest};
 }
 // Shares of the chord (r1 - r0) / L and of both slopes in r' and in L r''.
-constexpr std::array<double, 3> slope(double xi) { return {6 * xi * (1 - xi), (1 - xi) * (1 - 3 * xi), xi * (3 * xi - 2)}; }
+constexpr std::array<double, 3> slope(double xi) {
+  return {6 * xi * (1 - xi), (1 - xi) * (1 - 3 * xi), xi * (3 * xi - 2)};
+}
 constexpr std::array<double, 3> bend(double xi) { return {6 - 12 * xi, 6 * xi - 4, 6 * xi - 2}; }
 // Shares of r0, r0', r1, r1' in r'.
 constexpr std::array<double, 4> slopes(double xi, double length) {
@@ -20,7 +22,9 @@ constexpr std::array<double, 4> slopes(double xi, double length) {
 }
 
 // Integrals of the shares in r along the curve, and of their products.
-constexpr std::array<double, 4> integrals(double length) { return {length / 2, length * length / 12, length / 2, -length * length / 12}; }
+constexpr std::array<double, 4> integrals(double length) {
+  return {length / 2, length * length / 12, length / 2, -length * length / 12};
+}
 constexpr std::array<std::array<double, 4>, 4> products(double length) {
   const double l = length, l2 = l * l;
   std::array<std::array<double, 4>, 4> m{{{156, 22 * l, 54, -13 * l},

@@ -26,7 +26,8 @@ struct LargeAllocator {
   void deallocate(T* memory, std::size_t count) { release_large(memory, count * sizeof(T)); }
   template <class U, class... Values>
   void construct(U* place, Values&&... values) {
-    if constexpr (sizeof...(Values) > 0 || !std::is_trivially_default_constructible_v<U>) ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
+    if constexpr (sizeof...(Values) > 0 || !std::is_trivially_default_constructible_v<U>)
+      ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
   }
   bool operator==(const LargeAllocator&) const = default;
 };

@@ -62,7 +62,9 @@ struct Pack {
   DALEMBERT_INLINE double operator[](int lane) const { return x[lane]; }
 
   // Any place: no boundary is asked for.
-  DALEMBERT_INLINE static Pack load(const double* from) { return Pack(Register(*reinterpret_cast<const InMemory*>(from))); }
+  DALEMBERT_INLINE static Pack load(const double* from) {
+    return Pack(Register(*reinterpret_cast<const InMemory*>(from)));
+  }
   DALEMBERT_INLINE void store(double* to) const { *reinterpret_cast<InMemory*>(to) = x; }
   DALEMBERT_INLINE void add_to(double* to) const { *reinterpret_cast<InMemory*>(to) += x; }
   DALEMBERT_INLINE void subtract_from(double* to) const { *reinterpret_cast<InMemory*>(to) -= x; }
@@ -83,16 +85,22 @@ struct Pack {
   // All bits of a lane that fulfils it are one. Eight numbers are compared in halves: GCC 12 has no mask for all of
   // them in a function with a target attribute, and would process them one by one.
   DALEMBERT_INLINE friend Mask less(const Pack& a, const Pack& b) {
-    if constexpr (N == 8) return joined(a.lower() < b.lower(), a.upper() < b.upper());
-    else return a.x < b.x;
+    if constexpr (N == 8)
+      return joined(a.lower() < b.lower(), a.upper() < b.upper());
+    else
+      return a.x < b.x;
   }
   DALEMBERT_INLINE friend Mask equal(const Pack& a, const Pack& b) {
-    if constexpr (N == 8) return joined(a.lower() == b.lower(), a.upper() == b.upper());
-    else return a.x == b.x;
+    if constexpr (N == 8)
+      return joined(a.lower() == b.lower(), a.upper() == b.upper());
+    else
+      return a.x == b.x;
   }
   DALEMBERT_INLINE static Pack chosen(const Mask& first, const Pack& a, const Pack& b) {
-    if constexpr (N == 8) return std::bit_cast<Register>((std::bit_cast<Mask>(a.x) & first) | (std::bit_cast<Mask>(b.x) & ~first));
-    else return first ? a.x : b.x;
+    if constexpr (N == 8)
+      return std::bit_cast<Register>((std::bit_cast<Mask>(a.x) & first) | (std::bit_cast<Mask>(b.x) & ~first));
+    else
+      return first ? a.x : b.x;
   }
   DALEMBERT_INLINE static bool is_none(const Mask& mask) { return is_all_zero(mask); }
   // ignores the sign
@@ -103,7 +111,9 @@ struct Pack {
   DALEMBERT_INLINE friend Pack magnitude(const Pack& a) { return chosen(less(a, Pack()), -a, a); }
   DALEMBERT_INLINE friend Pack larger(const Pack& a, const Pack& b) { return chosen(less(b, a), a, b); }
   // Zero in the unselected lanes, for any value there.
-  DALEMBERT_INLINE friend Pack only_where(const Pack& flag, const Pack& a) { return chosen(equal(flag, Pack()), Pack(), a); }
+  DALEMBERT_INLINE friend Pack only_where(const Pack& flag, const Pack& a) {
+    return chosen(equal(flag, Pack()), Pack(), a);
+  }
   // Replaces zero divisors by one.
   DALEMBERT_INLINE friend Pack one_for_zero(const Pack& a) { return chosen(equal(a, Pack()), Pack(1.0), a); }
 
@@ -126,12 +136,17 @@ struct Pack {
   template <class Bits>
   DALEMBERT_INLINE static bool is_all_zero(const Bits& bits) {
     constexpr std::size_t count = sizeof(Bits) / sizeof(long long);
-    if constexpr (count == 8) return is_all_zero(__builtin_shufflevector(bits, bits, 0, 1, 2, 3) | __builtin_shufflevector(bits, bits, 4, 5, 6, 7));
-    else if constexpr (count == 4) return is_all_zero(__builtin_shufflevector(bits, bits, 0, 1) | __builtin_shufflevector(bits, bits, 2, 3));
+    if constexpr (count == 8)
+      return is_all_zero(__builtin_shufflevector(bits, bits, 0, 1, 2, 3) |
+                         __builtin_shufflevector(bits, bits, 4, 5, 6, 7));
+    else if constexpr (count == 4)
+      return is_all_zero(__builtin_shufflevector(bits, bits, 0, 1) | __builtin_shufflevector(bits, bits, 2, 3));
 #ifdef __SSE4_1__
-    else return __builtin_ia32_ptestz128(bits, bits) != 0;
+    else
+      return __builtin_ia32_ptestz128(bits, bits) != 0;
 #else
-    else return (bits[0] | bits[1]) == 0;
+    else
+      return (bits[0] | bits[1]) == 0;
 #endif
   }
   DALEMBERT_INLINE auto lower() const { return __builtin_shufflevector(x, x, 0, 1, 2, 3); }
@@ -171,8 +186,10 @@ DALEMBERT_INLINE inline std::array<Pack<N>, 4> columns_of(const Row& row) {
     return numbers;
   } else {
     for (int i = 0; i < 4; ++i) {
-      if constexpr (N == 4) numbers[i] = row(i);
-      else numbers[i] = Pack<N>(__builtin_shufflevector(row(i).x, row(i + 4).x, 0, 1, 2, 3, 4, 5, 6, 7));
+      if constexpr (N == 4)
+        numbers[i] = row(i);
+      else
+        numbers[i] = Pack<N>(__builtin_shufflevector(row(i).x, row(i + 4).x, 0, 1, 2, 3, 4, 5, 6, 7));
     }
     return transposed(numbers);
   }
@@ -189,9 +206,13 @@ DALEMBERT_INLINE inline std::array<Pack<4>, N> rows_from(std::array<Pack<N>, 4> 
   if constexpr (N > 2) numbers = transposed(numbers);
   for (int lane = 0; lane < N; ++lane) {
     const auto& four = numbers[lane % 4].x;
-    if constexpr (N == 2) rows[lane] = Pack<4>::of_each([&](int j) { return numbers[j][lane]; });
-    else if constexpr (N == 4) rows[lane] = numbers[lane];
-    else rows[lane] = lane < 4 ? __builtin_shufflevector(four, four, 0, 1, 2, 3) : __builtin_shufflevector(four, four, 4, 5, 6, 7);
+    if constexpr (N == 2)
+      rows[lane] = Pack<4>::of_each([&](int j) { return numbers[j][lane]; });
+    else if constexpr (N == 4)
+      rows[lane] = numbers[lane];
+    else
+      rows[lane] =
+          lane < 4 ? __builtin_shufflevector(four, four, 0, 1, 2, 3) : __builtin_shufflevector(four, four, 4, 5, 6, 7);
   }
   return rows;
 }

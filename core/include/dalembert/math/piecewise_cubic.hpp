@@ -46,7 +46,8 @@ class PiecewiseCubic {
   // Throws std::invalid_argument.
   static void check(std::span<const double> numbers) {
     const std::size_t intervals = (numbers.size() - std::min<std::size_t>(numbers.size(), 1)) / 5;
-    if (intervals == 0 || numbers.size() != 5 * intervals + 1) throw std::invalid_argument("a table needs 5 n + 1 numbers, for n intervals");
+    if (intervals == 0 || numbers.size() != 5 * intervals + 1)
+      throw std::invalid_argument("a table needs 5 n + 1 numbers, for n intervals");
     const auto points = numbers.first(intervals + 1);
     for (std::size_t i = 0; i < intervals; ++i)
       if (!(points[i] < points[i + 1])) throw std::invalid_argument("points of a table have to increase");

@@ -14,7 +14,8 @@ struct QuadratureRule {
 
 namespace detail {
 // Tabulated rules: on [-1, 1], symmetric, from the middle outwards.
-constexpr QuadratureRule symmetric_rule(int count, const std::array<double, 3>& position, const std::array<double, 3>& weight) {
+constexpr QuadratureRule symmetric_rule(int count, const std::array<double, 3>& position,
+                                        const std::array<double, 3>& weight) {
   QuadratureRule rule{.count = count};
   const int lower = count / 2, odd = count % 2;
   for (int i = 0; i < count; ++i) {

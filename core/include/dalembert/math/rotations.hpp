@@ -38,14 +38,14 @@ inline std::array<Mat3<double>, 4> euler_parameters_turn(const Vec<double, 4>& e
 // Angular velocity = G(e) de/dt.
 template <class S>
 Mat<S, 3, 4> euler_parameters_g(const Vec<S, 4>& e) {
-  return {-2.0 * e[1], 2.0 * e[0],  -2.0 * e[3], 2.0 * e[2], -2.0 * e[2], 2.0 * e[3],
-          2.0 * e[0],  -2.0 * e[1], -2.0 * e[3], -2.0 * e[2], 2.0 * e[1], 2.0 * e[0]};
+  return {-2.0 * e[1], 2.0 * e[0],  -2.0 * e[3], 2.0 * e[2],  -2.0 * e[2], 2.0 * e[3],
+          2.0 * e[0],  -2.0 * e[1], -2.0 * e[3], -2.0 * e[2], 2.0 * e[1],  2.0 * e[0]};
 }
 // The same in local axes.
 template <class S>
 Mat<S, 3, 4> euler_parameters_local_g(const Vec<S, 4>& e) {
-  return {-2.0 * e[1], 2.0 * e[0], 2.0 * e[3], -2.0 * e[2], -2.0 * e[2], -2.0 * e[3],
-          2.0 * e[0],  2.0 * e[1], -2.0 * e[3], 2.0 * e[2], -2.0 * e[1], 2.0 * e[0]};
+  return {-2.0 * e[1], 2.0 * e[0], 2.0 * e[3],  -2.0 * e[2], -2.0 * e[2], -2.0 * e[3],
+          2.0 * e[0],  2.0 * e[1], -2.0 * e[3], 2.0 * e[2],  -2.0 * e[1], 2.0 * e[0]};
 }
 
 // ---- Tait-Bryan angles, R = Rx(a) Ry(b) Rz(c) ----------------------------------------------------------------------
@@ -80,8 +80,7 @@ Vec3<S> tait_bryan_bias(const Vec3<S>& angle, const Vec3<S>& rate) {
   using std::cos;
   using std::sin;
   const S s0 = sin(angle[0]), c0 = cos(angle[0]), s1 = sin(angle[1]), c1 = cos(angle[1]);
-  return {c1 * rate[1] * rate[2],
-          -(s0 * rate[0] * rate[1]) + (s0 * s1 * rate[1] - c0 * c1 * rate[0]) * rate[2],
+  return {c1 * rate[1] * rate[2], -(s0 * rate[0] * rate[1]) + (s0 * s1 * rate[1] - c0 * c1 * rate[0]) * rate[2],
           c0 * rate[0] * rate[1] - (s0 * c1 * rate[0] + c0 * s1 * rate[1]) * rate[2]};
 }
 template <class S>
@@ -100,8 +99,10 @@ struct RodriguesSeries {
 
   template <class S>
   static void terms(const S& angle_squared, S& sinc, S& versine, S& residue) {
-    if (angle_squared < small) of_small(angle_squared, sinc, versine, residue);
-    else of_others(angle_squared, sinc, versine, residue);
+    if (angle_squared < small)
+      of_small(angle_squared, sinc, versine, residue);
+    else
+      of_others(angle_squared, sinc, versine, residue);
   }
   template <int N>
   DALEMBERT_INLINE static void terms(const Pack<N>& angle_squared, Pack<N>& sinc, Pack<N>& versine, Pack<N>& residue) {
@@ -168,7 +169,8 @@ Vec3<S> rotation_vector_rate(const Vec3<S>& v, const Vec3<S>& w) {
 template <class S>
 DALEMBERT_INLINE inline S small_angle_by_sine(const S& x) {
   const S x2 = x * x, x4 = x2 * x2;
-  return (1.0 + x * (1.0 / 6) + x2 * (3.0 / 40 + x * (15.0 / 336))) + x4 * (105.0 / 3456 + x * (945.0 / 42240) + x2 * (10395.0 / 599040 + x * (135135.0 / 9676800)));
+  return (1.0 + x * (1.0 / 6) + x2 * (3.0 / 40 + x * (15.0 / 336))) +
+         x4 * (105.0 / 3456 + x * (945.0 / 42240) + x2 * (10395.0 / 599040 + x * (135135.0 / 9676800)));
 }
 // Rotation vector of a rotation matrix, angle below pi: series near zero, where the angle itself has no derivative.
 template <class S>

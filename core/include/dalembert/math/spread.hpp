@@ -74,7 +74,9 @@ template <int k>
 DALEMBERT_INLINE inline Spread component(const Vector& a) {
   return shuffled<k, k, k, k>(a.x);
 }
-DALEMBERT_INLINE inline Vector unit(std::size_t j) { return Pack<4>(Pack<4>::Register{j == 0 ? 1.0 : 0.0, j == 1 ? 1.0 : 0.0, j == 2 ? 1.0 : 0.0, 0}); }
+DALEMBERT_INLINE inline Vector unit(std::size_t j) {
+  return Pack<4>(Pack<4>::Register{j == 0 ? 1.0 : 0.0, j == 1 ? 1.0 : 0.0, j == 2 ? 1.0 : 0.0, 0});
+}
 template <class F>
 DALEMBERT_INLINE inline Matrix each_column(const F& f) {
   return {{f(0), f(1), f(2)}};
@@ -83,11 +85,15 @@ DALEMBERT_INLINE inline Matrix each_column(const F& f) {
 }  // namespace spreads
 
 DALEMBERT_INLINE inline Vec3<Spread> operator+(const Vec3<Spread>& a, const Vec3<Spread>& b) { return a.x + b.x; }
-DALEMBERT_INLINE inline Vec3<Spread> operator+(const Vec3<Spread>& a, const Vec3<double>& b) { return a + Vec3<Spread>(b); }
+DALEMBERT_INLINE inline Vec3<Spread> operator+(const Vec3<Spread>& a, const Vec3<double>& b) {
+  return a + Vec3<Spread>(b);
+}
 DALEMBERT_INLINE inline Vec3<Spread> operator-(const Vec3<Spread>& a, const Vec3<Spread>& b) { return a.x - b.x; }
 DALEMBERT_INLINE inline Vec3<Spread>& operator+=(Vec3<Spread>& a, const Vec3<Spread>& b) { return a = a + b; }
 DALEMBERT_INLINE inline Vec3<Spread>& operator-=(Vec3<Spread>& a, const Vec3<Spread>& b) { return a = a - b; }
-DALEMBERT_INLINE inline Vec3<Spread>& operator-=(Vec3<Spread>& a, const Vec3<double>& b) { return a = a - Vec3<Spread>(b); }
+DALEMBERT_INLINE inline Vec3<Spread>& operator-=(Vec3<Spread>& a, const Vec3<double>& b) {
+  return a = a - Vec3<Spread>(b);
+}
 DALEMBERT_INLINE inline Vec3<Spread> operator*(const Spread& k, const Vec3<Spread>& a) { return k.x * a.x; }
 DALEMBERT_INLINE inline Vec3<Spread> operator*(double k, const Vec3<Spread>& a) { return k * a.x; }
 DALEMBERT_INLINE inline Spread dot(const Vec3<Spread>& a, const Vec3<Spread>& b) {
@@ -100,7 +106,8 @@ DALEMBERT_INLINE inline Vec3<Spread> cross(const Vec3<Spread>& a, const Vec3<Spr
   using spreads::shuffled;
   return shuffled<1, 2, 0, 3>(a.x * shuffled<1, 2, 0, 3>(b.x) - b.x * shuffled<1, 2, 0, 3>(a.x));
 }
-DALEMBERT_INLINE inline Vec3<Spread> crosses(const Vec3<Spread>& a, const Vec3<Spread>& b, const Vec3<Spread>& c, const Vec3<Spread>& d) {
+DALEMBERT_INLINE inline Vec3<Spread> crosses(const Vec3<Spread>& a, const Vec3<Spread>& b, const Vec3<Spread>& c,
+                                             const Vec3<Spread>& d) {
   using spreads::shuffled;
   const Pack<4> first = a.x * shuffled<1, 2, 0, 3>(b.x) - b.x * shuffled<1, 2, 0, 3>(a.x);
   return shuffled<1, 2, 0, 3>(first + (c.x * shuffled<1, 2, 0, 3>(d.x) - d.x * shuffled<1, 2, 0, 3>(c.x)));
@@ -119,7 +126,9 @@ DALEMBERT_INLINE inline Vec3<Spread> operator*(const Mat3<Spread>& m, const Vec3
   using namespace spreads;
   return component<0>(v) * m[0] + component<1>(v) * m[1] + component<2>(v) * m[2];
 }
-DALEMBERT_INLINE inline Vec3<Spread> operator*(const Mat3<Spread>& m, const Vec3<double>& v) { return v[0] * m[0] + v[1] * m[1] + v[2] * m[2]; }
+DALEMBERT_INLINE inline Vec3<Spread> operator*(const Mat3<Spread>& m, const Vec3<double>& v) {
+  return v[0] * m[0] + v[1] * m[1] + v[2] * m[2];
+}
 DALEMBERT_INLINE inline Mat3<Spread> operator*(const Mat3<Spread>& a, const Mat3<double>& b) {
   return spreads::each_column([&](std::size_t j) { return a * column(b, static_cast<int>(j)); });
 }
@@ -130,13 +139,19 @@ DALEMBERT_INLINE inline Mat3<Spread> transpose(const Mat3<Spread>& m) {
   using Register = Pack<4>::Register;
   const Register none{}, a = m[0].x.x, b = m[1].x.x, c = m[2].x.x;
   const Register even = __builtin_shufflevector(a, b, 0, 4, 2, 6), odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Register even_c = __builtin_shufflevector(c, none, 0, 4, 2, 6), odd_c = __builtin_shufflevector(c, none, 1, 5, 3, 7);
-  return {{Pack<4>(__builtin_shufflevector(even, even_c, 0, 1, 4, 5)), Pack<4>(__builtin_shufflevector(odd, odd_c, 0, 1, 4, 5)),
+  const Register even_c = __builtin_shufflevector(c, none, 0, 4, 2, 6),
+                 odd_c = __builtin_shufflevector(c, none, 1, 5, 3, 7);
+  return {{Pack<4>(__builtin_shufflevector(even, even_c, 0, 1, 4, 5)),
+           Pack<4>(__builtin_shufflevector(odd, odd_c, 0, 1, 4, 5)),
            Pack<4>(__builtin_shufflevector(even, even_c, 2, 3, 6, 7))}};
 }
-DALEMBERT_INLINE inline Vec3<Spread> transposed_times(const Mat3<Spread>& m, const Vec3<Spread>& v) { return transpose(m) * v; }
+DALEMBERT_INLINE inline Vec3<Spread> transposed_times(const Mat3<Spread>& m, const Vec3<Spread>& v) {
+  return transpose(m) * v;
+}
 DALEMBERT_INLINE inline Vec3<Spread> column(const Mat3<Spread>& m, int j) { return m[static_cast<std::size_t>(j)]; }
-DALEMBERT_INLINE inline void set_column(Mat3<Spread>& m, int j, const Vec3<Spread>& v) { m[static_cast<std::size_t>(j)] = v; }
+DALEMBERT_INLINE inline void set_column(Mat3<Spread>& m, int j, const Vec3<Spread>& v) {
+  m[static_cast<std::size_t>(j)] = v;
+}
 
 // r m r^T, m - a b^T, a x m, diag(a, a, a), (a . b) I - a b^T and the matrix of v x, as math/tensors.hpp has them for other scalars.
 DALEMBERT_INLINE inline Mat3<Spread> turned(const Mat3<Spread>& r, const Mat3<double>& symmetric) {
@@ -146,7 +161,8 @@ DALEMBERT_INLINE inline Mat3<Spread> turned(const Mat3<Spread>& r, const Mat3<do
            component<1>(r[0]) * m[0] + component<1>(r[1]) * m[1] + component<1>(r[2]) * m[2],
            component<2>(r[0]) * m[0] + component<2>(r[1]) * m[1] + component<2>(r[2]) * m[2]}};
 }
-DALEMBERT_INLINE inline Mat3<Spread> without_product(const Mat3<Spread>& m, const Vec3<Spread>& a, const Vec3<Spread>& b) {
+DALEMBERT_INLINE inline Mat3<Spread> without_product(const Mat3<Spread>& m, const Vec3<Spread>& a,
+                                                     const Vec3<Spread>& b) {
   using namespace spreads;
   return {{m[0] - component<0>(b) * a, m[1] - component<1>(b) * a, m[2] - component<2>(b) * a}};
 }

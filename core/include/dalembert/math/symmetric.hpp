@@ -27,7 +27,8 @@ constexpr Vec3<S> column(const Symmetric<S>& m, int j) {
 }
 template <class S>
 constexpr Vec3<S> operator*(const Symmetric<S>& m, const Vec3<S>& v) {
-  return {m.x[0] * v[0] + m.x[1] * v[1] + m.x[2] * v[2], m.x[1] * v[0] + m.x[3] * v[1] + m.x[4] * v[2], m.x[2] * v[0] + m.x[4] * v[1] + m.x[5] * v[2]};
+  return {m.x[0] * v[0] + m.x[1] * v[1] + m.x[2] * v[2], m.x[1] * v[0] + m.x[3] * v[1] + m.x[4] * v[2],
+          m.x[2] * v[0] + m.x[4] * v[1] + m.x[5] * v[2]};
 }
 // m - a b^T, for vectors that are parallel.
 template <class S>
@@ -43,7 +44,8 @@ constexpr Symmetric<S> turned(const std::array<Vec3<S>, 3>& columns, const Symme
     const Vec3<S>& column = columns[static_cast<std::size_t>(k)];
     const Vec3<S> product = m(0, k) * columns[0] + m(1, k) * columns[1] + m(2, k) * columns[2];
     for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j) result(i, j) = k == 0 ? product[i] * column[j] : result(i, j) + product[i] * column[j];
+      for (int j = i; j < 3; ++j)
+        result(i, j) = k == 0 ? product[i] * column[j] : result(i, j) + product[i] * column[j];
   }
   return result;
 }

@@ -17,7 +17,8 @@ Mat3<S> turned(const Mat3<S>& r, const Mat3<double>& symmetric) {
   Mat3<S> result;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column <= row; ++column)
-      result(column, row) = result(row, column) = m(row, 0) * r(column, 0) + m(row, 1) * r(column, 1) + m(row, 2) * r(column, 2);
+      result(column, row) = result(row, column) =
+          m(row, 0) * r(column, 0) + m(row, 1) * r(column, 1) + m(row, 2) * r(column, 2);
   return result;
 }
 

@@ -13,9 +13,7 @@
 namespace dalembert {
 
 inline void* member(void* record, const Row& row) { return static_cast<char*>(record) + row.offset; }
-inline const void* member(const void* record, const Row& row) {
-  return static_cast<const char*>(record) + row.offset;
-}
+inline const void* member(const void* record, const Row& row) { return static_cast<const char*>(record) + row.offset; }
 
 // The member of this name; nullptr if the item does not have it.
 template <class T>
@@ -78,9 +76,8 @@ decltype(auto) with_type(Storage storage, F&& f) {
 // Call `f(member)` with a typed reference to the member.
 template <class F>
 decltype(auto) visit(const Row& row, void* record, F&& f) {
-  return with_type(row.storage, [&]<class T>(TypeTag<T>) -> decltype(auto) {
-    return f(*static_cast<T*>(member(record, row)));
-  });
+  return with_type(row.storage,
+                   [&]<class T>(TypeTag<T>) -> decltype(auto) { return f(*static_cast<T*>(member(record, row))); });
 }
 template <class F>
 decltype(auto) visit(const Row& row, const void* record, F&& f) {

@@ -38,12 +38,16 @@ class Model {
   std::string name(ItemKind kind, int number) const;
   int number(ItemKind kind, std::string_view name) const;  // -1 if it does not exist
   // The numbers of items with names of their own.
-  const std::unordered_map<std::string, int>& names(ItemKind kind) const { return numbers_[static_cast<std::size_t>(kind)]; }
+  const std::unordered_map<std::string, int>& names(ItemKind kind) const {
+    return numbers_[static_cast<std::size_t>(kind)];
+  }
   std::string describe(ItemKind kind, int number) const;   // "node 3 'foot' (NodePoint)"
   // Names of items whose number differs in the original model; empty for an independent model.
   using Titles = std::array<std::unordered_map<int, std::string>, item_kinds>;
   const Titles& titles() const { return titles_; }
-  void entitle(ItemKind kind, int number, std::string title) { titles_[static_cast<std::size_t>(kind)][number] = std::move(title); }
+  void entitle(ItemKind kind, int number, std::string title) {
+    titles_[static_cast<std::size_t>(kind)][number] = std::move(title);
+  }
 
   // Add one item and return its number. A planned type, or a name that is taken, is refused.
   int add(Item item);
@@ -90,7 +94,9 @@ class Model {
   std::uint64_t structure_changes() const { return structure_changes_; }  // grown: Assemble is needed
   std::uint64_t equation_changes() const { return equation_changes_; }    // the same without those of sensors
   std::uint64_t value_changes() const { return value_changes_; }          // grown: parameters were replaced
-  std::uint64_t record_changes() const { return record_changes_; }        // the same: no item has another record, name or number
+  std::uint64_t record_changes() const {
+    return record_changes_;
+  }        // the same: no item has another record, name or number
   // The changes since number `since`, until the next one; none if everything may have changed.
   std::optional<std::span<const ItemChange>> changed_since(std::uint64_t since) const;
 

@@ -21,7 +21,8 @@ class SystemTermSource : public std::enable_shared_from_this<SystemTermSource> {
   virtual void check(const Model& model, const std::string& name) const = 0;
   virtual std::unique_ptr<SystemTerm> make_term(const Ports& ports, const std::string& name) const = 0;
   // An item was deleted: numbers behind it move up; adds a sentence for each reference that is lost.
-  virtual void shift_references(ItemKind kind, int removed, const std::string& name, std::vector<std::string>& lost) = 0;
+  virtual void shift_references(ItemKind kind, int removed, const std::string& name,
+                                std::vector<std::string>& lost) = 0;
 };
 
 }  // namespace dalembert

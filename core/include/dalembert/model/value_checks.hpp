@@ -42,6 +42,7 @@ Verdict judge_inertia(double mass, const Mat3<double>& about_reference, const Ve
 void check_inertia(double mass, const Mat3<double>& about_reference, const Vec3<double>& centre, const ItemLabel& item);
 void check_planar_inertia(double mass, double about_reference, const Vec<double, 2>& centre, const ItemLabel& item);
 // Values of length 1, to 1e-8.
-void check_unit_length(std::span<const double> values, const char* parameter, const char* expected, const ItemLabel& item);
+void check_unit_length(std::span<const double> values, const char* parameter, const char* expected,
+                       const ItemLabel& item);
 
 }  // namespace dalembert

@@ -15,15 +15,16 @@ namespace rounded_text {
 
 using Wide = unsigned __int128;
 
-constexpr int most_digits = 17;  // beyond these, and for numbers that are too large, too small or not finite, std::to_chars is used
-constexpr int most_fives = 55;   // powers of five that have 128 bits at most
-constexpr int room = 64;         // characters
+constexpr int most_digits =
+    17;  // beyond these, and for numbers that are too large, too small or not finite, std::to_chars is used
+constexpr int most_fives = 55;  // powers of five that have 128 bits at most
+constexpr int room = 64;  // characters
 
 struct Tables {
   std::array<std::uint64_t, 20> ten{};
   std::array<Wide, most_fives + 1> five{};
   std::array<double, 61> rounded_ten{};  // from 10^-40 on
-  std::array<char, 200> pair{};          // 00 to 99
+  std::array<char, 200> pair{};  // 00 to 99
 
   constexpr Tables() {
     std::uint64_t power = 1;
@@ -34,7 +35,8 @@ struct Tables {
     for (std::size_t i = 40; i < rounded_ten.size(); ++i) rounded_ten[i] = up, up *= 10;
     up = 1;
     for (std::size_t i = 1; i <= 40; ++i) up *= 10, rounded_ten[40 - i] = 1 / up;
-    for (int i = 0; i < 100; ++i) pair[2 * i] = static_cast<char>('0' + i / 10), pair[2 * i + 1] = static_cast<char>('0' + i % 10);
+    for (int i = 0; i < 100; ++i)
+      pair[2 * i] = static_cast<char>('0' + i / 10), pair[2 * i + 1] = static_cast<char>('0' + i % 10);
   }
 };
 inline constexpr Tables tables;
@@ -46,7 +48,8 @@ struct Split {
 };
 inline Split split(std::uint64_t m, int k, int s) {
   const Wide five = tables.five[static_cast<std::size_t>(k)];
-  const Wide low = Wide(m) * static_cast<std::uint64_t>(five), high = Wide(m) * static_cast<std::uint64_t>(five >> 64) + (low >> 64);
+  const Wide low = Wide(m) * static_cast<std::uint64_t>(five),
+             high = Wide(m) * static_cast<std::uint64_t>(five >> 64) + (low >> 64);
   const auto bottom = static_cast<std::uint64_t>(low);  // the product is high, and these 64 bits
   if (s <= 64) {
     const std::uint64_t half = std::uint64_t(1) << (s - 1), rest = s == 64 ? bottom : bottom & (2 * half - 1);
@@ -100,7 +103,9 @@ inline char* place_digits(char* to, const char* digits, int precision, int expon
 // Returns the end.
 inline char* write(char* to, double value, int precision) {
   std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
-  const auto by_library = [&, begin = to] { return std::to_chars(begin, begin + room, value, std::chars_format::general, precision).ptr; };
+  const auto by_library = [&, begin = to] {
+    return std::to_chars(begin, begin + room, value, std::chars_format::general, precision).ptr;
+  };
   if (precision > most_digits) return by_library();
   if ((bits >> 63) != 0) *to++ = '-';
   bits = bits << 1 >> 1;
@@ -116,11 +121,14 @@ inline char* write(char* to, double value, int precision) {
   int exponent = ((e + 52) * 78913) >> 18;  // e + 52 times log10(2), rounded down: the right one, or one less
   if (exponent < -40 || exponent >= most_digits + 2) return by_library();
   if (std::abs(value) >= tables.rounded_ten[static_cast<std::size_t>(exponent + 41)]) ++exponent;
-  const auto is_exact = [&] { return precision > exponent && precision - 1 - exponent <= most_fives && -(e + precision - 1 - exponent) > 0; };
+  const auto is_exact = [&] {
+    return precision > exponent && precision - 1 - exponent <= most_fives && -(e + precision - 1 - exponent) > 0;
+  };
   const auto scaled = [&] { return split(m, precision - 1 - exponent, -(e + precision - 1 - exponent)); };
   if (!is_exact()) return by_library();
   Split n = scaled();
-  const std::uint64_t end = tables.ten[static_cast<std::size_t>(precision)], begin = tables.ten[static_cast<std::size_t>(precision - 1)];
+  const std::uint64_t end = tables.ten[static_cast<std::size_t>(precision)],
+                      begin = tables.ten[static_cast<std::size_t>(precision - 1)];
   if (n.whole >= end || n.whole < begin) {
     exponent += n.whole >= end ? 1 : -1;
     if (!is_exact()) return by_library();

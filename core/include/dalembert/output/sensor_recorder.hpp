@@ -46,7 +46,8 @@ class SensorStorage {
   void append(const std::vector<double>& row);
   SensorColumns columns(int sensor) const;  // columns in the last rows that contain the sensor
   SensorTable table(int sensor) const;
-  SensorTable frames(int sensor) const;  // position and rotation of the floating frame, row by row; no columns: values are global
+  SensorTable frames(
+      int sensor) const;  // position and rotation of the floating frame, row by row; no columns: values are global
 
  private:
   struct Chunk {

@@ -20,7 +20,8 @@ std::optional<NumberRange> range_of(std::span<const double> numbers);
 
 // Three bytes per number, from a table of colors: one row below the range, rows of equal steps within the range, and
 // one row above it. NaN counts as below.
-void contour_shades(std::span<const double> numbers, double low, double high, std::span<const std::uint8_t> table, std::uint8_t* bytes);
+void contour_shades(std::span<const double> numbers, double low, double high, std::span<const std::uint8_t> table,
+                    std::uint8_t* bytes);
 constexpr std::size_t bytes_of_shade = 3, fewest_shades = 4;
 
 }  // namespace dalembert

@@ -16,7 +16,9 @@ DALEMBERT_INLINE inline Four four(float x) { return x - Four{}; }
 DALEMBERT_INLINE inline FourWhole four(std::int32_t x) { return x - FourWhole{}; }
 DALEMBERT_INLINE inline Four smaller(Four a, Four b) { return a < b ? a : b; }
 DALEMBERT_INLINE inline Four larger(Four a, Four b) { return a > b ? a : b; }
-DALEMBERT_INLINE inline Four root(Four a) { return Four{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])}; }
+DALEMBERT_INLINE inline Four root(Four a) {
+  return Four{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
 DALEMBERT_INLINE inline Four as_numbers(FourWhole a) { return __builtin_convertvector(a, Four); }
 DALEMBERT_INLINE inline FourWhole whole(Four a) { return __builtin_convertvector(a, FourWhole); }
 
@@ -41,7 +43,9 @@ DALEMBERT_INLINE inline V load(const T* from) {
   return values;
 }
 template <class V, class T>
-DALEMBERT_INLINE inline void store(V values, T* to) { std::memcpy(to, &values, sizeof values); }
+DALEMBERT_INLINE inline void store(V values, T* to) {
+  std::memcpy(to, &values, sizeof values);
+}
 // Selects one of two numbers per lane; flags: result of a comparison.
 template <class V>
 DALEMBERT_INLINE inline V chosen(FourWhole flags, V yes, V no) {
@@ -49,6 +53,8 @@ DALEMBERT_INLINE inline V chosen(FourWhole flags, V yes, V no) {
   return reinterpret_cast<V>(b ^ ((a ^ b) & flags));
 }
 template <class V, class T>
-DALEMBERT_INLINE inline void store_some(FourWhole flags, V values, T* to) { store(chosen(flags, values, load<V>(to)), to); }
+DALEMBERT_INLINE inline void store_some(FourWhole flags, V values, T* to) {
+  store(chosen(flags, values, load<V>(to)), to);
+}
 
 }  // namespace dalembert

@@ -13,7 +13,8 @@ namespace dalembert {
 
 // Unit vectors x, y, z: z along the axis; x as near as it can be to `across`, or, without it or along it, to the axis of space that is
 // least along z.
-inline std::array<Vec3<double>, 3> frame_along(const Vec3<double>& axis, const std::optional<Vec3<double>>& across = {}) {
+inline std::array<Vec3<double>, 3> frame_along(const Vec3<double>& axis,
+                                               const std::optional<Vec3<double>>& across = {}) {
   constexpr double alike = 0.999;  // cosine
   const Vec3<double> z = (1 / std::max(std::sqrt(dot(axis, axis)), std::numeric_limits<double>::min())) * axis;
   Vec3<double> x{0, 0, 0};

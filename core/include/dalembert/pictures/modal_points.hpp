@@ -14,7 +14,8 @@ class ModalPoints {
 
   // rest(node, component) and of_mode(node, component, mode).
   template <class Rest, class OfMode>
-  ModalPoints(std::size_t nodes, std::size_t modes, const Rest& rest, const OfMode& of_mode) : planes_(nodes, 3, modes, of_mode), rest_(3 * nodes) {
+  ModalPoints(std::size_t nodes, std::size_t modes, const Rest& rest, const OfMode& of_mode)
+      : planes_(nodes, 3, modes, of_mode), rest_(3 * nodes) {
     float* to = rest_.data();
     for (std::size_t first = 0; first < nodes; first += ModePlanes::block)
       for (std::size_t i = 0; i < 3; ++i)

@@ -34,7 +34,8 @@ class ModePlanes {
       for (std::size_t mode = 0; mode < modes; ++mode)
         for (std::size_t i = 0; i < components; ++i) {
           double largest = 0;
-          for (std::size_t k = 0; k < count; ++k) largest = std::max(largest, std::abs(plane[k] = of_mode(first + k, i, mode)));
+          for (std::size_t k = 0; k < count; ++k)
+            largest = std::max(largest, std::abs(plane[k] = of_mode(first + k, i, mode)));
           const double unit = largest / std::numeric_limits<std::int16_t>::max();
           units_.push_back(unit);
           if (unit == 0) continue;

@@ -17,7 +17,8 @@ class MovingParts {
   // Attachment of a part: rotation and position of an item; its position only; or the span from a marker to another
   // one, whose length is that of the third column.
   enum class FrameKind : std::int32_t { node, object, marker, node_place, object_place, marker_place, span };
-  static constexpr std::array frame_kinds{"Node", "Object", "Marker", "NodePlace", "ObjectPlace", "MarkerPlace", "Span"};  // their names
+  static constexpr std::array frame_kinds{"Node",        "Object",      "Marker", "NodePlace",
+                                          "ObjectPlace", "MarkerPlace", "Span"};  // their names
   static constexpr double stretch = 2.0;  // a span that becomes longer or shorter by more than that is another one
   struct Frame {
     FrameKind kind;
@@ -26,7 +27,8 @@ class MovingParts {
   // Requested data of a part: its rows of rotation and position (3 x 4), its position, or the position and a constant
   // number.
   enum class Form { rows, place, place_and_number };
-  static constexpr std::size_t words_of_turn = 6;  // of 4 bytes: position (3 x f4), and the first two rows of the rotation (6 x i2, of 1 / 32000)
+  static constexpr std::size_t words_of_turn =
+      6;  // of 4 bytes: position (3 x f4), and the first two rows of the rotation (6 x i2, of 1 / 32000)
   static std::size_t numbers(Form form) { return form == Form::rows ? 12 : form == Form::place ? 3 : 4; }
 
   explicit MovingParts(std::vector<Frame> frames);

@@ -195,8 +195,8 @@ class Picture {
   std::vector<Point> halves_;  // half vectors of light and viewer, per light
   std::vector<float> shine_;         // power of the cosine, in a table
   std::vector<Plane> planes_;
-  LargeVector<float> depth_;         // nearness of each sample; this and the next three are a few longer than the picture
-  LargeVector<std::uint32_t> color_;   // bytes r, g, b, and 255 if it is to be lit
+  LargeVector<float> depth_;  // nearness of each sample; this and the next three are a few longer than the picture
+  LargeVector<std::uint32_t> color_;  // bytes r, g, b, and 255 if it is to be lit
   // x and y of the unit normal towards the viewer, two bytes each; valid for covered samples
   LargeVector<std::uint32_t> normal_;
   LargeVector<std::int32_t> item_;
@@ -204,7 +204,7 @@ class Picture {
   LargeVector<Vertex> vertices_;
   LargeVector<std::uint32_t> order_;
   bool has_background_ = false;
-  std::vector<Surface> surfaces_;   // the different ones of a row of pixels, one after the other
+  std::vector<Surface> surfaces_;  // the different ones of a row of pixels, one after the other
   std::vector<Waiting> waiting_;
   std::vector<Sheet> sheets_;
 };

@@ -43,7 +43,8 @@ struct RayOptions {
 
 class RayTracer {
  public:
-  RayTracer(int width, int height, const Camera& camera, std::vector<RayLight> lights, std::vector<RayMaterial> materials, const RayOptions& options);
+  RayTracer(int width, int height, const Camera& camera, std::vector<RayLight> lights,
+            std::vector<RayMaterial> materials, const RayOptions& options);
   ~RayTracer();
 
   int width() const;

@@ -28,8 +28,9 @@ class Callback {
   // The results of `call`, and their derivatives with respect to some numbers of the arguments, which are counted
   // through: `slopes` has the results' derivatives one after the other. Derivatives that do not exist are not finite. Only for
   // functions that have derivatives.
-  virtual void linearize(double /*time*/, int /*item*/, std::span<const Argument> /*arguments*/, std::span<const int> /*numbers*/,
-                         std::span<double> /*results*/, std::span<double> /*slopes*/) const {}
+  virtual void linearize(double /*time*/, int /*item*/, std::span<const Argument> /*arguments*/,
+                         std::span<const int> /*numbers*/, std::span<double> /*results*/,
+                         std::span<double> /*slopes*/) const {}
   // Variant of `call` for a result of any length.
   virtual std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const = 0;
   // Whether `linearize` is defined.

@@ -71,8 +71,8 @@ inline std::string stamp_of(const std::string& headers) {
 #else
   std::string text = headers + " other";
 #endif
-  for (const std::size_t size : {sizeof(void*), sizeof(long), sizeof(std::string), sizeof(std::function<void()>), sizeof(std::shared_ptr<int>),
-                                 sizeof(PaddedDerived), alignof(std::max_align_t)})
+  for (const std::size_t size : {sizeof(void*), sizeof(long), sizeof(std::string), sizeof(std::function<void()>),
+                                 sizeof(std::shared_ptr<int>), sizeof(PaddedDerived), alignof(std::max_align_t)})
     text += "-" + std::to_string(size);
   return text;
 }

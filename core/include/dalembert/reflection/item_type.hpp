@@ -26,12 +26,22 @@ constexpr RecordOperations record_operations() {
 
 // Capabilities of an item for other items, as bits: a request is met if all of its bits are provided.
 enum class Capability : std::uint32_t {
-  none = 0, position = 1, orientation = 2, coordinate = 4, body_mass = 8, generic_ode2 = 16, generic_data = 32,
-  position_2d = 64, orientation_2d = 128,
+  none = 0,
+  position = 1,
+  orientation = 2,
+  coordinate = 4,
+  body_mass = 8,
+  generic_ode2 = 16,
+  generic_data = 32,
+  position_2d = 64,
+  orientation_2d = 128,
 };
-constexpr Capability operator|(Capability a, Capability b) { return static_cast<Capability>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b)); }
+constexpr Capability operator|(Capability a, Capability b) {
+  return static_cast<Capability>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
 constexpr bool meets(Capability provided, Capability requested) {
-  return (static_cast<std::uint32_t>(provided) & static_cast<std::uint32_t>(requested)) == static_cast<std::uint32_t>(requested);
+  return (static_cast<std::uint32_t>(provided) & static_cast<std::uint32_t>(requested)) ==
+         static_cast<std::uint32_t>(requested);
 }
 
 struct Physics;  // dalembert/system/physics.hpp: how items of this type enter a system

@@ -27,7 +27,17 @@ using CompiledCall = void (*)(const void* function, double time, int item, std::
 // Arguments and result of the row's user function, from the spec.
 struct Signature {
   // The open ones have a length that is known at run time only.
-  enum class Kind : std::uint8_t { scalar, integer, boolean, vector, matrix, open_vector, open_matrix, index_list, configuration };
+  enum class Kind : std::uint8_t {
+    scalar,
+    integer,
+    boolean,
+    vector,
+    matrix,
+    open_vector,
+    open_matrix,
+    index_list,
+    configuration
+  };
   std::span<const Kind> arguments;  // following mbs, t and (if takes_item) the item number
   bool takes_time = true;
   bool takes_item = true;

@@ -27,9 +27,10 @@ struct SettingRule {
   bool lower_open = false, upper_open = false;  // the bound itself is left out
   std::string_view words = {};                  // of the range: "from 0 to 1"
   std::string_view no_effect = {};              // why nothing depends on it, but for `only_in`
-  std::string_view no_effect_on_pages = {}, no_effect_without_rays = {};  // why no page does, and no picture without the ray tracer
+  std::string_view no_effect_on_pages = {},
+                   no_effect_without_rays = {};  // why no page does, and no picture without the ray tracer
   std::span<const std::string_view> acts_with = {};  // related flags, one of which has to be true
-  std::string_view only_in = {};                // the structure of the root whose own has an effect, for all structures like it
+  std::string_view only_in = {};  // the structure of the root whose own has an effect, for all structures like it
 
   constexpr bool admits(double value) const {
     return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);

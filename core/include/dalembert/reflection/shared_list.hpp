@@ -28,8 +28,10 @@ class SharedList {
 
   // The entries of this list.
   std::vector<T>& edit() {
-    if (!list_) list_ = std::make_shared<std::vector<T>>();
-    else if (list_.use_count() > 1) list_ = std::make_shared<std::vector<T>>(*list_);
+    if (!list_)
+      list_ = std::make_shared<std::vector<T>>();
+    else if (list_.use_count() > 1)
+      list_ = std::make_shared<std::vector<T>>(*list_);
     return *list_;
   }
   // True: both have the same entries in the same memory. False: they may still be equal.

@@ -71,8 +71,14 @@ enum class Storage : std::uint8_t {
   real,          // double
   text,          // std::string
   texts,         // std::vector<std::string>
-  vector2, vector3, vector4, vector6, vector7, vector9,  // Vec<double, N>
-  matrix3, matrix6,                                      // Mat<double, N, N>
+  vector2,
+  vector3,
+  vector4,
+  vector6,
+  vector7,
+  vector9,  // Vec<double, N>
+  matrix3,
+  matrix6,                                      // Mat<double, N, N>
   vector,          // std::vector<double>
   matrix,          // DynamicMatrix<double>
   integer_matrix,  // DynamicMatrix<int>
@@ -81,8 +87,16 @@ enum class Storage : std::uint8_t {
   vector3s,    // std::vector<Vec<double, 3>>
   matrix3s,    // std::vector<Mat<double, 3, 3>>
   vector6s,    // std::vector<Vec<double, 6>>
-  node, object, marker, load, sensor,        // ItemIndex<kind>
-  nodes, objects, markers, loads, sensors,   // std::vector<ItemIndex<kind>>
+  node,
+  object,
+  marker,
+  load,
+  sensor,        // ItemIndex<kind>
+  nodes,
+  objects,
+  markers,
+  loads,
+  sensors,   // std::vector<ItemIndex<kind>>
   output_variable,  // OutputVariableType
   joint_types,      // std::vector<JointType>
   beam_section,     // BeamSection

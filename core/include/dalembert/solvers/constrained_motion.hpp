@@ -19,8 +19,8 @@ namespace dalembert {
 class ConstrainedMotion {
  public:
   // User functions that prescribe gaps are not called after `end_time`, when they may be undefined.
-  void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options, const RedundantConstraintsSettings& settings,
-               double end_time = std::numeric_limits<double>::infinity());
+  void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options,
+               const RedundantConstraintsSettings& settings, double end_time = std::numeric_limits<double>::infinity());
   // Call this after constraints were switched on or off: the next factorization computes their metric again.
   void examine_anew();
   // Disables the regularization. The factors have to be computed again.
@@ -40,22 +40,26 @@ class ConstrainedMotion {
   // Solves for all unknowns: [Q, 0, right-hand sides of the constraints] becomes [a, 0, lambda].
   void solve(std::span<double> x);
   // Replaces the forces Q in `a` by accelerations, and computes minimum-norm multipliers.
-  void accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a, std::span<double> lambda);
+  void accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a,
+                     std::span<double> lambda);
   // In a singular position, such as that of a flat four-bar, many accelerations fulfil the constraints. `follow_motion`
   // replaces `a` and `lambda` at the start of a motion by the limits from positions on both sides along the velocities. It
   // returns false if the sides do not agree. `find` computes accelerations and multipliers at a state with factors.
   using Find = std::function<void(const State& state, std::vector<double>& a, std::vector<double>& lambda)>;
-  bool follow_motion(System& system, const State& start, const Conditions& conditions, std::vector<double>& a, std::vector<double>& lambda, const Find& find);
+  bool follow_motion(System& system, const State& start, const Conditions& conditions, std::vector<double>& a,
+                     std::vector<double>& lambda, const Find& find);
   // Second derivatives of gaps, or first derivatives of velocity constraints, along the motion with the accelerations of the
   // state. Entries of inactive constraints are their multipliers.
   std::vector<double> gap_accelerations(System& system, const State& state, const Conditions& conditions);
   // The same without contributions of prescribed functions of time.
-  static std::vector<double> gap_accelerations_without_driving(System& system, const State& state, const Conditions& conditions);
+  static std::vector<double> gap_accelerations_without_driving(System& system, const State& state,
+                                                               const Conditions& conditions);
   // Projects positions and velocities onto the constraints, by the smallest changes in the metric of the masses, with the
   // current factors. Returns false if gaps or rates remain too large.
   bool project(System& system, State& state, const Conditions& conditions);
   // Replaces multipliers of a state by those with minimum norm in this metric. The object must not have another use.
-  void make_smallest(const ConstraintSolver& metric, System& system, const State& state, const Conditions& conditions, std::span<double> lambda);
+  void make_smallest(const ConstraintSolver& metric, System& system, const State& state, const Conditions& conditions,
+                     std::span<double> lambda);
   void make_smallest(std::span<double> lambda);  // with the current factors
   // Releases the memory of a solution.
   void free_memory();

@@ -34,7 +34,7 @@ double smallest_unit(const System& system);  // lower limit of the units of leng
 enum class Inertia { masses, lengths };
 
 // Metric at a state. `moment_length` is the ratio of the weights of forces and moments; 0 selects the size of the mechanism.
-ConstraintMetric constraint_metric(System& system, const State& state, const Conditions& conditions, double moment_length = 0,
-                                   Inertia inertia = Inertia::masses);
+ConstraintMetric constraint_metric(System& system, const State& state, const Conditions& conditions,
+                                   double moment_length = 0, Inertia inertia = Inertia::masses);
 
 }  // namespace dalembert

@@ -24,14 +24,15 @@ class ConstraintRank {
   struct Item {
     int object;
     std::string item;  // "object 3 'joint' (JointRevoluteZ)"
-    int first, rows;   // range of equations, including inactive ones
-    int equations;     // number of active equations
-    int removable;     // number of equations that follow from those of all other items
+    int first, rows;  // range of equations, including inactive ones
+    int equations;  // number of active equations
+    int removable;  // number of equations that follow from those of all other items
   };
 
   ConstraintRank() = default;  // full rank
   // Rank at a state. `tolerance` is the limit of squared remainders; 0 selects it by the gaps, which change remainders.
-  ConstraintRank(System& system, const State& state, const Conditions& conditions, const ConstraintMetric& metric, double tolerance = 0);
+  ConstraintRank(System& system, const State& state, const Conditions& conditions, const ConstraintMetric& metric,
+                 double tolerance = 0);
 
   int count() const { return static_cast<int>(dependent_.size()); }
   int equations_examined() const { return static_cast<int>(rows_.size()); }
@@ -56,11 +57,11 @@ class ConstraintRank {
   std::size_t samples() const;  // number of random vectors that represent a large null space
 
   std::vector<int> rows_, dependent_;
-  std::vector<double> roots_;       // square roots of the metric, by rows_
+  std::vector<double> roots_;  // square roots of the metric, by rows_
   std::vector<CoordinateUnit> units_;
-  std::vector<char> acting_;        // true if the equation acts on a coordinate
-  std::vector<double> lengths_;     // of columns, by rows_
-  int largest_item_ = 0;            // largest number of equations of an item
+  std::vector<char> acting_;  // true if the equation acts on a coordinate
+  std::vector<double> lengths_;  // of columns, by rows_
+  int largest_item_ = 0;  // largest number of equations of an item
   std::shared_ptr<const OrthogonalFactors> factors_;
   // Orthonormal vectors, in multipliers times roots_, one after the other.
   mutable std::vector<double> null_space_;

@@ -40,8 +40,8 @@ class ConstraintSolver {
 
   // Computes the metric at a state. The solver becomes active if constraints are redundant, or nearly redundant. It does
   // not change the numbers of regular models. `treats` = false disables it.
-  void prepare(System& system, const State& state, const Conditions& conditions, const RedundantConstraintsSettings& settings,
-               bool treats, Matrix kind);
+  void prepare(System& system, const State& state, const Conditions& conditions,
+               const RedundantConstraintsSettings& settings, bool treats, Matrix kind);
   // Takes over the metric and the rank of another solver at the same state, for another kind of matrix.
   void prepare(const ConstraintSolver& known, Matrix kind) {
     *this = known;
@@ -105,17 +105,18 @@ class ConstraintSolver {
   double strength_ = 1;  // of the weakest constraint
   bool hides_constraints_ = false;
   int first_ae_ = 0;
-  std::vector<int> rows_;           // equations with a metric
-  std::vector<int> dependent_;      // redundant equations, for the order of elimination
-  std::vector<double> metric_;      // D for the inverse masses, by equation; zero if never redundant
-  std::vector<double> units_;       // units of gaps, by equation
-  std::vector<char> of_velocities_; // velocity constraints, by equation
-  std::vector<double> entries_;     // diagonal entries -eps D, by equation
-  std::vector<int> slots_;          // slots of the diagonal entries, by rows_
+  std::vector<int> rows_;  // equations with a metric
+  std::vector<int> dependent_;  // redundant equations, for the order of elimination
+  std::vector<double> metric_;  // D for the inverse masses, by equation; zero if never redundant
+  std::vector<double> units_;  // units of gaps, by equation
+  std::vector<char> of_velocities_;  // velocity constraints, by equation
+  std::vector<double> entries_;  // diagonal entries -eps D, by equation
+  std::vector<int> slots_;  // slots of the diagonal entries, by rows_
   std::vector<double> x_, rest_;
 };
 
 // Size of A^-1 relative to the inverse masses: the median of M_jj / |A_jj|.
-double scale_of_masses(std::span<const double> masses, const Pattern& pattern, std::span<const double> matrix, int ode2);
+double scale_of_masses(std::span<const double> masses, const Pattern& pattern, std::span<const double> matrix,
+                       int ode2);
 
 }  // namespace dalembert

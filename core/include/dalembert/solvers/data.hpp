@@ -36,12 +36,20 @@ struct SolverIterationData {
   double startTime = 0;
 
   // Counts that a continued simulation restores; the index of the step is stored separately.
-  static constexpr std::array counts{
-      &SolverIterationData::discontinuousIterationsCount, &SolverIterationData::eventsCount, &SolverIterationData::eventSolutions,
-      &SolverIterationData::newtonJacobiCount, &SolverIterationData::newtonStepsCount, &SolverIterationData::rejectedAutomaticStepSizeSteps,
-      &SolverIterationData::rejectedModifiedNewtonSteps, &SolverIterationData::rejectedDiscontinuousSteps, &SolverIterationData::rejectedNewtonSteps,
-      &SolverIterationData::stepsAtMaximumStepSize, &SolverIterationData::stagnatedNewtonSteps, &SolverIterationData::stepsAboveTolerance,
-      &SolverIterationData::unsettledSteps, &SolverIterationData::singularPositionSteps};
+  static constexpr std::array counts{&SolverIterationData::discontinuousIterationsCount,
+                                     &SolverIterationData::eventsCount,
+                                     &SolverIterationData::eventSolutions,
+                                     &SolverIterationData::newtonJacobiCount,
+                                     &SolverIterationData::newtonStepsCount,
+                                     &SolverIterationData::rejectedAutomaticStepSizeSteps,
+                                     &SolverIterationData::rejectedModifiedNewtonSteps,
+                                     &SolverIterationData::rejectedDiscontinuousSteps,
+                                     &SolverIterationData::rejectedNewtonSteps,
+                                     &SolverIterationData::stepsAtMaximumStepSize,
+                                     &SolverIterationData::stagnatedNewtonSteps,
+                                     &SolverIterationData::stepsAboveTolerance,
+                                     &SolverIterationData::unsettledSteps,
+                                     &SolverIterationData::singularPositionSteps};
 
   std::string to_string() const;  // the statistics shown by displayStatistics
 };

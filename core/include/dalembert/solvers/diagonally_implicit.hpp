@@ -34,9 +34,7 @@ class DiagonallyImplicitSolver : public Solver {
 
  protected:
   void save_start_of_step() override;
-  std::vector<double> restart_numbers() const override { 
-    return {misfit_at_end_, static_cast<double>(after_jump_)};
-  }
+  std::vector<double> restart_numbers() const override { return {misfit_at_end_, static_cast<double>(after_jump_)}; }
   void forget() override;
   void pattern_revised() override;
   void renew_accelerations() override {
@@ -100,11 +98,11 @@ class DiagonallyImplicitSolver : public Solver {
   } smallest_;
   bool masses_ready_ = false, warned_of_masses_ = false;
   bool lie_ = false, interferes_ = false, fresh_ = false;
-  bool after_jump_ = false;       // true at the start, and after events
-  double factorized_for_ = 0;   // gamma h of the factors; zero if there are none
-  double rate_ = 1;             // contraction of the error per iteration
-  int unassessed_stages_ = 0;              // number of stages with one iteration since the last estimate
-  double slowest_ = 0;          // the largest one of the last step
+  bool after_jump_ = false;  // true at the start, and after events
+  double factorized_for_ = 0;  // gamma h of the factors; zero if there are none
+  double rate_ = 1;  // contraction of the error per iteration
+  int unassessed_stages_ = 0;  // number of stages with one iteration since the last estimate
+  double slowest_ = 0;  // the largest one of the last step
   // Residuals of accelerations, which reveal changes of the system between steps.
   double misfit_at_end_ = 0, misfit_at_start_ = 0;
   std::array<Vector, stages> stage_q_, stage_v_, stage_y_, stage_lambda_;  // derivatives at the stages, and multipliers

@@ -38,7 +38,7 @@ struct VariedSetting {
 
 // Initial values of one vector of the state, for all variations in order.
 struct VariedCoordinates {
-  std::vector<double> State::*part = nullptr;
+  std::vector<double> State::* part = nullptr;
   std::vector<double> values;
 };
 
@@ -69,7 +69,7 @@ struct VariationResult {
 // Solves all variations of `model` on the given number of threads; results do not depend on this number, nor on the
 // grouping. They start from `initial`, or from the values of the nodes if parameters of nodes vary. The caller waits
 // and calls `poll` periodically; an exception of `poll` ends the work and is passed on.
-std::vector<VariationResult> solve_ensemble(const Ensemble& ensemble, const Model& model, const State& initial, int threads,
-                                            const std::function<void()>& poll);
+std::vector<VariationResult> solve_ensemble(const Ensemble& ensemble, const Model& model, const State& initial,
+                                            int threads, const std::function<void()>& poll);
 
 }  // namespace dalembert

@@ -38,8 +38,9 @@ class ExplicitSolver : public Solver {
 
  protected:
   void save_start_of_step() override;
-  std::vector<double> restart_numbers() const override { 
-    return {growth_limit_, static_cast<double>(stiff_signs_), static_cast<double>(calm_signs_), static_cast<double>(warned_of_stiffness_)};
+  std::vector<double> restart_numbers() const override {
+    return {growth_limit_, static_cast<double>(stiff_signs_), static_cast<double>(calm_signs_),
+            static_cast<double>(warned_of_stiffness_)};
   }
   void forget() override;
   void pattern_revised() override { prepare_motion(); }
@@ -137,16 +138,16 @@ class ExplicitSolver : public Solver {
   // The end of a step is the first stage of the next one, if the system is not changed in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
   bool may_move_at_once_ = false;  // the method has one stage, and only its end is needed
-  bool at_once_ = false;           // this step is fused
-  bool sums_known_ = false;     // sums of squares after this step:
+  bool at_once_ = false;  // this step is fused
+  bool sums_known_ = false;  // sums of squares after this step:
   double sum_of_v_ = 0, sum_of_a_ = 0;
   int stiff_signs_ = 0, calm_signs_ = 0;  // in the last steps
   bool warned_of_stiffness_ = false;
   bool watches_switches_ = false;  // switches of items affect error estimates
-  double growth_limit_ = 0;         // limit for the sum of squares of velocities ...
+  double growth_limit_ = 0;  // limit for the sum of squares of velocities ...
   std::optional<Vibration> fastest_;  // at the start, computed on demand
   bool watches_coordinates_ = false;  // ... and of coordinates, if the user has set a limit
-  bool searching_ = false;          // searches for the first evaluation that is not finite
+  bool searching_ = false;  // searches for the first evaluation that is not finite
   bool constrained_ = false, off_constraints_ = false;
   ConstrainedMotion motion_;
   MassOperator mass_;

@@ -74,7 +74,8 @@ struct SolverHooks {
 
   // Returns whether user functions take part in single steps.
   bool take_part_in_steps() const {
-    return pre_step || post_step || post_newton || events || pre_newton_residual || system_jacobian || jacobian_update_requested || show;
+    return pre_step || post_step || post_newton || events || pre_newton_residual || system_jacobian ||
+           jacobian_update_requested || show;
   }
 };
 

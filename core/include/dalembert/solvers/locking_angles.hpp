@@ -37,12 +37,12 @@ class LockingAngles {
  private:
   // Three successive rotations, of a node or of a tree in place of a ball joint.
   struct Angles {
-    int node;           // -1 for a tree
+    int node;  // -1 for a tree
     std::size_t first;  // first coordinate
   };
   struct Lock {
-    std::size_t first;          // first coordinate
-    StepCount steps;            // number of steps that were too large
+    std::size_t first;  // first coordinate
+    StepCount steps;  // number of steps that were too large
     double time, second_angle;  // of the first of these steps
   };
   std::string text_of(const Angles& angles, double second_angle) const;

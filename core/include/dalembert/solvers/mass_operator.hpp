@@ -25,7 +25,8 @@ class MassOperator {
       if (const int loose = system.solve_masses(state, x); loose >= 0) return loose;
     }
     if (blocks_.empty()) {
-      each_number(system, x.size(), [numbers = x.data(), factors = inverse_.data()](std::size_t i) { numbers[i] *= factors[i]; });
+      each_number(system, x.size(),
+                  [numbers = x.data(), factors = inverse_.data()](std::size_t i) { numbers[i] *= factors[i]; });
     } else {
       solve_blocks(x);
     }

@@ -42,8 +42,10 @@ class NewtonSolver : public Solver {
   template <class S>
   S norm_of(const std::vector<S>& residual) const {
     using std::sqrt;
-    if constexpr (std::is_same_v<S, double>) return sqrt(sum_of_squares(system(), residual)) / conv.errorCoordinateFactor;
-    else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
+    if constexpr (std::is_same_v<S, double>)
+      return sqrt(sum_of_squares(system(), residual)) / conv.errorCoordinateFactor;
+    else
+      return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
   void examine_constraints_anew() override;
   const std::vector<double>* minimum_norm_multipliers() override;

@@ -18,7 +18,8 @@ inline bool wants_differences(const NewtonNumericalDifferentiationSettings& s) {
 // Computes the matrix of System::tangent; the options select entries that are computed by differences along the same
 // directions. Differences of the whole system include all entries, also those that no item declares.
 void numerical_tangent(System& system, const State& state, const Conditions& conditions, const Weights& weights,
-                       const NewtonNumericalDifferentiationSettings& options, const Pattern& pattern, std::span<double> values);
+                       const NewtonNumericalDifferentiationSettings& options, const Pattern& pattern,
+                       std::span<double> values);
 
 // Calls f(row, column, slot) for all entries.
 template <class F>

@@ -37,7 +37,8 @@ struct ConstraintRates {
   std::vector<CoordinateUnit> units;  // units of the gaps
 };
 // User functions are evaluated slightly later than the state, or earlier close to the latest time.
-ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions, double latest = std::numeric_limits<double>::infinity());
+ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions,
+                                 double latest = std::numeric_limits<double>::infinity());
 
 // "2 constraint equations:", and a line for each of the first ones.
 std::string listed(const std::vector<OpenConstraint>& open, const System& system);

@@ -93,7 +93,7 @@ class SecondOrderSolver : public NewtonSolver {
   double rate_factor() const final { return gamma_prime(); }
   double metric_scale() final { return 1 / (row_scale() * beta_prime()); }
   double row_scale() const final;  // factor of the ODE2 equations in Newton's method
-  double beta_prime() const;   // acceleration per increment of a coordinate
+  double beta_prime() const;  // acceleration per increment of a coordinate
   double gamma_prime() const;  // velocity per increment of a coordinate
   void change_step_size();
   void move_algorithmic_accelerations(double ratio);
@@ -116,7 +116,7 @@ class SecondOrderSolver : public NewtonSolver {
   TimeIntegrationGeneralizedAlphaSettings options_;
   bool controls_step_size_ = false;  // setting
   std::vector<double> algorithmic_, algorithmic_at_start_, continued_;
-  std::vector<double> lie_increment_;        // sum of increments since the start of the step (simplified relations)
+  std::vector<double> lie_increment_;  // sum of increments since the start of the step (simplified relations)
   std::vector<double> increment_of_q_, previous_q_, more_values_;
   bool lie_ = false, simplified_lie_ = false;
   // Step sizes for which algorithmic accelerations, and velocities off constraints, are valid; zero: any size.
@@ -128,8 +128,8 @@ class SecondOrderSolver : public NewtonSolver {
   StepSizes belong_to_, belong_to_at_start_;
   std::vector<double> off_constraints_;  // part of the velocities at the start of a step ...
   StepCount off_constraints_known_ = -1;  // ... which has this index
-  bool renews_ = false;             // accelerations are computed anew before the step is repeated
-  StepCount renewed_after_ = -2;    // index of a step
+  bool renews_ = false;  // accelerations are computed anew before the step is repeated
+  StepCount renewed_after_ = -2;  // index of a step
   std::unique_ptr<VelocityLead> lead_;
 };
 
@@ -139,6 +139,7 @@ struct InitialAccelerations {
   bool decided = true;  // see ConstrainedMotion::follow_motion
 };
 // Requires factors of `motion` at these positions.
-InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions);
+InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state,
+                                           const Conditions& conditions);
 
 }  // namespace dalembert

@@ -226,8 +226,8 @@ class Solver {
   bool stop_ = false;
   double initial_residual_ = 0;
   ErrorTolerances tolerances_;  // for automatic step sizes
-  StepFactors factors_;         // for the step controller
-  int loads_jacobian_ = 0;      // timeIntegration.computeLoadsJacobian
+  StepFactors factors_;  // for the step controller
+  int loads_jacobian_ = 0;  // timeIntegration.computeLoadsJacobian
   StepController steps_{it};
   std::unique_ptr<OutputWriter> writer_;
   std::unique_ptr<Continuation> continuation_;
@@ -274,7 +274,7 @@ class Solver {
   void return_to_start_of_step();
   void wait_for_real_time();
   void summarize();
-  void leave();    // closes files and ends threads
+  void leave();  // closes files and ends threads
   void abandon();  // the same while an exception ends the simulation
   std::string position_text() const;
 
@@ -287,7 +287,7 @@ class Solver {
   double last_look_ = 0;
   bool end_reached_ = false;
   std::uint64_t renewed_constraints_ = 0;  // revision of the last check of constraints
-  std::vector<char> equations_off_;        // inactive equations; empty if unknown
+  std::vector<char> equations_off_;  // inactive equations; empty if unknown
   bool warned_minimum_ = false;
   bool step_completed_ = false;  // the state is the end of an accepted step
   bool silent_ = false;  // no output at the ends of steps

@@ -12,8 +12,8 @@ namespace dalembert {
 
 // Factors of the settings, read once per solution.
 struct StepFactors {
-  double decrease = 0.5, increase = 2;             // after a failed step; after `recovery_steps` easy steps
-  double largest_increase = 2;                     // for error control
+  double decrease = 0.5, increase = 2;  // after a failed step; after `recovery_steps` easy steps
+  double largest_increase = 2;  // for error control
   int recovery_steps = 10, recovery_iterations = 10;  // a step is easy if it takes at most this number of iterations
 };
 
@@ -61,7 +61,7 @@ class StepController {
   void accept(double wanted);
   void propose(double size);  // bounded by the smallest size and the largest increase
   void recover();  // increases the size by a fixed factor, up to the maximum
-  bool is_recovered();        // after a step: whether the size may increase
+  bool is_recovered();  // after a step: whether the size may increase
   void count_rejection() { since_rejection_ = 0; }
   void count_accepted(double size);  // by error control
   // Returns the number of successive steps with an error above the tolerances.

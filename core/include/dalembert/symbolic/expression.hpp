@@ -22,20 +22,58 @@ struct Shape {
 };
 
 enum class Op : std::uint8_t {
-  constant, variable,
+  constant,
+  variable,
   // functions of one scalar
-  absolute, sign, logical_not, round, ceil, floor, exp, sqrt, log, sin, cos, tan, asin, acos, atan,
-  sinh, cosh, tanh, asinh, acosh, atanh, is_finite,
+  absolute,
+  sign,
+  logical_not,
+  round,
+  ceil,
+  floor,
+  exp,
+  sqrt,
+  log,
+  sin,
+  cos,
+  tan,
+  asin,
+  acos,
+  atan,
+  sinh,
+  cosh,
+  tanh,
+  asinh,
+  acosh,
+  atanh,
+  is_finite,
   // functions of two scalars
-  divide, power, atan2, modulo,  // modulo as in C, with the sign of the dividend
-  floored_modulo, floored_quotient,  // % and // of Python
-  minimum, maximum, less, less_equal, greater, greater_equal,
+  divide,
+  power,
+  atan2,
+  modulo,  // modulo as in C, with the sign of the dividend
+  floored_modulo,
+  floored_quotient,  // % and // of Python
+  minimum,
+  maximum,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
   // one or two operands of any shape; equal and not_equal give a scalar
-  negate, add, subtract, multiply_components, equal, not_equal,
+  negate,
+  add,
+  subtract,
+  multiply_components,
+  equal,
+  not_equal,
   select,         // IfThenElse(condition, a, b)
   scale,          // scalar * vector or matrix
-  dot, norm,      // of vectors
-  matrix_vector, vector_matrix, matrix_matrix,
+  dot,
+  norm,      // of vectors
+  matrix_vector,
+  vector_matrix,
+  matrix_matrix,
   element,  // element of a vector or matrix: an address, without computation
   gather,         // scalars side by side
   replace,        // a vector or matrix with one other component

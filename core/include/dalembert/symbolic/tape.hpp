@@ -27,8 +27,8 @@ class Tape {
   std::vector<double> evaluate() const;  // evaluates a tape without inputs
   // Results and their derivatives with respect to some numbers of the inputs, which are counted through from the input
   // `first`. `slopes` has the derivatives of all results one after the other.
-  void linearize(std::span<const double* const> inputs, std::size_t first, std::span<const int> numbers, std::span<double> results,
-                 std::span<double> slopes) const;
+  void linearize(std::span<const double* const> inputs, std::size_t first, std::span<const int> numbers,
+                 std::span<double> results, std::span<double> slopes) const;
   // The derivative of a scalar result with respect to a scalar variable that is no input.
   double derivative(const Expression& variable) const;
 
@@ -56,7 +56,8 @@ class Tape {
   template <class S>
   S* loaded(std::span<const double* const> inputs) const;
   template <int N>
-  void sweep(std::span<const double* const> inputs, std::span<const int> places, std::span<double> results, std::span<double> slopes) const;
+  void sweep(std::span<const double* const> inputs, std::span<const int> places, std::span<double> results,
+             std::span<double> slopes) const;
 
   std::vector<Instruction> instructions_;
   std::vector<Constant> constants_;

@@ -44,7 +44,8 @@ inline double sum_of_squares(const System& system, std::span<const double> x) {
   std::array<double, parts> sums;
   const auto begin_of = [size = x.size()](std::size_t part) { return size * part / parts; };
   each_stretch(system, parts, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) sums[i] = sum_of_squares<double>(x.subspan(begin_of(i), begin_of(i + 1) - begin_of(i)));
+    for (std::size_t i = begin; i < end; ++i)
+      sums[i] = sum_of_squares<double>(x.subspan(begin_of(i), begin_of(i + 1) - begin_of(i)));
   });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }

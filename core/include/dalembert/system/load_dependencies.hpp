@@ -30,7 +30,7 @@ void find_slots(LoadDependency& dependency, const Pattern& pattern);
 
 // Adds the derivative of the loads' values, with fixed frames of their markers, to the tangent. It uses finite
 // differences of user functions, which read the current state; derivatives with respect to velocities are optional.
-void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights, bool by_velocities,
-                           double* values);
+void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights,
+                           bool by_velocities, double* values);
 
 }  // namespace dalembert

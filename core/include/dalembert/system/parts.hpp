@@ -97,7 +97,7 @@ struct LoadPlace {
 
 // Values that stand in a state as they are: components of a position, displacement, velocity or acceleration in space.
 struct StateReading {
-  std::vector<double> State::*from = nullptr;  // null: it does not stand there
+  std::vector<double> State::* from = nullptr;  // null: it does not stand there
   int first = 0, count = 0;                    // the other components are zero
   bool is_total = false;                       // reference values are added
   explicit operator bool() const { return from != nullptr; }
@@ -237,15 +237,16 @@ struct SystemParts {
   std::vector<int> rate_slots;     // diagonal places of the ODE1 coordinates
 
   std::vector<double> total;     // reference + displacement, of the state being evaluated
-  std::vector<double> output_total;  // the same for outputs, which user functions ask for in the middle of an evaluation; empty before
-  std::vector<int> free_numbers;     // memory for lists of outputs
-  AlignedVector<double> output_forces;     // on markers, of one object
+  std::vector<double>
+      output_total;  // the same for outputs, which user functions ask for in the middle of an evaluation; empty before
+  std::vector<int> free_numbers;  // memory for lists of outputs
+  AlignedVector<double> output_forces;  // on markers, of one object
   std::vector<double> output_multipliers;  // with the sign that they have in equations of motion
   std::vector<double> work;
-  std::vector<double> data_before;   // items switch over
+  std::vector<double> data_before;  // items switch over
   bool evaluating = false;
   bool current_moved = false;  // moved away from the evaluated state to differentiate user functions
-  bool recording = false;           // outputs are asked for one after the other, in one state:
+  bool recording = false;  // outputs are asked for one after the other, in one state:
   const State* recorded = nullptr;  // whose marker frames are in place
 
   std::string describe(ItemKind kind, int number) const;  // for diagnoses
@@ -273,7 +274,9 @@ struct SystemParts {
   }
   Pattern make_sparse_pattern() const;
   void find_masses_without_matrix();
-  bool is_without_matrix(const Term& term) const { return std::ranges::find(without_matrix, &term) != without_matrix.end(); }
+  bool is_without_matrix(const Term& term) const {
+    return std::ranges::find(without_matrix, &term) != without_matrix.end();
+  }
   void add_sparse_pattern() { sparse_patterns.push_back(make_sparse_pattern()); }
   void bind(const Pattern& pattern);
 
@@ -281,7 +284,9 @@ struct SystemParts {
   template <class Place>
   void look_for_functions(const Place& place) {
     const RegionPlan& whole = plan.regions[Regions::whole];
-    const auto is_in = [&](const std::vector<const Term*>& terms) { return std::ranges::find(terms, place.member.batch) != terms.end(); };
+    const auto is_in = [&](const std::vector<const Term*>& terms) {
+      return std::ranges::find(terms, place.member.batch) != terms.end();
+    };
     if (!has_user_function(*place.type, place.record.get()) || is_in(whole.terms) || is_in(whole.loads)) return;
     functions_in_regions = true;
     workers.reset();

@@ -28,7 +28,8 @@ struct Physics {
   // Refuses parameters that do not fit the nodes and markers of the item.
   virtual void check(const void* /*record*/, const Placement&, const Ports&, const ItemLabel& /*item*/) const {}
   // Checks the parameters again after a change of one row.
-  virtual void check_row(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item, const Row& /*row*/) const {
+  virtual void check_row(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item,
+                         const Row& /*row*/) const {
     check(record, on, ports, item);
   }
   // The item does not need its data node with these parameters.
@@ -74,7 +75,9 @@ struct NodePhysics : Physics {
   virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape) const { return nullptr; }
   virtual bool motion(const void* /*record*/, const NodeView&, Motion<double>&) const { return false; }
   // Outputs that are neither coordinates nor follow from `motion`.
-  virtual bool output(const void* /*record*/, OutputVariableType, const NodeView&, std::vector<double>&) const { return false; }
+  virtual bool output(const void* /*record*/, OutputVariableType, const NodeView&, std::vector<double>&) const {
+    return false;
+  }
 };
 
 // A weighted mean of mesh nodes, as the parameters of a marker state it.
@@ -94,7 +97,9 @@ enum class Holding { unknown, nothing, zero };
 
 struct ObjectPhysics : Physics {
   virtual std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const = 0;
-  virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const { return nullptr; }
+  virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const {
+    return nullptr;
+  }
   // Super elements: how many mesh nodes there are, which coordinates (positions in Placement::dofs) move some of them,
   // and markers that rest on several of them.
   virtual int mesh_nodes(const void* /*record*/, const Placement&) const { return 0; }
@@ -102,13 +107,19 @@ struct ObjectPhysics : Physics {
                                             std::span<const int> /*mesh_nodes*/) const {
     return all_positions(on.dofs);
   }
-  virtual std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape, std::span<const ItemType* const> /*nodes*/, MeshMeanReader) const {
+  virtual std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape, std::span<const ItemType* const> /*nodes*/,
+                                                        MeshMeanReader) const {
     return nullptr;
   }
   // Whether Assemble finds some of the parameters, and the record that has them too.
   virtual bool completes() const { return false; }
-  virtual std::shared_ptr<const void> completed(const void* /*record*/, const Placement&, const ItemLabel& /*item*/) const { return nullptr; }
-  virtual int algebraic_equations(const void* /*record*/, std::span<const int> /*marker coordinates*/) const { return 0; }
+  virtual std::shared_ptr<const void> completed(const void* /*record*/, const Placement&,
+                                                const ItemLabel& /*item*/) const {
+    return nullptr;
+  }
+  virtual int algebraic_equations(const void* /*record*/, std::span<const int> /*marker coordinates*/) const {
+    return 0;
+  }
   virtual Holding holds(const void* /*record*/) const { return Holding::unknown; }
 };
 
@@ -127,8 +138,10 @@ struct SensorSubject {
 };
 
 struct SensorPhysics : Physics {
-  virtual void measure(System& system, const void* record, int sensor, ConfigurationType configuration, std::vector<double>& values) const = 0;
-  virtual std::optional<SensorSubject> subject(const void* record) const = 0;  // none: its values are not those of one item
+  virtual void measure(System& system, const void* record, int sensor, ConfigurationType configuration,
+                       std::vector<double>& values) const = 0;
+  virtual std::optional<SensorSubject> subject(
+      const void* record) const = 0;  // none: its values are not those of one item
 };
 
 struct LoadPhysics : Physics {
@@ -144,9 +157,12 @@ struct MarkerPhysics : Physics {
   // Coordinates of first order have no rate of their own: connectors cannot use their markers.
   virtual bool has_rate() const { return true; }
   // Coordinates of its node or object that move it, as positions in Placement::dofs; these then become the dofs.
-  virtual std::vector<int> coordinates(const void* /*record*/, const Placement& on) const { return all_positions(on.dofs); }
+  virtual std::vector<int> coordinates(const void* /*record*/, const Placement& on) const {
+    return all_positions(on.dofs);
+  }
   // `item`: type of the node or object that the marker sits on, `nodes`: types of its nodes.
-  virtual std::unique_ptr<MarkerBatch> make_batch(const ItemType& item, std::span<const ItemType* const> nodes) const = 0;
+  virtual std::unique_ptr<MarkerBatch> make_batch(const ItemType& item,
+                                                  std::span<const ItemType* const> nodes) const = 0;
 };
 
 }  // namespace dalembert

@@ -20,12 +20,12 @@ namespace dalembert {
 
 // Range of one marker. Frames are `values` scalars; `n` coordinates move it.
 struct PortLayout {
-  int values = 0, first_value = 0;        // frame
-  int forces = 0, first_force = 0;        // conjugate of the frame
-  int n = 0, first_dof = 0;               // global ODE2 coordinates
-  int first_derivative = 0;               // values x n: frame along the weights of the tangent
-  int first_jacobian = 0;                 // forces x n: generalised force = J^T force
-  int translations = 0;                   // the first coordinates, if each moves the frame along one axis and nothing else
+  int values = 0, first_value = 0;  // frame
+  int forces = 0, first_force = 0;  // conjugate of the frame
+  int n = 0, first_dof = 0;  // global ODE2 coordinates
+  int first_derivative = 0;  // values x n: frame along the weights of the tangent
+  int first_jacobian = 0;  // forces x n: generalised force = J^T force
+  int translations = 0;  // the first coordinates, if each moves the frame along one axis and nothing else
 };
 
 // Offsets by which a batch accesses a port without the layout.
@@ -60,7 +60,7 @@ class PortsOf : public PortTable {
       : PortTable(from), values(from.values.begin(), from.values.end()), forces(from.forces.size()) {}
 
   AlignedVector<S> values, forces;
-  std::vector<S> derivatives, jacobians;   // empty before `differentiate`
+  std::vector<S> derivatives, jacobians;  // empty before `differentiate`
 
   // Make room for derivatives and Jacobians: evaluations without a tangent do without.
   void differentiate() {

@@ -21,7 +21,7 @@ struct Division {
 
 class Regions {
  public:
-  static constexpr int whole = 0;   // the region of everything
+  static constexpr int whole = 0;  // the region of everything
   static constexpr int none = -1;  // region of items without coordinates
 
   Regions() = default;

@@ -25,7 +25,8 @@ struct State {
 // By configuration, including the initial one: pending changes start with the initial values.
 inline State& state_of(State* states, ConfigurationType configuration) {
   State& state = states[static_cast<std::size_t>(configuration)];
-  if (state.waits) [[unlikely]] state = states[static_cast<std::size_t>(ConfigurationType::Initial)];
+  if (state.waits) [[unlikely]]
+    state = states[static_cast<std::size_t>(ConfigurationType::Initial)];
   return state;
 }
 

@@ -48,12 +48,13 @@ struct Conditions {
   bool unseen = false;  // no user function can query the system during evaluations
   bool holds_contact = false;  // right-hand sides: contacts are those of the start of the step
   int load_dependencies = 0;  // tangent: dependence of loads on coordinates: 0 none, 1 positions, 2 velocities as well
-  bool follows_residual = false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
+  bool follows_residual =
+      false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
 };
 
 // The verdict of one discontinuous iteration.
 struct Discontinuity {
-  double error = 0;                  // 0: nothing changed
+  double error = 0;  // 0: nothing changed
   double recommended_step_size = -1;  // -1: no recommendation
 };
 
@@ -121,7 +122,7 @@ class System {
   NodeFrame node_frame(int marker) const;
   bool calls_user_functions() const;  // user functions of objects and loads in evaluations
   std::uint64_t renewed_objects() const { return renewed_objects_; }  // increased if an object has new parameters
-  std::uint64_t renewed_constraints();                                // the same of those with algebraic equations
+  std::uint64_t renewed_constraints();  // the same of those with algebraic equations
   // Generalised forces Q of M a = Q, without constraint forces; rhs has sizes().ode2 entries. Used by explicit
   // integrators.
   void forces(const State& state, const Conditions& conditions, std::span<double> rhs);
@@ -228,13 +229,13 @@ class System {
   void node_output(int node, OutputVariableType variable, ConfigurationType configuration, Values& values);
   void wrench_output(int object, OutputVariableType variable, ConfigurationType configuration, Values& values);
   void object_output(int object, OutputVariableType variable, ConfigurationType configuration, Values& values);
-  void body_output(int object, OutputVariableType variable, std::array<double, 3> local, ConfigurationType configuration,
-                   Values& values);
+  void body_output(int object, OutputVariableType variable, std::array<double, 3> local,
+                   ConfigurationType configuration, Values& values);
   void super_element_output(int object, OutputVariableType variable, int mesh_node, ConfigurationType configuration,
                             Values& values);
   // Output of a point of a link of a kinematic tree.
-  void link_output(int object, OutputVariableType variable, int link, std::array<double, 3> local, ConfigurationType configuration,
-                   Values& values);
+  void link_output(int object, OutputVariableType variable, int link, std::array<double, 3> local,
+                   ConfigurationType configuration, Values& values);
   void marker_output(int marker, OutputVariableType variable, ConfigurationType configuration, Values& values);
   // Poses of all items of a kind for pictures: the rows of rotation and position (3 x 4) of each. NaN: an item has no
   // position, or no orientation. The memory belongs to the caller; data of solvers does not change.
@@ -246,7 +247,8 @@ class System {
   // pose of one of them
   std::array<double, 12> pose(int object, ConfigurationType configuration, Values& totals) const;
   // An output variable of all mesh nodes of a super element, one after the other; returns how many nodes, 0: they do not have it.
-  int mesh_outputs(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const;
+  int mesh_outputs(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals,
+                   Values& values) const;
   void load_values(int load, double time, Values& values);
   void sensor_values(int sensor, ConfigurationType configuration, Values& values);
   // While one lives, outputs of several items share the frames of markers, until the state may have changed.
@@ -284,7 +286,7 @@ class System {
   bool assembled_ = false;
   std::uint64_t version_ = 0;
   std::uint64_t renewed_objects_ = 0, renewed_constraints_ = 0;
-  const Model* late_ = nullptr;       // whose changes the next evaluation takes over
+  const Model* late_ = nullptr;  // whose changes the next evaluation takes over
   // Whose marker frames and forces the ports hold.
   void ports_hold(const State* state) {
     evaluated_ = state;
@@ -297,7 +299,7 @@ class System {
     std::uint64_t writes = 0, touches = 0, number = 0;
   };
   Frames frames_;  // frames at the last evaluation of the current state
-  mutable bool lent_ = false;   // who holds the states may have changed them without asking for them
+  mutable bool lent_ = false;  // who holds the states may have changed them without asking for them
   int evaluations_ = 0;
   int pattern_revisions_ = 0;
   bool searches_ = false, forgotten_ = false;

@@ -171,7 +171,8 @@ class Term : public Batch {
 
   // History: new data coordinates after Newton. `start` has the data at the start of the step. Algebraic unknowns
   // that are transferred to data are reset.
-  virtual PostNewton post_newton(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/, double* /*lambda*/) {
+  virtual PostNewton post_newton(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/,
+                                 double* /*lambda*/) {
     return {};
   }
   virtual bool has_history() const { return false; }
@@ -179,12 +180,18 @@ class Term : public Batch {
   // `post_newton`.
   virtual bool has_switches() const { return false; }
   virtual void find_switches(const Evaluation&, const Ports&, Switches&) const {}
-  virtual void switch_over(const Evaluation&, const Ports&, const double* /*before*/, double* /*data*/, double* /*lambda*/) {}
+  virtual void switch_over(const Evaluation&, const Ports&, const double* /*before*/, double* /*data*/,
+                           double* /*lambda*/) {}
   // Iteration that such solvers still need.
-  virtual PostNewton settle(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/, double* /*lambda*/) { return {}; }
+  virtual PostNewton settle(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/,
+                            double* /*lambda*/) {
+    return {};
+  }
 
   // Outputs. `motion` for bodies; `output` for variables of the item; false: not an output of this item.
-  virtual bool motion(int /*entry*/, const Evaluation&, const Vec3<double>& /*local*/, Motion<double>&) const { return false; }
+  virtual bool motion(int /*entry*/, const Evaluation&, const Vec3<double>& /*local*/, Motion<double>&) const {
+    return false;
+  }
   // Position and rotation of the origins of consecutive entries: 3 x 4 numbers each, row by row; NaN: undefined.
   virtual void poses(int first, int count, const Evaluation& evaluation, double* rows) const;
   virtual bool output(int /*entry*/, OutputVariableType, const Vec3<double>& /*local*/, const Evaluation&, const Ports&,
@@ -196,7 +203,10 @@ class Term : public Batch {
   // Mesh nodes that are not at the positions of system nodes: their number, and outputs of a range of them, row by
   // row.
   virtual int mesh_nodes(int /*entry*/) const { return 0; }
-  virtual bool mesh_outputs(int /*entry*/, int /*first*/, int /*count*/, OutputVariableType, const Evaluation&, std::vector<double>&) const { return false; }
+  virtual bool mesh_outputs(int /*entry*/, int /*first*/, int /*count*/, OutputVariableType, const Evaluation&,
+                            std::vector<double>&) const {
+    return false;
+  }
   // They are all nodes of the item but the first, whose own outputs are in its frame.
   virtual bool has_nodes_in_frame() const { return false; }
 };
@@ -241,7 +251,8 @@ class MarkerBatch : public Batch {
   // Whether one marker has a constant pull-back; the value of the batch holds for all of its markers.
   virtual bool passes_constantly(int /*entry*/, bool of_moments) const { return constant_pull_back(of_moments); }
   // values -= d(J^T force) with the force held fixed.
-  virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
+  virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                         double* values) const = 0;
   // Whether `geometric` uses results of `evaluate_tangent`.
   virtual bool geometric_follows_tangent() const { return true; }
   // History: new data coordinates after Newton, from the ports.

@@ -12,7 +12,8 @@ class LinkedBodies {
   virtual int links(int entry) const = 0;
   // Length from the base to the farthest joint or center of mass of the stretched chain of links.
   virtual double reach(int entry) const = 0;
-  virtual Motion<double> link_motion(int entry, int link, const Vec3<double>& local, const Evaluation& evaluation) const = 0;
+  virtual Motion<double> link_motion(int entry, int link, const Vec3<double>& local,
+                                     const Evaluation& evaluation) const = 0;
 };
 
 // Terms whose masses need no matrix, as long as no other term has mass at the same coordinates.

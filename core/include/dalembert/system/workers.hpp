@@ -61,7 +61,7 @@ class Workers {
   void (*call_)(void*, int) = nullptr;
   void* task_ = nullptr;
   std::mutex mutex_;  // guards the following members
-  int failed_ = 0;    // the first task that has failed, if there is an error
+  int failed_ = 0;  // the first task that has failed, if there is an error
   std::exception_ptr error_;
   std::vector<std::jthread> threads_;
 };

@@ -34,15 +34,18 @@ DALEMBERT_INLINE inline S along_joint(const TreeLink& link, const Vec3<S>& axis,
 
 // Force that gives the link its motion.
 template <class S>
-DALEMBERT_INLINE inline LinkWrench<S> inertia_force(const TreeLink& link, const LinkMass<S>& mass, const LinkMotion<S>& motion) {
-  return {link.mass * motion.acceleration + crosses(motion.spin_rate, mass.moment, motion.spin, cross(motion.spin, mass.moment)),
-          mass.inertia * motion.spin_rate + crosses(mass.moment, motion.acceleration, motion.spin, mass.inertia * motion.spin)};
+DALEMBERT_INLINE inline LinkWrench<S> inertia_force(const TreeLink& link, const LinkMass<S>& mass,
+                                                    const LinkMotion<S>& motion) {
+  return {link.mass * motion.acceleration +
+              crosses(motion.spin_rate, mass.moment, motion.spin, cross(motion.spin, mass.moment)),
+          mass.inertia * motion.spin_rate +
+              crosses(mass.moment, motion.acceleration, motion.spin, mass.inertia * motion.spin)};
 }
 
 // Each wrench becomes the sum over its link and all behind; f(i, force of joint i).
 template <class S, class F>
-DALEMBERT_INLINE inline void sum_to_base(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkWrench<S>> wrenches,
-                                         const F& f) {
+DALEMBERT_INLINE inline void sum_to_base(const Tree& tree, std::span<const LinkPlace<S>> places,
+                                         std::span<LinkWrench<S>> wrenches, const F& f) {
   LinkWrench<S> behind{};  // wrench of the next link, if its parent is this one: sums along chains stay in registers
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink& link = tree.links[i];

@@ -50,13 +50,15 @@ struct JointMasses {
       const auto at = static_cast<std::size_t>(i);
       if (first_turn < 0 && !tree.links[at].slides) first_turn = i;
       if (const int parent = tree.links[at].parent; parent >= 0) {
-        const std::vector<int> way(before.begin() + first[static_cast<std::size_t>(parent)], before.begin() + first[static_cast<std::size_t>(parent) + 1]);
+        const std::vector<int> way(before.begin() + first[static_cast<std::size_t>(parent)],
+                                   before.begin() + first[static_cast<std::size_t>(parent) + 1]);
         before.insert(before.end(), way.begin(), way.end());
         before.push_back(parent);
       }
       first.push_back(static_cast<int>(before.size()));
     }
-    if (width <= joints_in_registers + 1 && static_cast<int>(before.size()) < tree.count() * (tree.count() - 1) / 2) mark_ways(tree.count());
+    if (width <= joints_in_registers + 1 && static_cast<int>(before.size()) < tree.count() * (tree.count() - 1) / 2)
+      mark_ways(tree.count());
   }
 
  private:
@@ -65,7 +67,8 @@ struct JointMasses {
     for (int i = 0; i < links; ++i) {
       double* way = ways.data() + static_cast<std::size_t>(i) * width;
       way[0] = way[i + 1] = 1;
-      for (int at = first[static_cast<std::size_t>(i)]; at < first[static_cast<std::size_t>(i) + 1]; ++at) way[before[static_cast<std::size_t>(at)] + 1] = 1;
+      for (int at = first[static_cast<std::size_t>(i)]; at < first[static_cast<std::size_t>(i) + 1]; ++at)
+        way[before[static_cast<std::size_t>(at)] + 1] = 1;
     }
   }
 };
@@ -73,13 +76,16 @@ struct JointMasses {
 namespace trees {
 
 // The point is the origin of the first link that turns: it stays with a tree that slides far away.
-DALEMBERT_INLINE inline void find_answers(const Tree& tree, std::span<const LinkPlace<Spread>> places, JointMasses& room) {
+DALEMBERT_INLINE inline void find_answers(const Tree& tree, std::span<const LinkPlace<Spread>> places,
+                                          JointMasses& room) {
   Vec3<Spread> base{};
-  for (int i = room.first_turn; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent) base -= places[static_cast<std::size_t>(i)].arm;
+  for (int i = room.first_turn; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent)
+    base -= places[static_cast<std::size_t>(i)].arm;
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     const Vec3<Spread>& axis = places[i].axis;
-    const Vec3<Spread> origin = (link.parent < 0 ? base : room.origins[static_cast<std::size_t>(link.parent)]) + places[i].arm;
+    const Vec3<Spread> origin =
+        (link.parent < 0 ? base : room.origins[static_cast<std::size_t>(link.parent)]) + places[i].arm;
     room.origins[i] = origin;
     room.answers[i] = shifted(inertia_along(link, axis, room.bodies[i]), origin);
     room.turns[i + 1] = link.slides ? Vec3<Spread>{} : axis;
@@ -121,7 +127,8 @@ DALEMBERT_INLINE inline int factorize(JointMasses& room, std::size_t links, doub
       const auto i = static_cast<std::size_t>(room.before[static_cast<std::size_t>(at)]);
       const double share = shares[i + 1] = row[i + 1] * inverse;
       double* other = room.rows.data() + i * room.width;
-      for (std::size_t c = 0; c <= i + 1; c += 4) (Pack<4>::load(other + c) - share * Pack<4>::load(row + c)).store(other + c);
+      for (std::size_t c = 0; c <= i + 1; c += 4)
+        (Pack<4>::load(other + c) - share * Pack<4>::load(row + c)).store(other + c);
     }
   }
   return loose;
@@ -130,7 +137,8 @@ DALEMBERT_INLINE inline int factorize(JointMasses& room, std::size_t links, doub
 // Calls f.operator()<i>() for all i below `count`, in this order.
 template <std::size_t count, class F>
 DALEMBERT_INLINE inline void each_constant(const F& f) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) DALEMBERT_INLINE { (f.template operator()<i>(), ...); }(std::make_index_sequence<count>());
+  [&]<std::size_t... i>(std::index_sequence<i...>)
+      DALEMBERT_INLINE { (f.template operator()<i>(), ...); }(std::make_index_sequence<count>());
 }
 
 // The same of rows that registers hold, `groups` of four entries each. Entries of joints that are not on the way to the base are zero.
@@ -139,14 +147,16 @@ DALEMBERT_INLINE inline int factorize_in_registers(JointMasses& room, std::size_
   constexpr std::size_t joints = 4 * groups - 1, width = 4 * groups;
   std::array<std::array<Pack<4>, groups>, joints> rows;
   each_constant<joints>([&]<std::size_t k>() DALEMBERT_INLINE {
-    each_constant<groups>([&]<std::size_t g>() DALEMBERT_INLINE { rows[k][g] = Pack<4>::load(room.rows.data() + k * width + 4 * g); });
+    each_constant<groups>([&]<std::size_t g>()
+                              DALEMBERT_INLINE { rows[k][g] = Pack<4>::load(room.rows.data() + k * width + 4 * g); });
   });
   int loose = -1;
   each_constant<joints>([&]<std::size_t above>() DALEMBERT_INLINE {
     constexpr std::size_t k = joints - 1 - above, own = k + 1;
     if (k >= links) return;
     const double pivot = rows[k][own / 4][own % 4];
-    if (loose < 0 && !(pivot > 0)) [[unlikely]] loose = static_cast<int>(k);
+    if (loose < 0 && !(pivot > 0)) [[unlikely]]
+      loose = static_cast<int>(k);
     const double inverse = 1 / pivot;
     std::array<Pack<4>, groups> shares;
     each_constant<groups>([&]<std::size_t g>() DALEMBERT_INLINE {
@@ -157,15 +167,16 @@ DALEMBERT_INLINE inline int factorize_in_registers(JointMasses& room, std::size_
     each_constant<k>([&]<std::size_t i>() DALEMBERT_INLINE {
       constexpr int lane = (i + 1) % 4;
       const Pack<4> share = spreads::shuffled<lane, lane, lane, lane>(shares[(i + 1) / 4]);
-      each_constant<(i + 1) / 4 + 1>([&]<std::size_t g>() DALEMBERT_INLINE { rows[i][g] = rows[i][g] - share * rows[k][g]; });
+      each_constant<(i + 1) / 4 + 1>([&]<std::size_t g>()
+                                         DALEMBERT_INLINE { rows[i][g] = rows[i][g] - share * rows[k][g]; });
     });
   });
   return loose;
 }
 
 // See the function of the same name for articulated bodies.
-DALEMBERT_INLINE inline int accelerate(const Tree& tree, std::span<const LinkPlace<Spread>> places, std::span<const LinkMass<Spread>> masses,
-                                       JointMasses& room, double* x) {
+DALEMBERT_INLINE inline int accelerate(const Tree& tree, std::span<const LinkPlace<Spread>> places,
+                                       std::span<const LinkMass<Spread>> masses, JointMasses& room, double* x) {
   const std::size_t links = tree.links.size();
   compose<Spread>(tree, places, masses, room.bodies);
   find_answers(tree, places, room);

@@ -91,8 +91,10 @@ DALEMBERT_INLINE inline Symmetric<S> inertia_of(const Symmetric<S>& m) {
 // Accelerations about a fixed point: centripetal ones of the spin, and those of its rate.
 template <class S>
 DALEMBERT_INLINE inline Mat3<S> field_of(const Vec3<S>& spin, const Vec3<S>& rate) {
-  const S xx = spin[0] * spin[0], yy = spin[1] * spin[1], zz = spin[2] * spin[2], xy = spin[0] * spin[1], xz = spin[0] * spin[2], yz = spin[1] * spin[2];
-  return {-(yy + zz), xy - rate[2], xz + rate[1], xy + rate[2], -(xx + zz), yz - rate[0], xz - rate[1], yz + rate[0], -(xx + yy)};
+  const S xx = spin[0] * spin[0], yy = spin[1] * spin[1], zz = spin[2] * spin[2], xy = spin[0] * spin[1],
+          xz = spin[0] * spin[2], yz = spin[1] * spin[2];
+  return {-(yy + zz),   xy - rate[2], xz + rate[1], xy + rate[2], -(xx + zz),
+          yz - rate[0], xz - rate[1], yz + rate[0], -(xx + yy)};
 }
 // sum + m v, without a product of its own.
 template <class S>
@@ -109,7 +111,8 @@ DALEMBERT_INLINE inline Vec3<S> plus_moment(const Vec3<S>& sum, const Mat3<S>& f
   return {of(2, 1, sum[0]), of(0, 2, sum[1]), of(1, 0, sum[2])};
 }
 template <class S>
-DALEMBERT_INLINE inline LaneBody<S> with_link(const LaneBody<S>& behind, const LaneLink& link, const LaneStation<S>& at) {
+DALEMBERT_INLINE inline LaneBody<S> with_link(const LaneBody<S>& behind, const LaneLink& link,
+                                              const LaneStation<S>& at) {
   LaneBody<S> body = behind;
   for (int i = 0; i < 3; ++i) body.translation(i, i) = body.translation(i, i) + link.mass;
   const Vec3<S>& m = at.moment;
@@ -134,7 +137,8 @@ DALEMBERT_INLINE inline void add_body(LaneBody<S>& to, const LaneBody<S>& body) 
 // Its joint gives way, with `share` for an acceleration; then about the origin of the parent.
 template <class S>
 DALEMBERT_INLINE inline void give_way(LaneBody<S>& body, const LaneStation<S>& at, const S& share) {
-  const Vec3<S>&f = at.along.force, &n = at.along.moment, scaled_f = at.inverse * f, scaled_n = at.inverse * n, &arm = at.arm;
+  const Vec3<S>&f = at.along.force, &n = at.along.moment, scaled_f = at.inverse * f, scaled_n = at.inverse * n,
+        &arm = at.arm;
   body.wrench += {share * f, share * n};
   body.wrench.moment = plus_cross(body.wrench.moment, arm, body.wrench.force);
   subtract_product(body.translation, f, scaled_f);
@@ -142,10 +146,12 @@ DALEMBERT_INLINE inline void give_way(LaneBody<S>& body, const LaneStation<S>& a
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) body.coupling(i, j) = body.coupling(i, j) - n[i] * scaled_f[j];
   Mat3<S> shifted;
-  for (int j = 0; j < 3; ++j) set_column(shifted, j, plus_cross(column(body.coupling, j), arm, column(body.translation, j)));
+  for (int j = 0; j < 3; ++j)
+    set_column(shifted, j, plus_cross(column(body.coupling, j), arm, column(body.translation, j)));
   const auto entry = [&](int i, int j) {
     const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
-    return body.rotation(i, j) + arm[a] * shifted(j, b) - arm[b] * shifted(j, a) + arm[c] * body.coupling(i, d) - arm[d] * body.coupling(i, c);
+    return body.rotation(i, j) + arm[a] * shifted(j, b) - arm[b] * shifted(j, a) + arm[c] * body.coupling(i, d) -
+           arm[d] * body.coupling(i, c);
   };
   body.rotation = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
   body.coupling = shifted;
@@ -153,8 +159,9 @@ DALEMBERT_INLINE inline void give_way(LaneBody<S>& body, const LaneStation<S>& a
 
 // Sines and cosines, velocities, and positions and accelerations of links without joint accelerations.
 template <class S>
-DALEMBERT_INLINE inline void go_outward(std::span<const LaneLink> links, const S* q, const S* sines, const S* cosines, const S* v, const Vec3<S>& base,
-                                        std::span<LaneStation<S>> stations, std::span<LaneFork<S>> forks) {
+DALEMBERT_INLINE inline void go_outward(std::span<const LaneLink> links, const S* q, const S* sines, const S* cosines,
+                                        const S* v, const Vec3<S>& base, std::span<LaneStation<S>> stations,
+                                        std::span<LaneFork<S>> forks) {
   const LaneMotion<S> rest{{Vec3<S>{1.0, 0.0, 0.0}, Vec3<S>{0.0, 1.0, 0.0}, Vec3<S>{0.0, 0.0, 1.0}}, {}, {}, base, {}};
   LaneMotion<S> own = rest;
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -167,7 +174,8 @@ DALEMBERT_INLINE inline void go_outward(std::span<const LaneLink> links, const S
     if (link.slides) arm += q[i] * axis;
     at.arm = arm;
     own.acceleration = plus_product(own.acceleration, own.field, arm);
-    const Vec3<S> turning = v[i] * cross(own.spin, axis), y = combined(own.axes, link.second), z = combined(own.axes, link.third);
+    const Vec3<S> turning = v[i] * cross(own.spin, axis), y = combined(own.axes, link.second),
+                  z = combined(own.axes, link.third);
     if (link.slides) {
       own.axes = {axis, y, z};
       own.acceleration += 2.0 * turning;
@@ -187,7 +195,8 @@ DALEMBERT_INLINE inline void go_outward(std::span<const LaneLink> links, const S
 
 // Forces of joints, in x, become shares of accelerations.
 template <class S>
-DALEMBERT_INLINE inline void go_inward(std::span<const LaneLink> links, S* x, std::span<LaneStation<S>> stations, std::span<LaneFork<S>> forks) {
+DALEMBERT_INLINE inline void go_inward(std::span<const LaneLink> links, S* x, std::span<LaneStation<S>> stations,
+                                       std::span<LaneFork<S>> forks) {
   LaneBody<S> body{};  // behind the link
   for (std::size_t i = links.size(); i-- > 0;) {
     const LaneLink& link = links[i];
@@ -195,8 +204,10 @@ DALEMBERT_INLINE inline void go_inward(std::span<const LaneLink> links, S* x, st
     const Vec3<S> e = at.axis;
     if (link.forks) add_body(body, forks[i].body);
     body = with_link(body, link, at);
-    if (link.slides) at.along = {body.translation * e, body.coupling * e};
-    else at.along = {transposed_times(body.coupling, e), body.rotation * e};
+    if (link.slides)
+      at.along = {body.translation * e, body.coupling * e};
+    else
+      at.along = {transposed_times(body.coupling, e), body.rotation * e};
     at.inverse = 1.0 / dot(e, link.slides ? at.along.force : at.along.moment);
     const S share = x[i] = (x[i] - dot(e, link.slides ? body.wrench.force : body.wrench.moment)) * at.inverse;
     if (link.parent >= 0) give_way(body, at, share);
@@ -209,7 +220,8 @@ DALEMBERT_INLINE inline void go_inward(std::span<const LaneLink> links, S* x, st
 // ---- few links -------------------------------------------------------------------------------------------------------
 
 template <class S>
-DALEMBERT_INLINE inline void add_mass(LaneMass<S>& to, const Vec3<S>& moment, const Symmetric<S>& second_moment, const LinkWrench<S>& wrench) {
+DALEMBERT_INLINE inline void add_mass(LaneMass<S>& to, const Vec3<S>& moment, const Symmetric<S>& second_moment,
+                                      const LinkWrench<S>& wrench) {
   to.moment += moment;
   to.second_moment += second_moment;
   to.wrench += wrench;
@@ -220,14 +232,16 @@ DALEMBERT_INLINE inline void shift(LaneMass<S>& body, double mass, const Vec3<S>
   const Vec3<S> before = body.moment;
   body.moment += mass * arm;
   for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) body.second_moment(i, j) = body.second_moment(i, j) + arm[i] * body.moment[j] + before[i] * arm[j];
+    for (int j = i; j < 3; ++j)
+      body.second_moment(i, j) = body.second_moment(i, j) + arm[i] * body.moment[j] + before[i] * arm[j];
   body.wrench.moment = plus_cross(body.wrench.moment, arm, body.wrench.force);
 }
 
 // Forces of joints, in x, lose those of inertia without accelerations; entry d of row i answers accelerations of that
 // joint on the way from the base to joint i which has d before it.
 template <class S>
-DALEMBERT_INLINE inline void compose(std::span<const LaneLink> links, std::span<const LaneStation<S>> stations, std::span<LaneFork<S>> forks, S* x, S* rows) {
+DALEMBERT_INLINE inline void compose(std::span<const LaneLink> links, std::span<const LaneStation<S>> stations,
+                                     std::span<LaneFork<S>> forks, S* x, S* rows) {
   const std::size_t width = links.size();
   LaneMass<S> body{};
   for (std::size_t i = links.size(); i-- > 0;) {
@@ -259,7 +273,8 @@ DALEMBERT_INLINE inline void compose(std::span<const LaneLink> links, std::span<
 
 // Forces become accelerations: factors L^T D L of the rows, from the leaves on, which keep the zeros between branches.
 template <class S>
-DALEMBERT_INLINE inline void eliminate(std::span<const LaneLink> links, std::span<LaneStation<S>> stations, S* x, S* rows) {
+DALEMBERT_INLINE inline void eliminate(std::span<const LaneLink> links, std::span<LaneStation<S>> stations, S* x,
+                                       S* rows) {
   const std::size_t width = links.size();
   for (std::size_t k = width; k-- > 0;) {
     std::size_t depth = links[k].depth;
@@ -287,7 +302,8 @@ DALEMBERT_INLINE inline void eliminate(std::span<const LaneLink> links, std::spa
 
 // Shares become accelerations.
 template <class S>
-DALEMBERT_INLINE inline void go_outward_again(std::span<const LaneLink> links, S* x, std::span<const LaneStation<S>> stations, std::span<LaneFork<S>> forks) {
+DALEMBERT_INLINE inline void go_outward_again(std::span<const LaneLink> links, S* x,
+                                              std::span<const LaneStation<S>> stations, std::span<LaneFork<S>> forks) {
   LinkWrench<S> a{};
   for (std::size_t i = 0; i < links.size(); ++i) {
     const LaneLink& link = links[i];
@@ -305,7 +321,8 @@ template <int N>
 int loose_joint(std::span<const LaneStation<Pack<N>>> stations) {
   for (std::size_t i = stations.size(); i-- > 0;)
     for (int lane = 0; lane < N; ++lane)
-      if (const double inverse = stations[i].inverse[lane]; !(inverse > 0 && std::isfinite(inverse))) return static_cast<int>(i);
+      if (const double inverse = stations[i].inverse[lane]; !(inverse > 0 && std::isfinite(inverse)))
+        return static_cast<int>(i);
   return -1;
 }
 

@@ -42,7 +42,8 @@ namespace trees {
 
 inline void sum_to_base(const Tree& tree, std::span<const LinkPlace<double>> places, std::span<LinkLoad> loads) {
   for (std::size_t i = tree.links.size(); i-- > 0;)
-    if (const int parent = tree.links[i].parent; parent >= 0) loads[static_cast<std::size_t>(parent)].add(loads[i], places[i].arm);
+    if (const int parent = tree.links[i].parent; parent >= 0)
+      loads[static_cast<std::size_t>(parent)].add(loads[i], places[i].arm);
 }
 
 // How the forces that two joints feel change, each with the coordinate of the other. The sums are those of the loads on all that moves with a joint.
@@ -52,11 +53,13 @@ struct LoadChange {
 };
 // A turn w takes points along: r changes by w x r, and so the moment of F by (w x r) x F = -arms^T w. Seen from joint k, which turns
 // with them, it is F that turns back.
-inline LoadChange load_change(const Tree& tree, std::span<const LinkPlace<double>> places, std::span<const LinkLoad> sums, int k, int j) {
+inline LoadChange load_change(const Tree& tree, std::span<const LinkPlace<double>> places,
+                              std::span<const LinkLoad> sums, int k, int j) {
   const TreeLink &behind = tree.links[static_cast<std::size_t>(k)], &before = tree.links[static_cast<std::size_t>(j)];
   const Vec3<double>&e_k = places[static_cast<std::size_t>(k)].axis, e_j = places[static_cast<std::size_t>(j)].axis;
   const LinkLoad& sum = sums[static_cast<std::size_t>(k)];
-  const Vec3<double> answer = behind.slides ? cross(e_k, sum.force) : -(transposed_times(sum.arms, e_k) + cross(sum.couple, e_k)),
+  const Vec3<double> answer = behind.slides ? cross(e_k, sum.force)
+                                            : -(transposed_times(sum.arms, e_k) + cross(sum.couple, e_k)),
                      moment = behind.slides ? cross(e_k, sum.force) : -transposed_times(sum.arms, e_k);
   return {before.slides ? 0.0 : dot(e_j, answer), before.slides ? 0.0 : dot(e_j, moment)};
 }

@@ -24,8 +24,8 @@ struct TreeLink {
   Mat3<double> orientation = identity<double>();  // orientation of its frame in that of the parent, at coordinate zero
   Vec3<double> offset{};  // position of its origin in the frame of the parent, at coordinate zero
   double mass = 0;
-  Vec3<double> moment{};                        // mass times centre of mass, in the frame of the link
-  Mat3<double> inertia{};                       // about the origin of the link
+  Vec3<double> moment{};  // mass times centre of mass, in the frame of the link
+  Mat3<double> inertia{};  // about the origin of the link
 };
 
 struct Tree {
@@ -47,7 +47,7 @@ struct LinkPlace {
 // How its mass lies there.
 template <class S>
 struct LinkMass {
-  Vec3<S> moment;   // mass times centre of mass, from the origin of the link
+  Vec3<S> moment;  // mass times centre of mass, from the origin of the link
   Mat3<S> inertia;  // about the origin
 };
 
@@ -69,12 +69,16 @@ DALEMBERT_INLINE inline void find_sines(const NumberOf<S>* q, std::span<LinkPlac
     place.cosine = cosine;
   };
   if constexpr (holds_packs<S>) {
-    each_sine_cosine(q, places.size(), [&](std::size_t i, const S& sine, const S& cosine) DALEMBERT_INLINE { keep(places[i], sine, cosine); });
+    each_sine_cosine(q, places.size(), [&](std::size_t i, const S& sine, const S& cosine) DALEMBERT_INLINE {
+      keep(places[i], sine, cosine);
+    });
   } else {
     for (std::size_t first = 0; first < places.size(); first += 4) {
       const std::size_t count = std::min<std::size_t>(4, places.size() - first);
-      const auto [sine, cosine] = sine_cosine(Pack<4>::of_each([&](std::size_t lane) { return q[first + std::min(lane, count - 1)]; }));
-      for (std::size_t i = 0; i < count; ++i) keep(places[first + i], sine[static_cast<int>(i)], cosine[static_cast<int>(i)]);
+      const auto [sine, cosine] =
+          sine_cosine(Pack<4>::of_each([&](std::size_t lane) { return q[first + std::min(lane, count - 1)]; }));
+      for (std::size_t i = 0; i < count; ++i)
+        keep(places[first + i], sine[static_cast<int>(i)], cosine[static_cast<int>(i)]);
     }
   }
 }
@@ -82,9 +86,12 @@ DALEMBERT_INLINE inline void find_sines(const NumberOf<S>* q, std::span<LinkPlac
 // Calls f.operator()<axis>(): constants known at compile time stay in registers.
 template <class F>
 DALEMBERT_INLINE inline void with_axis(int axis, const F& f) {
-  if (axis == 2) f.template operator()<2>();
-  else if (axis == 1) f.template operator()<1>();
-  else f.template operator()<0>();
+  if (axis == 2)
+    f.template operator()<2>();
+  else if (axis == 1)
+    f.template operator()<1>();
+  else
+    f.template operator()<0>();
 }
 
 // Turns the other two axes of the frame of a link.
@@ -104,20 +111,24 @@ DALEMBERT_INLINE inline void place_links(const Tree& tree, const NumberOf<S>* q,
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     LinkPlace<S>& place = places[i];
-    if (link.parent + 1 != static_cast<int>(i)) A_0l = link.parent < 0 ? A_00 : places[static_cast<std::size_t>(link.parent)].rotation;
+    if (link.parent + 1 != static_cast<int>(i))
+      A_0l = link.parent < 0 ? A_00 : places[static_cast<std::size_t>(link.parent)].rotation;
     place.arm = A_0l * link.offset;
     A_0l = A_0l * link.orientation;
     with_axis(link.axis, [&]<int axis>() {
       place.axis = column(A_0l, axis);
-      if (link.slides) place.arm += q[i] * place.axis;
-      else turn_about<axis>(A_0l, place.sine, place.cosine);
+      if (link.slides)
+        place.arm += q[i] * place.axis;
+      else
+        turn_about<axis>(A_0l, place.sine, place.cosine);
     });
     place.rotation = A_0l;
   }
 }
 
 template <class S>
-DALEMBERT_INLINE inline void place_masses(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkMass<S>> masses) {
+DALEMBERT_INLINE inline void place_masses(const Tree& tree, std::span<const LinkPlace<S>> places,
+                                          std::span<LinkMass<S>> masses) {
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     masses[i] = {places[i].rotation * link.moment, turned(places[i].rotation, link.inertia)};
@@ -126,14 +137,15 @@ DALEMBERT_INLINE inline void place_masses(const Tree& tree, std::span<const Link
 
 // `base`: the acceleration of the base; minus gravity, if it acts. If `a` is null, joint accelerations are zero.
 template <class S>
-DALEMBERT_INLINE inline void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const NumberOf<S>* v, const NumberOf<S>* a,
-                                        const Vec3<S>& base, std::span<LinkMotion<S>> motions) {
+DALEMBERT_INLINE inline void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const NumberOf<S>* v,
+                                        const NumberOf<S>* a, const Vec3<S>& base, std::span<LinkMotion<S>> motions) {
   const LinkMotion<S> rest{{}, {}, {}, base};
   LinkMotion<S> own = rest;  // motion of the previous link at first
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     const Vec3<S>&axis = places[i].axis, &arm = places[i].arm;
-    if (link.parent + 1 != static_cast<int>(i)) own = link.parent < 0 ? rest : motions[static_cast<std::size_t>(link.parent)];
+    if (link.parent + 1 != static_cast<int>(i))
+      own = link.parent < 0 ? rest : motions[static_cast<std::size_t>(link.parent)];
     const Vec3<S> swing = cross(own.spin, arm), turning = v[i] * cross(own.spin, axis);
     own.velocity += swing;
     own.acceleration += crosses(own.spin_rate, arm, own.spin, swing);
@@ -161,7 +173,8 @@ void find_origins(const Tree& tree, std::span<const LinkPlace<S>> places, std::s
 
 // The motion of a point that is fixed to a link.
 template <class S>
-Motion<S> motion_at(const LinkPlace<S>& place, const LinkMotion<S>& link, const Vec3<S>& origin, const Vec3<double>& r_l) {
+Motion<S> motion_at(const LinkPlace<S>& place, const LinkMotion<S>& link, const Vec3<S>& origin,
+                    const Vec3<double>& r_l) {
   const Vec3<S> r_0 = place.rotation * r_l, swing = cross(link.spin, r_0);
   return {.position = origin + r_0,
           .velocity = link.velocity + swing,

@@ -10,7 +10,8 @@ namespace dalembert {
 
 class TreeFunctions {
  public:
-  TreeFunctions(Tree tree, const Vec3<double>& gravity) : tree_(std::move(tree)), lanes_(lane_links(tree_)), gravity_(gravity) {}
+  TreeFunctions(Tree tree, const Vec3<double>& gravity)
+      : tree_(std::move(tree)), lanes_(lane_links(tree_)), gravity_(gravity) {}
   const Tree& tree() const { return tree_; }
   const Vec3<double>& gravity() const { return gravity_; }
 
@@ -20,7 +21,8 @@ class TreeFunctions {
   int forward_dynamics(std::size_t states, const double* q, const double* v, const double* forces, double* a) const;
   void mass_matrix(std::size_t states, const double* q, double* matrices) const;
   // Derivatives of the joint forces with respect to coordinates and velocities: row by row.
-  void derivatives(std::size_t states, const double* q, const double* v, const double* a, double* by_q, double* by_v) const;
+  void derivatives(std::size_t states, const double* q, const double* v, const double* a, double* by_q,
+                   double* by_v) const;
   // Rotation matrix and origin of each link.
   void frames(std::size_t states, const double* q, double* rotations, double* origins) const;
   // Velocity of a point of a link, and angular velocity, by joint velocities: six rows.

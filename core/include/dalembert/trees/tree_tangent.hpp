@@ -58,14 +58,16 @@ void add_momentum(CompositeBody<S>& body, const LinkMotion<S>& motion) {
     for (int i = 0; i < 3; ++i) v_r(i, j) = column[i];
   }
   const S trace = v_r(0, 0) + v_r(1, 1) + v_r(2, 2);
-  body.momentum_arms = matrix_of<3, 3>([&](int i, int j) { return i == j ? 2.0 * (trace - v_r(i, j)) : -2.0 * v_r(i, j); });
+  body.momentum_arms =
+      matrix_of<3, 3>([&](int i, int j) { return i == j ? 2.0 * (trace - v_r(i, j)) : -2.0 * v_r(i, j); });
 }
 
 // About a point from which `arm` leads to where it was.
 template <class S>
 CompositeMass<S> shifted(const CompositeMass<S>& b, const Vec3<S>& arm) {
   const Vec3<S> moment = b.moment + b.mass * arm;
-  const Mat3<S> shift = without_product(without_product(diagonal(dot(b.moment + moment, arm)), b.moment, arm), arm, moment);
+  const Mat3<S> shift =
+      without_product(without_product(diagonal(dot(b.moment + moment, arm)), b.moment, arm), arm, moment);
   return {b.mass, moment, b.inertia + shift};
 }
 template <class S>
@@ -83,8 +85,10 @@ LinkWrench<S> inertia_along(const TreeLink& link, const Vec3<S>& axis, const Com
 }
 
 template <class S, class Bodies>
-void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses, Bodies& bodies) {
-  for (std::size_t i = 0; i < tree.links.size(); ++i) static_cast<CompositeMass<S>&>(bodies[i]) = single_mass(tree.links[i], masses[i]);
+void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses,
+             Bodies& bodies) {
+  for (std::size_t i = 0; i < tree.links.size(); ++i)
+    static_cast<CompositeMass<S>&>(bodies[i]) = single_mass(tree.links[i], masses[i]);
   CompositeMass<S> behind{};  // body of the next link, as in sum_to_base
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const int parent = tree.links[i].parent;
@@ -96,8 +100,8 @@ void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<c
   }
 }
 template <class S>
-void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses, std::span<const LinkMotion<S>> motions,
-             std::span<CompositeBody<S>> bodies) {
+void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses,
+             std::span<const LinkMotion<S>> motions, std::span<CompositeBody<S>> bodies) {
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     static_cast<CompositeMass<S>&>(bodies[i]) = single_mass(tree.links[i], masses[i]);
     add_momentum(bodies[i], motions[i]);
@@ -119,12 +123,14 @@ void each_pair(const Tree& tree, const F& f) {
 
 // f(k, j, M_kj) for each pair.
 template <class S, class F>
-void mass_matrix(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const CompositeBody<S>> bodies, const F& f) {
+void mass_matrix(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const CompositeBody<S>> bodies,
+                 const F& f) {
   LinkWrench<S> w;
   int at = -1;
   each_pair(tree, [&](int k, int j) {
     const auto behind = static_cast<std::size_t>(k), before = static_cast<std::size_t>(j);
-    w = j == k ? inertia_along(tree.links[behind], places[behind].axis, bodies[behind]) : shifted(w, places[static_cast<std::size_t>(at)].arm);
+    w = j == k ? inertia_along(tree.links[behind], places[behind].axis, bodies[behind])
+               : shifted(w, places[static_cast<std::size_t>(at)].arm);
     at = j;
     f(k, j, along_joint(tree.links[before], places[before].axis, w));
   });
@@ -143,10 +149,11 @@ JointIncrement<S> increment_of(const TreeLink& link, const Vec3<S>& e, const Lin
 
 // The change of the sum of inertia forces behind the joint, about its origin held fixed. `sum` is this sum.
 template <class S>
-LinkWrench<S> increment_of_sum(const TreeLink& link, const Vec3<S>& e, const JointIncrement<S>& by, const CompositeBody<S>& body,
-                               const LinkWrench<S>& sum, const Weights& w) {
-  LinkWrench<S> change{body.mass * by.acceleration + cross(by.spin_rate, body.moment) + 2.0 * cross(by.spin, body.momentum),
-                       body.inertia * by.spin_rate + cross(body.moment, by.acceleration) + body.momentum_arms * by.spin};
+LinkWrench<S> increment_of_sum(const TreeLink& link, const Vec3<S>& e, const JointIncrement<S>& by,
+                               const CompositeBody<S>& body, const LinkWrench<S>& sum, const Weights& w) {
+  LinkWrench<S> change{
+      body.mass * by.acceleration + cross(by.spin_rate, body.moment) + 2.0 * cross(by.spin, body.momentum),
+      body.inertia * by.spin_rate + cross(body.moment, by.acceleration) + body.momentum_arms * by.spin};
   change.moment += w.q * cross(e, link.slides ? sum.force : sum.moment);
   if (!link.slides) change.force += w.q * cross(e, sum.force);
   return change;
@@ -154,8 +161,9 @@ LinkWrench<S> increment_of_sum(const TreeLink& link, const Vec3<S>& e, const Joi
 
 // f(k, j, change of force k along j, change of force j along k) for each pair; `sums` are inertia forces, summed to the base.
 template <class S, class F>
-void tangent(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const CompositeBody<S>> bodies, std::span<const LinkWrench<S>> sums,
-             std::span<const JointIncrement<S>> increments, const Weights& weights, const F& f) {
+void tangent(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const CompositeBody<S>> bodies,
+             std::span<const LinkWrench<S>> sums, std::span<const JointIncrement<S>> increments, const Weights& weights,
+             const F& f) {
   LinkWrench<S> row, column;  // force of joint k for accelerations in front of it, and effect of its increment there
   Vec3<S> row_spin;
   int at = -1;

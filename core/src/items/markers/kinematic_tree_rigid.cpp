@@ -17,8 +17,12 @@ namespace {
 using Parameters = MarkerKinematicTreeRigidParameters;
 using TreeParameters = ObjectKinematicTreeParameters;
 
-const Parameters& parameters(const void* record) { return static_cast<const MarkerKinematicTreeRigidRecord*>(record)->parameters; }
-const TreeParameters& tree_parameters(const void* record) { return static_cast<const ObjectKinematicTreeRecord*>(record)->parameters; }
+const Parameters& parameters(const void* record) {
+  return static_cast<const MarkerKinematicTreeRigidRecord*>(record)->parameters;
+}
+const TreeParameters& tree_parameters(const void* record) {
+  return static_cast<const ObjectKinematicTreeRecord*>(record)->parameters;
+}
 
 // Joints between the base and a link, those at the base first.
 std::vector<int> path_to(const TreeParameters& p, int link) {
@@ -119,7 +123,8 @@ class LinkMarkerBatch final : public MarkerBatch {
     auto tree = std::ranges::find_if(trees_, [&](const CarryingLinks& t) { return t.is_of(placement.owner, first); });
     const bool is_first = tree == trees_.end();
     if (is_first) tree = trees_.emplace(tree, placement.owner, first);
-    entries_.push_back({placement.item, static_cast<std::size_t>(tree - trees_.begin()), is_first, tree->carry(path), p.localPosition});
+    entries_.push_back({placement.item, static_cast<std::size_t>(tree - trees_.begin()), is_first, tree->carry(path),
+                        p.localPosition});
   }
   void refresh(int entry, const void* record) override { entries_[entry].local = parameters(record).localPosition; }
   void refresh_owner(int entry, const void* record) override {
@@ -137,7 +142,8 @@ class LinkMarkerBatch final : public MarkerBatch {
     for (CarryingLinks& tree : trees_) tree.move(evaluation);
     for (const Entry& e : entries_) {
       const Motion<double> m = motion_of(e, tree_of(e));
-      *reinterpret_cast<RigidFrame<double>*>(ports.frame(e.marker)) = {m.position, m.velocity, m.rotation, m.angular_velocity};
+      *reinterpret_cast<RigidFrame<double>*>(ports.frame(e.marker)) = {m.position, m.velocity, m.rotation,
+                                                                       m.angular_velocity};
     }
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& w, Ports& ports) const override {
@@ -155,7 +161,8 @@ class LinkMarkerBatch final : public MarkerBatch {
       }
   }
   bool geometric_follows_tangent() const override { return false; }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     collect(evaluation, ports);
     SlotCursor slot(slots.data(), values);
     for (CarryingLinks& tree : trees_)
@@ -229,7 +236,8 @@ class LinkMarkerBatch final : public MarkerBatch {
       CarryingLinks& tree = tree_of(e);
       const int link = e.path.back();
       const double* force = ports.force(e.marker);
-      tree.loads()[static_cast<std::size_t>(link)].add(tree.place(link).rotation * e.local, load<double, 3>(force), load<double, 3>(force + 3));
+      tree.loads()[static_cast<std::size_t>(link)].add(tree.place(link).rotation * e.local, load<double, 3>(force),
+                                                       load<double, 3>(force + 3));
     }
     for (CarryingLinks& tree : trees_) trees::sum_to_base(tree.tree(), tree.places(), tree.loads());
   }
@@ -241,11 +249,13 @@ class LinkMarkerBatch final : public MarkerBatch {
 struct KinematicTreeRigid final : MarkerPhysics {
   void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     if (on.owner_type->name != "ObjectKinematicTree")
-      refuse(ErrorKind::value, {item, "objectNumber", "", std::string(on.owner_type->name), "an ObjectKinematicTree", ""});
+      refuse(ErrorKind::value,
+             {item, "objectNumber", "", std::string(on.owner_type->name), "an ObjectKinematicTree", ""});
     const auto& parents = tree_parameters(on.owner).linkParents;
     const int link = parameters(record).linkNumber, links = static_cast<int>(parents.size());
     if (link < 0 || link >= links)
-      refuse(ErrorKind::value, {item, "linkNumber", "", std::to_string(link), "a link from 0 to " + std::to_string(links - 1), ""});
+      refuse(ErrorKind::value,
+             {item, "linkNumber", "", std::to_string(link), "a link from 0 to " + std::to_string(links - 1), ""});
     for (int i = 0; i < links; ++i)
       if (parents[static_cast<std::size_t>(i)] >= i)
         refuse(ErrorKind::value, {item, "objectNumber", "the parents of its links have no smaller numbers", "",

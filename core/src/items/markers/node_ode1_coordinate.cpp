@@ -43,10 +43,11 @@ struct NodeODE1Coordinate final : MarkerPhysics {
   void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     const int count = static_cast<int>(on.ode1.size()), coordinate = coordinate_of(record);
     if (count == 0)
-      refuse(ErrorKind::value, {item, "nodeNumber", "", "a " + std::string(on.owner_type->name), "a node with ODE1 coordinates", ""});
-    if (coordinate < 0 || coordinate >= count)
       refuse(ErrorKind::value,
-             {item, "coordinate", "", std::to_string(coordinate), "a coordinate from 0 to " + std::to_string(count - 1), ""});
+             {item, "nodeNumber", "", "a " + std::string(on.owner_type->name), "a node with ODE1 coordinates", ""});
+    if (coordinate < 0 || coordinate >= count)
+      refuse(ErrorKind::value, {item, "coordinate", "", std::to_string(coordinate),
+                                "a coordinate from 0 to " + std::to_string(count - 1), ""});
   }
   bool has_rate() const override { return false; }
   std::vector<int> coordinates(const void*, const Placement&) const override { return {}; }

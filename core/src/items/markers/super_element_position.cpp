@@ -5,7 +5,9 @@
 namespace dalembert {
 namespace {
 
-MeshMean point_mean(const MarkerSuperElementPositionParameters& p) { return {.nodes = p.meshNodeNumbers, .weights = p.weightingFactors}; }
+MeshMean point_mean(const MarkerSuperElementPositionParameters& p) {
+  return {.nodes = p.meshNodeNumbers, .weights = p.weightingFactors};
+}
 
 }  // namespace
 

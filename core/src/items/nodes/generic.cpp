@@ -18,7 +18,9 @@ std::vector<double> filled(const std::vector<double>& values, int size) {
 }
 
 struct GenericODE2 final : NodePhysics {
-  static const auto& parameters(const void* record) { return static_cast<const NodeGenericODE2Record*>(record)->parameters; }
+  static const auto& parameters(const void* record) {
+    return static_cast<const NodeGenericODE2Record*>(record)->parameters;
+  }
   Sizes sizes(const void* record) const override { return {.ode2 = parameters(record).numberOfODE2Coordinates}; }
   void values(const void* record, NodeValues& values) const override {
     const auto& p = parameters(record);
@@ -29,7 +31,9 @@ struct GenericODE2 final : NodePhysics {
 };
 
 struct GenericODE1 final : NodePhysics {
-  static const auto& parameters(const void* record) { return static_cast<const NodeGenericODE1Record*>(record)->parameters; }
+  static const auto& parameters(const void* record) {
+    return static_cast<const NodeGenericODE1Record*>(record)->parameters;
+  }
   Sizes sizes(const void* record) const override { return {.ode1 = parameters(record).numberOfODE1Coordinates}; }
   void values(const void* record, NodeValues& values) const override {
     const auto& p = parameters(record);
@@ -39,7 +43,9 @@ struct GenericODE1 final : NodePhysics {
 };
 
 struct GenericData final : NodePhysics {
-  static const auto& parameters(const void* record) { return static_cast<const NodeGenericDataRecord*>(record)->parameters; }
+  static const auto& parameters(const void* record) {
+    return static_cast<const NodeGenericDataRecord*>(record)->parameters;
+  }
   Sizes sizes(const void* record) const override { return {.data = parameters(record).numberOfDataCoordinates}; }
   void values(const void* record, NodeValues& values) const override {
     const auto& p = parameters(record);

@@ -18,7 +18,8 @@ Triplets entries_of(const MatrixContainer& m) {
   Triplets entries;
   for (int row = 0; row < m.rows; ++row)
     for (int column = 0; column < m.columns; ++column)
-      if (const double value = m.values[static_cast<std::size_t>(row * m.columns + column)]; value != 0) entries.push_back({row, column, value});
+      if (const double value = m.values[static_cast<std::size_t>(row * m.columns + column)]; value != 0)
+        entries.push_back({row, column, value});
   return entries;
 }
 
@@ -28,8 +29,10 @@ void check_directions(const Triplets& entries, const ItemLabel& item) {
   for (const auto& e : entries) largest = std::max(largest, std::abs(e.value));
   for (const auto& e : entries)
     if (e.row % 3 != e.column % 3 && std::abs(e.value) > 1e-6 * largest)
-      refuse(ErrorKind::value, {item, "massMatrixFF", "its entry (" + std::to_string(e.row) + ", " + std::to_string(e.column) + ") couples two directions",
-                                std::to_string(e.value), "0: a mass matrix of three coordinates per node that no rotation changes", ""});
+      refuse(ErrorKind::value,
+             {item, "massMatrixFF",
+              "its entry (" + std::to_string(e.row) + ", " + std::to_string(e.column) + ") couples two directions",
+              std::to_string(e.value), "0: a mass matrix of three coordinates per node that no rotation changes", ""});
 }
 
 }  // namespace
@@ -46,7 +49,8 @@ SizedLaw ObjectFFRF::law(const Parameters& p) {
 void ObjectFFRF::check(const Parameters& p, const Placement& on, const ItemLabel& item) {
   const auto nodes = on.nodes.size();
   if (nodes < 2)
-    refuse(ErrorKind::value, {item, "nodeNumbers", "", std::to_string(nodes) + " nodes", "the rigid body node of the frame, and those of the mesh", ""});
+    refuse(ErrorKind::value, {item, "nodeNumbers", "", std::to_string(nodes) + " nodes",
+                              "the rigid body node of the frame, and those of the mesh", ""});
   const auto size = [&](const char* name, std::size_t received, std::size_t expected) {
     if (received != expected)
       refuse(ErrorKind::value, {item, name, "", std::to_string(received), std::to_string(expected), ""});

@@ -13,7 +13,9 @@ namespace {
 
 using Matrix = DynamicMatrix<double>;
 
-Matrix zeros(int rows, int columns) { return {rows, columns, std::vector<double>(static_cast<std::size_t>(rows * columns))}; }
+Matrix zeros(int rows, int columns) {
+  return {rows, columns, std::vector<double>(static_cast<std::size_t>(rows * columns))};
+}
 
 // -int a x b of the blocks -int a~ b~ = int (a . b) I - b a^T: mXRefTildePsi of mXRefTildePsiTilde, mPsiTildePsi of mPsiTildePsiTilde.
 Matrix crossed(const Matrix& of) {
@@ -35,10 +37,12 @@ Matrix tilde(const Matrix& of) {
   return made;
 }
 
-constexpr const char* interface_class = "The class ObjectFFRFreducedOrderInterface of dalembert.FEM computes it from mesh and modes";
+constexpr const char* interface_class =
+    "The class ObjectFFRFreducedOrderInterface of dalembert.FEM computes it from mesh and modes";
 
 // Given parameters must agree with the values that follow from other parameters.
-void check_agreement(const char* name, const Matrix& given, const Matrix& made, const std::string& from, const ItemLabel& item) {
+void check_agreement(const char* name, const Matrix& given, const Matrix& made, const std::string& from,
+                     const ItemLabel& item) {
   if (given.values.empty()) return;
   check_size(name, given, made.rows, made.columns, item, interface_class);
   double largest = 0, error = 0;
@@ -47,8 +51,9 @@ void check_agreement(const char* name, const Matrix& given, const Matrix& made, 
     error = std::max(error, std::abs(given.values[i] - made.values[i]));
   }
   if (error > 1e-6 * largest + 1e-12)
-    refuse(ErrorKind::value, {item, name, "it does not belong to " + from, "entries that differ by " + std::to_string(error),
-                              "integrals of the same mesh and modes, with masses that are the same in all directions", "Leave it empty"});
+    refuse(ErrorKind::value,
+           {item, name, "it does not belong to " + from, "entries that differ by " + std::to_string(error),
+            "integrals of the same mesh and modes, with masses that are the same in all directions", "Leave it empty"});
 }
 
 }  // namespace
@@ -65,22 +70,29 @@ SizedLaw ObjectFFRFreducedOrder::law(const Parameters& p) {
 
 void ObjectFFRFreducedOrder::check(const Parameters& p, const Placement& on, const ItemLabel& item) {
   if (on.nodes.size() != 2)
-    refuse(ErrorKind::value, {item, "nodeNumbers", "", std::to_string(on.nodes.size()) + " nodes",
-                              "two: the rigid body node of the frame, and a NodeGenericODE2 with the modal coordinates", ""});
+    refuse(ErrorKind::value,
+           {item, "nodeNumbers", "", std::to_string(on.nodes.size()) + " nodes",
+            "two: the rigid body node of the frame, and a NodeGenericODE2 with the modal coordinates", ""});
   const int modes = on.node_sizes[1], mesh = static_cast<int>(p.referencePositions.size());
   for (int i = on.node_sizes[0]; i < static_cast<int>(on.reference.size()); ++i)
     if (on.reference[static_cast<std::size_t>(i)] != 0)
-      refuse(ErrorKind::value, {item, "nodeNumbers", "the node of the modal coordinates has reference coordinates that are not zero", "",
-                                "a reference configuration without deformation", "Use initialCoordinates of the node"});
+      refuse(ErrorKind::value,
+             {item, "nodeNumbers", "the node of the modal coordinates has reference coordinates that are not zero", "",
+              "a reference configuration without deformation", "Use initialCoordinates of the node"});
   if (mesh % 3 != 0)
-    refuse(ErrorKind::value, {item, "referencePositions", "", std::to_string(mesh) + " numbers", "three for each mesh node", ""});
-  if (mesh > 0 || !p.modeBasis.values.empty()) check_size("modeBasis", p.modeBasis, mesh, modes, item, "One column per mode");
+    refuse(ErrorKind::value,
+           {item, "referencePositions", "", std::to_string(mesh) + " numbers", "three for each mesh node", ""});
+  if (mesh > 0 || !p.modeBasis.values.empty())
+    check_size("modeBasis", p.modeBasis, mesh, modes, item, "One column per mode");
   const OutputVariableType variable = p.outputVariableTypeModeBasis;
-  if (variable != OutputVariableType::_None && variable != OutputVariableType::StressLocal && variable != OutputVariableType::StrainLocal)
-    refuse(ErrorKind::value, {item, "outputVariableTypeModeBasis", "it is another variable", "", "StressLocal, StrainLocal or _None", ""});
+  if (variable != OutputVariableType::_None && variable != OutputVariableType::StressLocal &&
+      variable != OutputVariableType::StrainLocal)
+    refuse(ErrorKind::value, {item, "outputVariableTypeModeBasis", "it is another variable", "",
+                              "StressLocal, StrainLocal or _None", ""});
   if (variable != OutputVariableType::_None)
     check_size("outputVariableModeBasis", p.outputVariableModeBasis, mesh / 3, 6 * modes, item, "Six columns per mode");
-  if (p.computeFFRFterms || !p.mPhitTPsi.values.empty()) check_size("mPhitTPsi", p.mPhitTPsi, 3, modes, item, interface_class);
+  if (p.computeFFRFterms || !p.mPhitTPsi.values.empty())
+    check_size("mPhitTPsi", p.mPhitTPsi, 3, modes, item, interface_class);
   if (!p.computeFFRFterms) return;
   check_inertia(p.physicsMass, p.physicsInertia, p.physicsCenterOfMass, item);
   check_size("mXRefTildePsiTilde", p.mXRefTildePsiTilde, 3, 3 * modes, item, interface_class);
@@ -110,7 +122,8 @@ ModalInertia ObjectFFRFreducedOrder::prepare(const Parameters& p) {
   for (int j = 0; j < modes; ++j) {
     k.moments.push_back(vector_of<3>([&](int i) { return p.mPhitTPsi(i, j); }));
     k.arms.push_back(vector_of<3>([&](int i) { return p.mXRefTildePsi(i, j); }));
-    k.inertias.push_back(matrix_of<3, 3>([&](int row, int column) { return p.mXRefTildePsiTilde(row, 3 * j + column); }));
+    k.inertias.push_back(
+        matrix_of<3, 3>([&](int row, int column) { return p.mXRefTildePsiTilde(row, 3 * j + column); }));
     for (int i = 0; i < 3 * modes; ++i) k.crossed.push_back(p.mPsiTildePsi(3 * (i % modes) + i / modes, j));
     for (int entry = 0; entry < 9; ++entry)
       for (int i = 0; i < modes; ++i) k.products.push_back(p.mPsiTildePsiTilde(3 * i + entry / 3, 3 * j + entry % 3));
@@ -118,8 +131,8 @@ ModalInertia ObjectFFRFreducedOrder::prepare(const Parameters& p) {
   return k;
 }
 
-bool ObjectFFRFreducedOrder::mesh_outputs(const Parameters& p, const SizedCoordinates<double>& x, int first, int count, OutputVariableType variable,
-                                          std::vector<double>& values) {
+bool ObjectFFRFreducedOrder::mesh_outputs(const Parameters& p, const SizedCoordinates<double>& x, int first, int count,
+                                          OutputVariableType variable, std::vector<double>& values) {
   if (variable != p.outputVariableTypeModeBasis || variable == OutputVariableType::_None) return false;
   constexpr std::size_t components = 6;
   const std::size_t columns = static_cast<std::size_t>(p.outputVariableModeBasis.columns), modes = columns / components;

@@ -50,10 +50,12 @@ struct Links {
     trees::place_masses<S>(tree, places, masses);
   }
   // Null accelerations are zero.
-  void find_inertia_forces(const Tree& tree, const double* q, const double* v, const double* a, const Vec3<double>& gravity) {
+  void find_inertia_forces(const Tree& tree, const double* q, const double* v, const double* a,
+                           const Vec3<double>& gravity) {
     place(tree, q);
     trees::move_links<S>(tree, places, v, a, Vec3<S>{} + (-gravity), motions);
-    for (std::size_t i = 0; i < tree.links.size(); ++i) wrenches[i] = trees::inertia_force(tree.links[i], masses[i], motions[i]);
+    for (std::size_t i = 0; i < tree.links.size(); ++i)
+      wrenches[i] = trees::inertia_force(tree.links[i], masses[i], motions[i]);
   }
 };
 
@@ -61,7 +63,7 @@ struct Links {
 struct Room {
   Links<Spread> links;
   AlignedVector<ArticulatedBody<Spread>> articulated;  // used for many links
-  JointMasses masses;                                  // of few
+  JointMasses masses;  // of few
   Links<double> single;
   std::vector<CompositeBody<double>> bodies;
   std::vector<JointIncrement<double>> increments;
@@ -84,7 +86,9 @@ bool is_of_drives(const Row& row) { return row.storage == Storage::vector && row
 
 class TreeBody {
  public:
-  explicit TreeBody(const Placement& placement) : first_(placement.dofs.empty() ? 0 : placement.dofs.front()) { law_.place(2, placement, 0); }
+  explicit TreeBody(const Placement& placement) : first_(placement.dofs.empty() ? 0 : placement.dofs.front()) {
+    law_.place(2, placement, 0);
+  }
   void read(const Record& record) {
     const Parameters& p = record.parameters;
     law_.read(law_of(p), false);
@@ -105,8 +109,10 @@ class TreeBody {
   }
   void make(Room& room) const {
     room.make(tree_.links.size());
-    if (count() > few_links) room.articulated.resize(tree_.links.size());
-    else room.masses.make(tree_);
+    if (count() > few_links)
+      room.articulated.resize(tree_.links.size());
+    else
+      room.masses.make(tree_);
     room.law.make_room(law_);
   }
   int item() const { return law_.item(); }
@@ -182,7 +188,8 @@ class TreeBody {
     in_wide_registers([&] {
       Links<Spread>& links = room.links;
       links.place(tree_, q(e));
-      loose = count() > few_links ? trees::accelerate<Spread>(tree_, links.places, links.masses, room.articulated, links.wrenches, x + first_)
+      loose = count() > few_links ? trees::accelerate<Spread>(tree_, links.places, links.masses, room.articulated,
+                                                              links.wrenches, x + first_)
                                   : trees::accelerate(tree_, links.places, links.masses, room.masses, x + first_);
     });
     return loose < 0 ? -1 : first_ + loose;
@@ -217,7 +224,8 @@ class TreeBody {
     if (kind == Energy::kinetic) {
       const std::vector<double> rest(tree_.links.size(), 0.0);
       links.find_inertia_forces(tree_, q(e), rest.data(), v(e), {});
-      trees::sum_to_base<double>(tree_, links.places, links.wrenches, [&](std::size_t i, double force) { value += 0.5 * v(e)[i] * force; });
+      trees::sum_to_base<double>(tree_, links.places, links.wrenches,
+                                 [&](std::size_t i, double force) { value += 0.5 * v(e)[i] * force; });
       return true;
     }
     const double* const u = e.u + first_;
@@ -266,7 +274,8 @@ class TreeBody {
       links.wrenches[i].moment -= loads_[i].couple;
     }
     trees::sum_to_base<Spread>(tree_, links.places, links.wrenches, [&](std::size_t i, const Spread& force) {
-      r[first_ + static_cast<int>(i)] += number(force) - stiffness_[i] * (desired_[i] - q(e)[i]) - damping_[i] * (desired_rates_[i] - v(e)[i]);
+      r[first_ + static_cast<int>(i)] +=
+          number(force) - stiffness_[i] * (desired_[i] - q(e)[i]) - damping_[i] * (desired_rates_[i] - v(e)[i]);
     });
   }
 
@@ -290,8 +299,8 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
     renewed.read(*static_cast<const Record*>(record));
     if (!renewed.same_structure(entries_[entry].body))
       refuse(ErrorKind::state, {"object " + std::to_string(renewed.item()) + " (ObjectKinematicTree)", "",
-                                "it had no user function, or other parents of links, when the system was assembled", "", "",
-                                "Use mbs.ModifyObject(...), then mbs.Assemble()"});
+                                "it had no user function, or other parents of links, when the system was assembled", "",
+                                "", "Use mbs.ModifyObject(...), then mbs.Assemble()"});
     entries_[entry].read(record);
   }
   void refresh_row(int entry, const void* record, const Row& row) override {
@@ -324,9 +333,12 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
   bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports&,
               std::vector<double>& values) const override {
     const TreeBody& body = entries_[entry].body;
-    if (variable == OutputVariableType::Coordinates) body.coordinates(evaluation, values);
-    else if (variable == OutputVariableType::Force) body.forces(evaluation, values);
-    else return false;
+    if (variable == OutputVariableType::Coordinates)
+      body.coordinates(evaluation, values);
+    else if (variable == OutputVariableType::Force)
+      body.forces(evaluation, values);
+    else
+      return false;
     return true;
   }
   bool energy(int entry, Energy kind, const Evaluation& evaluation, double& value) const override {
@@ -334,7 +346,8 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
   }
   int links(int entry) const override { return entries_[entry].body.count(); }
   double reach(int entry) const override { return entries_[entry].body.reach(); }
-  Motion<double> link_motion(int entry, int link, const Vec3<double>& local, const Evaluation& evaluation) const override {
+  Motion<double> link_motion(int entry, int link, const Vec3<double>& local,
+                             const Evaluation& evaluation) const override {
     return entries_[entry].body.motion(evaluation, link, local, entries_[entry].output_room);
   }
 
@@ -358,7 +371,8 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
 void check_length(const char* parameter, std::size_t given, int links, bool required, const ItemLabel& item) {
   if (given == static_cast<std::size_t>(links) || (given == 0 && !required)) return;
   refuse(ErrorKind::value, {item, parameter, "", "a list of length " + std::to_string(given),
-                            "a list of length " + std::to_string(links) + ", one entry for each coordinate of the node" + (required ? "" : ", or none"),
+                            "a list of length " + std::to_string(links) +
+                                ", one entry for each coordinate of the node" + (required ? "" : ", or none"),
                             ""});
 }
 
@@ -383,8 +397,10 @@ void check_lengths(const Parameters& p, int links, const ItemLabel& item) {
 
 void check_names(const char* parameter, const std::vector<std::string>& names, const ItemLabel& item) {
   for (std::size_t i = 1; i < names.size(); ++i)
-    if (const auto before = names.begin() + static_cast<std::ptrdiff_t>(i); !names[i].empty() && std::find(names.begin(), before, names[i]) != before)
-      refuse(ErrorKind::value, {item, parameter, "", "'" + names[i] + "' twice", "names that differ", "Links without a name have an empty string"});
+    if (const auto before = names.begin() + static_cast<std::ptrdiff_t>(i);
+        !names[i].empty() && std::find(names.begin(), before, names[i]) != before)
+      refuse(ErrorKind::value, {item, parameter, "", "'" + names[i] + "' twice", "names that differ",
+                                "Links without a name have an empty string"});
 }
 
 void check_link(const Parameters& p, int i, const ItemLabel& item) {
@@ -393,18 +409,24 @@ void check_link(const Parameters& p, int i, const ItemLabel& item) {
   if (p.jointTypes[at] == JointType::_None)
     refuse(ErrorKind::value, {item, "jointTypes", "", entry + "JointType._None", "a revolute or prismatic joint", ""});
   if (const int parent = p.linkParents[at]; parent < -1 || parent >= i)
-    refuse(ErrorKind::value, {item, "linkParents", "", entry + std::to_string(parent), "a link with a smaller number, or -1 for the base",
-                              "Number the links such that parents come before their children"});
+    refuse(ErrorKind::value,
+           {item, "linkParents", "", entry + std::to_string(parent), "a link with a smaller number, or -1 for the base",
+            "Number the links such that parents come before their children"});
   if (!(p.linkMasses[at] >= 0))
-    refuse(ErrorKind::value, {item, "linkMasses", "", entry + std::to_string(p.linkMasses[at]), "masses that are not negative", ""});
+    refuse(ErrorKind::value,
+           {item, "linkMasses", "", entry + std::to_string(p.linkMasses[at]), "masses that are not negative", ""});
   if (const Verdict verdict = judge_inertia(p.linkMasses[at], p.linkInertiasCOM[at], {}); verdict.fit == Fit::wrong)
-    refuse(ErrorKind::value, {item, "linkInertiasCOM", "entry " + std::to_string(i) + " is not an inertia about the centre of mass", verdict.problem,
-                              "symmetric matrices without negative principal moments", ""});
+    refuse(ErrorKind::value,
+           {item, "linkInertiasCOM", "entry " + std::to_string(i) + " is not an inertia about the centre of mass",
+            verdict.problem, "symmetric matrices without negative principal moments", ""});
 }
 
 struct KinematicTree final : ObjectPhysics {
-  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<KinematicTreeBatch>(); }
-  void check_row(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item, const Row& row) const override {
+  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
+    return std::make_unique<KinematicTreeBatch>();
+  }
+  void check_row(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item,
+                 const Row& row) const override {
     if (!is_of_drives(row)) return check(record, on, ports, item);
     check_lengths(static_cast<const Record*>(record)->parameters, static_cast<int>(on.dofs.size()), item);
   }
@@ -412,7 +434,8 @@ struct KinematicTree final : ObjectPhysics {
     const Parameters& p = static_cast<const Record*>(record)->parameters;
     const int links = static_cast<int>(on.dofs.size());
     if (links == 0)
-      refuse(ErrorKind::value, {item, "nodeNumber", "its node has no coordinates", "", "a NodeGenericODE2 with one coordinate per link", ""});
+      refuse(ErrorKind::value, {item, "nodeNumber", "its node has no coordinates", "",
+                                "a NodeGenericODE2 with one coordinate per link", ""});
     check_lengths(p, links, item);
     check_names("linkNames", p.linkNames, item);
     check_names("jointNames", p.jointNames, item);

@@ -21,8 +21,8 @@ constexpr int most_projections = 10;
 //
 // Gradients are those of the rates by the velocities: Euler parameters turn a frame without their own lengthening, which
 // the gradient of a gap contains. Constraints of velocities are their own rates, so they are differentiated once, not twice.
-void add_gradients(System& system, const State& state, Conditions conditions, const Pattern& pattern, std::span<double> matrix,
-                   std::span<double> part) {
+void add_gradients(System& system, const State& state, Conditions conditions, const Pattern& pattern,
+                   std::span<double> matrix, std::span<double> part) {
   const int end_of_ode2 = system.sizes().ode2, first_ae = system.sizes().first_ae();
   conditions.rate_level = true;
   system.tangent(state, conditions, along_velocities, pattern, part);
@@ -35,8 +35,8 @@ void add_gradients(System& system, const State& state, Conditions conditions, co
 // If accelerations change velocities by h and positions by h^2, they change the accelerations of gaps by
 // G + 2 h dG/dt + h^2 d^2G/dt^2, which is computed by differences along the motion. Near a singular position G is small in
 // some directions, so that its changes dominate.
-void add_changes_of_gradients(System& system, const State& still, Conditions conditions, double h, const Pattern& pattern, std::span<double> matrix,
-                              std::span<double> part) {
+void add_changes_of_gradients(System& system, const State& still, Conditions conditions, double h,
+                              const Pattern& pattern, std::span<double> matrix, std::span<double> part) {
   conditions.rate_level = true;
   double speed = 0, size = 1;
   for (const double v : still.v) speed = std::max(speed, std::abs(v));
@@ -60,8 +60,8 @@ void add_changes_of_gradients(System& system, const State& still, Conditions con
 }
 
 // The columns of the multipliers, around the mass matrix.
-void add_forces_of_multipliers(System& system, const State& state, const Conditions& conditions, const Pattern& pattern, std::span<double> matrix,
-                               std::span<double> part) {
+void add_forces_of_multipliers(System& system, const State& state, const Conditions& conditions, const Pattern& pattern,
+                               std::span<double> matrix, std::span<double> part) {
   const int end_of_ode2 = system.sizes().ode2, first_ae = system.sizes().first_ae();
   system.tangent(state, conditions, along_positions, pattern, part);
   for (int j = end_of_ode2; j < pattern.size(); ++j) {
@@ -116,7 +116,8 @@ int ConstrainedMotion::factorize_with_all_masses(System& system, const State& st
   return factorize_filled(system, state, conditions);
 }
 
-int ConstrainedMotion::factorize_around_matrix(System& system, const State& state, const Conditions& conditions, double step) {
+int ConstrainedMotion::factorize_around_matrix(System& system, const State& state, const Conditions& conditions,
+                                               double step) {
   part_.resize(matrix_.size());
   if (system.sizes().ae > 0) {
     const State still = without_multipliers(state);
@@ -138,7 +139,8 @@ void ConstrainedMotion::solve_as_regular() {
 }
 
 int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
-  if (!constraints_.is_prepared()) [[unlikely]] begin_step(system, state, conditions);
+  if (!constraints_.is_prepared()) [[unlikely]]
+    begin_step(system, state, conditions);
   const auto regularize = [&] {
     constraints_.choose(constraints_.largest(gaps_of_positions(system, state, conditions)));
     constraints_.regularize(*pattern_, matrix_, 1, 1, false);
@@ -153,7 +155,8 @@ int ConstrainedMotion::factorize_filled(System& system, const State& state, cons
 
 void ConstrainedMotion::begin_step(System& system, const State& start, const Conditions& conditions) {
   if (!constraints_.is_prepared()) [[unlikely]] {
-    constraints_.prepare(system, start, conditions, settings_, treats_redundancy_, ConstraintSolver::Matrix::accelerations);
+    constraints_.prepare(system, start, conditions, settings_, treats_redundancy_,
+                         ConstraintSolver::Matrix::accelerations);
     if (constraints_.active()) factors_ = make_linear_solver(*pattern_, type_, constraints_.options(options_));
   }
   if (constraints_.active()) constraints_.remember(constraints_.largest(gaps_of_positions(system, start, conditions)));
@@ -170,15 +173,18 @@ void ConstrainedMotion::fill_for_constraints(System& system, const State& state,
 }
 
 void ConstrainedMotion::solve(std::span<double> x) {
-  if (constraints_.active()) constraints_.solve(*factors_, x);
-  else factors_->solve(x);
+  if (constraints_.active())
+    constraints_.solve(*factors_, x);
+  else
+    factors_->solve(x);
 }
 
 void ConstrainedMotion::make_smallest(std::span<double> lambda) {
   if (constraints_.active()) constraints_.make_smallest(*factors_, lambda);
 }
 
-std::vector<double> ConstrainedMotion::gap_acceleration(System& system, const State& state, const Conditions& conditions) {
+std::vector<double> ConstrainedMotion::gap_acceleration(System& system, const State& state,
+                                                        const Conditions& conditions) {
   const std::size_t n = state.lambda.size();
   std::vector<double> before(n), after(n), step(state.q.size());
   double speed = 0;
@@ -203,7 +209,8 @@ std::vector<double> ConstrainedMotion::gap_acceleration(System& system, const St
   return after;
 }
 
-std::vector<double> ConstrainedMotion::gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions) {
+std::vector<double> ConstrainedMotion::gap_accelerations_of_velocities(System& system, const State& still,
+                                                                       const Conditions& conditions) {
   std::vector<double> gap = gap_acceleration(system, still, conditions);
   find_driven(system, still, conditions);
   if (is_driven_) add_driving(system, still, conditions, gap);
@@ -232,24 +239,27 @@ void add_accelerations(System& system, const State& state, const Conditions& con
 
 }  // namespace
 
-std::vector<double> ConstrainedMotion::gap_accelerations(System& system, const State& state, const Conditions& conditions) {
+std::vector<double> ConstrainedMotion::gap_accelerations(System& system, const State& state,
+                                                         const Conditions& conditions) {
   std::vector<double> gap = gap_accelerations_of_velocities(system, without_multipliers(state), conditions);
   add_accelerations(system, state, conditions, gap);
   return gap;
 }
 
-std::vector<double> ConstrainedMotion::gap_accelerations_without_driving(System& system, const State& state, const Conditions& conditions) {
+std::vector<double> ConstrainedMotion::gap_accelerations_without_driving(System& system, const State& state,
+                                                                         const Conditions& conditions) {
   std::vector<double> gap = gap_acceleration(system, without_multipliers(state), conditions);
   add_accelerations(system, state, conditions, gap);
   return gap;
 }
 
-void ConstrainedMotion::accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a,
-                                      std::span<double> lambda) {
+void ConstrainedMotion::accelerations(System& system, const State& state, const Conditions& conditions,
+                                      std::span<double> a, std::span<double> lambda) {
   const State still = without_multipliers(state);
   const std::vector<double> gap = gap_accelerations_of_velocities(system, still, conditions);
   std::vector<double> now(gap.size());
-  if (!std::ranges::all_of(system.static_signs(), [](double sign) { return sign < 0; })) system.gaps(still, at_level(conditions, false), now);
+  if (!std::ranges::all_of(system.static_signs(), [](double sign) { return sign < 0; }))
+    system.gaps(still, at_level(conditions, false), now);
   std::ranges::fill(x_, 0.0);
   std::ranges::copy(a, x_.begin());
   for (std::size_t k = 0; k < gap.size(); ++k)
@@ -261,8 +271,8 @@ void ConstrainedMotion::accelerations(System& system, const State& state, const 
 }
 
 // The mean of both sides has an error of second order in the distance, the extrapolation of two distances one of fourth order.
-bool ConstrainedMotion::follow_motion(System& system, const State& start, const Conditions& conditions, std::vector<double>& a, std::vector<double>& lambda,
-                                      const Find& find) {
+bool ConstrainedMotion::follow_motion(System& system, const State& start, const Conditions& conditions,
+                                      std::vector<double>& a, std::vector<double>& lambda, const Find& find) {
   constexpr double distance = 1e-3;            // relative to the size of the model
   constexpr double same = 1e-4, agree = 0.1;  // relative differences of accelerations
   const std::vector<double>& direction = largest(start.v) > at_rest ? start.v : a;
@@ -271,7 +281,8 @@ bool ConstrainedMotion::follow_motion(System& system, const State& start, const 
   if (!(size > at_rest)) return true;
   std::vector<double> spread(a.size());
   const auto mean = [&](double part) {
-    std::pair<std::vector<double>, std::vector<double>> sum{std::vector<double>(a.size()), std::vector<double>(lambda.size())};
+    std::pair<std::vector<double>, std::vector<double>> sum{std::vector<double>(a.size()),
+                                                            std::vector<double>(lambda.size())};
     for (const double side : {-1.0, 1.0}) {
       State moved = start;
       std::vector<double> step = direction;
@@ -296,7 +307,8 @@ bool ConstrainedMotion::follow_motion(System& system, const State& start, const 
     return most;
   };
   const auto near = mean(distance);
-  if (!(difference(near.first) > same * std::max(largest(a), largest(near.first)))) return factorize(system, start, conditions) == LinearSolver::success;
+  if (!(difference(near.first) > same * std::max(largest(a), largest(near.first))))
+    return factorize(system, start, conditions) == LinearSolver::success;
   const bool agrees = largest(spread) <= agree * largest(near.first);
   const auto far = mean(2 * distance);
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = (4 * near.first[i] - far.first[i]) / 3;
@@ -304,8 +316,8 @@ bool ConstrainedMotion::follow_motion(System& system, const State& start, const 
   return factorize(system, start, conditions) == LinearSolver::success && agrees;
 }
 
-void ConstrainedMotion::make_smallest(const ConstraintSolver& metric, System& system, const State& state, const Conditions& conditions,
-                                      std::span<double> lambda) {
+void ConstrainedMotion::make_smallest(const ConstraintSolver& metric, System& system, const State& state,
+                                      const Conditions& conditions, std::span<double> lambda) {
   fill_for_constraints(system, state, conditions);
   replace_gradients_by_forces(system.sizes(), *pattern_, matrix_);
   if (!constraints_.is_prepared()) factors_ = make_linear_solver(*pattern_, type_, metric.options(options_));
@@ -331,7 +343,8 @@ std::vector<char> driven_equations(System& system, const State& state, const Con
   return driven;
 }
 
-void ConstrainedMotion::find_constraints_of_velocities(System& system, const State& still, const Conditions& conditions) {
+void ConstrainedMotion::find_constraints_of_velocities(System& system, const State& still,
+                                                       const Conditions& conditions) {
   if (!of_velocities_.empty()) return;
   of_velocities_.assign(still.lambda.size(), 0);
   part_.resize(matrix_.size());
@@ -344,7 +357,8 @@ void ConstrainedMotion::find_constraints_of_velocities(System& system, const Sta
 // Adds the contribution of prescribed functions of time along the motion, by first differences of rates and second
 // differences of gaps. The difference to the gaps at a fixed time is taken because Euler parameters that move along a line
 // become longer, which changes gaps but not their rates.
-void ConstrainedMotion::add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap) {
+void ConstrainedMotion::add_driving(System& system, const State& still, const Conditions& conditions,
+                                    std::vector<double>& gap) {
   find_constraints_of_velocities(system, still, conditions);
   constexpr double tau = 1e-4;
   std::vector<double> before(gap.size()), after(gap.size());
@@ -362,7 +376,8 @@ void ConstrainedMotion::add_driving(System& system, const State& still, const Co
   evaluate(-tau, before);
   evaluate(tau, after);
   for (std::size_t k = 0; k < gap.size(); ++k)
-    if (driven_[k]) gap[k] += of_velocities_[k] ? (after[k] - before[k]) / (2 * tau) : (after[k] + before[k]) / (tau * tau);
+    if (driven_[k])
+      gap[k] += of_velocities_[k] ? (after[k] - before[k]) / (2 * tau) : (after[k] + before[k]) / (tau * tau);
 }
 
 std::span<const double> ConstrainedMotion::move(std::span<const double> gaps) {
@@ -383,8 +398,10 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
   const auto close = [&](bool of_rates, double size, auto&& apply) {
     double left = 0, before = 0;
     for (int i = 0; i < most_projections; ++i) {
-      if (of_rates && is_driven_) gaps = constraint_rates(system, still, at_level(conditions, false)).rates;
-      else system.gaps(still, at_level(conditions, of_rates), gaps);
+      if (of_rates && is_driven_)
+        gaps = constraint_rates(system, still, at_level(conditions, false)).rates;
+      else
+        system.gaps(still, at_level(conditions, of_rates), gaps);
       for (std::size_t k = 0; k < n; ++k)
         if (!system.constrains_motion(static_cast<int>(k)) || (!of_rates && of_velocities_[k])) gaps[k] = 0;
       const double open = constraints_.active() && !of_rates ? constraints_.largest_of_all(gaps) : largest(gaps) / size;
@@ -395,7 +412,8 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
     }
     return left;
   };
-  const double of_positions = close(false, system.extent(), [&](std::span<const double> step) { move_positions(system, step, still.q); });
+  const double of_positions =
+      close(false, system.extent(), [&](std::span<const double> step) { move_positions(system, step, still.q); });
   const double of_velocities = close(true, std::max(1.0, largest(still.v)), [&](std::span<const double> step) {
     for (std::size_t i = 0; i < still.v.size(); ++i) still.v[i] += step[i];
   });

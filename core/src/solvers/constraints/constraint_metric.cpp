@@ -38,10 +38,18 @@ double geometric_mean(const std::vector<double>& numbers) {
 class ScaledColumns {
  public:
   ScaledColumns(System& system, const State& still, const Conditions& conditions, Inertia inertia)
-      : system_(system), pattern_(system.pattern(false)), ode2_(system.sizes().ode2), first_ae_(system.sizes().first_ae()), units_(system.coordinate_units()),
-        nodes_(system.nodes_of_coordinates()), forces_(static_cast<std::size_t>(pattern_.values())), masses_(forces_.size()) {
-    if (inertia == Inertia::masses) system.mass_matrix(still, pattern_, masses_);
-    else fill_with_lengths();
+      : system_(system),
+        pattern_(system.pattern(false)),
+        ode2_(system.sizes().ode2),
+        first_ae_(system.sizes().first_ae()),
+        units_(system.coordinate_units()),
+        nodes_(system.nodes_of_coordinates()),
+        forces_(static_cast<std::size_t>(pattern_.values())),
+        masses_(forces_.size()) {
+    if (inertia == Inertia::masses)
+      system.mass_matrix(still, pattern_, masses_);
+    else
+      fill_with_lengths();
     system.tangent(still, at_level(conditions, false), along_positions, pattern_, forces_);
     for (int j = 0; j < ode2_; ++j) diagonal_.push_back(masses_[static_cast<std::size_t>(pattern_.slot(j, j))]);
     fill_in_masses(system, diagonal_);
@@ -72,7 +80,8 @@ class ScaledColumns {
     each_force(equation, [&](int j, double g) {
       const auto turning = turnings_.find(nodes_[at(j)]);
       if (turning != turnings_.end() && units_[at(j)] == CoordinateUnit::radian) {
-        Eigen::VectorXd& moment = moments.try_emplace(nodes_[at(j)], Eigen::VectorXd::Zero(turning->second.root.rows())).first->second;
+        Eigen::VectorXd& moment =
+            moments.try_emplace(nodes_[at(j)], Eigen::VectorXd::Zero(turning->second.root.rows())).first->second;
         moment[j - turning->second.first] = g;
       } else if (diagonal_[at(j)] > no_inertia * inertia[kind(j)]) {
         entries.push_back({j, g / std::sqrt(diagonal_[at(j)])});
@@ -81,7 +90,8 @@ class ScaledColumns {
     for (const auto& [node, moment] : moments) {
       const Turning& turning = turnings_.at(node);
       const Eigen::VectorXd scaled = turning.root * moment;
-      for (Eigen::Index i = 0; i < scaled.size(); ++i) entries.push_back({turning.first + static_cast<int>(i), scaled[i]});
+      for (Eigen::Index i = 0; i < scaled.size(); ++i)
+        entries.push_back({turning.first + static_cast<int>(i), scaled[i]});
     }
     return entries;
   }
@@ -93,7 +103,8 @@ class ScaledColumns {
   };
   void fill_with_lengths() {
     const double length = system_.extent();
-    for (int j = 0; j < ode2_; ++j) masses_[at(pattern_.slot(j, j))] = units_[at(j)] == CoordinateUnit::radian ? length * length : 1;
+    for (int j = 0; j < ode2_; ++j)
+      masses_[at(pattern_.slot(j, j))] = units_[at(j)] == CoordinateUnit::radian ? length * length : 1;
   }
   static std::size_t at(int j) { return static_cast<std::size_t>(j); }
   std::size_t kind(int j) const { return static_cast<std::size_t>(units_[at(j)]); }
@@ -105,7 +116,8 @@ class ScaledColumns {
       each_force(owner.first, [&](int j, double g) { condition.emplace_back(j, g); });
       if (condition.empty()) continue;
       int first = condition.front().first, end = first + 1;
-      while (first > 0 && nodes_[at(first - 1)] == nodes_[at(first)] && units_[at(first - 1)] == units_[at(first)]) --first;
+      while (first > 0 && nodes_[at(first - 1)] == nodes_[at(first)] && units_[at(first - 1)] == units_[at(first)])
+        --first;
       while (end < ode2_ && nodes_[at(end)] == nodes_[at(first)] && units_[at(end)] == units_[at(first)]) ++end;
       const int n = end - first;
       Eigen::MatrixXd inertia(n, n);
@@ -155,8 +167,10 @@ Mechanisms find_mechanisms(const System& system, const ScaledColumns& columns, s
       const int body = bodies[static_cast<std::size_t>(j)];
       if (body < 0) return;
       int& other = first[static_cast<std::size_t>(body)];
-      if (other < 0) other = k;
-      else joined.join(k, other);
+      if (other < 0)
+        other = k;
+      else
+        joined.join(k, other);
     });
   }
   Mechanisms found{std::vector<int>(examined.size(), -1), std::vector<int>(bodies.size(), -1)};
@@ -168,14 +182,16 @@ Mechanisms find_mechanisms(const System& system, const ScaledColumns& columns, s
   for (int k = 0; k < equations; ++k)
     if (examined[static_cast<std::size_t>(k)]) found.of_equation[static_cast<std::size_t>(k)] = number_of(k);
   for (std::size_t j = 0; j < bodies.size(); ++j)
-    if (bodies[j] >= 0 && first[static_cast<std::size_t>(bodies[j])] >= 0) found.of_coordinate[j] = number_of(first[static_cast<std::size_t>(bodies[j])]);
+    if (bodies[j] >= 0 && first[static_cast<std::size_t>(bodies[j])] >= 0)
+      found.of_coordinate[j] = number_of(first[static_cast<std::size_t>(bodies[j])]);
   return found;
 }
 
 // Equations of one kind have the same weight in a mechanism, independently of masses, so that equal hinges carry equal parts.
 struct KindWeights {
   double force = 0, moment = 0, other = 0, size = 0;
-  KindWeights(std::map<CoordinateUnit, std::vector<double>> of_kind, double size_of_mechanism, double size_of_model, double moment_length)
+  KindWeights(std::map<CoordinateUnit, std::vector<double>> of_kind, double size_of_mechanism, double size_of_model,
+              double moment_length)
       : force(geometric_mean(of_kind[CoordinateUnit::meter])),
         moment(geometric_mean(of_kind[CoordinateUnit::radian])),
         other(geometric_mean(of_kind[CoordinateUnit::unknown])) {
@@ -184,11 +200,16 @@ struct KindWeights {
     size = size_of_mechanism > 0 ? size_of_mechanism : gyration > 0 ? gyration : size_of_model;
     const double arm = gyration > 0 ? std::clamp(size, smallest_arm * gyration, largest_arm * gyration) : size;
     const double length = moment_length > 0 ? moment_length : arm;
-    if (force > 0) moment = force / (length * length);
-    else if (moment > 0) force = moment * length * length;
+    if (force > 0)
+      moment = force / (length * length);
+    else if (moment > 0)
+      force = moment * length * length;
   }
   double of(CoordinateUnit kind) const {
-    const double weight = kind == CoordinateUnit::meter ? force : kind == CoordinateUnit::radian ? moment : other > 0 ? other : force;
+    const double weight = kind == CoordinateUnit::meter    ? force
+                          : kind == CoordinateUnit::radian ? moment
+                          : other > 0                      ? other
+                                                           : force;
     return weight > 0 ? weight : 1;
   }
 };
@@ -200,7 +221,8 @@ double squared_length(const std::vector<ConstraintMetric::Entry>& column) {
 }
 
 // Removes columns one by one, each with a row in which no other column has an entry. Removals may free rows for others.
-bool all_have_own_rows(const std::vector<std::vector<ConstraintMetric::Entry>>& columns, std::span<const char> examined, int rows) {
+bool all_have_own_rows(const std::vector<std::vector<ConstraintMetric::Entry>>& columns, std::span<const char> examined,
+                       int rows) {
   // By row: number of columns with an entry, and the sum of their indices.
   std::vector<int> count(static_cast<std::size_t>(rows), 0), sum(count.size(), 0), alone;
   const auto each = [&](int k, auto&& f) {
@@ -246,14 +268,17 @@ double ConstraintMetric::largest(std::span<const double> gaps) const {
   return size;
 }
 
-ConstraintMetric constraint_metric(System& system, const State& state, const Conditions& conditions, double moment_length, Inertia inertia) {
+ConstraintMetric constraint_metric(System& system, const State& state, const Conditions& conditions,
+                                   double moment_length, Inertia inertia) {
   const auto n = static_cast<std::size_t>(system.sizes().ae);
-  ConstraintMetric metric{std::vector<double>(n, 0.0), std::vector<double>(n, 1.0), std::vector<CoordinateUnit>(n, CoordinateUnit::unknown),
-                          std::vector<char>(n, 0), std::vector<std::vector<ConstraintMetric::Entry>>(n)};
+  ConstraintMetric metric{std::vector<double>(n, 0.0), std::vector<double>(n, 1.0),
+                          std::vector<CoordinateUnit>(n, CoordinateUnit::unknown), std::vector<char>(n, 0),
+                          std::vector<std::vector<ConstraintMetric::Entry>>(n)};
   if (n == 0) return metric;
   const ScaledColumns columns(system, without_multipliers(state), conditions, inertia);
   std::vector<char> examined(n);
-  for (std::size_t k = 0; k < n; ++k) examined[k] = system.constrains_motion(static_cast<int>(k)) && !columns.is_off(static_cast<int>(k));
+  for (std::size_t k = 0; k < n; ++k)
+    examined[k] = system.constrains_motion(static_cast<int>(k)) && !columns.is_off(static_cast<int>(k));
   for (const System::EquationOwner& owner : system.equation_owners())
     if (owner.of_node) std::fill_n(examined.begin() + owner.first, owner.count, 0);
 
@@ -270,7 +295,8 @@ ConstraintMetric constraint_metric(System& system, const State& state, const Con
   }
   for (std::size_t k = 0; k < n; ++k) {
     if (!examined[k]) continue;
-    if (!(forces[k] > round_off_of_forces * round_off_of_forces * largest_force)) continue;  // redundant: it acts on no coordinate
+    if (!(forces[k] > round_off_of_forces * round_off_of_forces * largest_force))
+      continue;  // redundant: it acts on no coordinate
     metric.columns[k] = columns.column(static_cast<int>(k));
     ratios[k] = squared_length(metric.columns[k]);
   }
@@ -285,12 +311,14 @@ ConstraintMetric constraint_metric(System& system, const State& state, const Con
   }
   std::vector<KindWeights> weights;
   const double extent = system.extent();
-  for (std::size_t i = 0; i < lengths.size(); ++i) weights.emplace_back(apart[i].empty() ? all : apart[i], lengths[i], extent, moment_length);
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    weights.emplace_back(apart[i].empty() ? all : apart[i], lengths[i], extent, moment_length);
   for (std::size_t k = 0; k < n; ++k) {
     if (!examined[k]) continue;
     const KindWeights& known = weights[static_cast<std::size_t>(mechanisms.of_equation[k])];
     metric.weights[k] = known.of(metric.kinds[k]);
-    if (metric.kinds[k] == CoordinateUnit::meter) metric.units[k] = std::max(known.size, smallest_share_of_model * extent);
+    if (metric.kinds[k] == CoordinateUnit::meter)
+      metric.units[k] = std::max(known.size, smallest_share_of_model * extent);
   }
   metric.has_loops = !all_have_own_rows(metric.columns, examined, system.sizes().ode2);
   return metric;

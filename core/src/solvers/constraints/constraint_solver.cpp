@@ -23,7 +23,8 @@ constexpr double largest_eps = 1e-6, largest_eps_of_rates = 1e-3, largest_static
 constexpr double misfit_factors[] = {0, 6, -8, 3};
 // Newton's method leaves gaps up to this size in joints that fit.
 constexpr double fitting_gap = 1e-11;
-constexpr double visible_part = 1e-3;  // of eps in the strength of a constraint, which is an estimate: errors of reactions above 1 %
+constexpr double visible_part =
+    1e-3;  // of eps in the strength of a constraint, which is an estimate: errors of reactions above 1 %
 constexpr double eps_of_free = 1e3;  // of equations that are left free
 constexpr int most_refinements = 12;  // joints that fit need 2 to 4
 constexpr double refined = 1e-12;
@@ -56,7 +57,8 @@ void ConstraintSolver::prepare(System& system, const State& state, const Conditi
   std::vector<double> part(static_cast<std::size_t>(pattern.values()));
   system.tangent(without_multipliers(state), at_level(conditions, false), along_velocities, pattern, part);
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
-    if (row >= first_ae_ && column < system.sizes().ode2 && part[slot] != 0) of_velocities_[static_cast<std::size_t>(row - first_ae_)] = 1;
+    if (row >= first_ae_ && column < system.sizes().ode2 && part[slot] != 0)
+      of_velocities_[static_cast<std::size_t>(row - first_ae_)] = 1;
   });
   entries_.assign(metric_.size(), 0.0);
   strength_ = rank.strength();
@@ -71,7 +73,8 @@ bool ConstraintSolver::activate() {
 double ConstraintSolver::largest(std::span<const double> gaps) const {
   double size = 0;
   for (const int k : rows_)
-    if (!of_velocities_[static_cast<std::size_t>(k)]) size = std::max(size, std::abs(gaps[static_cast<std::size_t>(k)]) / unit(k));
+    if (!of_velocities_[static_cast<std::size_t>(k)])
+      size = std::max(size, std::abs(gaps[static_cast<std::size_t>(k)]) / unit(k));
   return size;
 }
 
@@ -90,7 +93,10 @@ void ConstraintSolver::choose(double gap, bool of_rates) {
   const bool moves = kind_ != Matrix::statics;
   const double most = moves ? std::max(largest_gap_, gap) : gap;
   fit_ = !((kind_ == Matrix::motion ? largest_gap_ : most) > fitting_gap);
-  eps_ = std::clamp((of_rates ? eps_of_rates_per_squared_gap : eps_per_squared_gap) * most * most, regular_eps_, !moves ? largest_static_eps : of_rates ? largest_eps_of_rates : largest_eps);
+  eps_ = std::clamp((of_rates ? eps_of_rates_per_squared_gap : eps_per_squared_gap) * most * most, regular_eps_,
+                    !moves     ? largest_static_eps
+                    : of_rates ? largest_eps_of_rates
+                               : largest_eps);
   hides_constraints_ |= active_ && moves && eps_ > regular_eps_ && eps_ > visible_part * strength_;
 }
 
@@ -101,7 +107,8 @@ LinearSolverOptions ConstraintSolver::options(LinearSolverOptions options) const
   return options;
 }
 
-void ConstraintSolver::regularize(const Pattern& pattern, std::span<double> values, double scale, double rate, bool all_rates) {
+void ConstraintSolver::regularize(const Pattern& pattern, std::span<double> values, double scale, double rate,
+                                  bool all_rates) {
   if (slots_.empty())
     for (const int k : rows_) slots_.push_back(pattern.slot(first_ae_ + k, first_ae_ + k));
   std::vector<char> is_free(metric_.size(), 0);
@@ -190,7 +197,8 @@ void ConstraintSolver::make_smallest(LinearSolver& factors, std::span<double> mu
   }
 }
 
-double scale_of_masses(std::span<const double> masses, const Pattern& pattern, std::span<const double> matrix, int ode2) {
+double scale_of_masses(std::span<const double> masses, const Pattern& pattern, std::span<const double> matrix,
+                       int ode2) {
   constexpr double round_off = 1e-10;  // smaller entries, relative to the largest, are round-off of terms that cancel
   std::vector<double> ratios;
   for (int j = 0; j < ode2; ++j) {

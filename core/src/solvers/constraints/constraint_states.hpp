@@ -44,7 +44,8 @@ inline void fill_in_masses(const System& system, std::span<double> masses) {
   const std::vector<CoordinateUnit> units = system.coordinate_units();
   for (std::size_t first = 0, end = 0; first < masses.size(); first = end) {
     double most = 0;
-    for (end = first; end < masses.size() && nodes[end] == nodes[first] && units[end] == units[first]; ++end) most = std::max(most, masses[end]);
+    for (end = first; end < masses.size() && nodes[end] == nodes[first] && units[end] == units[first]; ++end)
+      most = std::max(most, masses[end]);
     for (std::size_t j = first; j < end; ++j)
       if (!(masses[j] > 0)) masses[j] = most > 0 ? most : 1;
   }
@@ -79,7 +80,8 @@ inline void leave_out_ode1(const Sizes& s, const Pattern& pattern, std::span<dou
 // Replaces constraint rows by the transposed columns of constraint forces, which determine the multipliers without force.
 inline void replace_gradients_by_forces(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
-    if (column >= s.first_ae() && row < s.ode2) matrix[static_cast<std::size_t>(pattern.slot(column, row))] = matrix[slot];
+    if (column >= s.first_ae() && row < s.ode2)
+      matrix[static_cast<std::size_t>(pattern.slot(column, row))] = matrix[slot];
   });
 }
 

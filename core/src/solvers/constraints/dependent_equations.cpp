@@ -47,8 +47,12 @@ std::vector<int> rows_of_kernel(const Pattern& pattern, std::span<const double> 
 
 }  // namespace
 
-std::vector<int> dependent_equations(const Pattern& pattern, std::span<const double> values) { return rows_of_kernel(pattern, values, true); }
+std::vector<int> dependent_equations(const Pattern& pattern, std::span<const double> values) {
+  return rows_of_kernel(pattern, values, true);
+}
 
-std::vector<int> free_unknowns(const Pattern& pattern, std::span<const double> values) { return rows_of_kernel(pattern, values, false); }
+std::vector<int> free_unknowns(const Pattern& pattern, std::span<const double> values) {
+  return rows_of_kernel(pattern, values, false);
+}
 
 }  // namespace dalembert

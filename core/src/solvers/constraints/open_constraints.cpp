@@ -47,7 +47,8 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
   const auto n = static_cast<std::size_t>(system.sizes().ae);
   const State still = without_multipliers(state);
   const Conditions position = at_level(conditions, false), rate = at_level(conditions, true);
-  ConstraintRates now{std::vector<double>(n), std::vector<double>(n), std::vector<char>(n), std::vector<CoordinateUnit>(n)};
+  ConstraintRates now{std::vector<double>(n), std::vector<double>(n), std::vector<char>(n),
+                      std::vector<CoordinateUnit>(n)};
   std::vector<double> along(n), before(n), after(n), later(n);  // `along` is the contribution of the velocities
   const std::vector<CoordinateUnit> units = system.coordinate_units();
   each_gradient(system, still, position, along_velocities, [&](int k, int, double) { now.of_velocities[k] = 1; });
@@ -60,7 +61,8 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
   if (conditions.rate_level) return now;  // the solver enforces these rates
   // User functions may be undefined before the start or after the end: one-sided differences of second order.
   State moved = still;
-  const double length = 1e-5 * std::max(1.0, std::abs(state.time)), step = state.time + 2 * length > latest ? -length : length;
+  const double length = 1e-5 * std::max(1.0, std::abs(state.time)),
+               step = state.time + 2 * length > latest ? -length : length;
   const auto gaps_after = [&](double time, std::vector<double>& gaps) {
     moved.time = state.time + time;
     system.gaps(moved, position, gaps);
@@ -80,10 +82,12 @@ namespace {
 ConstraintRates constraints_at_rest(System& system, const State& state, const Conditions& conditions) {
   const auto n = static_cast<std::size_t>(system.sizes().ae);
   const State still = without_multipliers(state);
-  ConstraintRates now{std::vector<double>(n), std::vector<double>(n), std::vector<char>(n), std::vector<CoordinateUnit>(n)};
+  ConstraintRates now{std::vector<double>(n), std::vector<double>(n), std::vector<char>(n),
+                      std::vector<CoordinateUnit>(n)};
   const std::vector<CoordinateUnit> units = system.coordinate_units();
   each_gradient(system, still, conditions, along_velocities, [&](int k, int, double) { now.of_velocities[k] = 1; });
-  each_gradient(system, still, conditions, along_positions, [&](int k, int j, double) { now.units[k] = std::max(now.units[k], units[j]); });
+  each_gradient(system, still, conditions, along_positions,
+                [&](int k, int j, double) { now.units[k] = std::max(now.units[k], units[j]); });
   return now;
 }
 
@@ -96,7 +100,8 @@ std::vector<OpenConstraint> open_constraints(System& system, const State& state,
   std::vector<double> gaps(still.lambda.size()), rates(gaps.size());
   system.gaps(still, at_level(conditions, false), gaps);
   if (tolerances.rates) system.gaps(still, at_level(conditions, true), rates);
-  if (std::max(largest(gaps), largest(rates)) <= tolerances.position * std::min(1.0, smallest_unit(system))) return open;
+  if (std::max(largest(gaps), largest(rates)) <= tolerances.position * std::min(1.0, smallest_unit(system)))
+    return open;
 
   const std::vector<double> sizes = constraint_metric(system, still, at_level(conditions, false)).units;
   const ConstraintRates now = tolerances.rates ? constraint_rates(system, state, conditions)
@@ -104,7 +109,8 @@ std::vector<OpenConstraint> open_constraints(System& system, const State& state,
   const auto look = [&](int k, bool of_rate, double gap, double speed) {
     const CoordinateUnit unit = now.units[k];
     const double limit =
-        std::max(tolerances.position * (unit == CoordinateUnit::meter ? sizes[static_cast<std::size_t>(k)] : 1.0), speed * tolerances.velocity);
+        std::max(tolerances.position * (unit == CoordinateUnit::meter ? sizes[static_cast<std::size_t>(k)] : 1.0),
+                 speed * tolerances.velocity);
     if (std::abs(gap) > limit) open.push_back({k, of_rate, gap, std::abs(gap) / std::max(limit, 1e-300), unit});
   };
   for (int k = 0; k < system.sizes().ae; ++k) {
@@ -118,7 +124,8 @@ std::vector<OpenConstraint> open_constraints(System& system, const State& state,
 
 std::string listed(const std::vector<OpenConstraint>& open, const System& system) {
   constexpr std::size_t most = 5;
-  std::string text = std::to_string(open.size()) + (open.size() == 1 ? " constraint equation:" : " constraint equations:");
+  std::string text =
+      std::to_string(open.size()) + (open.size() == 1 ? " constraint equation:" : " constraint equations:");
   for (std::size_t i = 0; i < std::min(most, open.size()); ++i) text += "\n  " + open[i].text(system);
   return open.size() > most ? text + "\n  ..." : text;
 }

@@ -24,7 +24,7 @@ namespace {
 // in one, there is no reference value, and a fixed limit is used.
 constexpr double weaker_by = 300, smallest_growth = 100, growth_beside_start = 1e4, singular_growth = 1e14;
 constexpr double largest_relative_turn = 0.1;  // change of velocities in a step, relative to their size
-constexpr double no_tolerance = 1e-30;         // of squared remainders
+constexpr double no_tolerance = 1e-30;  // of squared remainders
 // Errors in units of the tolerances.
 constexpr double most_noise = 1e4;
 constexpr double not_to_be_trusted = 1000;
@@ -35,7 +35,8 @@ constexpr double not_to_be_trusted = 1000;
 // constraints are evidently independent, infinite in a singular position.
 double SingularPositions::growth_of_multipliers(const State& state) {
   const Conditions conditions = at_level(conditions_, false);
-  const ConstraintRank rank(system(), state, conditions, constraint_metric(system(), state, conditions, 0, Inertia::lengths), no_tolerance);
+  const ConstraintRank rank(system(), state, conditions,
+                            constraint_metric(system(), state, conditions, 0, Inertia::lengths), no_tolerance);
   if (rank.count() > 0) return std::numeric_limits<double>::infinity();
   return rank.weakest() > 0 ? 1 / rank.weakest() : 0;
 }
@@ -103,16 +104,20 @@ void SingularPositions::compare_with(const State& state) {
   return true;
 }
 
-void SingularPositions::report() {
-  solver_.diagnostics_->diagnose(FailureReason::singular_position).advice = advice();
-}
+void SingularPositions::report() { solver_.diagnostics_->diagnose(FailureReason::singular_position).advice = advice(); }
 
 std::vector<std::string> SingularPositions::advice() const {
-  std::vector<std::string> list = {"use larger steps, which lead beyond it: larger tolerances, or equal steps (timeIntegration.automaticStepSize=False)"};
+  std::vector<std::string> list = {
+      "use larger steps, which lead beyond it: larger tolerances, or equal steps "
+      "(timeIntegration.automaticStepSize=False)"};
   if (!solver_.keeps_positions())
-    list.emplace_back("keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can go");
-  list.emplace_back("where the motion starts there, start further from this position, or faster: forces that turn slow velocities within 1e-3 of the size "
-                      "of the model decide by round-off how it goes on");
+    list.emplace_back(
+        "keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can "
+        "go");
+  list.emplace_back(
+      "where the motion starts there, start further from this position, or faster: forces that turn slow velocities "
+      "within 1e-3 of the size "
+      "of the model decide by round-off how it goes on");
   return list;
 }
 
@@ -138,7 +143,8 @@ State SingularPositions::moved_along_velocities(const State& at, double part) {
   const Conditions conditions = at_level(conditions_, false);
   motion.begin_step(system(), at, conditions);
   State projected = moved;
-  const bool succeeds = motion.factorize(system(), moved, conditions) == LinearSolver::success && motion.project(system(), projected, conditions);
+  const bool succeeds = motion.factorize(system(), moved, conditions) == LinearSolver::success &&
+                        motion.project(system(), projected, conditions);
   return succeeds ? projected : moved;
 }
 
@@ -146,7 +152,8 @@ std::vector<std::string> SingularPositions::items() {
   Conditions conditions = conditions_;
   conditions.rate_level = false;
   const auto rank_at = [&](const State& state) {
-    return ConstraintRank(system(), state, conditions, constraint_metric(system(), state, conditions, settings().redundantConstraints.momentLength),
+    return ConstraintRank(system(), state, conditions,
+                          constraint_metric(system(), state, conditions, settings().redundantConstraints.momentLength),
                           close_to_position * close_to_position);
   };
   const ConstraintRank here = rank_at(current());
@@ -160,7 +167,8 @@ std::vector<std::string> SingularPositions::items() {
   std::vector<std::string> more, all;
   for (const ConstraintRank::Item& item : here.items(system())) {
     const auto same = std::ranges::find(always, item.object, &ConstraintRank::Item::object);
-    all.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " follow from others in this position");
+    all.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) +
+                  " follow from others in this position");
     if (same == always.end() || same->removable < item.removable) more.push_back(all.back());
   }
   return more.empty() ? all : more;
@@ -168,7 +176,8 @@ std::vector<std::string> SingularPositions::items() {
 
 [[gnu::noinline]] void SingularPositions::name_in_diagnosis() {
   const FailureReason reason = diagnosis_.reason;
-  const bool may_be = reason == FailureReason::newton || reason == FailureReason::open_constraints || reason == FailureReason::error_control;
+  const bool may_be = reason == FailureReason::newton || reason == FailureReason::open_constraints ||
+                      reason == FailureReason::error_control;
   if (is_static() || sizes_.ae == 0 || sizes_.ae > most_equations || !settings().redundantConstraints.treat) return;
   if (!may_be && reason != FailureReason::singular_position && reason != FailureReason::round_off) return;
   std::vector<std::string> named = items();
@@ -185,14 +194,19 @@ std::vector<std::string> SingularPositions::items() {
   warned_of_rest_ = true;
   std::vector<std::string> named = sizes_.ae <= most_equations ? items() : std::vector<std::string>();
   system().reactions_are_known({});
-  warn(name() + ": the motion comes nearly to rest beside a singular position, where the mechanism could go on in more ways than one" + solver_.position_text() +
-       "; which one it takes may follow from errors within the tolerances. Compare with smaller ones, or with equal steps of half the size" +
+  warn(name() +
+       ": the motion comes nearly to rest beside a singular position, where the mechanism could go on in more ways "
+       "than one" +
+       solver_.position_text() +
+       "; which one it takes may follow from errors within the tolerances. Compare with smaller ones, or with equal "
+       "steps of half the size" +
        (named.empty() ? "" : ":" + indented(std::move(named))));
 }
 
 [[gnu::noinline]] void SingularPositions::warn_of_undecided_start() {
   if (std::exchange(warned_of_undecided_start_, true)) return;
-  warn(name() + ": the motion starts in a singular position, where the mechanism could go on in more ways than one; "
+  warn(name() +
+       ": the motion starts in a singular position, where the mechanism could go on in more ways than one; "
        "the velocities do not decide which. Accelerations and reactions at the start follow the velocities, or are the "
        "smallest that constraints allow. Start a little beside this position, or with smaller forces and stiffness");
 }
@@ -204,7 +218,8 @@ std::vector<std::string> SingularPositions::items() {
   passing_steps_ = last + few < it.currentStepIndex ? 1 : passing_steps_ + 1;
   ++it.singularPositionSteps;
   if (verbose(1) && last + 1 != it.currentStepIndex)
-    say(1, "  passing a singular position, where the mechanism could go on in more ways than one" + solver_.position_text() + "\n");
+    say(1, "  passing a singular position, where the mechanism could go on in more ways than one" +
+               solver_.position_text() + "\n");
 }
 
 }  // namespace dalembert

@@ -24,8 +24,19 @@ namespace {
 // Numbers of the loop over steps, in the order of the restart file. The numbers of the solver, the counts and the
 // gimbal-lock records follow.
 enum RunNumber : std::size_t {
-  start_time, step_index, last_step_size, solution_written, sensors_written, image_recorded, singular_position_step, passing_steps, largest_misfit,
-  smallest_step_size, largest_step_size, first_of_sizes, count = first_of_sizes + StepController::restart_size
+  start_time,
+  step_index,
+  last_step_size,
+  solution_written,
+  sensors_written,
+  image_recorded,
+  singular_position_step,
+  passing_steps,
+  largest_misfit,
+  smallest_step_size,
+  largest_step_size,
+  first_of_sizes,
+  count = first_of_sizes + StepController::restart_size
 };
 
 double as_number(StepCount n) { return static_cast<double>(n); }
@@ -45,8 +56,8 @@ void Continuation::read() {
   if (name.empty()) return;
   auto data = std::make_unique<RestartData>(read_restart_file(name));
   if (data->solver != this->name()) {
-    throw ModelError(ErrorKind::value, "continuation.restartFileName: '" + name + "' was written by " + data->solver + "; expected " +
-                                           this->name() + ". Go on with the solver that has begun");
+    throw ModelError(ErrorKind::value, "continuation.restartFileName: '" + name + "' was written by " + data->solver +
+                                           "; expected " + this->name() + ". Go on with the solver that has begun");
   }
   data_ = std::move(data);
 }
@@ -56,18 +67,23 @@ void Continuation::take() {
   const std::string name = file_of(settings());
   const RestartData& data = *data_;
   require_fitting(data, current(), name);
-  const std::size_t without_locks = RunNumber::count + solver_.restart_numbers().size() + SolverIterationData::counts.size();
+  const std::size_t without_locks =
+      RunNumber::count + solver_.restart_numbers().size() + SolverIterationData::counts.size();
   if (data.run.size() < without_locks || (data.run.size() - without_locks) % LockingAngles::numbers_per_lock != 0) {
     throw ModelError(ErrorKind::value, "restart file '" + name + "': received " + std::to_string(data.run.size()) +
                                            " numbers about the run; expected " + std::to_string(without_locks));
   }
   if (data.run[start_time] != it.startTime) {
-    throw ModelError(ErrorKind::value, "continuation.restartFileName: the solution in '" + name + "' has begun at time " +
-                                           format_number(data.run[start_time], 17) + "; received a start time of " +
-                                           format_number(it.startTime, 17) + ". Start time, end time and number of steps are those of the whole");
+    throw ModelError(ErrorKind::value, "continuation.restartFileName: the solution in '" + name +
+                                           "' has begun at time " + format_number(data.run[start_time], 17) +
+                                           "; received a start time of " + format_number(it.startTime, 17) +
+                                           ". Start time, end time and number of steps are those of the whole");
   }
   if (!system().take_history(data.history)) {
-    throw ModelError(ErrorKind::value, "restart file '" + name + "': the history of contacts does not belong to this system. Go on with the model and settings of before");
+    throw ModelError(
+        ErrorKind::value,
+        "restart file '" + name +
+            "': the history of contacts does not belong to this system. Go on with the model and settings of before");
   }
   current() = data.state;
   it.currentTime = last_written_ = data.state.time;
@@ -83,7 +99,8 @@ void Continuation::resume() {
   output.lastSolutionWritten = run[solution_written];
   output.lastSensorsWritten = run[sensors_written];
   output.lastImageRecorded = run[image_recorded];
-  solver_.singular_->resume(static_cast<StepCount>(run[RunNumber::singular_position_step]), static_cast<int>(run[RunNumber::passing_steps]));
+  solver_.singular_->resume(static_cast<StepCount>(run[RunNumber::singular_position_step]),
+                            static_cast<int>(run[RunNumber::passing_steps]));
   solver_.largest_misfit_ = run[RunNumber::largest_misfit];
   it.smallestStepSize = run[smallest_step_size];
   it.largestStepSize = run[largest_step_size];
@@ -104,13 +121,27 @@ void Continuation::take_counts(std::span<const double> run) {
 }
 
 RestartData Continuation::data() {
-  std::array<double, RunNumber::count> run{it.startTime, as_number(it.currentStepIndex), it.lastStepSize, output.lastSolutionWritten,
-                                           output.lastSensorsWritten, output.lastImageRecorded, as_number(solver_.singular_->last_step()),
-                                           as_number(solver_.singular_->passing_steps()), solver_.largest_misfit_, it.smallestStepSize, it.largestStepSize};
+  std::array<double, RunNumber::count> run{it.startTime,
+                                           as_number(it.currentStepIndex),
+                                           it.lastStepSize,
+                                           output.lastSolutionWritten,
+                                           output.lastSensorsWritten,
+                                           output.lastImageRecorded,
+                                           as_number(solver_.singular_->last_step()),
+                                           as_number(solver_.singular_->passing_steps()),
+                                           solver_.largest_misfit_,
+                                           it.smallestStepSize,
+                                           it.largestStepSize};
   std::ranges::copy(steps_.restart_numbers(), run.begin() + first_of_sizes);
   const std::span<const double> values = solver_.restart_values();
-  RestartData data{.solver = name(), .state = current(), .algorithmic_accelerations = {values.begin(), values.end()},
-                   .step_size = it.currentStepSize, .run = {run.begin(), run.end()}, .events = solver_.events_->restart_numbers(), .history = system().history(), .files = solver_.writer_->lengths()};
+  RestartData data{.solver = name(),
+                   .state = current(),
+                   .algorithmic_accelerations = {values.begin(), values.end()},
+                   .step_size = it.currentStepSize,
+                   .run = {run.begin(), run.end()},
+                   .events = solver_.events_->restart_numbers(),
+                   .history = system().history(),
+                   .files = solver_.writer_->lengths()};
   std::ranges::copy(solver_.restart_numbers(), std::back_inserter(data.run));
   for (const auto counter : SolverIterationData::counts) data.run.push_back(as_number(it.*counter));
   solver_.angles_.add_numbers(data.run);
@@ -123,7 +154,8 @@ void Continuation::write() {
   if (!last && t - last_written_ < settings().solutionSettings.restartWritePeriod - same_time()) return;
   const TimedPart time(timer, timer.writeSolution);
   last_written_ = t;
-  if (solver_.multipliers_may_wait_) solver_.minimum_norm_multipliers();  // the solver continues with the multipliers of the restart file
+  if (solver_.multipliers_may_wait_)
+    solver_.minimum_norm_multipliers();  // the solver continues with the multipliers of the restart file
   write_restart_file(output_path(settings().solutionSettings.restartFileName), data());
   if (last) return;
   solver_.forget();

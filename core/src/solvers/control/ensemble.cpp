@@ -70,12 +70,15 @@ class Workplace {
     environment_.hooks.interrupted = [&stop] { return stop.load(std::memory_order_relaxed); };
     environment_.hooks.timeout = ensemble.timeout;
     environment_.model = &model_;
-    environment_.hooks.warn = [this](std::string_view text) { warnings_.append(warnings_.empty() ? "" : "\n").append(text); };
+    environment_.hooks.warn = [this](std::string_view text) {
+      warnings_.append(warnings_.empty() ? "" : "\n").append(text);
+    };
     if (!ensemble.histories) return;
     SensorChannel silent;
     silent.write_to_file = false;
     environment_.sensors.assign(static_cast<std::size_t>(model_.count(ItemKind::sensor)), silent);
-    for (const int sensor : ensemble.sensors) environment_.sensors[static_cast<std::size_t>(sensor)].store_internal = true;
+    for (const int sensor : ensemble.sensors)
+      environment_.sensors[static_cast<std::size_t>(sensor)].store_internal = true;
     environment_.sensor_storage = &storage_;
   }
   Workplace(const Workplace&) = delete;
@@ -190,7 +193,8 @@ class Workplaces {
   // Solves the variations from `first` on.
   void solve(int first, std::span<VariationResult> results) {
     const bool together = obstacle_.empty() && results.size() > 1;
-    const std::vector<bool> solved = together ? solve_together(first, results.size()) : std::vector<bool>(results.size());
+    const std::vector<bool> solved =
+        together ? solve_together(first, results.size()) : std::vector<bool>(results.size());
     const std::string alone = !obstacle_.empty() ? obstacle_
                               : together         ? "it starts, iterates or fails in another way than those beside it"
                                                  : "no other variation is left for its thread";
@@ -244,7 +248,8 @@ class Crew {
  public:
   Crew(const Ensemble& ensemble, const Model& model, const State& initial, int threads)
       : results(static_cast<std::size_t>(ensemble.variations)),
-        at_once_(even_share(ensemble.variations, threads)), working_(threads) {
+        at_once_(even_share(ensemble.variations, threads)),
+        working_(threads) {
     for (int i = 0; i < threads; ++i) threads_.emplace_back([&, this] { work(ensemble, model, initial); });
   }
 
@@ -310,8 +315,8 @@ std::unique_ptr<VariedValues> make_varied_values(Storage storage, int variations
   });
 }
 
-std::vector<VariationResult> solve_ensemble(const Ensemble& ensemble, const Model& model, const State& initial, int threads,
-                                            const std::function<void()>& poll) {
+std::vector<VariationResult> solve_ensemble(const Ensemble& ensemble, const Model& model, const State& initial,
+                                            int threads, const std::function<void()>& poll) {
   Crew crew(ensemble, model, initial, std::max(1, std::min(threads, ensemble.variations)));
   crew.wait(poll);
   return std::move(crew.results);

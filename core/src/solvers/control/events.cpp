@@ -74,7 +74,9 @@ bool EventWatch::just_after_event() const {
   return std::ranges::any_of(dead_band_, [](double band) { return band >= 0; });
 }
 
-bool EventWatch::counts(int event, double value) const { return std::abs(value) > dead_band_[static_cast<std::size_t>(event)]; }
+bool EventWatch::counts(int event, double value) const {
+  return std::abs(value) > dead_band_[static_cast<std::size_t>(event)];
+}
 
 // A function that is zero keeps its previous sign.
 void EventWatch::go_on(const std::vector<WatchedValue>& values) {
@@ -119,7 +121,8 @@ std::vector<EventWatch::Event> EventWatch::changed(std::span<const WatchedValue>
   std::vector<Event> found;
   for (std::size_t i = 0; i < start_.size(); ++i) {
     if (values[i].holds) {
-      if (values[i].value < 0 && counts(static_cast<int>(i), values[i].value)) found.push_back({static_cast<int>(i), -1, values[i].value});
+      if (values[i].value < 0 && counts(static_cast<int>(i), values[i].value))
+        found.push_back({static_cast<int>(i), -1, values[i].value});
       continue;
     }
     const bool lands = i < users.value_or(0) && std::abs(values[i].value) <= on_zero * std::abs(start_[i].value);
@@ -139,8 +142,10 @@ std::vector<double> EventWatch::numbers() const {
 
 void EventWatch::take_numbers(std::span<const double> numbers, const std::string& file) {
   if (numbers.size() != numbers_per_function * start_.size()) {
-    throw ModelError(ErrorKind::value, "restart file '" + file + "': received " + std::to_string(numbers.size() / numbers_per_function) +
-                                           " event functions; expected " + std::to_string(start_.size()) + ". Go on with the model and settings of before");
+    throw ModelError(ErrorKind::value, "restart file '" + file + "': received " +
+                                           std::to_string(numbers.size() / numbers_per_function) +
+                                           " event functions; expected " + std::to_string(start_.size()) +
+                                           ". Go on with the model and settings of before");
   }
   for (std::size_t i = 0; i < start_.size(); ++i) {
     const double* own = &numbers[numbers_per_function * i];
@@ -165,8 +170,9 @@ const std::vector<WatchedValue>& EventControl::event_values(std::vector<Switch>&
   std::optional<std::size_t>& users = watch_->users;
   if (!users) users = values.size();
   if (values.size() != *users) {
-    throw ModelError(ErrorKind::value, "mbs.EventsUserFunction: received " + std::to_string(values.size()) + " values; expected " +
-                                           std::to_string(*users) + ", as at the start. Return one value per event, always");
+    throw ModelError(ErrorKind::value, "mbs.EventsUserFunction: received " + std::to_string(values.size()) +
+                                           " values; expected " + std::to_string(*users) +
+                                           ", as at the start. Return one value per event, always");
   }
   if (!locates_switches()) return values;
   of_items.clear();
@@ -179,8 +185,10 @@ void EventControl::warn_of_missing_switches(bool located) {
   const bool wanted = settings().events.ofItems;
   if (located || !(wanted || hooks().item_event_action)) return;
   const std::string who = hooks().item_event_action ? "mbs.ItemEventActionUserFunction" : "events.ofItems";
-  warn(who + " has no effect: " + (!wanted ? "events of items are not looked for (simulationSettings.events.ofItems=False)"
-                                  : is_static() ? "static solvers have no events" : "no item of this model has events of its own"));
+  warn(who + " has no effect: " +
+       (!wanted       ? "events of items are not looked for (simulationSettings.events.ofItems=False)"
+        : is_static() ? "static solvers have no events"
+                      : "no item of this model has events of its own"));
 }
 
 void EventControl::begin() {
@@ -217,7 +225,10 @@ double round_off_of(double time) { return 8 * std::numeric_limits<double>::epsil
 }  // namespace
 
 void EventControl::end_as_scheduled() {
-  if (!watch_) throw ModelError(ErrorKind::state, name() + ": sampled controllers act while solver.SolveSteps(...) solves the steps, not in single parts of it");
+  if (!watch_)
+    throw ModelError(
+        ErrorKind::state,
+        name() + ": sampled controllers act while solver.SolveSteps(...) solves the steps, not in single parts of it");
   constexpr double last_stretch = 1e-6;  // part of a step; the remainder is not a step of its own
   const double end = hooks().schedule->next(), start = start_of_step().time;
   if (end > it.endTime || it.currentTime < end - std::max(round_off_of(end), last_stretch * it.currentStepSize)) return;
@@ -234,7 +245,9 @@ void EventControl::act_as_scheduled() {
   if (hooks().schedule->act(current()) || step_was_cut()) solver_.renew_accelerations();
 }
 
-bool EventControl::step_was_cut() const { return !it.automaticStepSize && it.currentStepSize > Solver::largest_growth * conditions_.step_size; }
+bool EventControl::step_was_cut() const {
+  return !it.automaticStepSize && it.currentStepSize > Solver::largest_growth * conditions_.step_size;
+}
 
 // ---- switches of items ---------------------------------------------------------------------------------------------------
 
@@ -283,8 +296,10 @@ double EventControl::look_into_step(double& before) {
   between.prepare(system(), start_of_step(), end, false, false);
   const double start = start_of_step().time, h = end.time - start;
   const auto values_at = [&](double part) -> const std::vector<WatchedValue>& {
-    if (part == 1) current() = end;
-    else between.evaluate(start + part * h, current());
+    if (part == 1)
+      current() = end;
+    else
+      between.evaluate(start + part * h, current());
     return event_values();
   };
   double found = -1;
@@ -338,7 +353,8 @@ bool EventControl::end_step() {
   const double close = std::max(1e-11 * whole, 8 * std::numeric_limits<double>::epsilon() * std::abs(end));
   double a = before * whole, b = whole, x = std::clamp(guess * whole + close, close, whole);
   std::vector<Bracket> brackets;
-  for (std::size_t i = 0; i < values.size(); ++i) brackets.push_back({.a = a, .b = b, .at_a = seen.at_start(static_cast<int>(i)), .at_b = values[i].value});
+  for (std::size_t i = 0; i < values.size(); ++i)
+    brackets.push_back({.a = a, .b = b, .at_a = seen.at_start(static_cast<int>(i)), .at_b = values[i].value});
   watch.events = seen.changed(values);
   bool beyond = !watch.events.empty(), before_is_known = a == 0;  // or it follows from the polynomial
   for (int i = 0; i < most_solutions; ++i) {
@@ -359,7 +375,8 @@ bool EventControl::end_step() {
       return true;
     }
     double root = b;
-    for (const EventWatch::Event& event : watch.events) root = std::min(root, brackets[static_cast<std::size_t>(event.number)].estimate());
+    for (const EventWatch::Event& event : watch.events)
+      root = std::min(root, brackets[static_cast<std::size_t>(event.number)].estimate());
     if (b - std::max(root, a) <= 2 * close || b - a <= 2 * close) {
       if (std::exchange(before_is_known, true)) break;
       a = root = 0;
@@ -406,7 +423,9 @@ bool jumps(const std::vector<WatchedValue>& values, const std::vector<WatchedVal
   std::vector<Switch> at_end;  // switches of the events, with their states at the event
   const std::vector<WatchedValue> before = settles ? event_values(at_end) : std::vector<WatchedValue>();
   for (const EventWatch::Event& event : watch.events) {
-    if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + solver_.position_text() + "\n");
+    if (verbose(2))
+      say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") +
+                 solver_.position_text() + "\n");
     if (!let_user_act(event.number, event.direction)) stop_ = output.simulationStoppedByUserFunction = true;
   }
   const bool changed = acts || locates_switches();
@@ -439,9 +458,13 @@ bool EventControl::let_user_act(int event, int direction) {
     goes_on = hooks().event_action(current().time, event, direction);
   } else {
     const Switch& at = switches_[static_cast<std::size_t>(event) - *watch_->users];
-    goes_on = hooks().item_event_action(current().time, {at.item, at.owner == nullptr ? "" : at.owner->name_of_part(at.part), at.what, at.kink ? direction : at.direction});
+    goes_on =
+        hooks().item_event_action(current().time, {at.item, at.owner == nullptr ? "" : at.owner->name_of_part(at.part),
+                                                   at.what, at.kink ? direction : at.direction});
   }
-  if (!goes_on) say(1, std::string(of_user ? "EventAction" : "ItemEventAction") + "UserFunction returned False: the solver stops\n");
+  if (!goes_on)
+    say(1,
+        std::string(of_user ? "EventAction" : "ItemEventAction") + "UserFunction returned False: the solver stops\n");
   return goes_on;
 }
 
@@ -450,7 +473,8 @@ std::vector<double> EventControl::gaps_and_rates() {
   std::vector<double> gaps(2 * n);
   if (n == 0) return gaps;
   const State still = without_multipliers(current());
-  for (const bool of_rates : {false, true}) system().gaps(still, at_level(conditions_, of_rates), std::span(gaps).subspan(of_rates ? n : 0, n));
+  for (const bool of_rates : {false, true})
+    system().gaps(still, at_level(conditions_, of_rates), std::span(gaps).subspan(of_rates ? n : 0, n));
   return gaps;
 }
 
@@ -482,20 +506,25 @@ std::string EventControl::describe_event(int event) const {
 
 std::string EventControl::describe_switch(const Switch& at) const {
   if (at.owner != nullptr) return std::string("event '") + at.what + "' of " + at.owner->name_of_part(at.part);
-  const std::string item = model() == nullptr ? "object " + std::to_string(at.item) : model()->describe(ItemKind::object, at.item);
+  const std::string item =
+      model() == nullptr ? "object " + std::to_string(at.item) : model()->describe(ItemKind::object, at.item);
   return std::string("event '") + at.what + "' of " + item;
 }
 
 [[gnu::noinline]] void EventControl::diagnose_chatter(int event) {
   conv.stepReductionFailed = true;
-  const std::string what = describe_event(event) + " has come " + std::to_string(most_in_a_row) + " times, each within " + (event < static_cast<int>(*watch_->users) ? "a step" : "two steps") + " of the one before: ";
+  const std::string what = describe_event(event) + " has come " + std::to_string(most_in_a_row) +
+                           " times, each within " +
+                           (event < static_cast<int>(*watch_->users) ? "a step" : "two steps") + " of the one before: ";
   Diagnosis& d = solver_.diagnostics_->diagnose(FailureReason::event_chatter);
   if (event < static_cast<int>(*watch_->users)) {
-    d.advice = {what + "let its action end what repeats ever faster, for example bring the body to rest below a small velocity",
-                "check that the action does not leave the value of the event function at zero"};
+    d.advice = {
+        what + "let its action end what repeats ever faster, for example bring the body to rest below a small velocity",
+        "check that the action does not leave the value of the event function at zero"};
   } else {
     d.advice = {what + "give the item damping that ends what repeats, or less stiffness",
-                "use smaller steps (timeIntegration.numberOfSteps), or settle many changes at once, in the step that they lie in (events.ofItems=False)"};
+                "use smaller steps (timeIntegration.numberOfSteps), or settle many changes at once, in the step that "
+                "they lie in (events.ofItems=False)"};
   }
 }
 
@@ -503,13 +532,18 @@ std::string EventControl::describe_switch(const Switch& at) const {
 [[gnu::noinline]] void EventControl::warn_of_actions_against_constraints(int singular_row) {
   const auto& s = settings().initialConditions;
   if (!s.checkConstraints || warned_of_actions_) return;
-  const auto open = open_constraints(system(), current(), conditions_, {s.positionTolerance, s.velocityTolerance, true});
+  const auto open =
+      open_constraints(system(), current(), conditions_, {s.positionTolerance, s.velocityTolerance, true});
   if (open.empty()) return;
   warned_of_actions_ = true;
-  std::string text = name() + ": the action of an event contradicts " + listed(open, system()) + "\n  That cannot be mended at once";
+  std::string text =
+      name() + ": the action of an event contradicts " + listed(open, system()) + "\n  That cannot be mended at once";
   if (singular_row != LinearSolver::success)
-    text += ", as mass matrix and constraints are singular at unknown " + std::to_string(singular_row) + " (" + system().describe_row(singular_row) + ")";
-  warn(text + ", and leads to large velocities and forces in the next step: let the action leave positions and velocities that fulfil all constraints.");
+    text += ", as mass matrix and constraints are singular at unknown " + std::to_string(singular_row) + " (" +
+            system().describe_row(singular_row) + ")";
+  warn(text +
+       ", and leads to large velocities and forces in the next step: let the action leave positions and velocities "
+       "that fulfil all constraints.");
 }
 
 // ---- restart -----------------------------------------------------------------------------------------------------------
@@ -523,7 +557,9 @@ std::vector<double> EventControl::restart_numbers() const {
 void EventControl::resume(std::span<const double> numbers, const std::string& file) {
   if (!watch_ && !numbers.empty()) watch_ = std::make_unique<EventWatch>();
   if (!watch_) return;
-  const std::size_t all = numbers.size(), of_events = hooks().schedule ? std::min(all, EventWatch::numbers_per_function * watch_->count()) : all;
+  const std::size_t all = numbers.size(),
+                    of_events =
+                        hooks().schedule ? std::min(all, EventWatch::numbers_per_function * watch_->count()) : all;
   watch_->take_numbers(numbers.first(of_events), file);
   if (hooks().schedule) hooks().schedule->take_numbers(numbers.subspan(of_events));
 }

@@ -16,7 +16,8 @@ namespace dalembert {
 
 // The value of a user event function or of an item event.
 struct WatchedValue : EventValue {
-  bool holds = false;  // the item keeps its state while the value is not negative, and switches when it becomes negative
+  bool holds =
+      false;  // the item keeps its state while the value is not negative, and switches when it becomes negative
   double noise = 0;    // smaller values count as zero just after an event
 };
 
@@ -97,10 +98,10 @@ class EventControl : public SolverPart {
   const std::vector<WatchedValue>& event_values() { return event_values(switches_); }
   const std::vector<WatchedValue>& event_values(std::vector<Switch>& of_items);
   void warn_of_missing_switches(bool located);
-  void settle_switches();     // switches items until all are consistent
+  void settle_switches();  // switches items until all are consistent
   double look_into_step(double& before);
   bool solve_again(double step_size);
-  void act_as_scheduled();    // calls scheduled actions
+  void act_as_scheduled();  // calls scheduled actions
   bool step_was_cut() const;  // shortened so much for an event that its size says nothing about the next step
   bool let_user_act(int event, int direction);
   std::vector<double> gaps_and_rates();
@@ -110,8 +111,8 @@ class EventControl : public SolverPart {
   std::string describe_event(int event) const;
 
   std::unique_ptr<EventWatch> watch_;  // null without events
-  std::unique_ptr<EventLook> look_;    // null without events
-  std::vector<Switch> switches_;       // switches of items at the last evaluated state
+  std::unique_ptr<EventLook> look_;  // null without events
+  std::vector<Switch> switches_;  // switches of items at the last evaluated state
   System::Updates iterates_without_ = System::Updates::all;
   bool warned_of_actions_ = false;
 };

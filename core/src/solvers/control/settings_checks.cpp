@@ -17,8 +17,9 @@ namespace dalembert {
 
 void require_duration(double start_time, double end_time) {
   if (end_time > start_time) return;
-  throw ModelError(ErrorKind::value, "timeIntegration.endTime: received " + format_number(end_time) + " with startTime=" +
-                                         format_number(start_time) + "; there is nothing to integrate. Expected a time after " +
+  throw ModelError(ErrorKind::value, "timeIntegration.endTime: received " + format_number(end_time) +
+                                         " with startTime=" + format_number(start_time) +
+                                         "; there is nothing to integrate. Expected a time after " +
                                          "startTime: set endTime = startTime + duration.");
 }
 
@@ -35,8 +36,11 @@ struct Idle {
 void collect(const SettingsGroup& group, const std::string& path, std::size_t offset, std::vector<Idle>& found) {
   for (const SettingRule& rule : group.rules) {
     if (rule.no_effect.empty() && rule.acts_with.empty()) continue;
-    const auto row = [&group](std::string_view name) -> const Row& { return *std::ranges::find(group.rows, name, &Row::name); };
-    Idle& idle = found.emplace_back(path + std::string(rule.name), offset + row(rule.name).offset, row(rule.name).storage, &rule);
+    const auto row = [&group](std::string_view name) -> const Row& {
+      return *std::ranges::find(group.rows, name, &Row::name);
+    };
+    Idle& idle = found.emplace_back(path + std::string(rule.name), offset + row(rule.name).offset,
+                                    row(rule.name).storage, &rule);
     for (const std::string_view flag : rule.acts_with) idle.flags.push_back(offset + row(flag).offset);
   }
   for (const SettingsChild& child : group.children)
@@ -62,7 +66,8 @@ bool equal(const Idle& setting, const SimulationSettings& a, const SimulationSet
 
 bool acts(const Idle& setting, const SimulationSettings& settings) {
   const char* const start = reinterpret_cast<const char*>(&settings);
-  return std::ranges::any_of(setting.flags, [start](std::size_t offset) { return *reinterpret_cast<const bool*>(start + offset); });
+  return std::ranges::any_of(setting.flags,
+                             [start](std::size_t offset) { return *reinterpret_cast<const bool*>(start + offset); });
 }
 
 bool is_new(const std::string& path) {
@@ -74,13 +79,16 @@ bool is_new(const std::string& path) {
 
 }  // namespace
 
-void tell_settings_without_effect(const SimulationSettings& settings, const std::function<void(std::string_view)>& warn) {
+void tell_settings_without_effect(const SimulationSettings& settings,
+                                  const std::function<void(std::string_view)>& warn) {
   static const std::vector<Idle> idle = all_without_effect();
   static const SimulationSettings defaults;
   if (!warn) return;
   for (const Idle& setting : idle) {
     if (!equal(setting, settings, defaults) && !acts(setting, settings) && is_new(setting.path))
-      warn(setting.path + " has no effect: " + (setting.rule->no_effect.empty() ? "it " + setting.rule->condition() : std::string(setting.rule->no_effect)));
+      warn(
+          setting.path + " has no effect: " +
+          (setting.rule->no_effect.empty() ? "it " + setting.rule->condition() : std::string(setting.rule->no_effect)));
   }
 }
 
@@ -90,8 +98,11 @@ void warn_of_unused_tolerances(const SimulationSettings& settings, const std::fu
   const auto check = [&](double TimeIntegrationSettings::* tolerance, const std::string& name) {
     const std::string path = "simulationSettings.timeIntegration." + name;
     if (settings.timeIntegration.*tolerance == defaults.timeIntegration.*tolerance || !is_new(path)) return;
-    warn(path + " has no effect: this solver takes steps of equal size. Implicit solvers choose their steps by tolerances with "
-         "stepSizeControl.implicitSolvers=True and timeIntegration.automaticStepSize=True, explicit ones such as exu.DynamicSolverType.DOPRI5 with the latter alone");
+    warn(
+        path +
+        " has no effect: this solver takes steps of equal size. Implicit solvers choose their steps by tolerances with "
+        "stepSizeControl.implicitSolvers=True and timeIntegration.automaticStepSize=True, explicit ones such as "
+        "exu.DynamicSolverType.DOPRI5 with the latter alone");
   };
   check(&TimeIntegrationSettings::relativeTolerance, "relativeTolerance");
   check(&TimeIntegrationSettings::absoluteTolerance, "absoluteTolerance");

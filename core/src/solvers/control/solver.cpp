@@ -61,8 +61,11 @@ void Solver::read_settings() {
   const auto& s = settings_->timeIntegration;
   loads_jacobian_ = s.computeLoadsJacobian;
   tolerances_ = {s.absoluteTolerance, s.relativeTolerance, s.stepSizeSafety};
-  factors_ = {.decrease = s.adaptiveStepDecrease, .increase = s.adaptiveStepIncrease, .largest_increase = s.stepSizeMaxIncrease,
-              .recovery_steps = s.adaptiveStepRecoverySteps, .recovery_iterations = s.adaptiveStepRecoveryIterations};
+  factors_ = {.decrease = s.adaptiveStepDecrease,
+              .increase = s.adaptiveStepIncrease,
+              .largest_increase = s.stepSizeMaxIncrease,
+              .recovery_steps = s.adaptiveStepRecoverySteps,
+              .recovery_iterations = s.adaptiveStepRecoveryIterations};
 }
 
 void Solver::forget_environment() { environment_ = &no_environment(); }
@@ -107,7 +110,8 @@ bool Solver::initialize() {
   system_->reactions_are_unknown();
   joints_are_examined();
   tell_settings_without_effect(*settings_, hooks().warn);
-  if (!is_static() && !(settings_->timeIntegration.automaticStepSize && controls_step_size())) warn_of_unused_tolerances(*settings_, hooks().warn);
+  if (!is_static() && !(settings_->timeIntegration.automaticStepSize && controls_step_size()))
+    warn_of_unused_tolerances(*settings_, hooks().warn);
   initialize_data();
   if (!diagnostics_->starts_finite()) return false;
   angles_.begin(*system_, environment_->model, hooks().locking_turns);
@@ -132,11 +136,14 @@ void Solver::prepare(ConstrainedMotion& motion) const {
   motion.prepare(*system_, linear_type(), linear_options(), settings_->redundantConstraints, last_time());
 }
 
-double Solver::last_time() const { return is_static() ? std::numeric_limits<double>::infinity() : settings_->timeIntegration.endTime; }
+double Solver::last_time() const {
+  return is_static() ? std::numeric_limits<double>::infinity() : settings_->timeIntegration.endTime;
+}
 
 bool Solver::check_system() {
   const auto refuse_system = [](const std::string& text) { throw ModelError(ErrorKind::state, text); };
-  if (!system_->assembled()) refuse_system(name() + ": the system is not assembled; call mbs.Assemble() before solving");
+  if (!system_->assembled())
+    refuse_system(name() + ": the system is not assembled; call mbs.Assemble() before solving");
   sizes_ = system_->sizes();
   if (sizes_.total() == 0) {
     refuse_system(name() + ": the system has no unknowns; add at least one node with coordinates and assemble again");
@@ -157,11 +164,13 @@ void Solver::choose_linear_solver() {
   const auto& differences = newton_settings.numericalDifferentiation;
   linear_type_ = s.linearSolverType;
   if (!s.linearSolverChoice.automatic || linear_type_ != LinearSolverType::EXUdense) return;
-  const bool needs_dense = s.linearSolverSettings.ignoreSingularJacobian || s.linearSolverSettings.pivotThreshold > 0 || hooks().system_jacobian ||
-                           differences.doSystemWideDifferentiation || has_replaced_parts();
+  const bool needs_dense = s.linearSolverSettings.ignoreSingularJacobian || s.linearSolverSettings.pivotThreshold > 0 ||
+                           hooks().system_jacobian || differences.doSystemWideDifferentiation || has_replaced_parts();
   const bool sparse = sizes_.total() > most_dense_unknowns && !needs_dense;
   if (sparse) linear_type_ = LinearSolverType::EigenSparse;
-  if (verbose(1)) say(1, std::string("  linear solver: ") + (sparse ? "sparse (EigenSparse)" : "dense (EXUdense)") + ", as linearSolverType has not been set\n");
+  if (verbose(1))
+    say(1, std::string("  linear solver: ") + (sparse ? "sparse (EigenSparse)" : "dense (EXUdense)") +
+               ", as linearSolverType has not been set\n");
 }
 
 void Solver::initialize_data() {
@@ -192,11 +201,12 @@ void Solver::warn_of_step_sizes() {
   if (!(it.maxStepSize > 0)) return;
   const std::string group = is_static() ? "staticSolver." : "timeIntegration.";
   if ((it.adaptiveStep || it.automaticStepSize) && it.minStepSize > (1 + 1e-10) * it.maxStepSize) {
-    warn(group + "minimumStepSize (" + number(it.minStepSize) + " s) is larger than the step size (" + number(it.maxStepSize) +
-         " s), which cannot be reduced when a step fails");
+    warn(group + "minimumStepSize (" + number(it.minStepSize) + " s) is larger than the step size (" +
+         number(it.maxStepSize) + " s), which cannot be reduced when a step fails");
   }
   if (it.automaticStepSize && it.initialStepSize > (1 + 1e-10) * it.maxStepSize) {
-    warn(group + "initialStepSize (" + number(it.initialStepSize) + " s) is larger than the largest step size, (endTime - startTime)/" +
+    warn(group + "initialStepSize (" + number(it.initialStepSize) +
+         " s) is larger than the largest step size, (endTime - startTime)/" +
          "numberOfSteps = " + number(it.maxStepSize) + " s, which is taken instead");
     it.initialStepSize = it.maxStepSize;
   }
@@ -256,7 +266,8 @@ void Solver::initial_conditions() {
   end_reached_ = false;
   step_completed_ = true;
   events_->begin();
-  watches_rebounds_ = !is_static() && !it.automaticStepSize && !events_->locates_switches() && system_->has_switches() && !system_->searches();
+  watches_rebounds_ = !is_static() && !it.automaticStepSize && !events_->locates_switches() &&
+                      system_->has_switches() && !system_->searches();
   multipliers_may_wait_ = !asks_for_multipliers_in_steps();
   if (continues()) return continuation_->resume();
   finish_step(settings_->solutionSettings.writeInitialValues);
@@ -352,26 +363,29 @@ void Solver::begin_step() {
   if (newton_settings.modifiedNewtonJacUpdatePerStep) conv.jacobianUpdateRequested = true;
   it.lastStepSize = it.currentStepSize;
   diagnosis_.reason = FailureReason::none;  // resets the reason of an earlier attempt
-  if (system_->searches()) [[unlikely]] search();
+  if (system_->searches()) [[unlikely]]
+    search();
 }
 
 [[gnu::noinline]] void Solver::step_failed() {
   if (!conv.discontinuousIterationSuccessful) ++it.rejectedDiscontinuousSteps;
   // Explicit methods have no iterations.
-  else if (!conv.newtonConverged && it.newtonSteps > 0) ++it.rejectedNewtonSteps;
+  else if (!conv.newtonConverged && it.newtonSteps > 0)
+    ++it.rejectedNewtonSteps;
   current() = start_of_step();
   if (system_->searches()) system_->restore_history();
   // Smaller steps do not mend a singular matrix, inconsistent joints, round-off, or a singular configuration. A static iterate
   // far from the equilibrium may look inconsistent where joints fit.
   const FailureReason reason = diagnosis_.reason;
-  const bool beyond_repair = conv.linearSolverFailed || (reason == FailureReason::contradiction && !is_static()) || reason == FailureReason::round_off ||
-                             reason == FailureReason::singular_position;
+  const bool beyond_repair = conv.linearSolverFailed || (reason == FailureReason::contradiction && !is_static()) ||
+                             reason == FailureReason::round_off || reason == FailureReason::singular_position;
   const bool may_be_reduced = !beyond_repair && (it.adaptiveStep || it.automaticStepSize);
   if (!may_be_reduced || !reduce_step_size()) {
     conv.stepReductionFailed = true;
     if (!diagnosis_.failed()) diagnostics_->diagnose(FailureReason::discontinuous, {});
     singular_->name_in_diagnosis();
-    if (!diagnostics_->closing_at_start().empty()) diagnosis_.advice.insert(diagnosis_.advice.begin(), diagnostics_->closing_at_start());
+    if (!diagnostics_->closing_at_start().empty())
+      diagnosis_.advice.insert(diagnosis_.advice.begin(), diagnostics_->closing_at_start());
     angles_.advise(*system_, diagnosis_.advice);
     diagnostics_->advise_on_weak_constraints();
     return;
@@ -385,12 +399,16 @@ void Solver::begin_step() {
 
 void Solver::step_succeeded() {
   step_completed_ = true;
-  if (it.automaticStepSize) [[unlikely]] steps_.count_accepted(conditions_.step_size);
-  if (events_->any()) [[unlikely]] events_->switch_over();
+  if (it.automaticStepSize) [[unlikely]]
+    steps_.count_accepted(conditions_.step_size);
+  if (events_->any()) [[unlikely]]
+    events_->switch_over();
   if (angles_.any() && !is_static()) angles_.watch(*system_, it);
-  if (watches_rebounds_ && (it.discontinuousIteration > 1 || conv.discontinuousIterationError > 0)) [[unlikely]] rebounds_.watch(*system_, conditions_, it);
+  if (watches_rebounds_ && (it.discontinuousIteration > 1 || conv.discontinuousIterationError > 0)) [[unlikely]]
+    rebounds_.watch(*system_, conditions_, it);
   if (!silent_) finish_step(true);
-  if (events_->any() && events_->reached()) [[unlikely]] events_->act();
+  if (events_->any() && events_->reached()) [[unlikely]]
+    events_->act();
   if (steps_.is_recovered()) {
     const double before = it.currentStepSize;
     increase_step_size();
@@ -409,18 +427,20 @@ void Solver::update_current_time() { it.currentTime = steps_.end_of_step(); }
 }
 
 void Solver::initialize_step() {
-  if (system_->searches()) [[unlikely]] system_->keep_history();
+  if (system_->searches()) [[unlikely]]
+    system_->keep_history();
   update_current_time();
   current().time = it.currentTime;
   conditions_.step_size = it.currentStepSize;
   if (verbose(2)) announce_step();
   if (hooks().pre_step) call_pre_step();
-  if (renewed_constraints_ != system_->renewed_constraints()) [[unlikely]] look_for_switched_joints();
+  if (renewed_constraints_ != system_->renewed_constraints()) [[unlikely]]
+    look_for_switched_joints();
 }
 
 [[gnu::noinline]] void Solver::announce_step() {
-  std::string text = "+++++++++++++++ COMPUTE STEP +++++++++++++++\nSTEP" + std::to_string(it.currentStepIndex) +
-                     position_text();
+  std::string text =
+      "+++++++++++++++ COMPUTE STEP +++++++++++++++\nSTEP" + std::to_string(it.currentStepIndex) + position_text();
   if (it.adaptiveStep) text += ", step size = " + number(it.currentStepSize);
   say(2, text + "\n");
 }
@@ -460,7 +480,8 @@ void Solver::increase_step_size() {
 void Solver::diagnose_error_control() {
   diagnostics_->diagnose(FailureReason::error_control).advice = {
       "look for what jumps: contact, friction, user functions that are not continuous",
-      "allow larger errors (timeIntegration.relativeTolerance, absoluteTolerance), or smaller steps (timeIntegration.minimumStepSize)"};
+      "allow larger errors (timeIntegration.relativeTolerance, absoluteTolerance), or smaller steps "
+      "(timeIntegration.minimumStepSize)"};
 }
 
 void Solver::reset_to_start_of_step() {

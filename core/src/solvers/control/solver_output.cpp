@@ -30,8 +30,10 @@ void Solver::initialize_output() {
     newton_settings = options.newton;
     discontinuous = options.discontinuous;
   };
-  if (is_static()) take(settings_->staticSolver);
-  else take(settings_->timeIntegration);
+  if (is_static())
+    take(settings_->staticSolver);
+  else
+    take(settings_->timeIntegration);
   writer_->close();
   writer_->open(continues() ? std::span<const double>(continuation_->file_lengths()) : std::span<const double>());
   if (verbose(1)) say(1, "+++++++++++++++++++++++++++++++\ndalembert solver: " + name() + "\n");
@@ -60,11 +62,13 @@ bool Solver::steps_end_silently() const {
 // need forces of the motion; interpolated states need multipliers at both ends.
 bool Solver::asks_for_multipliers_in_steps() const {
   const bool within = events_->any() || it.automaticStepSize || settings_->denseOutput.atRequestedTimes;
-  return is_static() || within || hooks().pre_step || hooks().post_newton || has_replaced_parts() || system_->has_discontinuities(conditions_);
+  return is_static() || within || hooks().pre_step || hooks().post_newton || has_replaced_parts() ||
+         system_->has_discontinuities(conditions_);
 }
 
 // Reports minimum-norm multipliers in place, because other objects refer to the vector.
-Solver::ReportedMultipliers::ReportedMultipliers(Solver& solver) : solver_(solver), reported_(solver.minimum_norm_multipliers()) {
+Solver::ReportedMultipliers::ReportedMultipliers(Solver& solver)
+    : solver_(solver), reported_(solver.minimum_norm_multipliers()) {
   if (reported_ == nullptr) return;
   own_ = solver.current().lambda;
   std::ranges::copy(*reported_, solver.current().lambda.begin());
@@ -174,21 +178,27 @@ void Solver::summarize() {
 void Solver::look_back() {
   const auto steps = [](StepCount n) { return std::to_string(n) + (n == 1 ? " step" : " steps"); };
   if (it.stepsAboveTolerance > 0) {
-    doubts_.push_back("errors above the tolerances in " + steps(it.stepsAboveTolerance) +
-                      ": " + (diagnostics_->closing_at_start().empty() ? "look for jumps, or lower timeIntegration.minimumStepSize; a mechanism that "
-                                                          "passes a singular position cannot be computed more accurately there"
-                                                        : diagnostics_->closing_at_start()));
+    doubts_.push_back("errors above the tolerances in " + steps(it.stepsAboveTolerance) + ": " +
+                      (diagnostics_->closing_at_start().empty()
+                           ? "look for jumps, or lower timeIntegration.minimumStepSize; a mechanism that "
+                             "passes a singular position cannot be computed more accurately there"
+                           : diagnostics_->closing_at_start()));
   }
   if (it.unsettledSteps > 0) {
     doubts_.push_back("contact or friction that has not settled in " + steps(it.unsettledSteps) +
                       ": use smaller steps, or more discontinuous.maxIterations");
   }
   if (constraint_solver().hides_constraints()) {
-    doubts_.push_back("redundant joints do not fit exactly, and masses or constraints differ by orders of magnitude: reactions of light bodies may have "
-                      "errors above 1 %; use smaller steps, a solver that keeps constraints of positions, or joints without redundant equations");
+    doubts_.push_back(
+        "redundant joints do not fit exactly, and masses or constraints differ by orders of magnitude: reactions of "
+        "light bodies may have "
+        "errors above 1 %; use smaller steps, a solver that keeps constraints of positions, or joints without "
+        "redundant equations");
   }
-  std::vector<std::string> observed = is_static() ? angles_.doubts_of_equilibrium(*system_) : angles_.doubts(it.automaticStepSize);
-  std::ranges::copy(rebounds_.doubts([this](const Switch& at) { return events_->describe_switch(at); }), std::back_inserter(observed));
+  std::vector<std::string> observed =
+      is_static() ? angles_.doubts_of_equilibrium(*system_) : angles_.doubts(it.automaticStepSize);
+  std::ranges::copy(rebounds_.doubts([this](const Switch& at) { return events_->describe_switch(at); }),
+                    std::back_inserter(observed));
   for (std::string& doubt : observed) {
     if (!verbose(1)) warn(doubt);
     doubts_.push_back(std::move(doubt));
@@ -197,8 +207,11 @@ void Solver::look_back() {
   if (s.checkConstraints && sizes_.ae > 0) {
     const double tolerance = (conditions_.rate_level ? tolerated_drift : 1) * s.positionTolerance;
     // Regularization may open the rates of constraints that are very weak relative to others.
-    const auto open = open_constraints(*system_, current(), conditions_, {tolerance, s.velocityTolerance, constraint_solver().active()});
-    if (!open.empty()) doubts_.push_back("open at the end: " + listed(open, *system_) + "\n  Use smaller steps, or a solver that keeps constraints of positions");
+    const auto open = open_constraints(*system_, current(), conditions_,
+                                       {tolerance, s.velocityTolerance, constraint_solver().active()});
+    if (!open.empty())
+      doubts_.push_back("open at the end: " + listed(open, *system_) +
+                        "\n  Use smaller steps, or a solver that keeps constraints of positions");
   }
   output.trusted = doubts_.empty();
 }

@@ -16,8 +16,16 @@ class SolverPart {
 
  protected:
   explicit SolverPart(Solver& solver)
-      : solver_(solver), it(solver.it), conv(solver.conv), output(solver.output), timer(solver.timer), steps_(solver.steps_),
-        sizes_(solver.sizes_), conditions_(solver.conditions_), diagnosis_(solver.diagnosis_), stop_(solver.stop_) {}
+      : solver_(solver),
+        it(solver.it),
+        conv(solver.conv),
+        output(solver.output),
+        timer(solver.timer),
+        steps_(solver.steps_),
+        sizes_(solver.sizes_),
+        conditions_(solver.conditions_),
+        diagnosis_(solver.diagnosis_),
+        stop_(solver.stop_) {}
   ~SolverPart() = default;
 
   System& system() { return solver_.system(); }

@@ -33,7 +33,11 @@ void StepController::resume(double size, std::span<const double> numbers) {
 }
 
 std::array<double, StepController::restart_size> StepController::restart_numbers() const {
-  return {equal_.start, equal_.size, equal_.time, static_cast<double>(equal_.before), static_cast<double>(since_rejection_),
+  return {equal_.start,
+          equal_.size,
+          equal_.time,
+          static_cast<double>(equal_.before),
+          static_cast<double>(since_rejection_),
           static_cast<double>(above_tolerance_)};
 }
 
@@ -43,7 +47,8 @@ double StepController::end_of_step() {
     equal_ = {.start = it_.currentTime, .size = h, .before = it_.currentStepIndex - 1};
   }
   double time = static_cast<double>(it_.currentStepIndex - equal_.before) * h + equal_.start;
-  const double round_off = 8 * std::numeric_limits<double>::epsilon() * std::max(std::abs(it_.startTime), std::abs(it_.endTime));
+  const double round_off =
+      8 * std::numeric_limits<double>::epsilon() * std::max(std::abs(it_.startTime), std::abs(it_.endTime));
   if (const double beyond = time - it_.endTime; beyond > -round_off) [[unlikely]] {
     if (beyond > round_off) h = it_.endTime - it_.currentTime;
     time = it_.endTime;
@@ -53,7 +58,8 @@ double StepController::end_of_step() {
 
 void StepController::reject(double failed, double factor) {
   const double recommended = it_.recommendedStepSize;
-  const double next = recommended != -1 ? std::min(0.75 * failed, recommended) : std::min(it_.currentStepSize, factor * failed);
+  const double next =
+      recommended != -1 ? std::min(0.75 * failed, recommended) : std::min(it_.currentStepSize, factor * failed);
   it_.currentStepSize = std::max(it_.minStepSize, next);
 }
 
@@ -73,7 +79,8 @@ void StepController::reject_by_error(double wanted) {
 
 void StepController::accept(double wanted) {
   const double h = it_.currentStepSize, factor = std::clamp(wanted, smallest_factor, factors_.largest_increase);
-  const double next = std::clamp(factor > 1 && factor < not_worth_it ? h : h * factor, it_.minStepSize, std::max(it_.minStepSize, it_.maxStepSize));
+  const double next = std::clamp(factor > 1 && factor < not_worth_it ? h : h * factor, it_.minStepSize,
+                                 std::max(it_.minStepSize, it_.maxStepSize));
   const double rest = it_.endTime - it_.currentTime;
   it_.currentStepSize = next < rest && rest < last_stretch * next ? rest : next;
 }
@@ -83,7 +90,9 @@ void StepController::propose(double size) {
   it_.currentStepSize = std::min(largest, std::max(it_.minStepSize, size));
 }
 
-void StepController::recover() { it_.currentStepSize = std::min(it_.maxStepSize, factors_.increase * it_.currentStepSize); }
+void StepController::recover() {
+  it_.currentStepSize = std::min(it_.maxStepSize, factors_.increase * it_.currentStepSize);
+}
 
 bool StepController::is_recovered() {
   ++since_rejection_;

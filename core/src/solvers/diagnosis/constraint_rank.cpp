@@ -23,12 +23,14 @@ constexpr std::size_t further_samples = 4;   // random vectors of a null space, 
 constexpr double share_of_equation = 1e-10;  // smallest squared entry of an equation in the null space
 
 Eigen::Map<const Eigen::MatrixXd> matrix(const std::vector<double>& columns, std::size_t rows) {
-  return {columns.data(), static_cast<Eigen::Index>(rows), rows == 0 ? 0 : static_cast<Eigen::Index>(columns.size() / rows)};
+  return {columns.data(), static_cast<Eigen::Index>(rows),
+          rows == 0 ? 0 : static_cast<Eigen::Index>(columns.size() / rows)};
 }
 
 }  // namespace
 
-ConstraintRank::ConstraintRank(System& system, const State& state, const Conditions& conditions, const ConstraintMetric& metric, double tolerance)
+ConstraintRank::ConstraintRank(System& system, const State& state, const Conditions& conditions,
+                               const ConstraintMetric& metric, double tolerance)
     : units_(metric.kinds), acting_(metric.acting) {
   for (std::size_t k = 0; k < metric.weights.size(); ++k)
     if (metric.weights[k] > 0) rows_.push_back(static_cast<int>(k));
@@ -45,20 +47,23 @@ ConstraintRank::ConstraintRank(System& system, const State& state, const Conditi
     double sum = 0;
     for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)]) sum += value * value;
     lengths_.push_back(sum > 0 ? std::sqrt(sum) : 1);
-    for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)]) column.push_back({row, value / lengths_.back()});
+    for (const auto& [row, value] : metric.columns[static_cast<std::size_t>(k)])
+      column.push_back({row, value / lengths_.back()});
     roots_.push_back(std::sqrt(metric.weights[static_cast<std::size_t>(k)]));
   }
   OrthogonalFactors factors(columns, system.sizes().ode2, tolerance);
   weakest_ = factors.smallest_pivot();
   std::vector<double> strengths;
-  for (std::size_t i = 0; i < rows_.size(); ++i) strengths.push_back(lengths_[i] * lengths_[i] / (roots_[i] * roots_[i]));
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    strengths.push_back(lengths_[i] * lengths_[i] / (roots_[i] * roots_[i]));
   strength_ = factors.smallest_pivot(strengths);
   certain_ = factors.dependent().empty() || weakest_ > certain_multiple * tolerance;
   for (const int i : factors.dependent()) dependent_.push_back(rows_[static_cast<std::size_t>(i)]);
   std::ranges::sort(dependent_);
   if (dependent_.empty()) return;
   largest_item_ = 0;
-  for (const System::EquationOwner& owner : system.equation_owners()) largest_item_ = std::max(largest_item_, owner.count);
+  for (const System::EquationOwner& owner : system.equation_owners())
+    largest_item_ = std::max(largest_item_, owner.count);
   factors_ = std::make_shared<const OrthogonalFactors>(std::move(factors));
 }
 
@@ -66,7 +71,8 @@ ConstraintRank::ConstraintRank(System& system, const State& state, const Conditi
 std::vector<double> ConstraintRank::null_vectors(std::size_t most) const {
   const std::size_t count = dependent_.size(), rows = rows_.size();
   const auto columns = static_cast<Eigen::Index>(std::min(count, most));
-  Eigen::MatrixXd basis(static_cast<Eigen::Index>(rows), columns), given = Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(count), columns);
+  Eigen::MatrixXd basis(static_cast<Eigen::Index>(rows), columns),
+      given = Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(count), columns);
   if (count > most) {
     NumberSequence random;
     std::generate_n(given.data(), given.size(), random);
@@ -114,9 +120,11 @@ std::vector<double> ConstraintRank::misfit(std::span<const double> gaps) const {
   const auto space = matrix(null_space(), rows_.size());
   if (!whole_null_space_) return open;
   Eigen::VectorXd scaled(space.rows());
-  for (std::size_t i = 0; i < rows_.size(); ++i) scaled[static_cast<Eigen::Index>(i)] = gaps[static_cast<std::size_t>(rows_[i])] / roots_[i];
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    scaled[static_cast<Eigen::Index>(i)] = gaps[static_cast<std::size_t>(rows_[i])] / roots_[i];
   scaled = space * (space.transpose() * scaled).eval();
-  for (std::size_t i = 0; i < rows_.size(); ++i) open[static_cast<std::size_t>(rows_[i])] = scaled[static_cast<Eigen::Index>(i)] * roots_[i];
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    open[static_cast<std::size_t>(rows_[i])] = scaled[static_cast<Eigen::Index>(i)] * roots_[i];
   return open;
 }
 
@@ -146,8 +154,8 @@ std::vector<ConstraintRank::Item> ConstraintRank::items(const System& system) co
   each_owner(rows_, system, [&](const System::EquationOwner& owner, Eigen::Index first, Eigen::Index equations) {
     const Eigen::MatrixXd part = space.middleRows(first, equations);
     if (!(part.squaredNorm() > share_of_equation)) return;
-    const auto rank = static_cast<int>(
-        std::ranges::count_if(symmetric_eigenvalues(part * part.transpose()), [](double x) { return x > share_of_equation; }));
+    const auto rank = static_cast<int>(std::ranges::count_if(symmetric_eigenvalues(part * part.transpose()),
+                                                             [](double x) { return x > share_of_equation; }));
     const auto acting = std::count(acting_.begin() + owner.first, acting_.begin() + owner.first + owner.count, 1);
     found.push_back({owner.number, system.describe(owner), owner.first, owner.count, static_cast<int>(acting), rank});
   });
@@ -161,7 +169,8 @@ std::vector<std::string> ConstraintRank::contradictions(std::span<const double> 
   if (count() == 0) return lines;
   const auto space = matrix(null_space(), rows_.size());
   Eigen::VectorXd scaled(space.rows());
-  for (std::size_t i = 0; i < rows_.size(); ++i) scaled[static_cast<Eigen::Index>(i)] = misfit[static_cast<std::size_t>(rows_[i])] / roots_[i];
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    scaled[static_cast<Eigen::Index>(i)] = misfit[static_cast<std::size_t>(rows_[i])] / roots_[i];
   const Eigen::VectorXd whole = space.transpose() * scaled;
   each_owner(rows_, system, [&](const System::EquationOwner& owner, Eigen::Index first, Eigen::Index equations) {
     const Eigen::MatrixXd part = space.middleRows(first, equations).transpose();
@@ -173,7 +182,8 @@ std::vector<std::string> ConstraintRank::contradictions(std::span<const double> 
     const int equation = rows_[static_cast<std::size_t>(first + worst)];
     const CoordinateUnit kind = units_[static_cast<std::size_t>(equation)];
     const char* unit = kind == CoordinateUnit::meter ? " m" : kind == CoordinateUnit::radian ? " rad" : "";
-    lines.push_back(system.describe(owner) + ", equation " + std::to_string(equation - owner.first) + ": " + format_number(gap[worst]) + unit);
+    lines.push_back(system.describe(owner) + ", equation " + std::to_string(equation - owner.first) + ": " +
+                    format_number(gap[worst]) + unit);
   });
   return lines;
 }

@@ -20,7 +20,9 @@ constexpr double near_position = 1e-3;  // relative to the size of the model
   if (sizes_.ae == 0) return;
   if (constraint_solver().active()) {
     const auto rank_at = [&](const State& state) {
-      return ConstraintRank(*system_, state, conditions_, constraint_metric(*system_, state, conditions_, settings_->redundantConstraints.momentLength));
+      return ConstraintRank(
+          *system_, state, conditions_,
+          constraint_metric(*system_, state, conditions_, settings_->redundantConstraints.momentLength));
     };
     rank_ = rank_at(at);
     bool leaves = rank_.count() == 0;
@@ -37,10 +39,12 @@ constexpr double near_position = 1e-3;  // relative to the size of the model
   }
   system_->reactions_are_known(rank_.equations());
   if (rank_.count() == 0 || std::exchange(announced_rank_, true) || !verbose(1)) return;
-  std::string text = "  " + std::to_string(rank_.count()) + " of " + std::to_string(rank_.equations_examined()) +
-                     " constraint equations follow from others; where reactions are not unique, the smallest are taken:\n";
+  std::string text =
+      "  " + std::to_string(rank_.count()) + " of " + std::to_string(rank_.equations_examined()) +
+      " constraint equations follow from others; where reactions are not unique, the smallest are taken:\n";
   for (const auto& item : rank_.items(system()))
-    text += "    " + item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out\n";
+    text += "    " + item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) +
+            " could be left out\n";
   say(1, text);
 }
 

@@ -26,20 +26,20 @@ constexpr std::size_t most_named = 5, most_items = 10;
 
 struct Part {
   const char* name;  // as in methods of systemData
-  std::vector<double> State::*vector;
+  std::vector<double> State::* vector;
 };
 // Causes are listed before their consequences.
-constexpr Part parts[] = {{"Data", &State::data},    {"ODE2", &State::q},     {"ODE2_t", &State::v}, {"ODE1", &State::y},
-                          {"AE", &State::lambda},    {"ODE2_tt", &State::a},  {"ODE1_t", &State::y_t}};
+constexpr Part parts[] = {{"Data", &State::data}, {"ODE2", &State::q},    {"ODE2_t", &State::v},  {"ODE1", &State::y},
+                          {"AE", &State::lambda}, {"ODE2_tt", &State::a}, {"ODE1_t", &State::y_t}};
 
-int first_row_of(const Sizes& sizes, std::vector<double> State::*vector) {
+int first_row_of(const Sizes& sizes, std::vector<double> State::* vector) {
   if (vector == &State::y || vector == &State::y_t) return sizes.ode2;
   return vector == &State::lambda ? sizes.first_ae() : 0;
 }
 
 // Outputs of connectors and joints that act on their markers.
-constexpr OutputVariableType efforts[] = {OutputVariableType::Force, OutputVariableType::Torque, OutputVariableType::ForceLocal,
-                                          OutputVariableType::TorqueLocal};
+constexpr OutputVariableType efforts[] = {OutputVariableType::Force, OutputVariableType::Torque,
+                                          OutputVariableType::ForceLocal, OutputVariableType::TorqueLocal};
 
 // Returns whether `read(values)` gives a number that is not finite. Outputs that cannot be read are not a cause.
 template <class Read>
@@ -115,10 +115,12 @@ Diagnosis& Diagnostics::diagnose(FailureReason reason) {
   if (conv.linearSolverFailed && conv.linearSolverCausingRow >= 0) {
     d.singular_row = conv.linearSolverCausingRow;
     if (settings().linearSolverSettings.showCausingItems) d.singular_items = system().describe_row(d.singular_row);
-    d.advice = {"look for redundant constraints, coordinates without mass or stiffness, and zero parameters at these items",
-                settings().redundantConstraints.treat
-                    ? "hold what can move without inertia or stiffness, by a constraint or a weak spring: redundant constraints alone are no obstacle"
-                    : "use redundantConstraints.treat=True to go on with redundant constraints"};
+    d.advice = {
+        "look for redundant constraints, coordinates without mass or stiffness, and zero parameters at these items",
+        settings().redundantConstraints.treat
+            ? "hold what can move without inertia or stiffness, by a constraint or a weak spring: redundant "
+              "constraints alone are no obstacle"
+            : "use redundantConstraints.treat=True to go on with redundant constraints"};
   }
   return d;
 }
@@ -149,20 +151,25 @@ void Diagnostics::diagnose(FailureReason reason, std::span<const double> residua
 }
 
 [[gnu::noinline]] void Diagnostics::warn_of_free_motion(std::span<const int> rows) {
-  warn(name() + ": other states are in balance as well, as nothing resists a motion of:" + indented(describe_equations(system(), rows)) +
+  warn(name() + ": other states are in balance as well, as nothing resists a motion of:" +
+       indented(describe_equations(system(), rows)) +
        "\n  Hold it by a constraint or a weak spring, unless any of these states will do.");
 }
 
 [[gnu::noinline]] void Diagnostics::warn_of_instability(int directions, std::span<const int> rows) {
   warn(name() + ": the equilibrium is unstable: the smallest disturbance leaves it in " + std::to_string(directions) +
-       (directions == 1 ? " direction" : " directions, one of them") + " with its largest share in:" + indented(describe_equations(system(), rows)) +
-       "\n  For a stable equilibrium, begin with initial values or a small load that moves the system to that side, or use SolveDynamic with damping.");
+       (directions == 1 ? " direction" : " directions, one of them") +
+       " with its largest share in:" + indented(describe_equations(system(), rows)) +
+       "\n  For a stable equilibrium, begin with initial values or a small load that moves the system to that side, or "
+       "use SolveDynamic with damping.");
 }
 
 [[gnu::noinline]] void Diagnostics::warn_of_velocities(std::span<const int> rows, double largest_force) {
-  warn(name() + ": velocities are not zero, and what answers them (damping, inertia) is part of this balance, with up to " +
+  warn(name() +
+       ": velocities are not zero, and what answers them (damping, inertia) is part of this balance, with up to " +
        number(largest_force) + " in:" + indented(describe_equations(system(), rows)) +
-       "\n  For an equilibrium at rest, begin without velocities (initialVelocities, mbs.systemData.SetODE2Coordinates_t).");
+       "\n  For an equilibrium at rest, begin without velocities (initialVelocities, "
+       "mbs.systemData.SetODE2Coordinates_t).");
 }
 
 [[gnu::noinline]] void Diagnostics::diagnose_open_gaps() {
@@ -178,46 +185,59 @@ void Diagnostics::diagnose(FailureReason reason, std::span<const double> residua
   Diagnosis& d = diagnose(FailureReason::open_constraints);
   add_largest(d.values, gaps, "equation", sizes_.first_ae());
   d.advice = {"use smaller steps (timeIntegration.numberOfSteps, minimumStepSize)",
-              "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
+              "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that "
+              "fulfil all constraints"};
 }
 
 // Returns whether joints opened by the motion: they fitted at the start, and are not driven. Velocity constraints are
 // not conclusive, because their residuals are not gaps of positions. Static solutions close gaps of the start.
 bool Diagnostics::has_left_constraints(std::span<const double> misfit) {
   return have_fitted(is_static() ? start_of_step() : initial(), misfit) &&
-         std::ranges::none_of(driven_equations(system(), initial(), conditions_, solver_.last_time()), [](char d) { return d != 0; });
+         std::ranges::none_of(driven_equations(system(), initial(), conditions_, solver_.last_time()),
+                              [](char d) { return d != 0; });
 }
 
 bool Diagnostics::have_fitted(const State& at, std::span<const double> misfit) {
   constexpr double none = 1e-3;
   const ConstraintSolver& constraints = constraint_solver();
-  const auto apart = [&](const State& state) { return constraints.largest(gaps_of_positions(system(), state, conditions_)); };
+  const auto apart = [&](const State& state) {
+    return constraints.largest(gaps_of_positions(system(), state, conditions_));
+  };
   return apart(at) < none * (conditions_.rate_level ? apart(current()) : constraints.largest(misfit));
 }
 
 [[gnu::noinline]] void Diagnostics::diagnose_contradiction(std::span<const double> misfit) {
   // An action may have closed an inconsistent joint.
-  const bool begun_before = solver_.largest_misfit_ > ConstraintSolver::silent_misfit || have_fitted(start_of_step(), misfit);
+  const bool begun_before =
+      solver_.largest_misfit_ > ConstraintSolver::silent_misfit || have_fitted(start_of_step(), misfit);
   if (begun_before && has_left_constraints(misfit)) {
     Diagnosis& d = diagnose(FailureReason::open_constraints);
     add_largest(d.values, misfit, "equation", sizes_.first_ae());
     if (is_static()) {
-      d.advice = {"joints have fitted together before this step; Newton's method has gone to where they do not: use more load steps "
-                  "(staticSolver.numberOfLoadSteps), which may become as small as staticSolver.minimumStepSize says",
-                  "where the mechanism is to snap through, or has to swing far, find the equilibrium by a dynamic solution with damping"};
+      d.advice = {
+          "joints have fitted together before this step; Newton's method has gone to where they do not: use more load "
+          "steps "
+          "(staticSolver.numberOfLoadSteps), which may become as small as staticSolver.minimumStepSize says",
+          "where the mechanism is to snap through, or has to swing far, find the equilibrium by a dynamic solution "
+          "with damping"};
       return;
     }
-    d.advice = {"joints have fitted together at the start; the motion has left what they allow, more with each step: use smaller steps "
-                "(timeIntegration.numberOfSteps), or numerical damping (generalizedAlpha.spectralRadius below 1)",
-                "let steps end on the constraints (exu.DynamicSolverType.ESDIRK43, DOPRI5)", "see how far the energy has drifted (mbs.Report())"};
+    d.advice = {
+        "joints have fitted together at the start; the motion has left what they allow, more with each step: use "
+        "smaller steps "
+        "(timeIntegration.numberOfSteps), or numerical damping (generalizedAlpha.spectralRadius below 1)",
+        "let steps end on the constraints (exu.DynamicSolverType.ESDIRK43, DOPRI5)",
+        "see how far the energy has drifted (mbs.Report())"};
     return;
   }
   if (!solver_.rank_known_) solver_.find_rank(start_of_step());
   Diagnosis& d = diagnose(FailureReason::contradiction);
   add_largest(d.values, misfit, "equation", sizes_.first_ae());
   d.dependent = solver_.constraint_rank().contradictions(misfit, system());
-  d.advice = {"move or turn the markers of the joints named above until they fit, or free equations that others state as well",
-              "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the mechanism)"};
+  d.advice = {
+      "move or turn the markers of the joints named above until they fit, or free equations that others state as well",
+      "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the "
+      "mechanism)"};
 }
 
 // Warns with one line per item: its equation with the largest residual.
@@ -239,10 +259,14 @@ bool Diagnostics::have_fitted(const State& at, std::span<const double> misfit) {
       lines.push_back(system().describe(owner) + ", equation " + std::to_string(worst - owner.first) + ": " +
                       format_number(misfit[static_cast<std::size_t>(worst)]));
   }
-  const char* text = has_left_constraints(misfit) ? "the motion leaves what redundant constraints allow, although they have fitted together at the start; by now by:"
-                                                  : "redundant constraints contradict each other; what the closest fit leaves open:";
+  const char* text = has_left_constraints(misfit)
+                         ? "the motion leaves what redundant constraints allow, although they have fitted together at "
+                           "the start; by now by:"
+                         : "redundant constraints contradict each other; what the closest fit leaves open:";
   contradiction_text_ = text + indented(std::move(lines));
-  if (is_static()) contradiction_text_ += "\n  Forces that these joints exert on each other are not determined: their reactions are uncertain";
+  if (is_static())
+    contradiction_text_ +=
+        "\n  Forces that these joints exert on each other are not determined: their reactions are uncertain";
   warn(name() + ": " + contradiction_text_);
 }
 
@@ -255,16 +279,19 @@ bool Diagnostics::have_fitted(const State& at, std::span<const double> misfit) {
   Diagnosis& d = diagnosis_;
   if (d.dependent.empty()) {
     for (const auto& item : constraints.items(system()))
-      d.dependent.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out");
+      d.dependent.push_back(item.item + ": " + std::to_string(item.removable) + " of " +
+                            std::to_string(item.equations) + " could be left out");
     shorten(d.dependent);
   }
   d.advice.insert(d.advice.begin(),
                   "some constraint equations are hardly independent of others (by " + number(constraints.weakest()) +
                       "), so that round-off may hide which are redundant: free equations that others state as well "
-                      "(mbs.ComputeSystemDegreeOfFreedom() lists them by object), or make one body of those that cannot move against each other");
+                      "(mbs.ComputeSystemDegreeOfFreedom() lists them by object), or make one body of those that "
+                      "cannot move against each other");
 }
 
-void Diagnostics::add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const {
+void Diagnostics::add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector,
+                              int first_row) const {
   const auto larger = [](double x, double y) {  // by magnitude; NaN first
     if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && !std::isnan(y);
     return std::abs(x) > std::abs(y);
@@ -320,8 +347,10 @@ void Diagnostics::diagnose_not_finite(std::span<const double> residual) {
   d.singular_row = -1;
   d.advice.clear();
   if (it.currentStepIndex > 0) solver_.advise_on_growth();
-  d.advice.push_back("check initial values, parameters and user functions of the items named above: divisions by zero, roots of negative "
-                     "numbers, wrong units");
+  d.advice.push_back(
+      "check initial values, parameters and user functions of the items named above: divisions by zero, roots of "
+      "negative "
+      "numbers, wrong units");
 }
 
 // Returns loads and connectors with values that are not finite although the coordinates are finite.
@@ -334,13 +363,16 @@ std::vector<std::string> Diagnostics::sources_of_not_finite() {
     return found.size() < most_named;
   };
   for (int i = 0; i < items->count(ItemKind::load); ++i) {
-    if (!ask(ItemKind::load, i, [&](std::vector<double>& x) { system().load_values(i, current().time, x); })) return found;
+    if (!ask(ItemKind::load, i, [&](std::vector<double>& x) { system().load_values(i, current().time, x); }))
+      return found;
   }
   for (int i = 0; i < items->count(ItemKind::object); ++i) {
     const auto outputs = items->item(ItemKind::object, i).type->outputs;
     const auto effort = std::ranges::find_first_of(outputs, efforts);
     if (effort == outputs.end()) continue;
-    if (!ask(ItemKind::object, i, [&](std::vector<double>& x) { system().object_output(i, *effort, ConfigurationType::Current, x); })) break;
+    if (!ask(ItemKind::object, i,
+             [&](std::vector<double>& x) { system().object_output(i, *effort, ConfigurationType::Current, x); }))
+      break;
   }
   return found;
 }
@@ -352,27 +384,31 @@ bool Diagnostics::starts_finite() {
   it.currentTime = is_static() ? settings().staticSolver.loadStepStart : settings().timeIntegration.startTime;
   Diagnosis& d = diagnose(FailureReason::not_finite);
   d.values = std::move(values);
-  d.advice = {"set finite initial values: initialCoordinates and initialVelocities of the nodes named above, or "
-              "mbs.systemData.SetODE2Coordinates(..., exu.ConfigurationType.Initial) and its siblings"};
+  d.advice = {
+      "set finite initial values: initialCoordinates and initialVelocities of the nodes named above, or "
+      "mbs.systemData.SetODE2Coordinates(..., exu.ConfigurationType.Initial) and its siblings"};
   return false;
 }
 
 [[gnu::noinline]] void Diagnostics::time_is_over() {
   stop_ = output.simulationTimeout = true;
   const std::string limit = format_number(hooks().timeout) + " seconds";
-  diagnose(FailureReason::time_limit).advice = {"raise exu.special.solver.timeout (" + limit + "), or set it to -1 for no limit",
-                                                "go on from the state that was reached: updateInitialValues and timeIntegration.startTime"};
-  warn(name() + ": the time limit of " + limit + " (exu.special.solver.timeout) is reached at time " + format_number(it.currentTime) +
-       ", before the end of the simulation: the solver stops");
+  diagnose(FailureReason::time_limit).advice = {
+      "raise exu.special.solver.timeout (" + limit + "), or set it to -1 for no limit",
+      "go on from the state that was reached: updateInitialValues and timeIntegration.startTime"};
+  warn(name() + ": the time limit of " + limit + " (exu.special.solver.timeout) is reached at time " +
+       format_number(it.currentTime) + ", before the end of the simulation: the solver stops");
 }
 
 // Static solvers are allowed to close gaps.
 void Diagnostics::check_constraints() {
   const auto& s = settings().initialConditions;
   if (!s.checkConstraints || sizes_.ae == 0 || !solver_.enforces_constraints()) return;
-  const auto open = open_constraints(system(), current(), conditions_, {s.positionTolerance, s.velocityTolerance, !is_static()});
+  const auto open =
+      open_constraints(system(), current(), conditions_, {s.positionTolerance, s.velocityTolerance, !is_static()});
   if (open.empty()) return;
-  const bool any_rate = std::ranges::any_of(open, &OpenConstraint::of_rate), any_gap = !std::ranges::all_of(open, &OpenConstraint::of_rate);
+  const bool any_rate = std::ranges::any_of(open, &OpenConstraint::of_rate),
+             any_gap = !std::ranges::all_of(open, &OpenConstraint::of_rate);
   std::string text = name() + ": the initial values contradict " + listed(open, system()) + "\n ";
   if (any_gap && is_static()) text += " The load steps close the gaps.";
   if (any_gap && !is_static()) {
@@ -380,11 +416,14 @@ void Diagnostics::check_constraints() {
                                    : " Gaps close in the first step, with large velocities and forces.";
   }
   if (any_rate) text += " Velocities against constraints vanish in the first step.";
-  text += " mbs.ComputeConsistentInitialConditions() finds initial values that fulfil all constraints; "
-          "simulationSettings.initialConditions says what is tolerated.";
+  text +=
+      " mbs.ComputeConsistentInitialConditions() finds initial values that fulfil all constraints; "
+      "simulationSettings.initialConditions says what is tolerated.";
   if (s.inconsistentIsError) throw ModelError(ErrorKind::value, text);
-  if (is_static()) say(1, text + "\n");
-  else warn(text);
+  if (is_static())
+    say(1, text + "\n");
+  else
+    warn(text);
 }
 
 // A first step that closes larger gaps than the tolerances has large errors, independently of the step size.
@@ -393,9 +432,13 @@ void Diagnostics::check_constraints() {
   const double tolerance = settings().timeIntegration.absoluteTolerance;
   const auto open = open_constraints(system(), initial(), conditions_, {tolerance, tolerance, true});
   if (open.empty()) return;
-  closing_at_start_ = "the first steps close what initial values leave open by more than the tolerances, of " + listed(open, system()) + "\n  ";
-  closing_at_start_ += contradiction_text_.empty() ? "Begin with mbs.ComputeConsistentInitialConditions(), or allow larger errors" : "No state fulfils all: " + contradiction_text_ +
-         "\n  Move or turn the markers of these joints until they fit, free equations that others state as well, or allow larger errors";
+  closing_at_start_ = "the first steps close what initial values leave open by more than the tolerances, of " +
+                      listed(open, system()) + "\n  ";
+  closing_at_start_ += contradiction_text_.empty()
+                           ? "Begin with mbs.ComputeConsistentInitialConditions(), or allow larger errors"
+                           : "No state fulfils all: " + contradiction_text_ +
+                                 "\n  Move or turn the markers of these joints until they fit, free equations that "
+                                 "others state as well, or allow larger errors";
 }
 
 }  // namespace dalembert

@@ -37,7 +37,8 @@ class Diagnostics : public SolverPart {
   void diagnose_not_finite(std::span<const double> residual = {});
   void time_is_over();
   // Adds the largest of the numbers, with the items of their rows; the list stays short and begins with the largest.
-  void add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const;
+  void add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector,
+                   int first_row) const;
   void advise_on_weak_constraints();
 
   // ---- warnings ----------------------------------------------------------------------------------------------------

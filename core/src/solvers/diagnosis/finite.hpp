@@ -24,7 +24,8 @@ inline bool all_finite(std::span<const double> numbers) {
   return std::ranges::all_of(sums, [](double sum) { return sum == 0; });
 }
 inline bool all_finite(const State& s) {
-  return all_finite(s.q) && all_finite(s.v) && all_finite(s.a) && all_finite(s.y) && all_finite(s.y_t) && all_finite(s.lambda) && all_finite(s.data);
+  return all_finite(s.q) && all_finite(s.v) && all_finite(s.a) && all_finite(s.y) && all_finite(s.y_t) &&
+         all_finite(s.lambda) && all_finite(s.data);
 }
 
 }  // namespace dalembert

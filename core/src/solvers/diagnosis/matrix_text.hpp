@@ -32,7 +32,8 @@ inline std::string matrix_text(std::span<const double> values, int size, int pre
 inline std::vector<double> dense_rows(const Pattern& pattern, std::span<const double> values, int size) {
   std::vector<double> rows(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 0.0);
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
-    if (row < size && column < size) rows[static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + column] = values[slot];
+    if (row < size && column < size)
+      rows[static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + column] = values[slot];
   });
   return rows;
 }

@@ -11,7 +11,8 @@ namespace dalembert {
 
 namespace {
 
-constexpr double round_off = 1e-15;  // smaller entries of a row that has been rotated are dropped; columns have unit length
+constexpr double round_off =
+    1e-15;  // smaller entries of a row that has been rotated are dropped; columns have unit length
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -25,7 +26,8 @@ std::vector<int> elimination_order(const std::vector<OrthogonalFactors::Vector>&
   Eigen::COLAMDOrdering<int>::PermutationType position;
   Eigen::COLAMDOrdering<int>()(matrix, position);
   std::vector<int> order(columns.size());
-  for (std::size_t j = 0; j < order.size(); ++j) order[at(position.indices()[static_cast<Eigen::Index>(j)])] = static_cast<int>(j);
+  for (std::size_t j = 0; j < order.size(); ++j)
+    order[at(position.indices()[static_cast<Eigen::Index>(j)])] = static_cast<int>(j);
   return order;
 }
 
@@ -82,7 +84,8 @@ void OrthogonalFactors::rotate_in(Vector row) {
 double OrthogonalFactors::smallest_pivot(std::span<const double> factors) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < rows_.size(); ++k)
-    if (!rows_[k].empty()) least = std::min(least, factors[at(order_[k])] * rows_[k].front().value * rows_[k].front().value);
+    if (!rows_[k].empty())
+      least = std::min(least, factors[at(order_[k])] * rows_[k].front().value * rows_[k].front().value);
   return least;
 }
 
@@ -92,7 +95,8 @@ std::vector<double> OrthogonalFactors::null_vector(std::span<const double> of_de
   for (std::size_t k = rows_.size(); k-- > 0;) {
     if (rows_[k].empty()) continue;
     double sum = 0;
-    for (const auto& [position, value] : std::span(rows_[k]).subspan(1)) sum += value * vector[at(order_[at(position)])];
+    for (const auto& [position, value] : std::span(rows_[k]).subspan(1))
+      sum += value * vector[at(order_[at(position)])];
     vector[at(order_[k])] = -sum / rows_[k].front().value;
   }
   return vector;

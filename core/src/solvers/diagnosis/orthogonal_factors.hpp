@@ -23,7 +23,7 @@ class OrthogonalFactors {
   OrthogonalFactors(const std::vector<Vector>& columns, int rows, double tolerance);
 
   const std::vector<int>& dependent() const { return dependent_; }  // columns, in order of elimination
-  double smallest_pivot() const { return smallest_pivot_; }         // smallest squared remainder of the others; 0 without any
+  double smallest_pivot() const { return smallest_pivot_; }  // smallest squared remainder of the others; 0 without any
   // Smallest squared remainder, where each one is multiplied by the factor of its column.
   double smallest_pivot(std::span<const double> factors) const;
   // The null vector with these entries for the dependent columns, by column.
@@ -34,11 +34,11 @@ class OrthogonalFactors {
  private:
   void rotate_in(Vector row);
 
-  std::vector<int> order_;      // column, by position in the elimination
-  std::vector<Vector> rows_;    // of R, by position; the first entry is that of the diagonal; empty if dependent
+  std::vector<int> order_;  // column, by position in the elimination
+  std::vector<Vector> rows_;  // of R, by position; the first entry is that of the diagonal; empty if dependent
   std::vector<int> dependent_;
   double smallest_pivot_ = 0;
-  Vector pivot_, other_;        // storage of rotations
+  Vector pivot_, other_;  // storage of rotations
 };
 
 }  // namespace dalembert

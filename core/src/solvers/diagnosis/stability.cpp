@@ -42,8 +42,8 @@ Vector mixed_numbers(std::size_t count) {
 }  // namespace
 
 // Uses power iterations with M^-1 K and M^-1 D. Rayleigh quotients of symmetric matrices are lower bounds.
-Vibration fastest_vibration(System& system, const State& state, const Conditions& conditions, const std::function<bool(std::vector<double>&)>& accelerate,
-                            const std::vector<int>& held) {
+Vibration fastest_vibration(System& system, const State& state, const Conditions& conditions,
+                            const std::function<bool(std::vector<double>&)>& accelerate, const std::vector<int>& held) {
   const Pattern& pattern = system.pattern(false);
   Vector stiffness(static_cast<std::size_t>(pattern.values())), damping = stiffness, inertia = stiffness;
   system.tangent(state, conditions, {.q = 1, .v = 0, .a = 0, .y = 0, .y_t = 0}, pattern, stiffness);
@@ -96,12 +96,14 @@ double amplification(const RungeKuttaMethod& method, const Vibration& vibration,
 // Velocities u are those between the steps: u+ = u - h (damping u + frequency^2 q), q+ = q + h u+, so that r^2 - b r +
 // d = 0.
 double verlet_amplification(const Vibration& vibration, double step_size) {
-  const double z = vibration.frequency * step_size, loss = vibration.damping * step_size, b = 2 - loss - z * z, d = 1 - loss;
+  const double z = vibration.frequency * step_size, loss = vibration.damping * step_size, b = 2 - loss - z * z,
+               d = 1 - loss;
   const double discriminant = 0.25 * b * b - d;
   return discriminant > 0 ? 0.5 * std::abs(b) + std::sqrt(discriminant) : std::sqrt(d);
 }
 
-double largest_stable_step(const Vibration& vibration, double step_size, const std::function<double(double)>& amplified) {
+double largest_stable_step(const Vibration& vibration, double step_size,
+                           const std::function<double(double)>& amplified) {
   if (!(vibration.rate() > 0)) return step_size;
   const double period = 2 * std::numbers::pi / vibration.rate();
   const auto stable = [&](double h) { return std::pow(amplified(h), period / h) <= 1.01; };

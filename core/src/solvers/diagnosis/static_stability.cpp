@@ -27,13 +27,13 @@ using Vector = Eigen::VectorXd;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
 // Constants for scaled coordinates, in which each stiffness is at most 1.
-constexpr double spring = 1e6;             // b
-constexpr double neutral = 1e-9;           // stiffness that counts as zero
-constexpr double largest_asymmetry = 1e-6; // of forces with a potential
-constexpr double rounding = 1e-9;          // relative to the terms that cancel in a curvature
+constexpr double spring = 1e6;  // b
+constexpr double neutral = 1e-9;  // stiffness that counts as zero
+constexpr double largest_asymmetry = 1e-6;  // of forces with a potential
+constexpr double rounding = 1e-9;  // relative to the terms that cancel in a curvature
 
 struct Problem {
-  Sparse K, G;   // scaled
+  Sparse K, G;  // scaled
   Vector scale;  // coordinates = scale * scaled coordinates
   bool has_potential = true;
 };
@@ -62,9 +62,12 @@ static Problem problem_of(const Pattern& pattern, std::span<const double> matrix
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
     const double value = matrix[slot];
     if (value == 0) return;
-    if (row < n && column < n) stiffness.emplace_back(row, column, value);
-    else if (row >= first && column < n) rows[static_cast<std::size_t>(row - first)].emplace_back(row - first, column, value);
-    else if (row < n && column >= first) reactions.emplace_back(column - first, row, value);
+    if (row < n && column < n)
+      stiffness.emplace_back(row, column, value);
+    else if (row >= first && column < n)
+      rows[static_cast<std::size_t>(row - first)].emplace_back(row - first, column, value);
+    else if (row < n && column >= first)
+      reactions.emplace_back(column - first, row, value);
   });
   Problem p;
   p.scale = scales(n, stiffness, rows);
@@ -76,7 +79,8 @@ static Problem problem_of(const Pattern& pattern, std::span<const double> matrix
     if (largest > 0) length[k] = 1 / largest;
     for (const auto& e : rows[k]) constraints.emplace_back(e.row(), e.col(), e.value() * p.scale[e.col()] * length[k]);
   }
-  for (auto& e : reactions) e = {e.row(), e.col(), e.value() * p.scale[e.col()] * length[static_cast<std::size_t>(e.row())]};
+  for (auto& e : reactions)
+    e = {e.row(), e.col(), e.value() * p.scale[e.col()] * length[static_cast<std::size_t>(e.row())]};
   for (auto& e : stiffness) e = {e.row(), e.col(), e.value() * p.scale[e.row()] * p.scale[e.col()]};
   p.K.resize(n, n);
   p.K.setFromTriplets(stiffness.begin(), stiffness.end());
@@ -94,7 +98,8 @@ static Problem problem_of(const Pattern& pattern, std::span<const double> matrix
 // Projects vectors onto the null space of the constraint Jacobian.
 class Projection {
  public:
-  Projection(const Sparse& G, std::span<const int> dependent) : columns_(columns(G, dependent)), factors_(columns_, static_cast<int>(G.cols()), 0) {}
+  Projection(const Sparse& G, std::span<const int> dependent)
+      : columns_(columns(G, dependent)), factors_(columns_, static_cast<int>(G.cols()), 0) {}
 
   // Two sweeps remove the round-off of weak constraints.
   void apply(Vector& x) const {
@@ -135,7 +140,8 @@ struct Found {
 
 // Counts directions with negative stiffness, and returns one of them. The result is empty for forces without a
 // potential.
-static Found find(const Pattern& pattern, std::span<const double> matrix, const Sizes& sizes, std::span<const int> dependent) {
+static Found find(const Pattern& pattern, std::span<const double> matrix, const Sizes& sizes,
+                  std::span<const int> dependent) {
   const Problem p = problem_of(pattern, matrix, sizes);
   if (!p.has_potential || !p.K.coeffs().allFinite() || !p.G.coeffs().allFinite()) return {};
   Sparse shift(p.K.rows(), p.K.cols());

@@ -139,8 +139,10 @@ void NewtonSolver::begin_newton() {
   conv.linearSolverCausingRow = -1;
   full_newton_ = !newton_settings.useModifiedNewton;
   loop_ = Loop();
-  if (!constraints_.is_prepared()) [[unlikely]] prepare_constraints();
-  if (constraints_.active()) [[unlikely]] begin_step_with_constraints();
+  if (!constraints_.is_prepared()) [[unlikely]]
+    prepare_constraints();
+  if (constraints_.active()) [[unlikely]]
+    begin_step_with_constraints();
   State& now = current();
   clear_numbers(now.lambda.data(), now.lambda.size());
   clear_numbers(increment_.data(), increment_.size());
@@ -161,12 +163,14 @@ void NewtonSolver::judge_start(double residual) {
 }
 
 bool NewtonSolver::goes_on() const {
-  return !conv.linearSolverFailed && !conv.newtonConverged && !conv.stopNewton && it.newtonSteps < newton_settings.maxIterations;
+  return !conv.linearSolverFailed && !conv.newtonConverged && !conv.stopNewton &&
+         it.newtonSteps < newton_settings.maxIterations;
 }
 
 bool NewtonSolver::factorize() {
   const TimedPart time(timer, timer.factorization);
-  if (constraints_.active()) [[unlikely]] choose_eps();
+  if (constraints_.active()) [[unlikely]]
+    choose_eps();
   conv.linearSolverCausingRow = linear_->factorize(jacobian_);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
   factorized_ = !conv.linearSolverFailed;
@@ -206,7 +210,8 @@ void NewtonSolver::iterate() {
 
 // Corrects the state by the current residual and factors.
 void NewtonSolver::correct_motion() {
-  if (constraints_.active()) [[unlikely]] take_off_misfit();
+  if (constraints_.active()) [[unlikely]]
+    take_off_misfit();
   {
     const TimedPart time(timer, timer.newtonIncrement);
     copy_numbers(residual_.data(), residual_.size(), increment_.data());
@@ -228,8 +233,8 @@ void NewtonSolver::judge(double residual) {
   if (newton_settings.newtonResidualMode == 1) {
     const std::span<const double> all(increment_);
     conv.residual = (std::sqrt(sum_of_squares<double>(all.first(static_cast<std::size_t>(sizes_.ode2)))) +
-                     std::sqrt(sum_of_squares<double>(all.subspan(static_cast<std::size_t>(sizes_.ode2),
-                                                      static_cast<std::size_t>(sizes_.ode1))))) /
+                     std::sqrt(sum_of_squares<double>(
+                         all.subspan(static_cast<std::size_t>(sizes_.ode2), static_cast<std::size_t>(sizes_.ode1))))) /
                     conv.errorCoordinateFactor;
   }
   if (verbose(2)) {
@@ -302,7 +307,8 @@ bool NewtonSolver::stagnated() const {
     return column < first_ae ? std::abs(now.y[column - n]) : std::abs(now.lambda[column - first_ae]);
   };
   system().tangent(now, conditions_, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, pattern(), values);
-  for_each_entry(pattern(), [&](int row, int column, std::size_t k) { size[row] += std::abs(values[k]) * magnitude(column); });
+  for_each_entry(pattern(),
+                 [&](int row, int column, std::size_t k) { size[row] += std::abs(values[k]) * magnitude(column); });
   if (!is_static()) {
     system().tangent(now, conditions_, {.q = 0, .v = 1, .a = 0, .y = 0, .y_t = 0}, pattern(), values);
     for_each_entry(pattern(), [&](int row, int column, std::size_t k) {
@@ -373,12 +379,17 @@ void NewtonSolver::restart() {
 
 [[gnu::noinline]] void NewtonSolver::report_failure() {
   const bool lost = !all_finite(jacobian_) || loop_.lost;
-  const bool has_left = !lost && !diagnostics_->contradiction_text().empty() && !misfit_.empty() && diagnostics_->has_left_constraints(misfit_);
-  const bool apart = !lost && !conditions_.rate_level && !misfit_.empty() && constraints_.largest(misfit_) > settings().redundantConstraints.largestMisfit;
+  const bool has_left = !lost && !diagnostics_->contradiction_text().empty() && !misfit_.empty() &&
+                        diagnostics_->has_left_constraints(misfit_);
+  const bool apart = !lost && !conditions_.rate_level && !misfit_.empty() &&
+                     constraints_.largest(misfit_) > settings().redundantConstraints.largestMisfit;
   if (contradiction_ || has_left || apart) return diagnostics_->diagnose_contradiction(misfit_);
-  if (lost) report_not_finite();
-  else if (conv.linearSolverFailed) diagnostics_->diagnose_singular_matrix(*pattern_, jacobian_);
-  else diagnostics_->diagnose(FailureReason::newton, unscaled_residual());
+  if (lost)
+    report_not_finite();
+  else if (conv.linearSolverFailed)
+    diagnostics_->diagnose_singular_matrix(*pattern_, jacobian_);
+  else
+    diagnostics_->diagnose(FailureReason::newton, unscaled_residual());
   if (lost || conv.linearSolverFailed) return;
   if ((output.stepInformation & step_information::step_reductions) || verbose(2)) {
     say(1, "  Newton (step " + std::to_string(it.currentStepIndex) + ", t = " + number(it.currentTime) +
@@ -412,7 +423,8 @@ void NewtonSolver::report_not_finite() {
     system().mass_matrix(current(), pattern(), mass);
     say(4, "  mass matrix =\n    " + matrix_text(dense_rows(pattern(), mass, sizes_.ode2), sizes_.ode2, digits) + "\n");
   }
-  say(4, "  Jacobian =\n    " + matrix_text(dense_rows(pattern(), jacobian_, sizes_.total()), sizes_.total(), digits) + "\n");
+  say(4, "  Jacobian =\n    " + matrix_text(dense_rows(pattern(), jacobian_, sizes_.total()), sizes_.total(), digits) +
+             "\n");
 }
 
 // Column by column from the factors.

@@ -13,7 +13,8 @@ namespace dalembert {
 namespace {
 
 constexpr double silent_misfit = ConstraintSolver::silent_misfit;
-constexpr double torn_apart = 0.5;  // largest gap of static iterates, relative to the size of the mechanism or in radians
+constexpr double torn_apart =
+    0.5;  // largest gap of static iterates, relative to the size of the mechanism or in radians
 
 }  // namespace
 
@@ -23,7 +24,8 @@ std::unique_ptr<LinearSolver> NewtonSolver::new_linear_solver() const {
 
 // Called at the start of a solution, and after constraints were switched on or off.
 [[gnu::noinline]] void NewtonSolver::prepare_constraints() {
-  const bool treats = sizes_.ae > 0 && settings().redundantConstraints.treat && !settings().linearSolverSettings.ignoreSingularJacobian;
+  const bool treats =
+      sizes_.ae > 0 && settings().redundantConstraints.treat && !settings().linearSolverSettings.ignoreSingularJacobian;
   constraints_.prepare(system(), current(), conditions_, settings().redundantConstraints, treats,
                        is_static() ? ConstraintSolver::Matrix::statics : ConstraintSolver::Matrix::motion);
   if (!constraints_.active()) return;
@@ -47,7 +49,9 @@ void NewtonSolver::examine_constraints_anew() {
   rank_known_ = false;
 }
 
-double NewtonSolver::gap_of_positions() { return constraints_.largest(gaps_of_positions(system(), current(), conditions_)); }
+double NewtonSolver::gap_of_positions() {
+  return constraints_.largest(gaps_of_positions(system(), current(), conditions_));
+}
 
 // If static iterates violate constraints, eps is large, and a correction closes only a part of the gaps. Dependent equations
 // that were left free, and whose gaps do not close together with the others, are held from then on.

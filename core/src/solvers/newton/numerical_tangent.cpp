@@ -20,8 +20,14 @@ struct Move {
 class Differences {
  public:
   Differences(System& system, const State& state, const Conditions& conditions, const Weights& weights)
-      : system_(system), state_(state), moved_(system.state(ConfigurationType::Current)), saved_(moved_), conditions_(conditions),
-        weights_(weights), increment_(state.q.size(), 0.0), up_(static_cast<std::size_t>(system.sizes().total())),
+      : system_(system),
+        state_(state),
+        moved_(system.state(ConfigurationType::Current)),
+        saved_(moved_),
+        conditions_(conditions),
+        weights_(weights),
+        increment_(state.q.size(), 0.0),
+        up_(static_cast<std::size_t>(system.sizes().total())),
         down_(up_.size()) {
     moved_ = state_;
   }
@@ -44,10 +50,13 @@ class Differences {
  private:
   void evaluate(std::span<const Move> moves, double side, Rows rows, std::vector<double>& r) {
     for (const Move& move : moves) shift(move.column, side * move.eps);
-    const bool turns = system_.has_lie_nodes() && std::ranges::any_of(moves, [&](const Move& move) { return move.column < system_.sizes().ode2; });
+    const bool turns = system_.has_lie_nodes() &&
+                       std::ranges::any_of(moves, [&](const Move& move) { return move.column < system_.sizes().ode2; });
     if (turns) system_.compose(state_.q, increment_, moved_.q);
-    if (rows == Rows::all) system_.residual(moved_, conditions_, r);
-    else system_.gaps(moved_, conditions_, std::span(r).subspan(static_cast<std::size_t>(system_.sizes().first_ae())));
+    if (rows == Rows::all)
+      system_.residual(moved_, conditions_, r);
+    else
+      system_.gaps(moved_, conditions_, std::span(r).subspan(static_cast<std::size_t>(system_.sizes().first_ae())));
     if (turns) moved_.q = state_.q;
     for (const Move& move : moves) put_back(move.column);
   }
@@ -99,8 +108,11 @@ class Differences {
 class Choice {
  public:
   Choice(System& system, const NewtonNumericalDifferentiationSettings& options)
-      : all_(options.doSystemWideDifferentiation), algebraic_(options.forAE), motion_(options.forODE2 || options.forODE2connectors),
-        first_ae_(system.sizes().first_ae()), of_items_(all_ ? nullptr : &system.pattern(false)) {}
+      : all_(options.doSystemWideDifferentiation),
+        algebraic_(options.forAE),
+        motion_(options.forODE2 || options.forODE2connectors),
+        first_ae_(system.sizes().first_ae()),
+        of_items_(all_ ? nullptr : &system.pattern(false)) {}
 
   bool everything() const { return all_; }
   // Only algebraic rows are chosen in these columns: in others, all rows may be.
@@ -118,14 +130,18 @@ class Choice {
       std::size_t g = all_ ? groups.size() : 0;
       for (; g < groups.size(); ++g) {
         if (only_algebraic_rows(column) != only_algebraic_rows(groups[g].front())) continue;
-        if (!any_row(column, [&](int row) { return (uses[g][static_cast<std::size_t>(row)] & conflicts(row)) != 0; })) break;
+        if (!any_row(column, [&](int row) { return (uses[g][static_cast<std::size_t>(row)] & conflicts(row)) != 0; }))
+          break;
       }
       if (g == groups.size()) {
         groups.emplace_back();
         uses.emplace_back(all_ ? 0 : static_cast<std::size_t>(s.total()), 0);
       }
       groups[g].push_back(column);
-      if (!all_) for_each_row(*of_items_, column, [&](int row) { uses[g][static_cast<std::size_t>(row)] |= selects(row, column) ? changed | chosen : changed; });
+      if (!all_)
+        for_each_row(*of_items_, column, [&](int row) {
+          uses[g][static_cast<std::size_t>(row)] |= selects(row, column) ? changed | chosen : changed;
+        });
     }
     return groups;
   }
@@ -182,11 +198,14 @@ void numerical_tangent(System& system, const State& state, const Conditions& con
       const double size = size_of_unknown(s, state, reference, options.addReferenceCoordinatesToEpsilon, column);
       moves.push_back({column, options.relativeEpsilon * std::max(options.minimumCoordinateSize, std::abs(size))});
     }
-    differences.find(moves, chosen.only_algebraic_rows(group.front()) ? Differences::Rows::algebraic : Differences::Rows::all);
+    differences.find(moves,
+                     chosen.only_algebraic_rows(group.front()) ? Differences::Rows::algebraic : Differences::Rows::all);
     for (const auto& [column, eps] : moves)
       for_each_row(pattern, column, [&, column = column, eps = eps](int row) {
         if (!chosen(row, column)) return;
-        const double factor = column < s.ode2 && row < s.first_ae() ? unit : column < s.first_ae() && row >= s.first_ae() ? constraints : 1.0;
+        const double factor = column < s.ode2 && row < s.first_ae()          ? unit
+                              : column < s.first_ae() && row >= s.first_ae() ? constraints
+                                                                             : 1.0;
         values[static_cast<std::size_t>(pattern.slot(row, column))] = factor * differences.slope(row, eps);
       });
   }

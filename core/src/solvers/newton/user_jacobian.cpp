@@ -8,12 +8,14 @@ namespace {
 
 // Refuses entries that the system matrix has no place for.
 void check_entry(const Pattern& pattern, const MatrixEntry& entry) {
-  const bool inside = entry.row >= 0 && entry.column >= 0 && entry.row < pattern.size() && entry.column < pattern.size();
+  const bool inside =
+      entry.row >= 0 && entry.column >= 0 && entry.row < pattern.size() && entry.column < pattern.size();
   if (inside && pattern.contains(entry.row, entry.column)) return;
   const std::string place = "SystemJacobianUserFunction: received an entry in row " + std::to_string(entry.row) +
                             ", column " + std::to_string(entry.column) + "; expected ";
   if (!inside) throw ModelError(ErrorKind::index, place + "indices below " + std::to_string(pattern.size()));
-  throw ModelError(ErrorKind::value, place + "coordinates that items of the model couple. Use linearSolverType=EigenDense.");
+  throw ModelError(ErrorKind::value,
+                   place + "coordinates that items of the model couple. Use linearSolverType=EigenDense.");
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ std::string SolverIterationData::to_string() const {
   if (rejectedNewtonSteps) line("rejected by Newton's method:       ", rejectedNewtonSteps);
   if (rejectedDiscontinuousSteps) line("rejected by contact or friction:   ", rejectedDiscontinuousSteps);
   if (largestStepSize > 0) {
-    text += "step sizes:                        " + format_number(smallestStepSize, 3) + " to " + format_number(largestStepSize, 3) + " s\n";
+    text += "step sizes:                        " + format_number(smallestStepSize, 3) + " to " +
+            format_number(largestStepSize, 3) + " s\n";
     line("steps of the largest size allowed: ", stepsAtMaximumStepSize);
   }
   if (stagnatedNewtonSteps) line("Newton loops ended at round-off:   ", stagnatedNewtonSteps);
@@ -48,17 +49,25 @@ std::string SolverTimer::to_string() const {
   const struct {
     const char* name;
     double seconds;
-  } parts[] = {{"factorization     ", factorization}, {"newtonIncrement   ", newtonIncrement},
-               {"integrationFormula", integrationFormula}, {"ODE2RHS           ", ODE2RHS},
-               {"ODE1RHS           ", ODE1RHS}, {"AERHS             ", AERHS},
-               {"totalJacobian     ", totalJacobian}, {"massMatrix        ", massMatrix},
-               {"reactionForces    ", reactionForces}, {"errorEstimator    ", errorEstimator},
-               {"postNewton        ", postNewton}, {"python            ", python},
-               {"realtimeIdleCPU   ", realtimeIdleCPU}, {"writeSolution     ", writeSolution},
-               {"overhead          ", overhead}, {"visualization     ", visualization}};
+  } parts[] = {{"factorization     ", factorization},
+               {"newtonIncrement   ", newtonIncrement},
+               {"integrationFormula", integrationFormula},
+               {"ODE2RHS           ", ODE2RHS},
+               {"ODE1RHS           ", ODE1RHS},
+               {"AERHS             ", AERHS},
+               {"totalJacobian     ", totalJacobian},
+               {"massMatrix        ", massMatrix},
+               {"reactionForces    ", reactionForces},
+               {"errorEstimator    ", errorEstimator},
+               {"postNewton        ", postNewton},
+               {"python            ", python},
+               {"realtimeIdleCPU   ", realtimeIdleCPU},
+               {"writeSolution     ", writeSolution},
+               {"overhead          ", overhead},
+               {"visualization     ", visualization}};
   const double measured = sum();
-  std::string text = "Computation times:\n  total    = " + format_number(total, 3) + " seconds\n  measured = " +
-                     format_number(measured, 3) + " seconds\n";
+  std::string text = "Computation times:\n  total    = " + format_number(total, 3) +
+                     " seconds\n  measured = " + format_number(measured, 3) + " seconds\n";
   for (const auto& part : parts) {
     if (part.seconds <= 0) continue;
     text += std::string("  ") + part.name + " = " + format_number(100 * part.seconds / measured, 3) + "%\n";

@@ -17,11 +17,11 @@ struct Quintic {
   explicit Quintic(double s) {
     const double s2 = s * s, s3 = s2 * s, s4 = s3 * s, s5 = s4 * s;
     value = {1 - 10 * s3 + 15 * s4 - 6 * s5, s - 6 * s3 + 8 * s4 - 3 * s5, 0.5 * (s2 - 3 * s3 + 3 * s4 - s5),
-             10 * s3 - 15 * s4 + 6 * s5, -4 * s3 + 7 * s4 - 3 * s5, 0.5 * (s3 - 2 * s4 + s5)};
+             10 * s3 - 15 * s4 + 6 * s5,     -4 * s3 + 7 * s4 - 3 * s5,    0.5 * (s3 - 2 * s4 + s5)};
     rate = {-30 * s2 + 60 * s3 - 30 * s4, 1 - 18 * s2 + 32 * s3 - 15 * s4, 0.5 * (2 * s - 9 * s2 + 12 * s3 - 5 * s4),
-            30 * s2 - 60 * s3 + 30 * s4, -12 * s2 + 28 * s3 - 15 * s4, 0.5 * (3 * s2 - 8 * s3 + 5 * s4)};
+            30 * s2 - 60 * s3 + 30 * s4,  -12 * s2 + 28 * s3 - 15 * s4,    0.5 * (3 * s2 - 8 * s3 + 5 * s4)};
     second = {-60 * s + 180 * s2 - 120 * s3, -36 * s + 96 * s2 - 60 * s3, 0.5 * (2 - 18 * s + 36 * s2 - 20 * s3),
-              60 * s - 180 * s2 + 120 * s3, -24 * s + 84 * s2 - 60 * s3, 0.5 * (6 * s - 24 * s2 + 20 * s3)};
+              60 * s - 180 * s2 + 120 * s3,  -24 * s + 84 * s2 - 60 * s3, 0.5 * (6 * s - 24 * s2 + 20 * s3)};
   }
 };
 
@@ -42,7 +42,8 @@ Vector derivative_times(const Operator& at, const Vector& x, const Vector& rate,
 
 }  // namespace
 
-void StepInterpolation::prepare(System& system, const State& start, const State& end, bool accelerations_known, bool rates_known) {
+void StepInterpolation::prepare(System& system, const State& start, const State& end, bool accelerations_known,
+                                bool rates_known) {
   system_ = &system;
   start_ = &start;
   end_ = &end;
@@ -93,7 +94,8 @@ void StepInterpolation::turn_ends() {
     const Vector spin = part(last_.v, r), rate = inverse_tangent_operator(&x[0]) * spin;
     put(last_.q, r, x);
     put(last_.v, r, rate);
-    put(last_.a, r, inverse_tangent_operator(&x[0]) * part(last_.a, r) + derivative_times(inverse_tangent_operator, x, rate, spin));
+    put(last_.a, r,
+        inverse_tangent_operator(&x[0]) * part(last_.a, r) + derivative_times(inverse_tangent_operator, x, rate, spin));
   }
 }
 
@@ -122,7 +124,8 @@ void StepInterpolation::evaluate(double time, State& state) const {
     state.y[i] = start_->y[i] + (3 * s2 - 2 * s3) * chord + (s - 2 * s2 + s3) * y0_[i] + (s3 - s2) * y1_[i];
     state.y_t[i] = ((6 * s - 6 * s2) * chord + (1 - 4 * s + 3 * s2) * y0_[i] + (3 * s2 - 2 * s) * y1_[i]) / h;
   }
-  for (std::size_t i = 0; i < state.lambda.size(); ++i) state.lambda[i] = (1 - s) * start_->lambda[i] + s * end_->lambda[i];
+  for (std::size_t i = 0; i < state.lambda.size(); ++i)
+    state.lambda[i] = (1 - s) * start_->lambda[i] + s * end_->lambda[i];
   system_->restore_unit_lengths(state, 1);
 }
 
@@ -133,7 +136,8 @@ void StepInterpolation::turn_back(const Ends& now, double h, State& state) const
     const auto r = static_cast<std::size_t>(block.rotation);
     const Vector x = part(now.q, r), rate = part(now.v, r);
     put(state.v, r, (1 / h) * (tangent_operator(&x[0]) * rate));
-    put(state.a, r, (1 / (h * h)) * (tangent_operator(&x[0]) * part(now.a, r) + derivative_times(tangent_operator, x, rate, rate)));
+    put(state.a, r,
+        (1 / (h * h)) * (tangent_operator(&x[0]) * part(now.a, r) + derivative_times(tangent_operator, x, rate, rate)));
   }
 }
 

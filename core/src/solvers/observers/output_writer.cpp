@@ -36,14 +36,15 @@ RunDescription OutputWriter::run_description() const {
 void OutputWriter::open(std::span<const double> lengths) {
   const auto& s = settings().solutionSettings;
   output.writeToSolutionFile = s.writeSolutionToFile && !s.coordinatesSolutionFileName.empty();
-  if (output.writeToSolutionFile) lengths.empty() ? solution_file_.open(settings()) : solution_file_.resume(settings(), lengths.front());
+  if (output.writeToSolutionFile)
+    lengths.empty() ? solution_file_.open(settings()) : solution_file_.resume(settings(), lengths.front());
   output.writeToSolverFile = output.verboseModeFile > 0 && !s.solverInformationFileName.empty();
   if (output.writeToSolverFile) {
     information_file_.open(output_path(s.solverInformationFileName), s.appendToFile, "solver information file");
   }
   if (s.writeRestartFile) check_restart_file(output_path(s.restartFileName));
-  sensors_.open(settings(), solver_.environment_->sensors, solver_.environment_->sensor_storage, expected_sensor_rows(settings(), is_static()),
-                lengths.subspan(lengths.empty() ? 0 : 1));
+  sensors_.open(settings(), solver_.environment_->sensors, solver_.environment_->sensor_storage,
+                expected_sensor_rows(settings(), is_static()), lengths.subspan(lengths.empty() ? 0 : 1));
   warn_of_files_written_twice();
 }
 
@@ -62,11 +63,13 @@ void OutputWriter::warn_of_files_written_twice() {
   const auto check = [&](const std::string& name) {
     const FileIdentity identity = identity_of(name);
     if (identity != FileIdentity() && !known.insert(identity).second)
-      warn("file '" + name + "' is written twice in this simulation, and what is in it cannot be used; give solution, restart "
+      warn("file '" + name +
+           "' is written twice in this simulation, and what is in it cannot be used; give solution, restart "
            "file and every sensor a name of its own");
   };
   for (const OutputFile* file : files) check(file->name());
-  if (!files.empty() && settings().solutionSettings.writeRestartFile) check(output_path(settings().solutionSettings.restartFileName));
+  if (!files.empty() && settings().solutionSettings.writeRestartFile)
+    check(output_path(settings().solutionSettings.restartFileName));
 }
 
 void OutputWriter::write_headers() {
@@ -75,7 +78,8 @@ void OutputWriter::write_headers() {
 }
 
 bool OutputWriter::needs_steps() const {
-  const bool speaks = output.verboseMode != 0 || output.verboseModeFile != 0 || (output.stepInformation & step_information::every_step);
+  const bool speaks =
+      output.verboseMode != 0 || output.verboseModeFile != 0 || (output.stepInformation & step_information::every_step);
   return speaks || output.writeToSolutionFile || sensors_.active();
 }
 
@@ -97,7 +101,8 @@ void OutputWriter::write_coordinates() {
   const double t = current().time;
   if (!solution_file_.is_open() || (t != it.startTime && t - output.lastSolutionWritten < -same_time())) return;
   const TimedPart time(timer, timer.writeSolution);
-  output.lastSolutionWritten = std::max(output.lastSolutionWritten + settings().solutionSettings.solutionWritePeriod, t);
+  output.lastSolutionWritten =
+      std::max(output.lastSolutionWritten + settings().solutionSettings.solutionWritePeriod, t);
   write_solution_row();
 }
 
@@ -123,7 +128,9 @@ void OutputWriter::write_sensors() {
 // ---- output at requested times -----------------------------------------------------------------------------------------
 
 // Returns the number of completed periods, with a tolerance of a millionth of a period.
-double OutputWriter::requested(double time, double period) const { return std::floor((time - it.startTime) / period + 1e-6); }
+double OutputWriter::requested(double time, double period) const {
+  return std::floor((time - it.startTime) / period + 1e-6);
+}
 
 // Calls `write` with all requested times in the last step, and with its end at the end of the simulation.
 template <class Write>
@@ -148,8 +155,10 @@ void OutputWriter::write_between(double period, Write&& write) {
   const auto [accelerations, rates] = solver_.complete_ends();
   between_.prepare(system(), start_of_step(), end, accelerations, rates);
   const auto at = [&](double when) {
-    if (when == end.time) current() = end;
-    else between_.evaluate(when, current());
+    if (when == end.time)
+      current() = end;
+    else
+      between_.evaluate(when, current());
   };
   if (output.writeToSolutionFile) {
     write_between(s.solutionWritePeriod, [&](double when) {
@@ -180,12 +189,14 @@ void OutputWriter::print_progress(bool to_console, bool to_file) {
   if (!is_static() && whole > 0) text += " (" + number(at_end ? 100 : std::floor(1000 * done / whole) / 10) + " %)";
   const bool other_step = !at_end && std::abs(it.currentStepSize - it.maxStepSize) > 1e-6 * it.maxStepSize;
   if ((info & step_size) || (info && other_step)) text += ", dt = " + duration(it.currentStepSize, digits);
-  const bool known = elapsed > 0.2 && done > std::min(10 * it.initialStepSize, 1e-5 * whole) && it.currentStepIndex != 0;
+  const bool known =
+      elapsed > 0.2 && done > std::min(10 * it.initialStepSize, 1e-5 * whole) && it.currentStepIndex != 0;
   if ((info & time_to_go) && known && !at_end) text += ", timeToGo = " + duration((it.endTime - t) * elapsed / done, 3);
   if (info & cpu_time) text += ", tCPU=" + duration(elapsed, digits);
   const StepCount steps = it.currentStepIndex - output.lastVerboseStepIndex;
   const auto per_step = [&](int flag, const char* words, StepCount count, StepCount& last) {
-    if ((info & flag) && steps != 0) text += words + number(static_cast<double>(count - last) / static_cast<double>(steps));
+    if ((info & flag) && steps != 0)
+      text += words + number(static_cast<double>(count - last) / static_cast<double>(steps));
     last = count;
   };
   per_step(newton_iterations, ", Nit/step = ", it.newtonStepsCount, output.lastNewtonStepsCount);
@@ -206,7 +217,8 @@ void OutputWriter::print_progress(bool to_console, bool to_file) {
   const std::pair<const char*, const std::vector<double>*> parts[] = {
       {"ODE2", &now.q}, {"ODE2_t", &now.v}, {"ODE1", &now.y}, {"AE", &now.lambda}, {"data", &now.data}};
   for (const auto& [name, values] : parts) {
-    if (!values->empty()) say(3, std::string("  ") + name + " = " + vector_text(*values, settings().outputPrecision) + "\n");
+    if (!values->empty())
+      say(3, std::string("  ") + name + " = " + vector_text(*values, settings().outputPrecision) + "\n");
   }
 }
 
@@ -231,7 +243,8 @@ void OutputWriter::announce_end(const std::vector<std::string>& doubts) {
                                                                 : "by user";
     say(1, std::string("Solver stopped ") + reason + seconds);
   } else {
-    say(1, std::string("Solver terminated ") + (output.finishedSuccessfully ? "successfully" : "unsuccessfully") + seconds);
+    say(1, std::string("Solver terminated ") + (output.finishedSuccessfully ? "successfully" : "unsuccessfully") +
+               seconds);
     for (const std::string& doubt : doubts) say(1, "  not to be trusted: " + doubt + "\n");
     if (diagnosis_.failed()) say(1, diagnosis_.headline() + "\n");
     if (diagnosis_.failed() && information_file_.is_open()) information_file_.text() += diagnosis_.text() + "\n";

@@ -31,9 +31,12 @@ bool is_open(const Switch& at) { return at.direction > 0; }
   system.find_switches(start, conditions, before);
   system.find_switches(now, conditions, after);
   rebounds_.resize(std::max(rebounds_.size(), after.size()));
-  const auto switched = [&](std::size_t i) { return is_contact(after[i]) && is_contact(before[i]) && is_open(before[i]) != is_open(after[i]); };
+  const auto switched = [&](std::size_t i) {
+    return is_contact(after[i]) && is_contact(before[i]) && is_open(before[i]) != is_open(after[i]);
+  };
   std::vector<Switch> moved_before, moved_after;
-  const auto rate = [&](const State& at, const std::vector<Switch>& switches, std::vector<Switch>& moved, std::size_t i) {
+  const auto rate = [&](const State& at, const std::vector<Switch>& switches, std::vector<Switch>& moved,
+                        std::size_t i) {
     const double time = part_of_step * conditions.step_size;
     if (moved.empty()) {
       State next = at;
@@ -70,9 +73,11 @@ std::vector<std::string> Rebounds::doubts(const std::function<std::string(const 
   for (const Rebound& rebound : rebounds_) {
     if (rebound.largest < std::log(noticeable_gain) || listed++ >= most_rebounds) continue;
     doubts.push_back(describe(rebound.what) + ": bodies leave contact " + format_number(std::exp(rebound.largest), 3) +
-                      " times as fast as they came, at time " + format_number(rebound.time, 4) + " after " + std::to_string(std::max<StepCount>(rebound.steps, 1)) +
-                      (rebound.steps > 1 ? " steps" : " step") + " in contact: steps are too large for its stiffness and add energy. Use more than " +
-                      std::to_string(few_steps_in_contact) + " steps per contact, or simulationSettings.events.ofItems=True");
+                     " times as fast as they came, at time " + format_number(rebound.time, 4) + " after " +
+                     std::to_string(std::max<StepCount>(rebound.steps, 1)) + (rebound.steps > 1 ? " steps" : " step") +
+                     " in contact: steps are too large for its stiffness and add energy. Use more than " +
+                     std::to_string(few_steps_in_contact) +
+                     " steps per contact, or simulationSettings.events.ofItems=True");
   }
   return doubts;
 }

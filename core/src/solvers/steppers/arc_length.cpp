@@ -42,10 +42,17 @@ void StaticSolver::begin_path() {
   singular_points_.clear();
   least_initial_residual_ = 0;
   if (!options_.arcLength.active) return;
-  const auto refuse = [](const std::string& text) { throw ModelError(ErrorKind::value, "staticSolver.arcLength.active: received True with " + text); };
-  if (options_.loadStepGeometric) refuse("loadStepGeometric=True; the lengths of steps are not known before. Use loadStepGeometric=False.");
-  if (options_.stabilizerODE2term != 0) refuse("stabilizerODE2term, which is made for falling loads. Use stabilizerODE2term=0.");
-  if (continues()) refuse("continuation.restartFileName; restart files do not have the direction of the path. Start from the initial values.");
+  const auto refuse = [](const std::string& text) {
+    throw ModelError(ErrorKind::value, "staticSolver.arcLength.active: received True with " + text);
+  };
+  if (options_.loadStepGeometric)
+    refuse("loadStepGeometric=True; the lengths of steps are not known before. Use loadStepGeometric=False.");
+  if (options_.stabilizerODE2term != 0)
+    refuse("stabilizerODE2term, which is made for falling loads. Use stabilizerODE2term=0.");
+  if (continues())
+    refuse(
+        "continuation.restartFileName; restart files do not have the direction of the path. Start from the initial "
+        "values.");
   if (sizes_.ode2 == 0) refuse("a system without second order coordinates, whose displacements give the length.");
   path_ = std::make_unique<Path>();
   path_ends_ = &path_->at_end;
@@ -63,7 +70,8 @@ void StaticSolver::begin_path_step() {
   }
   path.step = it.currentStepIndex;
   path.end_known = false;
-  set_quasi_time(it.currentTime + (path.begun ? path.tangent.rate * path.length_scale * it.currentStepSize : it.currentStepSize));
+  set_quasi_time(it.currentTime +
+                 (path.begun ? path.tangent.rate * path.length_scale * it.currentStepSize : it.currentStepSize));
 }
 
 // Computes the derivative of the residual with respect to quasi-time, in the current state.
@@ -114,8 +122,11 @@ bool StaticSolver::find_first_tangent() {
   }
   path.tangent = path_tangent();
   if (!std::isfinite(path.tangent.rate)) {
-    throw ModelError(ErrorKind::state, name() + ": staticSolver.arcLength needs loads that move the system at the start of the path; none does. "
-                                       "Add loads, or give the load that depends on time a value that grows from the beginning.");
+    throw ModelError(
+        ErrorKind::state,
+        name() +
+            ": staticSolver.arcLength needs loads that move the system at the start of the path; none does. "
+            "Add loads, or give the load that depends on time a value that grows from the beginning.");
   }
   path.length_scale = 1 / path.tangent.rate;
   find_modes();
@@ -176,7 +187,8 @@ bool StaticSolver::discontinuous_iteration() {
   if (it.currentStepIndex >= static_cast<StepCount>(options_.arcLength.maximumSteps)) {
     conv.stepReductionFailed = true;
     diagnostics_->diagnose(FailureReason::path_length).advice = {
-        "allow more steps (staticSolver.arcLength.maximumSteps), or longer ones (staticSolver.numberOfLoadSteps, arcLength.largestStep)",
+        "allow more steps (staticSolver.arcLength.maximumSteps), or longer ones (staticSolver.numberOfLoadSteps, "
+        "arcLength.largestStep)",
         "end the path where the load has fallen (staticSolver.arcLength.lowestLoadFactor)"};
   }
   return true;
@@ -225,7 +237,8 @@ void StaticSolver::orient(PathTangent& tangent) const {
 }
 
 double StaticSolver::next_length() const {
-  const double growth = std::sqrt(static_cast<double>(options_.arcLength.desiredIterations) / std::max(useful_iterations(), 1));
+  const double growth =
+      std::sqrt(static_cast<double>(options_.arcLength.desiredIterations) / std::max(useful_iterations(), 1));
   const double length = path_->length * std::clamp(growth, 1 / most_growth, most_growth);
   return options_.arcLength.largestStep > 0 ? std::min(length, options_.arcLength.largestStep) : length;
 }
@@ -291,7 +304,8 @@ void StaticSolver::pass_singular_point(const Crossing& crossing) {
   for (double& number : point.mode) number /= largest;
   if (!point.limit) leave_bifurcation(point.mode);
   if (verbose(1)) {
-    say(1, std::string("  ") + (point.limit ? "limit" : "bifurcation") + " point at load factor " + number(point.load_factor) + "\n");
+    say(1, std::string("  ") + (point.limit ? "limit" : "bifurcation") + " point at load factor " +
+               number(point.load_factor) + "\n");
   }
   singular_points_.push_back(std::move(point));
 }

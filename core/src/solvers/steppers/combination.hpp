@@ -12,7 +12,8 @@
 namespace dalembert {
 
 template <std::size_t N>
-void add_weighted(const System& system, double* sum, const double* base, const WeightedVector* terms, std::size_t size) {
+void add_weighted(const System& system, double* sum, const double* base, const WeightedVector* terms,
+                  std::size_t size) {
   std::array<WeightedVector, N> t;
   std::copy_n(terms, N, t.begin());
   each_number(system, size, [=](std::size_t i) {
@@ -23,7 +24,8 @@ void add_weighted(const System& system, double* sum, const double* base, const W
 }
 
 // sum = base + all terms. `sum` must not be one of the terms.
-inline void combine(const System& system, std::vector<double>& sum, const std::vector<double>& base, std::span<const WeightedVector> terms) {
+inline void combine(const System& system, std::vector<double>& sum, const std::vector<double>& base,
+                    std::span<const WeightedVector> terms) {
   const std::size_t n = sum.size();
   const double* from = base.data();
   do {

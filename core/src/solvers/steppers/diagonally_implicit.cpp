@@ -36,7 +36,7 @@ constexpr int most_iterations = 10;     // with a matrix of an earlier state
 // information on an older matrix: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II.
 constexpr double forgetting = 0.8, least_rate = 1e-10;
 constexpr double part_of_tolerance = 0.01;  // tolerance of Newton's method relative to that of errors
-constexpr double negligible = 1e-11;    // change of velocities relative to the largest one: round-off of accelerations
+constexpr double negligible = 1e-11;  // change of velocities relative to the largest one: round-off of accelerations
 
 // Returns the weight of stage j in the polynomial through all previous stages, at the node of a stage.
 double extrapolation(std::size_t stage, std::size_t j) {
@@ -79,7 +79,8 @@ void DiagonallyImplicitSolver::post_initialize() {
   require_no_algebraic_coordinates();
   prepare_factors();
   const SolverHooks& h = hooks();
-  interferes_ = system().has_discontinuities(conditions_) || system().searches() || h.pre_step || h.post_step || h.post_newton;
+  interferes_ =
+      system().has_discontinuities(conditions_) || system().searches() || h.pre_step || h.post_step || h.post_newton;
   State& now = current();
   if (continues()) {
     misfit_at_end_ = continued_number(0);
@@ -96,9 +97,11 @@ void DiagonallyImplicitSolver::post_initialize() {
 void DiagonallyImplicitSolver::require_no_algebraic_coordinates() const {
   for (int k = 0; k < sizes_.ae; ++k) {
     if (system().constrains_motion(k)) continue;
-    throw ModelError(ErrorKind::value, name() + ": " + system().describe_row(sizes_.first_ae() + k) +
-                                           " says what an algebraic coordinate is; expected constraints of coordinates or velocities only. "
-                                           "Use exu.DynamicSolverType.GeneralizedAlpha with stepSizeControl.implicitSolvers=True");
+    throw ModelError(
+        ErrorKind::value,
+        name() + ": " + system().describe_row(sizes_.first_ae() + k) +
+            " says what an algebraic coordinate is; expected constraints of coordinates or velocities only. "
+            "Use exu.DynamicSolverType.GeneralizedAlpha with stepSizeControl.implicitSolvers=True");
   }
 }
 
@@ -161,10 +164,11 @@ void DiagonallyImplicitSolver::find_accelerations() {
       system().right_hand_sides(at, conditions_, a, y_t);
       masses_.accelerations(system(), at, conditions_, a, lambda);
     };
-    if (it.currentStepIndex <= 1 && !masses_.follow_motion(system(), state, conditions_, state.a, state.lambda, find)) singular_->warn_of_undecided_start();
+    if (it.currentStepIndex <= 1 && !masses_.follow_motion(system(), state, conditions_, state.a, state.lambda, find))
+      singular_->warn_of_undecided_start();
   } else if (!find_accelerations_without_masses() && !std::exchange(warned_of_masses_, true)) {
-    warn(name() + ": accelerations at the start are set to zero: mass matrix and constraints are singular at unknown " + std::to_string(row) + " (" +
-         system().describe_row(row) + ")");
+    warn(name() + ": accelerations at the start are set to zero: mass matrix and constraints are singular at unknown " +
+         std::to_string(row) + " (" + system().describe_row(row) + ")");
   }
 }
 
@@ -211,7 +215,8 @@ void DiagonallyImplicitSolver::accelerations_that_fit() {
 // ------------------------------------------------------------------------------------------------------------
 
 bool DiagonallyImplicitSolver::newton() {
-  conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.newtonStagnated = conv.stopNewton = false;
+  conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.newtonStagnated =
+      conv.stopNewton = false;
   conv.linearSolverCausingRow = -1;
   it.newtonSteps = 0;
   if (sizes_.ae > 0) motion_.begin_step(system(), start_of_step(), conditions_);
@@ -260,7 +265,8 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::solve_stage(int stag
 
 bool DiagonallyImplicitSolver::factors_serve() const {
   const bool requested = hooks().jacobian_update_requested && hooks().jacobian_update_requested();
-  return factorized_for_ > 0 && std::abs(diagonal() / factorized_for_ - 1) <= other_step && !conv.jacobianUpdateRequested && !requested;
+  return factorized_for_ > 0 && std::abs(diagonal() / factorized_for_ - 1) <= other_step &&
+         !conv.jacobianUpdateRequested && !requested;
 }
 
 void DiagonallyImplicitSolver::begin_stage(int stage) {
@@ -268,7 +274,8 @@ void DiagonallyImplicitSolver::begin_stage(int stage) {
   const double h = it.currentStepSize;
   std::array<WeightedVector, stages> terms;
   const auto sum = [&](Vector& x, const Vector& from, const std::array<Vector, stages>& rates) {
-    for (std::size_t j = 0; j < static_cast<std::size_t>(stage); ++j) terms[j] = {h * coefficients[stage][j], rates[j].data()};
+    for (std::size_t j = 0; j < static_cast<std::size_t>(stage); ++j)
+      terms[j] = {h * coefficients[stage][j], rates[j].data()};
     combine(system(), x, from, std::span(terms.data(), static_cast<std::size_t>(stage)));
   };
   sum(base_q_, start.q, stage_q_);
@@ -300,7 +307,8 @@ void DiagonallyImplicitSolver::follow_rates() {
   State& now = current();
   const double g = diagonal();
   each_number(system(), now.q.size(),
-              [=, q0 = base_q_.data(), v0 = base_v_.data(), a = now.a.data(), v = now.v.data(), q = now.q.data()](std::size_t i) {
+              [=, q0 = base_q_.data(), v0 = base_v_.data(), a = now.a.data(), v = now.v.data(),
+               q = now.q.data()](std::size_t i) {
                 v[i] = v0[i] + g * a[i];
                 q[i] = q0[i] + g * v[i];
               });
@@ -352,7 +360,8 @@ void DiagonallyImplicitSolver::evaluate_residual() {
   }
   const TimedPart time(timer, timer.ODE2RHS);
   system().residual(current(), conditions_, x_);
-  if (sizes_.ae > 0) std::ranges::copy(motion_.gap_accelerations(system(), current(), conditions_), x_.begin() + sizes_.first_ae());
+  if (sizes_.ae > 0)
+    std::ranges::copy(motion_.gap_accelerations(system(), current(), conditions_), x_.begin() + sizes_.first_ae());
 }
 
 // `constraints_follow_motion` adds the change of constraints along the motion, for convergence close to singular
@@ -373,7 +382,8 @@ bool DiagonallyImplicitSolver::factorize(bool constraints_follow_motion) {
     add_user_jacobian(motion_.pattern(), motion_.matrix(), {-g * g, -g, -g});
   }
   const TimedPart time(timer, timer.factorization);
-  conv.linearSolverCausingRow = motion_.factorize_around_matrix(system(), current(), conditions_, constraints_follow_motion ? g : 0);
+  conv.linearSolverCausingRow =
+      motion_.factorize_around_matrix(system(), current(), conditions_, constraints_follow_motion ? g : 0);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
   conv.jacobianUpdateRequested = false;
   ++it.newtonJacobiCount;
@@ -404,7 +414,9 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::iterate(int stage, i
     ++it.newtonSteps;
     ++it.newtonStepsCount;
     const double size = conv.residual = increment_size();
-    if (verbose(2)) say(2, "    stage " + std::to_string(stage + 1) + ", iteration " + std::to_string(k) + ": increment = " + number(size) + "\n");
+    if (verbose(2))
+      say(2, "    stage " + std::to_string(stage + 1) + ", iteration " + std::to_string(k) +
+                 ": increment = " + number(size) + "\n");
     if (!(size < unbounded)) return Outcome::lost;
     const double ratio = k > 1 ? size / last : 0;
     if (k > 1) {
@@ -434,7 +446,8 @@ bool DiagonallyImplicitSolver::at_round_off() const {
 
 // Returns the root mean square of the increment in units of the tolerance of Newton's method.
 double DiagonallyImplicitSolver::increment_size() const {
-  const State &now = system().state(ConfigurationType::Current), &start = system().state(ConfigurationType::StartOfStep);
+  const State &now = system().state(ConfigurationType::Current),
+              &start = system().state(ConfigurationType::StartOfStep);
   const double g = diagonal();
   double sum = 0;
   for (std::size_t i = 0; i < now.q.size(); ++i) {
@@ -460,8 +473,10 @@ double DiagonallyImplicitSolver::weight(double value, double before) const {
   factorized_for_ = 0;
   if (outcome == Outcome::singular) {
     conv.stopNewton = true;
-    if (all_finite(motion_.matrix())) diagnostics_->diagnose_singular_matrix(motion_.pattern(), motion_.matrix());
-    else outcome = Outcome::lost;
+    if (all_finite(motion_.matrix()))
+      diagnostics_->diagnose_singular_matrix(motion_.pattern(), motion_.matrix());
+    else
+      outcome = Outcome::lost;
   }
   if (outcome == Outcome::lost) {
     conv.linearSolverFailed = false;
@@ -483,7 +498,9 @@ bool DiagonallyImplicitSolver::back_onto_constraints() {
   }
   largest_misfit_ = std::max(largest_misfit_, motion_.largest_misfit());
   if (diagnostics_->contradiction_text().empty())
-    if (const std::vector<double> misfit = motion_.misfit(system(), current(), conditions_); !misfit.empty()) [[unlikely]] diagnostics_->warn_of_contradiction(misfit);
+    if (const std::vector<double> misfit = motion_.misfit(system(), current(), conditions_); !misfit.empty())
+        [[unlikely]]
+      diagnostics_->warn_of_contradiction(misfit);
   return true;
 }
 
@@ -491,7 +508,8 @@ bool DiagonallyImplicitSolver::back_onto_constraints() {
 [[gnu::noinline]] bool DiagonallyImplicitSolver::leave_open_gaps() {
   diagnostics_->diagnose_open_gaps();
   const bool may_be_reduced = (it.adaptiveStep || it.automaticStepSize) && !steps_.at_minimum();
-  if (may_be_reduced && diagnosis_.reason == FailureReason::singular_position) diagnosis_.reason = FailureReason::open_constraints;
+  if (may_be_reduced && diagnosis_.reason == FailureReason::singular_position)
+    diagnosis_.reason = FailureReason::open_constraints;
   return false;
 }
 

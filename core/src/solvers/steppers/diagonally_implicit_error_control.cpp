@@ -14,12 +14,10 @@ namespace {
 constexpr double order_of_error = 4;  // of the embedded method, within a step
 
 // Weights of the solution minus weights of the embedded method of third order.
-constexpr double differences[] = {82889.0 / 524892 - 4586570599.0 / 29645900160,
-                                  0,
-                                  15625.0 / 83664 - 178811875.0 / 945068544,
-                                  69875.0 / 102672 - 814220225.0 / 1159782912,
-                                  -2260.0 / 8211 + 3700637.0 / 11593932,
-                                  1.0 / 4 - 61727.0 / 225920};
+constexpr double differences[] = {
+    82889.0 / 524892 - 4586570599.0 / 29645900160, 0,
+    15625.0 / 83664 - 178811875.0 / 945068544,     69875.0 / 102672 - 814220225.0 / 1159782912,
+    -2260.0 / 8211 + 3700637.0 / 11593932,         1.0 / 4 - 61727.0 / 225920};
 
 }  // namespace
 
@@ -91,7 +89,9 @@ bool DiagonallyImplicitSolver::control_step_size() {
     if (steps_.at_minimum()) {
       if (!hold_at_minimum()) return false;
     } else {
-      const double smaller = sizes_.ae > 0 && !(wanted > StepController::aside) && singular_->steps_aside() ? StepController::aside : wanted;
+      const double smaller = sizes_.ae > 0 && !(wanted > StepController::aside) && singular_->steps_aside()
+                                 ? StepController::aside
+                                 : wanted;
       steps_.reject_by_error(smaller);
       return false;
     }
@@ -106,7 +106,8 @@ bool DiagonallyImplicitSolver::control_step_size() {
 bool DiagonallyImplicitSolver::reduce_step_size() {
   it.currentTime = current().time;
   if (steps_.take_rejection_by_error()) return true;
-  const bool may_be_singular = sizes_.ae > 0 && (diagnosis_.reason == FailureReason::newton || diagnosis_.reason == FailureReason::open_constraints);
+  const bool may_be_singular = sizes_.ae > 0 && (diagnosis_.reason == FailureReason::newton ||
+                                                 diagnosis_.reason == FailureReason::open_constraints);
   if (steps_.at_minimum()) {
     if (may_be_singular && singular_->is_near()) singular_->report();
     return false;

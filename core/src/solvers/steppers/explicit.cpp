@@ -40,8 +40,8 @@ void kick_and_drift(const System& system, State& state, double h, Keep&& keep) {
 }
 // Updates velocities and positions in one pass over memory.
 void kick_and_drift_from(const System& system, State& start, State& state, double h) {
-  const auto keep = [a = state.a.data(), v = state.v.data(), q = state.q.data(), start_a = start.a.data(), start_v = start.v.data(),
-                     start_q = start.q.data()](std::size_t i) {
+  const auto keep = [a = state.a.data(), v = state.v.data(), q = state.q.data(), start_a = start.a.data(),
+                     start_v = start.v.data(), start_q = start.q.data()](std::size_t i) {
     start_a[i] = a[i];
     start_v[i] = v[i];
     start_q[i] = q[i];
@@ -62,7 +62,9 @@ void ExplicitSolver::read_settings() {
 }
 
 void ExplicitSolver::pre_initialize() {
-  const auto is_explicit = [](DynamicSolverType type) { return type == DynamicSolverType::VelocityVerlet || runge_kutta_method(type).stages > 0; };
+  const auto is_explicit = [](DynamicSolverType type) {
+    return type == DynamicSolverType::VelocityVerlet || runge_kutta_method(type).stages > 0;
+  };
   if (!is_explicit(type_)) type_ = options_.dynamicSolverType;
   verlet_ = type_ == DynamicSolverType::VelocityVerlet;
   method_ = runge_kutta_method(type_);
@@ -96,8 +98,7 @@ void ExplicitSolver::initialize_data() {
   make_room(stage_q_, n, 1);  // the first stage has the velocities at the start
   make_room(stage_v_, n);
   make_room(stage_y_, n1);
-  const bool compares = controls_step_size(),
-             evaluates_end = !verlet_ && options_.computeEndOfStepAccelerations;
+  const bool compares = controls_step_size(), evaluates_end = !verlet_ && options_.computeEndOfStepAccelerations;
   second_q_.assign(compares ? n : 0, 0.0);
   second_v_.assign(compares ? n : 0, 0.0);
   second_y_.assign(compares ? n1 : 0, 0.0);
@@ -117,11 +118,13 @@ void ExplicitSolver::post_initialize() {
     std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
   }
   if (!prepare_factors()) return;
-  nobody_interferes_ = !system().has_discontinuities(conditions_) && !hooks().pre_step && !hooks().post_step && !hooks().post_newton && !hooks().events;
+  nobody_interferes_ = !system().has_discontinuities(conditions_) && !hooks().pre_step && !hooks().post_step &&
+                       !hooks().post_newton && !hooks().events;
   watches_switches_ = it.automaticStepSize && !events_of_items_ && system().has_switches();
   conditions_.unseen = nobody_interferes_ && !system().calls_user_functions();
-  may_move_at_once_ = nobody_interferes_ && !verlet_ && method_.stages == 1 && eliminated_.empty() && sizes_.ode1 == 0 && conditions_.unseen &&
-                      static_cast<std::size_t>(sizes_.ode2) > few_numbers && !options_.computeEndOfStepAccelerations;
+  may_move_at_once_ = nobody_interferes_ && !verlet_ && method_.stages == 1 && eliminated_.empty() &&
+                      sizes_.ode1 == 0 && conditions_.unseen && static_cast<std::size_t>(sizes_.ode2) > few_numbers &&
+                      !options_.computeEndOfStepAccelerations;
   if (!continues()) {
     find_first_accelerations();
     if (verlet_ && conv.linearSolverFailed) return;
@@ -165,7 +168,8 @@ bool ExplicitSolver::prepare_factors() {
 bool ExplicitSolver::update_masses() {
   const TimedPart time(timer, timer.massMatrix);
   const int row = mass_.update(system(), current());
-  if (row != LinearSolver::success) [[unlikely]] mass_failed(row);
+  if (row != LinearSolver::success) [[unlikely]]
+    mass_failed(row);
   return row == LinearSolver::success;
 }
 
@@ -197,15 +201,19 @@ void ExplicitSolver::find_eliminated_coordinates() {
   constrained_ = false;
   if (sizes_.ae == 0) return;
   if (!options_.eliminateConstraints) {
-    warn("explicit integration ignores all constraints (timeIntegration.explicitIntegration.eliminateConstraints=False)");
+    warn(
+        "explicit integration ignores all constraints "
+        "(timeIntegration.explicitIntegration.eliminateConstraints=False)");
     return;
   }
   auto fixed = system().fixed_coordinates();
   if (!fixed && verlet_) {
-    throw ModelError(ErrorKind::value,
-                     name() + ": the system has constraints that this method cannot eliminate; only CoordinateConstraint between a "
-                     "node's coordinate and a ground node is possible. Use a Runge-Kutta method, for example "
-                     "exu.DynamicSolverType.DOPRI5, which keeps all constraints, or an implicit solver");
+    throw ModelError(
+        ErrorKind::value,
+        name() +
+            ": the system has constraints that this method cannot eliminate; only CoordinateConstraint between a "
+            "node's coordinate and a ground node is possible. Use a Runge-Kutta method, for example "
+            "exu.DynamicSolverType.DOPRI5, which keeps all constraints, or an implicit solver");
   }
   constrained_ = !fixed || mass_couples(*fixed);
   if (fixed && (verlet_ || !constrained_)) eliminated_ = std::move(*fixed);
@@ -257,23 +265,29 @@ bool ExplicitSolver::newton() {
   conv.linearSolverCausingRow = -1;
   conv.newtonConverged = true;
   end_known_ = off_constraints_ = false;
-  if (constrained_) [[unlikely]] motion_.begin_step(system(), start_of_step(), conditions_);
+  if (constrained_) [[unlikely]]
+    motion_.begin_step(system(), start_of_step(), conditions_);
   compute_step();
   if (constrained_ && !rank_known_) find_rank();
-  if (off_constraints_) [[unlikely]] return lose_constraints();
+  if (off_constraints_) [[unlikely]]
+    return lose_constraints();
   if (conv.linearSolverFailed) [[unlikely]] {
     conv.newtonConverged = false;
     const bool singular = all_finite(current().q) && all_finite(current().v);
     return singular ? false : lose_step();
   }
-  if (!stays_bounded() && outgrown()) [[unlikely]] return lose_step();
+  if (!stays_bounded() && outgrown()) [[unlikely]]
+    return lose_step();
   return !it.automaticStepSize || control_step_size();
 }
 
 void ExplicitSolver::compute_step() {
-  if (verlet_) verlet_step();
-  else if (at_once_ && !searching_) step_at_once();
-  else runge_kutta_step();
+  if (verlet_)
+    verlet_step();
+  else if (at_once_ && !searching_)
+    step_at_once();
+  else
+    runge_kutta_step();
 }
 
 // Checks velocities only, since any growth shows there: forces change velocities, and velocities change coordinates.
@@ -468,7 +482,8 @@ bool ExplicitSolver::divide_by_masses(Vector& a) {
   const Pattern& pattern = system().pattern(false);
   std::vector<double> values(static_cast<std::size_t>(pattern.values()));
   system().mass_matrix(current(), pattern, values);
-  say(4, "  mass matrix =\n    " + matrix_text(dense_rows(pattern, values, sizes_.ode2), sizes_.ode2, settings().outputPrecision) + "\n");
+  say(4, "  mass matrix =\n    " +
+             matrix_text(dense_rows(pattern, values, sizes_.ode2), sizes_.ode2, settings().outputPrecision) + "\n");
 }
 
 void ExplicitSolver::free_memory() {

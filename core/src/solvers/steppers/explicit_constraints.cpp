@@ -41,7 +41,8 @@ bool ExplicitSolver::back_onto_constraints() {
   if (off_constraints_) return false;
   largest_misfit_ = std::max(largest_misfit_, motion_.largest_misfit());
   if (diagnostics_->contradiction_text().empty())
-    if (const std::vector<double> misfit = motion_.misfit(system(), now, conditions_); !misfit.empty()) [[unlikely]] diagnostics_->warn_of_contradiction(misfit);
+    if (const std::vector<double> misfit = motion_.misfit(system(), now, conditions_); !misfit.empty()) [[unlikely]]
+      diagnostics_->warn_of_contradiction(misfit);
   return true;
 }
 

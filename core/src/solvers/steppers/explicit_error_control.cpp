@@ -78,7 +78,8 @@ bool ExplicitSolver::control_step_size() {
     look_for_stiffness(h);
     return true;
   }
-  if (sizes_.ae > 0 && it.currentStepSize < StepController::aside * h && singular_->steps_aside()) steps_.use(StepController::aside * h);
+  if (sizes_.ae > 0 && it.currentStepSize < StepController::aside * h && singular_->steps_aside())
+    steps_.use(StepController::aside * h);
   steps_.repeat_by_error();
   return false;
 }
@@ -86,7 +87,8 @@ bool ExplicitSolver::control_step_size() {
 bool ExplicitSolver::discontinuous_iteration() {
   const bool settled = Solver::discontinuous_iteration();
   const bool something_switched = it.discontinuousIteration > 1 || conv.discontinuousIterationError > 0;
-  if (watches_switches_ && settled && something_switched) [[unlikely]] tell_of_switches();
+  if (watches_switches_ && settled && something_switched) [[unlikely]]
+    tell_of_switches();
   return settled;
 }
 
@@ -96,11 +98,14 @@ bool ExplicitSolver::discontinuous_iteration() {
   end.data = start_of_step().data;
   std::vector<Switch> switches;
   system().find_switches(end, conditions_, switches);
-  const auto over = std::ranges::find_if(switches, [](const Switch& at) { return at.owner == nullptr && !at.kink && at.value < -at.noise; });
+  const auto over = std::ranges::find_if(
+      switches, [](const Switch& at) { return at.owner == nullptr && !at.kink && at.value < -at.noise; });
   if (over == switches.end()) return;
   watches_switches_ = false;
-  warn(name() + ": " + events_->describe_switch(*over) + " lies within the step of " + format_number(conditions_.step_size, 3) + " s that ends at time " +
-       format_number(it.currentTime) + ". Items switch at the ends of steps, which estimated errors do not see: results may be off by more than the tolerances. "
+  warn(name() + ": " + events_->describe_switch(*over) + " lies within the step of " +
+       format_number(conditions_.step_size, 3) + " s that ends at time " + format_number(it.currentTime) +
+       ". Items switch at the ends of steps, which estimated errors do not see: results may be off by more than the "
+       "tolerances. "
        "simulationSettings.events.ofItems=True lets steps end where items switch");
 }
 
@@ -109,13 +114,17 @@ void ExplicitSolver::diagnose_error_control() {
   double noise = 0;  // round-off of coordinates, in units of the tolerances
   for (std::size_t i = 0; i < current().q.size(); ++i) {
     const double q = std::abs(current().q[i]);
-    noise = std::max(noise, std::numeric_limits<double>::epsilon() * (q + std::abs(reference.q[i])) / tolerances_.of(q));
+    noise =
+        std::max(noise, std::numeric_limits<double>::epsilon() * (q + std::abs(reference.q[i])) / tolerances_.of(q));
   }
   const bool below_round_off = noise > 0.1;
   const bool stiff = !below_round_off && at_stability_limit(it.currentStepSize);
-  Diagnosis& d = diagnostics_->diagnose(below_round_off ? FailureReason::round_off : stiff ? FailureReason::stiff : FailureReason::error_control);
+  Diagnosis& d = diagnostics_->diagnose(below_round_off ? FailureReason::round_off
+                                        : stiff         ? FailureReason::stiff
+                                                        : FailureReason::error_control);
   const State &now = current(), &start = start_of_step();
-  const auto add_errors = [&](Vector second, const Vector& first, const Vector& old, const char* vector, int first_row) {
+  const auto add_errors = [&](Vector second, const Vector& first, const Vector& old, const char* vector,
+                              int first_row) {
     for (std::size_t i = 0; i < second.size(); ++i) second[i] = std::abs(scaled_error(second[i], first[i], old[i]));
     diagnostics_->add_largest(d.values, second, vector, first_row);
   };
@@ -123,13 +132,17 @@ void ExplicitSolver::diagnose_error_control() {
   add_errors(second_v_, now.v, start.v, "ODE2_t", 0);
   add_errors(second_y_, now.y, start.y, "ODE1", sizes_.ode2);
   if (below_round_off) {
-    d.advice = {"ask for larger errors (timeIntegration.relativeTolerance, absoluteTolerance): coordinates have no more digits"};
+    d.advice = {
+        "ask for larger errors (timeIntegration.relativeTolerance, absoluteTolerance): coordinates have no more "
+        "digits"};
     return;
   }
   if (stiff) {
-    d.advice = {"use an implicit method, which is stable with larger steps: exu.DynamicSolverType.ESDIRK43, or GeneralizedAlpha with "
-                "stepSizeControl.implicitSolvers=True",
-                "allow smaller steps (timeIntegration.minimumStepSize), if so many are to be taken"};
+    d.advice = {
+        "use an implicit method, which is stable with larger steps: exu.DynamicSolverType.ESDIRK43, or "
+        "GeneralizedAlpha with "
+        "stepSizeControl.implicitSolvers=True",
+        "allow smaller steps (timeIntegration.minimumStepSize), if so many are to be taken"};
     return;
   }
   d.advice = {"look for what jumps at the items named above: contact, friction, user functions that are not continuous",

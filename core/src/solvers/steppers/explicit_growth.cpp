@@ -20,7 +20,9 @@ constexpr double noticeable_growth = 100, enormous_growth = 1e20, further_growth
 // Predicted amplification that makes the steps the cause of the growth.
 constexpr double predicted_growth = 1e5;
 
-double size_of_motion(const System& system, const State& state) { return sum_of_squares(system, state.q) + sum_of_squares(system, state.v); }
+double size_of_motion(const System& system, const State& state) {
+  return sum_of_squares(system, state.q) + sum_of_squares(system, state.v);
+}
 
 }  // namespace
 
@@ -38,8 +40,11 @@ double ExplicitSolver::size_at_start() { return std::max(1.0, size_of_motion(sys
 [[gnu::noinline]] bool ExplicitSolver::outgrown() {
   const State& now = current();
   const double largest = std::min(newton_settings.maximumSolutionNorm, unbounded * unbounded);
-  if (!all_finite(now) || !(size_of_motion(system(), now) < largest && sum_of_squares(system(), now.y) < unbounded * unbounded)) return true;
-  const double size = size_of_motion(system(), now), enormous = enormous_growth * size_at_start(), h = it.currentStepSize;
+  if (!all_finite(now) ||
+      !(size_of_motion(system(), now) < largest && sum_of_squares(system(), now.y) < unbounded * unbounded))
+    return true;
+  const double size = size_of_motion(system(), now), enormous = enormous_growth * size_at_start(),
+               h = it.currentStepSize;
   growth_limit_ = std::min(largest, size < enormous ? std::min(further_growth * size, enormous) : largest);
   const bool is_rough = h * h * sum_of_squares(system(), now.a) > sum_of_squares(system(), now.v);
   return (is_rough || size >= enormous) && theory_explains_growth();
@@ -62,9 +67,12 @@ const Vibration& ExplicitSolver::fastest_at_start() {
   std::ranges::fill(still.lambda, 0.0);
   if (still.q.empty()) return *fastest_;
   try {
-    if (constrained_) *fastest_ = fastest_with_constraints(still);
+    if (constrained_)
+      *fastest_ = fastest_with_constraints(still);
     else if (mass_.update(system(), still) == LinearSolver::success)
-      *fastest_ = fastest_vibration(system(), still, conditions_, [&](Vector& x) { return mass_.solve(system(), still, x) == LinearSolver::success; }, eliminated_);
+      *fastest_ = fastest_vibration(
+          system(), still, conditions_,
+          [&](Vector& x) { return mass_.solve(system(), still, x) == LinearSolver::success; }, eliminated_);
   } catch (const std::exception&) {
   }
   return *fastest_;
@@ -105,8 +113,10 @@ void ExplicitSolver::diagnose_growth() {
   diagnostics_->add_largest(d.values, current().y, "ODE1", sizes_.ode2);
   advise_on_growth();
   d.advice.push_back("check parameters and loads of the items named above for wrong units and signs");
-  d.advice.push_back("if numbers of this size are meant, raise timeIntegration.newton.maximumSolutionNorm, with which the squared norms of "
-                     "coordinates and velocities are compared");
+  d.advice.push_back(
+      "if numbers of this size are meant, raise timeIntegration.newton.maximumSolutionNorm, with which the squared "
+      "norms of "
+      "coordinates and velocities are compared");
 }
 
 // Repeats the step up to the first evaluation that is not finite, and leaves its state as the current one.
@@ -137,17 +147,21 @@ void ExplicitSolver::advise_on_growth() {
   const double h = it.currentStepSize;
   const auto amplified = [&](double step_size) { return amplification_of(fastest, step_size); };
   if (const double stable = largest_stable_step(fastest, h, amplified); stable < h) {
-    const std::string what = fastest.creeps() ? "what is damped fastest at the start, by a rate of " + format_number(fastest.rate()) + " 1/s at "
-                                              : "the fastest vibration at the start, " + format_number(fastest.frequency) + " rad/s at ";
+    const std::string what =
+        fastest.creeps()
+            ? "what is damped fastest at the start, by a rate of " + format_number(fastest.rate()) + " 1/s at "
+            : "the fastest vibration at the start, " + format_number(fastest.frequency) + " rad/s at ";
     std::string text = what + system().describe_row(fastest.coordinate) + ", grows with these steps; ";
-    text += stable > 0 ? "this method is stable with steps up to " + format_number(stable, 3) + " s, timeIntegration.numberOfSteps=" +
+    text += stable > 0 ? "this method is stable with steps up to " + format_number(stable, 3) +
+                             " s, timeIntegration.numberOfSteps=" +
                              format_number(std::ceil((it.endTime - it.startTime) / stable), 10)
                        : "this method amplifies it with all steps";
     diagnosis_.advice.push_back(std::move(text));
   } else {
     Solver::advise_on_growth();
   }
-  diagnosis_.advice.push_back("use an implicit solver (exu.DynamicSolverType.GeneralizedAlpha), which stays stable with larger steps");
+  diagnosis_.advice.push_back(
+      "use an implicit solver (exu.DynamicSolverType.GeneralizedAlpha), which stays stable with larger steps");
 }
 
 [[gnu::noinline]] void ExplicitSolver::mass_failed(int row) {

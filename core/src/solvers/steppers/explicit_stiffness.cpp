@@ -35,7 +35,8 @@ double ExplicitSolver::eigenvalue_along_error() {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] -= from[i];
     return to;
   };
-  const Vector error_q = difference(now.q, second_q_), error_v = difference(now.v, second_v_), error_y = difference(now.y, second_y_);
+  const Vector error_q = difference(now.q, second_q_), error_v = difference(now.v, second_v_),
+               error_y = difference(now.y, second_y_);
   const double length = length_of(error_v, error_y), part = small * std::max(1.0, length_of(now.v, now.y)) / length;
   if (!(length > 0) || !std::isfinite(part)) return 0;
   Vector a(now.a.size()), y_t(now.y.size()), moved_a = a, moved_y_t = y_t;
@@ -54,12 +55,16 @@ double ExplicitSolver::eigenvalue_along_error() {
 // Returns the limit for damped modes; undamped ones are hardly stable below it.
 double ExplicitSolver::stability_limit() const {
   double limit = 1;
-  const auto stable = [&](double z) { return amplification(method_, {.frequency = z, .damping = 2 * z, .coordinate = -1}, 1.0) <= 1; };
+  const auto stable = [&](double z) {
+    return amplification(method_, {.frequency = z, .damping = 2 * z, .coordinate = -1}, 1.0) <= 1;
+  };
   while (limit < 20 && stable(limit)) limit += 0.05;
   return limit;
 }
 
-bool ExplicitSolver::at_stability_limit(double step_size) { return step_size * eigenvalue_along_error() > near_limit * stability_limit(); }
+bool ExplicitSolver::at_stability_limit(double step_size) {
+  return step_size * eigenvalue_along_error() > near_limit * stability_limit();
+}
 
 // Called after an accepted step.
 void ExplicitSolver::look_for_stiffness(double step_size) {
@@ -72,8 +77,10 @@ void ExplicitSolver::look_for_stiffness(double step_size) {
   }
   if (stiff_signs_ < sure) return;
   warned_of_stiffness_ = true;
-  warn(name() + ": the system is stiff for this method: at time " + format_number(it.currentTime) + ", steps of " + format_number(step_size, 3) +
-       " s are as large as stability allows, not accuracy. Implicit methods take larger ones: exu.DynamicSolverType.ESDIRK43, or GeneralizedAlpha "
+  warn(name() + ": the system is stiff for this method: at time " + format_number(it.currentTime) + ", steps of " +
+       format_number(step_size, 3) +
+       " s are as large as stability allows, not accuracy. Implicit methods take larger ones: "
+       "exu.DynamicSolverType.ESDIRK43, or GeneralizedAlpha "
        "with stepSizeControl.implicitSolvers=True");
 }
 

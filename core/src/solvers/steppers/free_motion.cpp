@@ -56,7 +56,9 @@ std::vector<double> softest_direction(std::size_t ode2, std::size_t total, const
 // Inactive equations have positive diagonal entries.
 int active_equations(const Sizes& sizes, const Pattern& pattern, std::span<const double> matrix) {
   int count = sizes.ae;
-  for_each_entry(pattern, [&](int row, int column, std::size_t slot) { count -= row == column && row >= sizes.first_ae() && matrix[slot] > 0; });
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    count -= row == column && row >= sizes.first_ae() && matrix[slot] > 0;
+  });
   return count;
 }
 
@@ -70,12 +72,18 @@ void StaticSolver::look_back() {
     // is unstable; this check needs no factorization.
     const auto may_be_unstable = [this] {
       const auto ode2 = static_cast<std::size_t>(sizes_.ode2), total = static_cast<std::size_t>(sizes_.total());
-      if (total <= always_counted) return !linear_ || negative_eigenvalues(*linear_, pattern(), jacobian_) != active_equations(sizes_, pattern(), jacobian_);
-      return factorized_ && stiffness_along(softest_direction(ode2, total, [this](std::span<double> x) { linear_->solve(x); }), pattern(), jacobian_).sum < 0;
+      if (total <= always_counted)
+        return !linear_ ||
+               negative_eigenvalues(*linear_, pattern(), jacobian_) != active_equations(sizes_, pattern(), jacobian_);
+      return factorized_ &&
+             stiffness_along(softest_direction(ode2, total, [this](std::span<double> x) { linear_->solve(x); }),
+                             pattern(), jacobian_)
+                     .sum < 0;
     };
     if (const std::vector<int> rows = free_coordinates(last); !rows.empty()) diagnostics_->warn_of_free_motion(rows);
     // Arc-length continuation passes unstable equilibria, and lists where they begin.
-    else if (!path_ && may_be_unstable()) look_for_instability();
+    else if (!path_ && may_be_unstable())
+      look_for_instability();
     jacobian_ = last;
   }
   NewtonSolver::look_back();
@@ -110,7 +118,8 @@ std::vector<int> StaticSolver::free_coordinates(std::span<const double> last) {
   nearest.find(solve, ode2, total);
   std::vector<double> shares(ode2);
   for (const NearestModes::Mode& mode : nearest.modes()) {
-    if (std::abs(mode.eigenvalue) > rounding_errors * stiffness_along(mode.vector, pattern(), jacobian_).terms) continue;
+    if (std::abs(mode.eigenvalue) > rounding_errors * stiffness_along(mode.vector, pattern(), jacobian_).terms)
+      continue;
     for (std::size_t i = 0; i < ode2; ++i) shares[i] = std::max(shares[i], std::abs(mode.vector[i]));
   }
   for (std::size_t i = 0; i < ode2; ++i)

@@ -25,7 +25,8 @@ bool SecondOrderSolver::discontinuous_iteration() {
 
 // Returns the change of a (algorithmic) acceleration within a step of this size.
 double SecondOrderSolver::change_of_accelerations(std::size_t i, double step_size) const {
-  const State &now = system().state(ConfigurationType::Current), &start = system().state(ConfigurationType::StartOfStep);
+  const State &now = system().state(ConfigurationType::Current),
+              &start = system().state(ConfigurationType::StartOfStep);
   if (newmark()) return now.a[i] - start.a[i];
   const double ratio = belong_to_at_start_.accelerations == 0 ? 1 : step_size / belong_to_at_start_.accelerations;
   return algorithmic_[i] - (start.a[i] + ratio * (algorithmic_at_start_[i] - start.a[i]));
@@ -63,12 +64,14 @@ double SecondOrderSolver::noise_of_estimates() {
 // Always returns false.
 [[gnu::noinline]] bool SecondOrderSolver::give_up_at_round_off() {
   Diagnosis& d = diagnostics_->diagnose(FailureReason::round_off);
-  d.advice = {"ask for larger errors: with the steps that timeIntegration.absoluteTolerance=" + format_number(tolerances_.absolute) + " and relativeTolerance=" +
+  d.advice = {"ask for larger errors: with the steps that timeIntegration.absoluteTolerance=" +
+                  format_number(tolerances_.absolute) + " and relativeTolerance=" +
                   format_number(tolerances_.relative) + " take, round-off of positions alone is more",
               "use a method of higher order, whose steps are larger (exu.DynamicSolverType.DOP853)"};
   if (singular_->has_weak_constraints()) {
     d.advice.insert(d.advice.begin(),
-                    "use a method that constrains accelerations (exu.DynamicSolverType.ESDIRK43 or DOPRI5): this is beside a singular position, where gaps of "
+                    "use a method that constrains accelerations (exu.DynamicSolverType.ESDIRK43 or DOPRI5): this is "
+                    "beside a singular position, where gaps of "
                     "round-off leave much more of it in positions, and in estimates of errors");
   }
   return false;
@@ -99,8 +102,10 @@ bool SecondOrderSolver::control_step_size() {
   }
   steps_.accept(passes ? 1 : wanted);
   if (sizes_.ae == 0) return true;
-  if (conditions_.rate_level) end_swings();
-  else lead_->apply(h, it.currentStepSize, error <= 1);
+  if (conditions_.rate_level)
+    end_swings();
+  else
+    lead_->apply(h, it.currentStepSize, error <= 1);
   return true;
 }
 

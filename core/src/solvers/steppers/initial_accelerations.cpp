@@ -13,7 +13,8 @@ namespace {
 
 // Returns the equations that constrain velocities, if initial velocities violate them by more than the digits of typed
 // input. The first step then jumps, and derivatives along these velocities are unknown.
-std::vector<char> jumping_equations(System& system, const State& state, const Conditions& conditions, const Pattern& pattern) {
+std::vector<char> jumping_equations(System& system, const State& state, const Conditions& conditions,
+                                    const Pattern& pattern) {
   constexpr double typed = 1e-3;
   const Sizes& s = system.sizes();
   const std::vector<char> none(static_cast<std::size_t>(s.ae), 0);
@@ -38,15 +39,18 @@ std::vector<char> jumping_equations(System& system, const State& state, const Co
 
 namespace {
 
-InitialAccelerations accelerations_at(ConstrainedMotion& motion, System& system, const State& still, const Conditions& position, std::span<const char> jumping) {
+InitialAccelerations accelerations_at(ConstrainedMotion& motion, System& system, const State& still,
+                                      const Conditions& position, std::span<const char> jumping) {
   const Sizes& s = system.sizes();
   std::vector<double> x(static_cast<std::size_t>(s.total()), 0.0);
   InitialAccelerations result;
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
   const std::vector<double> gap = ConstrainedMotion::gap_acceleration(system, still, position);
   std::vector<double> now(gap.size());  // computed on demand, because it calls user functions once more
-  if (!std::ranges::all_of(system.static_signs(), [](double sign) { return sign < 0; })) system.gaps(still, position, now);
-  for (int i = 0; i < s.ae; ++i) x[s.first_ae() + i] = !system.constrains_motion(i) ? -now[i] : jumping[i] ? 0.0 : -gap[i];
+  if (!std::ranges::all_of(system.static_signs(), [](double sign) { return sign < 0; }))
+    system.gaps(still, position, now);
+  for (int i = 0; i < s.ae; ++i)
+    x[s.first_ae() + i] = !system.constrains_motion(i) ? -now[i] : jumping[i] ? 0.0 : -gap[i];
   motion.solve(x);
   result.a.assign(x.begin(), x.begin() + s.ode2);
   result.lambda.assign(x.begin() + s.first_ae(), x.end());
@@ -56,17 +60,20 @@ InitialAccelerations accelerations_at(ConstrainedMotion& motion, System& system,
 
 }  // namespace
 
-InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state, const Conditions& conditions) {
+InitialAccelerations initial_accelerations(ConstrainedMotion& motion, System& system, const State& state,
+                                           const Conditions& conditions) {
   const State still = without_multipliers(state);
   const Conditions position = at_level(conditions, false);
   const std::vector<char> jumping = jumping_equations(system, still, position, motion.pattern());
   InitialAccelerations result = accelerations_at(motion, system, still, position, jumping);
   if (std::ranges::none_of(jumping, [](char jumps) { return jumps != 0; }))
-    result.decided = motion.follow_motion(system, still, position, result.a, result.lambda, [&](const State& at, std::vector<double>& a, std::vector<double>& lambda) {
-      InitialAccelerations there = accelerations_at(motion, system, at, position, jumping);
-      a = std::move(there.a);
-      lambda = std::move(there.lambda);
-    });
+    result.decided = motion.follow_motion(system, still, position, result.a, result.lambda,
+                                          [&](const State& at, std::vector<double>& a, std::vector<double>& lambda) {
+                                            InitialAccelerations there =
+                                                accelerations_at(motion, system, at, position, jumping);
+                                            a = std::move(there.a);
+                                            lambda = std::move(there.lambda);
+                                          });
   for (int i = 0; i < system.sizes().ae; ++i)
     if (!system.constrains_motion(i)) result.lambda[i] = 0;  // changes within the step
   return result;

@@ -41,7 +41,8 @@ void orthonormalize(std::vector<Vector>& vectors) {
 std::vector<Vector> mixed_vectors(std::size_t size) {
   std::vector<Vector> vectors(std::min(most_modes, size), Vector(size));
   for (std::size_t j = 0; j < vectors.size(); ++j)
-    for (std::size_t i = 0; i < size; ++i) vectors[j][i] = std::sin(1.0 + (2.7 + 0.71 * static_cast<double>(j)) * static_cast<double>(i + j));
+    for (std::size_t i = 0; i < size; ++i)
+      vectors[j][i] = std::sin(1.0 + (2.7 + 0.71 * static_cast<double>(j)) * static_cast<double>(i + j));
   return vectors;
 }
 
@@ -65,7 +66,8 @@ void NearestModes::find(const Solve& solve, std::size_t ode2, std::size_t total)
   const auto m = static_cast<Eigen::Index>(basis_.size());
   Eigen::MatrixXd projected(m, m);
   for (Eigen::Index i = 0; i < m; ++i)
-    for (Eigen::Index j = 0; j < m; ++j) projected(i, j) = dot(basis_[static_cast<std::size_t>(i)], images[static_cast<std::size_t>(j)]);
+    for (Eigen::Index j = 0; j < m; ++j)
+      projected(i, j) = dot(basis_[static_cast<std::size_t>(i)], images[static_cast<std::size_t>(j)]);
   if (m == 0 || !projected.allFinite()) return;
   const Eigenpairs pairs = eigenpairs(projected);
   for (Eigen::Index k = 0; k < m; ++k) {

@@ -56,7 +56,9 @@ Squares move(const Motion& motion, std::size_t begin, std::size_t end) {
     of_v[i - whole] += motion.v[i] * motion.v[i];
     of_a[i - whole] += a * a;
   }
-  const auto total = [](const std::array<double, wide>& s) { return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7])); };
+  const auto total = [](const std::array<double, wide>& s) {
+    return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+  };
   return {total(of_v), total(of_a)};
 }
 
@@ -67,7 +69,8 @@ Squares move_all(const System& system, const Motion& motion, std::size_t count) 
   constexpr std::size_t parts = 64;
   std::array<Squares, parts> squares;
   each_stretch(system, parts, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) squares[i] = move<drifts>(motion, count * i / parts, count * (i + 1) / parts);
+    for (std::size_t i = begin; i < end; ++i)
+      squares[i] = move<drifts>(motion, count * i / parts, count * (i + 1) / parts);
   });
   Squares sum;
   for (const Squares& part : squares) {
@@ -82,7 +85,8 @@ Squares move_all(const System& system, const Motion& motion, std::size_t count) 
 void ExplicitSolver::keep_motion() {
   const State& now = current();
   State& start = start_of_step();
-  for (const auto part : {&State::q, &State::v, &State::a}) copy_numbers(system(), (now.*part).data(), (now.*part).size(), (start.*part).data());
+  for (const auto part : {&State::q, &State::v, &State::a})
+    copy_numbers(system(), (now.*part).data(), (now.*part).size(), (start.*part).data());
 }
 
 void ExplicitSolver::step_at_once() {
@@ -96,8 +100,10 @@ void ExplicitSolver::step_at_once() {
     keep_motion();
     throw;
   }
-  if (!masses_are_old()) move_by_forces(negative);
-  else if (!move_by_masses(negative)) return;
+  if (!masses_are_old())
+    move_by_forces(negative);
+  else if (!move_by_masses(negative))
+    return;
   now.time = it.currentTime;
 }
 
@@ -106,11 +112,14 @@ void ExplicitSolver::move_by_forces(std::span<const double> negative) {
   const TimedPart time(timer, timer.newtonIncrement);
   State &now = current(), &start = start_of_step();
   const bool held = system().hold_states().use_count() > 2;  // by other objects than the system and this line
-  if (held) keep_motion();
+  if (held)
+    keep_motion();
   else
     for (const auto part : {&State::q, &State::v, &State::a}) std::swap(now.*part, start.*part);
-  const Motion motion{negative.data(), mass_.factors(), start.q.data(), start.v.data(), now.q.data(), now.v.data(), now.a.data(), it.currentStepSize};
-  const Squares squares = all_on_group_ ? move_all<false>(system(), motion, now.v.size()) : move_all<true>(system(), motion, now.v.size());
+  const Motion motion{negative.data(), mass_.factors(), start.q.data(), start.v.data(),
+                      now.q.data(),    now.v.data(),    now.a.data(),   it.currentStepSize};
+  const Squares squares =
+      all_on_group_ ? move_all<false>(system(), motion, now.v.size()) : move_all<true>(system(), motion, now.v.size());
   sum_of_v_ = squares.of_v;
   sum_of_a_ = squares.of_a;
   sums_known_ = true;

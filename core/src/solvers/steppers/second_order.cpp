@@ -23,8 +23,8 @@ namespace {
 constexpr std::size_t own_restart_numbers = 4;
 
 // Updates q, v and a in one loop, because most systems are small.
-void subtract_motion(const System& system, std::size_t n, const double* __restrict x, double rate, double acceleration, double* __restrict q,
-                     double* __restrict v, double* __restrict a) {
+void subtract_motion(const System& system, std::size_t n, const double* __restrict x, double rate, double acceleration,
+                     double* __restrict q, double* __restrict v, double* __restrict a) {
   each_number(system, n, [=](std::size_t i) {
     q[i] -= x[i];
     v[i] -= rate * x[i];
@@ -38,9 +38,10 @@ struct Prediction {
 };
 
 // Predictor with a_{n+1} = 0. Without algorithmic accelerations (null), it is that of Newmark's method.
-void predict_motion(const System& system, std::size_t n, const Prediction& scheme, double* __restrict increment, double* __restrict algorithmic,
-                    double* __restrict q, double* __restrict v, double* __restrict a) {
-  const double h = scheme.h, beta = scheme.beta, gamma = scheme.gamma, alpha_m = scheme.alpha_m, alpha_f = scheme.alpha_f;
+void predict_motion(const System& system, std::size_t n, const Prediction& scheme, double* __restrict increment,
+                    double* __restrict algorithmic, double* __restrict q, double* __restrict v, double* __restrict a) {
+  const double h = scheme.h, beta = scheme.beta, gamma = scheme.gamma, alpha_m = scheme.alpha_m,
+               alpha_f = scheme.alpha_f;
   each_number(system, n, [=](std::size_t i) {
     double aa = algorithmic == nullptr ? a[i] : algorithmic[i];
     double dq = h * v[i] + h * h * (0.5 - beta) * aa;
@@ -86,7 +87,8 @@ void SecondOrderSolver::read_settings() {
 void SecondOrderSolver::pre_initialize() {
   const auto& s = options_;
   if (s.useIndex2Constraints && !s.useNewmark) {
-    throw ModelError(ErrorKind::value, "timeIntegration.generalizedAlpha.useIndex2Constraints=True needs useNewmark=True");
+    throw ModelError(ErrorKind::value,
+                     "timeIntegration.generalizedAlpha.useIndex2Constraints=True needs useNewmark=True");
   }
   spectral_radius = s.useNewmark ? 1.0 : s.spectralRadius;
   alpha_m = (2 * spectral_radius - 1) / (spectral_radius + 1);
@@ -208,7 +210,8 @@ void SecondOrderSolver::start_steadily() {
   ConstrainedMotion motion;
   prepare(motion);
   const int singular = motion.factorize(system(), current(), conditions_);
-  const bool rests = singular == LinearSolver::success && end_rates(motion), found = find_accelerations(motion, singular);
+  const bool rests = singular == LinearSolver::success && end_rates(motion),
+             found = find_accelerations(motion, singular);
   begin_with_accelerations();
   if (rests && found) lean(motion);
 }
@@ -267,8 +270,9 @@ double SecondOrderSolver::left_out() const { return newmark_beta + 0.5 * (alpha_
 
 void SecondOrderSolver::post_initialize() {
   if (!verbose(2)) return;
-  say(2, (newmark() ? "  Newmark: " : "  generalized alpha: spectralRadius=" + number(spectral_radius) + ", alphaM=" +
-                          number(alpha_m) + ", alphaF=" + number(alpha_f) + ", ") +
+  say(2, (newmark() ? "  Newmark: "
+                    : "  generalized alpha: spectralRadius=" + number(spectral_radius) + ", alphaM=" + number(alpha_m) +
+                          ", alphaF=" + number(alpha_f) + ", ") +
              std::string("beta=") + number(newmark_beta) + ", gamma=" + number(newmark_gamma) + "\n");
 }
 
@@ -295,7 +299,8 @@ void SecondOrderSolver::increase_step_size() {
 }
 
 std::vector<double> SecondOrderSolver::restart_numbers() const {
-  std::vector<double> numbers{belong_to_.accelerations, belong_to_.velocities, static_cast<double>(belong_to_.begins), static_cast<double>(renewed_after_)};
+  std::vector<double> numbers{belong_to_.accelerations, belong_to_.velocities, static_cast<double>(belong_to_.begins),
+                              static_cast<double>(renewed_after_)};
   std::ranges::copy(lead_->restart_numbers(), std::back_inserter(numbers));
   return numbers;
 }
@@ -333,7 +338,8 @@ template <class S>
 S SecondOrderSolver::scale_residual(std::vector<S>& residual) const {
   const S norm = norm_of(residual);
   const double scale = row_scale();
-  each_number(system(), static_cast<std::size_t>(sizes_.ode2), [=, r = residual.data()](std::size_t i) { r[i] *= scale; });
+  each_number(system(), static_cast<std::size_t>(sizes_.ode2),
+              [=, r = residual.data()](std::size_t i) { r[i] *= scale; });
   return norm;
 }
 
@@ -346,7 +352,8 @@ void SecondOrderSolver::predict() {
   State& now = current();
   const double h = it.currentStepSize;
   if (lie_) previous_q_ = start_of_step().q;
-  if (h != belong_to_.accelerations || h != belong_to_.velocities) [[unlikely]] change_step_size();
+  if (h != belong_to_.accelerations || h != belong_to_.velocities) [[unlikely]]
+    change_step_size();
   predict_motion(system(), now.q.size(), {h, newmark_beta, newmark_gamma, alpha_m, alpha_f}, increment_of_q_.data(),
                  newmark() ? nullptr : algorithmic_.data(), now.q.data(), now.v.data(), now.a.data());
   for (std::size_t i = 0; i < now.y.size(); ++i) {
@@ -367,20 +374,23 @@ void SecondOrderSolver::predict() {
   if (belong_to_.velocities == 0 || sizes_.ae == 0 || conditions_.rate_level) return;
   const double growth = it.currentStepSize / belong_to_.velocities, change = 1 - growth * growth;
   if (std::abs(change) < negligible) return;
-  if (std::exchange(off_constraints_known_, it.currentStepIndex) != it.currentStepIndex) find_velocities_off_constraints();
+  if (std::exchange(off_constraints_known_, it.currentStepIndex) != it.currentStepIndex)
+    find_velocities_off_constraints();
   for (std::size_t i = 0; i < off_constraints_.size(); ++i) current().v[i] -= change * off_constraints_[i];
 }
 
 // Returns whether an event has shortened the previous step so much that its error terms are round-off for this step.
 bool SecondOrderSolver::was_cut() const {
-  return it.automaticStepSize && may_start_steadily() && belong_to_.velocities > 0 && it.currentStepSize > largest_growth * belong_to_.velocities;
+  return it.automaticStepSize && may_start_steadily() && belong_to_.velocities > 0 &&
+         it.currentStepSize > largest_growth * belong_to_.velocities;
 }
 
 // Algorithmic accelerations are those at the time t + (alpha_m - alpha_f) h.
 void SecondOrderSolver::move_algorithmic_accelerations(double ratio) {
   if (newmark()) return;
   const State& now = current();
-  for (std::size_t i = 0; i < algorithmic_.size(); ++i) algorithmic_[i] = now.a[i] + ratio * (algorithmic_[i] - now.a[i]);
+  for (std::size_t i = 0; i < algorithmic_.size(); ++i)
+    algorithmic_[i] = now.a[i] + ratio * (algorithmic_[i] - now.a[i]);
 }
 
 // `start_steadily` explains the offsets, which are zero where velocities fulfil the constraints. Error control always has factors, also after a
@@ -395,7 +405,9 @@ void SecondOrderSolver::find_velocities_off_constraints() {
   }
   ConstrainedMotion motion;
   prepare(motion);
-  if (motion.factorize_with_all_masses(system(), still, conditions_) != LinearSolver::success || !motion.project(system(), still, conditions_)) return;
+  if (motion.factorize_with_all_masses(system(), still, conditions_) != LinearSolver::success ||
+      !motion.project(system(), still, conditions_))
+    return;
   for (std::size_t i = 0; i < off_constraints_.size(); ++i) off_constraints_[i] = current().v[i] - still.v[i];
 }
 
@@ -406,7 +418,8 @@ void SecondOrderSolver::correct() {
     previous_q_ = now.q;
     for (std::size_t i = 0; i < increment_of_q_.size(); ++i) increment_of_q_[i] = -increment_[i];
   }
-  subtract_motion(system(), now.q.size(), increment_.data(), gamma_prime(), beta_prime(), now.q.data(), now.v.data(), now.a.data());
+  subtract_motion(system(), now.q.size(), increment_.data(), gamma_prime(), beta_prime(), now.q.data(), now.v.data(),
+                  now.a.data());
   subtract(system(), now.lambda, 1 / scale, increment_.data() + sizes_.first_ae());
   if (!now.y.empty()) {
     subtract(system(), now.y, 1, increment_.data() + sizes_.ode2);
@@ -484,7 +497,8 @@ void SecondOrderSolver::evaluate_jacobian(const State& state, const Conditions& 
 }
 
 // d(q_n o exp(x))/dx is the tangent operator at x, which applies only to the position part of the matrix.
-[[gnu::noinline]] void SecondOrderSolver::simplified_lie_jacobian(const State& state, const Conditions& conditions, const Weights& weights) {
+[[gnu::noinline]] void SecondOrderSolver::simplified_lie_jacobian(const State& state, const Conditions& conditions,
+                                                                  const Weights& weights) {
   more_values_.resize(jacobian_.size());
   Weights position = weights, rest = weights;
   position.v = position.a = 0;
@@ -528,7 +542,8 @@ void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
     for (std::size_t k = begin; k < end; ++k) values[k] *= factor;
   };
   if (sizes_.ode1 > 0) {
-    for (int j = 0; j < n; ++j) multiply(column_range(pattern(), j, n).middle, column_range(pattern(), j, first_ae).middle, 1 / scale);
+    for (int j = 0; j < n; ++j)
+      multiply(column_range(pattern(), j, n).middle, column_range(pattern(), j, first_ae).middle, 1 / scale);
     for (int j = n; j < first_ae; ++j) {
       const ColumnRange column = column_range(pattern(), j, n);
       multiply(column.begin, column.middle, scale);
@@ -548,7 +563,8 @@ std::string_view SecondOrderSolver::lockstep_obstacle() const {
   if (lead_->active()) return "velocities across constraints that oscillate";
   if (hooks().timeout >= 0) return "a limit of the time that solvers may take";
   if (verbose(1) || settings().displayComputationTime) return "messages of the solver";
-  if (has_replaced_parts() || !newton_settings.useNewtonSolver) return "parts of the solver that are replaced or left out";
+  if (has_replaced_parts() || !newton_settings.useNewtonSolver)
+    return "parts of the solver that are replaced or left out";
   if (wants_differences(newton_settings.numericalDifferentiation) || loads_jacobian_ != 0)
     return "derivatives by differences";
   if (discontinuous.iterationTolerance < 0) return "a negative discontinuous.iterationTolerance";

@@ -18,13 +18,13 @@ constexpr double negligible_share = 1e-3;  // of velocity-dependent forces, rela
 void StaticSolver::read_settings() {
   Solver::read_settings();
   const auto& s = options_ = settings().staticSolver;
-  factors_ = {.decrease = s.adaptiveStepDecrease, .increase = s.adaptiveStepIncrease, .recovery_steps = s.adaptiveStepRecoverySteps,
+  factors_ = {.decrease = s.adaptiveStepDecrease,
+              .increase = s.adaptiveStepIncrease,
+              .recovery_steps = s.adaptiveStepRecoverySteps,
               .recovery_iterations = s.adaptiveStepRecoveryIterations};
 }
 
-double StaticSolver::load_factor() const {
-  return (it.currentTime - it.startTime) / options_.loadStepDuration;
-}
+double StaticSolver::load_factor() const { return (it.currentTime - it.startTime) / options_.loadStepDuration; }
 
 void StaticSolver::pre_initialize() { conditions_ = {.load_factor = 1, .rate_level = false, .inertia = false}; }
 
@@ -34,7 +34,9 @@ void StaticSolver::initial_conditions() {
     warn("staticSolver.loadStepGeometric needs at least 2 load steps; 2 are computed");
     it.numberOfSteps = 2;
   }
-  geometric_factor_ = it.numberOfSteps > 1 ? std::pow(options_.loadStepGeometricRange, 1.0 / static_cast<double>(it.numberOfSteps - 1)) : 1.0;
+  geometric_factor_ = it.numberOfSteps > 1
+                          ? std::pow(options_.loadStepGeometricRange, 1.0 / static_cast<double>(it.numberOfSteps - 1))
+                          : 1.0;
   begin_path();
 }
 
@@ -48,7 +50,8 @@ void StaticSolver::update_current_time() {
     time += it.currentStepSize;
   } else {
     const double share = it.currentStepSize / it.maxStepSize;
-    time = time <= tolerance ? share * duration / options_.loadStepGeometricRange : time * (share == 1 ? geometric_factor_ : std::pow(geometric_factor_, share));
+    time = time <= tolerance ? share * duration / options_.loadStepGeometricRange
+                             : time * (share == 1 ? geometric_factor_ : std::pow(geometric_factor_, share));
   }
   if (time + tolerance >= duration) time = duration;
   it.currentTime = time + it.startTime;
@@ -100,7 +103,9 @@ void StaticSolver::look_for_motion() {
     forces[i] = moving[i] - forces[i];
     largest = std::max(largest, std::abs(forces[i]));
   }
-  if (norm_of(forces) <= std::max(newton_settings.relativeTolerance * initial_residual_, newton_settings.absoluteTolerance)) return;
+  if (norm_of(forces) <=
+      std::max(newton_settings.relativeTolerance * initial_residual_, newton_settings.absoluteTolerance))
+    return;
   std::vector<int> rows;
   for (int i = 0; i < sizes_.first_ae(); ++i)
     if (std::abs(forces[static_cast<std::size_t>(i)]) > negligible_share * largest) rows.push_back(i);
@@ -159,7 +164,8 @@ void StaticSolver::move(std::span<const double> step) {
   }
   for (std::size_t i = 0; i < now.y.size(); ++i) now.y[i] += step[ode2 + i];
   const std::span<const double> signs = system().static_signs();
-  for (std::size_t i = 0; i < now.lambda.size(); ++i) now.lambda[i] += signs[i] * step[static_cast<std::size_t>(sizes_.first_ae()) + i];
+  for (std::size_t i = 0; i < now.lambda.size(); ++i)
+    now.lambda[i] += signs[i] * step[static_cast<std::size_t>(sizes_.first_ae()) + i];
 }
 
 void StaticSolver::compute_jacobian() { compute_jacobian(options_.computeLoadsJacobian ? 1 : 0); }
@@ -169,7 +175,8 @@ void StaticSolver::compute_jacobian(double load_dependencies) {
   Conditions conditions = conditions_;
   conditions.load_dependencies = load_dependencies;
   if (wants_differences(newton_settings.numericalDifferentiation)) {
-    numerical_tangent(system(), current(), conditions, along_positions, newton_settings.numericalDifferentiation, pattern(), jacobian_);
+    numerical_tangent(system(), current(), conditions, along_positions, newton_settings.numericalDifferentiation,
+                      pattern(), jacobian_);
   } else {
     system().tangent(current(), conditions, along_positions, pattern(), jacobian_);
   }

@@ -33,7 +33,7 @@ constexpr double negligible_way = 1e-6; // displacement within a step, relative 
 // A step is coarse if the velocities across the constraints exceed this share of the largest velocity, in the norm of the step matrix. The
 // energy error is then a few percent.
 constexpr double coarse_part = 0.02;
-constexpr StepCount first_judged = 4;   // number of steps with lead before its size is assessed
+constexpr StepCount first_judged = 4;  // number of steps with lead before its size is assessed
 
 // Returns the largest velocity across constraints, relative to the largest velocity, of a stable smooth motion: C th^2
 // at the stability limit, with a margin of 5.
@@ -96,7 +96,8 @@ bool VelocityLead::velocities_oscillate() {
   if (size > tolerated) size = closes_gaps_of_start() ? 0 : size_of_across(true);
   if (!(size > tolerated)) {
     across_.clear();
-    steps_to_wait_ = static_cast<int>(std::min(most_steps_to_wait, std::log(tolerated / std::max(size, 1e-300)) / std::log(fastest_growth)));
+    steps_to_wait_ = static_cast<int>(
+        std::min(most_steps_to_wait, std::log(tolerated / std::max(size, 1e-300)) / std::log(fastest_growth)));
     return false;
   }
   return !before.empty() && std::inner_product(before.begin(), before.end(), across_.begin(), 0.0) < 0;
@@ -124,7 +125,8 @@ bool VelocityLead::accelerations_alternate() {
     velocity += now.v[i] * now.v[i];
     acceleration += now.a[i] * now.a[i];
   }
-  largest_speed_ = std::max({largest_speed_, negligible_speed_, std::sqrt(velocity), scale_of_rest * h * std::sqrt(acceleration)});
+  largest_speed_ =
+      std::max({largest_speed_, negligible_speed_, std::sqrt(velocity), scale_of_rest * h * std::sqrt(acceleration)});
   const double tolerated = tolerated_velocity(method_.spectral_radius, method_.left_out()) * largest_speed_;
   return ++equal_steps_ > 2 && 0.25 * h * std::sqrt(difference) > tolerated;
 }
@@ -134,7 +136,8 @@ bool VelocityLead::closes_gaps_of_start() {
   if (it.currentStepIndex >= steps_to_decay(method_.spectral_radius)) return false;
   if (!begins_open_) {
     const auto& s = settings().initialConditions;
-    begins_open_ = !open_constraints(system(), initial(), conditions_, {s.positionTolerance, s.velocityTolerance, true}).empty();
+    begins_open_ =
+        !open_constraints(system(), initial(), conditions_, {s.positionTolerance, s.velocityTolerance, true}).empty();
   }
   return *begins_open_;
 }
@@ -145,7 +148,8 @@ void VelocityLead::lead_and_judge() {
   const bool smooth = it.discontinuousIteration <= 1;  // no jump of accelerations within the step
   const double across = apply(it.currentStepSize, it.currentStepSize, smooth);
   largest_energy_ = std::max(largest_energy_, step_energy(current().v));
-  if (++steps_with_lead_ > first_judged && smooth && across > coarse_part * coarse_part * largest_energy_) count_doubt(coarse_, coarse_since_);
+  if (++steps_with_lead_ > first_judged && smooth && across > coarse_part * coarse_part * largest_energy_)
+    count_doubt(coarse_, coarse_since_);
 }
 
 void VelocityLead::count_doubt(StepCount& steps, double& since) const {
@@ -164,7 +168,8 @@ double VelocityLead::apply(double step_size, double next, bool smooth) {
   for (std::size_t i = 0; i < now.v.size(); ++i) now.v[i] -= across[i];
   method_.belong_to_.velocities = smooth ? next : 0;
   double energy = 0;
-  for (std::size_t k = 0; k < rates.size(); ++k) energy -= rates[k] * method_.increment_[static_cast<std::size_t>(sizes_.first_ae()) + k];
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    energy -= rates[k] * method_.increment_[static_cast<std::size_t>(sizes_.first_ae()) + k];
   return energy;
 }
 
@@ -234,7 +239,8 @@ std::span<const double> VelocityLead::move_across(std::span<const double> rates)
 double VelocityLead::step_energy(std::span<const double> v) const {
   double energy = 0;
   for_each_entry(method_.pattern(), [&](int row, int column, std::size_t slot) {
-    if (row < sizes_.ode2 && column < sizes_.ode2) energy += v[static_cast<std::size_t>(row)] * method_.jacobian_[slot] * v[static_cast<std::size_t>(column)];
+    if (row < sizes_.ode2 && column < sizes_.ode2)
+      energy += v[static_cast<std::size_t>(row)] * method_.jacobian_[slot] * v[static_cast<std::size_t>(column)];
   });
   return energy;
 }
@@ -246,8 +252,14 @@ void VelocityLead::forget() {
 }
 
 std::vector<double> VelocityLead::restart_numbers() const {
-  return {static_cast<double>(active_), largest_speed_, largest_energy_, static_cast<double>(steps_with_lead_),
-          static_cast<double>(coarse_), coarse_since_, static_cast<double>(not_led_), not_led_since_};
+  return {static_cast<double>(active_),
+          largest_speed_,
+          largest_energy_,
+          static_cast<double>(steps_with_lead_),
+          static_cast<double>(coarse_),
+          coarse_since_,
+          static_cast<double>(not_led_),
+          not_led_since_};
 }
 
 void VelocityLead::resume(const std::array<double, restart_size>& numbers) {
@@ -264,16 +276,19 @@ void VelocityLead::resume(const std::array<double, restart_size>& numbers) {
 std::vector<std::string> VelocityLead::doubts() const {
   std::vector<std::string> doubts;
   const auto steps = [](StepCount n, double since) {
-    return "in " + std::to_string(n) + (n == 1 ? " step, at time " : " steps, the first at time ") + format_number(since);
+    return "in " + std::to_string(n) + (n == 1 ? " step, at time " : " steps, the first at time ") +
+           format_number(since);
   };
   if (coarse_ > 0) {
     doubts.push_back("constraints turn too far " + steps(coarse_, coarse_since_) +
-                      ": the velocities there have large errors; use smaller steps (now " + format_number(it.currentStepSize) + " s)");
+                     ": the velocities there have large errors; use smaller steps (now " +
+                     format_number(it.currentStepSize) + " s)");
   }
   if (not_led_ > 0) {
     doubts.push_back("velocities across constraints oscillate " + steps(not_led_, not_led_since_) +
-                      ", and cannot be corrected because a function changes parameters of constraints in each step: use smaller steps, a smaller "
-                      "timeIntegration.generalizedAlpha.spectralRadius, or exu.DynamicSolverType.TrapezoidalIndex2");
+                     ", and cannot be corrected because a function changes parameters of constraints in each step: use "
+                     "smaller steps, a smaller "
+                     "timeIntegration.generalizedAlpha.spectralRadius, or exu.DynamicSolverType.TrapezoidalIndex2");
   }
   return doubts;
 }

@@ -26,7 +26,7 @@ class VelocityLead : public SolverPart {
   void forget();  // all data that are not in a restart file
   bool active() const { return active_; }
   bool watches() const { return sizes_.ae > 0 && !conditions_.rate_level && !it.automaticStepSize; }
-  void watch();   // called after each step of equal size
+  void watch();  // called after each step of equal size
   bool accelerations_alternate();
   bool closes_gaps_of_start();
   std::vector<std::string> doubts() const;
@@ -58,20 +58,20 @@ class VelocityLead : public SolverPart {
   double step_energy(std::span<const double> v) const;
 
   SecondOrderSolver& method_;
-  RowKinds row_kinds_;                  // empty: unknown
-  bool active_ = false;                 // from the first step on in which velocities oscillate
-  double largest_speed_ = 0;            // so far
-  double largest_energy_ = 0;           // since the lead is used
+  RowKinds row_kinds_;  // empty: unknown
+  bool active_ = false;  // from the first step on in which velocities oscillate
+  double largest_speed_ = 0;  // so far
+  double largest_energy_ = 0;  // since the lead is used
   StepCount steps_with_lead_ = 0;
   StepCount coarse_ = 0, not_led_ = 0;  // steps with a warning, and the time of the first one
   double coarse_since_ = 0, not_led_since_ = 0;
-  std::optional<bool> begins_open_;     // initial values contradict the constraints
-  double step_size_ = 0;                // of the last steps
-  double negligible_speed_ = 0;         // for this size
-  int equal_steps_ = 0;                 // in succession
-  int steps_to_wait_ = 0;               // until velocities across constraints are evaluated again
+  std::optional<bool> begins_open_;  // initial values contradict the constraints
+  double step_size_ = 0;  // of the last steps
+  double negligible_speed_ = 0;  // for this size
+  int equal_steps_ = 0;  // in succession
+  int steps_to_wait_ = 0;  // until velocities across constraints are evaluated again
   std::vector<double> accelerations_, change_;  // algorithmic ones at the end of the last step, and their change in it
-  std::vector<double> across_;          // velocities across constraints in the last step; empty: unknown
+  std::vector<double> across_;  // velocities across constraints in the last step; empty: unknown
   std::uint64_t constraints_renewed_ = 0;
 };
 

@@ -20,7 +20,8 @@ struct ObjectGround : NoCheck, NoDoubt, NoElementOutputs, NoLieRotations {
     return {.position = p.referencePosition + p.referenceRotation * local, .rotation = p.referenceRotation};
   }
   template <class S>
-  static Vec<S, 0> pull_back(const Parameters&, const Coordinates<S, 0>&, const Vec3<double>&, const Vec3<S>&, const Vec3<S>&) {
+  static Vec<S, 0> pull_back(const Parameters&, const Coordinates<S, 0>&, const Vec3<double>&, const Vec3<S>&,
+                             const Vec3<S>&) {
     return {};
   }
   template <class S>

@@ -17,7 +17,8 @@ struct ObjectConnectorCartesianSpringDamper : NoPairHistory {
 
   // Each global axis has one spring.
   template <class S>
-  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0,
+                                        const PointFrame<S>& m1) {
     const Vec3<S> f = tension<S>(p, c, elongation(p, m0, m1), m1.velocity - m0.velocity);
     return {Force<S>{f}, Force<S>{-f}};
   }
@@ -37,7 +38,9 @@ struct ObjectConnectorCartesianSpringDamper : NoPairHistory {
       case OutputVariableType::Displacement: vector(span); return true;
       case OutputVariableType::Distance: values = {norm(span)}; return true;
       case OutputVariableType::Velocity: vector(rate); return true;
-      case OutputVariableType::Force: vector(p.activeConnector ? tension<double>(p, c, span, rate) : Vec3<double>{}); return true;
+      case OutputVariableType::Force:
+        vector(p.activeConnector ? tension<double>(p, c, span, rate) : Vec3<double>{});
+        return true;
       case OutputVariableType::PotentialEnergy: {
         double energy = 0;
         for (int i = 0; i < 3; ++i) energy += 0.5 * p.stiffness[i] * span[i] * span[i];

@@ -27,8 +27,8 @@ struct ObjectConnectorCoordinateSpringDamper : NoPairHistory {
     return {{p.stiffness}, {p.damping}};
   }
 
-  static bool output(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
-                     OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const ScalarFrame<double>& m0,
+                     const ScalarFrame<double>& m1, OutputVariableType variable, std::vector<double>& values) {
     const double span = m1.value - m0.value, rate = m1.rate - m0.rate;
     switch (variable) {
       case OutputVariableType::Displacement: values = {span}; return true;

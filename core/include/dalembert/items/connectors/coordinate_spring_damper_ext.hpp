@@ -30,8 +30,8 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
     return {ScalarForce<S>{p.factor0 * f}, ScalarForce<S>{-p.factor1 * f}};
   }
 
-  static PostNewton update(const Parameters& p, const Context&, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
-                           const double* start, double* data) {
+  static PostNewton update(const Parameters& p, const Context&, const ScalarFrame<double>& m0,
+                           const ScalarFrame<double>& m1, const double* start, double* data) {
     const Difference<double> d(p, m0, m1);
     PostNewton verdict;
     if (has_bristles(p)) {
@@ -46,7 +46,8 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
   }
 
   static int switch_count(const Parameters&) { return 2; }
-  static void find_switches(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, Switches& switches) {
+  static void find_switches(const Parameters& p, const Context& c, const ScalarFrame<double>& m0,
+                            const ScalarFrame<double>& m1, Switches& switches) {
     const Difference<double> d(p, m0, m1);
     if (has_bristles(p) && c.data != nullptr) {
       const double direction = c.data[friction] == 0 ? 0 : std::copysign(1.0, c.data[friction]);
@@ -56,13 +57,16 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
     } else {
       switches.none();
     }
-    if (!p.useLimitStops || c.data == nullptr) switches.none();
-    else if (c.data[stop] == 0) switches.holds("stop", false, std::min(p.limitStopsUpper - d.value, d.value - p.limitStopsLower));
-    else switches.holds("stop", true, c.data[stop] > 0 ? d.value - p.limitStopsUpper : p.limitStopsLower - d.value);
+    if (!p.useLimitStops || c.data == nullptr)
+      switches.none();
+    else if (c.data[stop] == 0)
+      switches.holds("stop", false, std::min(p.limitStopsUpper - d.value, d.value - p.limitStopsLower));
+    else
+      switches.holds("stop", true, c.data[stop] > 0 ? d.value - p.limitStopsUpper : p.limitStopsLower - d.value);
   }
   // Slip that ends where it stands still goes on as stick with the same force.
-  static void switch_over(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, const double* before,
-                          double* data) {
+  static void switch_over(const Parameters& p, const Context& c, const ScalarFrame<double>& m0,
+                          const ScalarFrame<double>& m1, const double* before, double* data) {
     const Difference<double> d(p, m0, m1);
     const bool slipped = has_bristles(p) && before[friction] != 0;
     update(p, c, m0, m1, before, data);
@@ -70,8 +74,8 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
     data[stick] = bristle(p).anchor(d.value, d.rate, std::copysign(curve(p).peak(), before[friction]));
   }
 
-  static bool output(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
-                     OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const ScalarFrame<double>& m0,
+                     const ScalarFrame<double>& m1, OutputVariableType variable, std::vector<double>& values) {
     const Difference<double> d(p, m0, m1);
     switch (variable) {
       case OutputVariableType::Displacement: values = {d.value}; return true;
@@ -90,7 +94,8 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
   };
 
   static StribeckCurve curve(const Parameters& p) {
-    return {p.fDynamicFriction, p.fStaticFrictionOffset, p.fViscousFriction, p.exponentialDecayStatic, p.frictionProportionalZone};
+    return {p.fDynamicFriction, p.fStaticFrictionOffset, p.fViscousFriction, p.exponentialDecayStatic,
+            p.frictionProportionalZone};
   }
   static StickSlip bristle(const Parameters& p) { return {p.stickingStiffness, p.stickingDamping}; }
   static bool has_bristles(const Parameters& p) {
@@ -106,9 +111,9 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItse
   template <class S>
   static S force(const Parameters& p, const Context& c, const Difference<S>& d) {
     if (p.springForceUserFunction)
-      return call_scalar(p.springForceUserFunction, c, d.value, d.rate, p.stiffness, p.damping, p.offset, p.velocityOffset,
-                         p.fDynamicFriction, p.fStaticFrictionOffset, p.exponentialDecayStatic, p.fViscousFriction,
-                         p.frictionProportionalZone);
+      return call_scalar(p.springForceUserFunction, c, d.value, d.rate, p.stiffness, p.damping, p.offset,
+                         p.velocityOffset, p.fDynamicFriction, p.fStaticFrictionOffset, p.exponentialDecayStatic,
+                         p.fViscousFriction, p.frictionProportionalZone);
     S f = p.stiffness * (d.value - p.offset) + p.damping * (d.rate - p.velocityOffset);
     if (p.frictionProportionalZone != 0) f += curve(p)(d.rate);
     if (has_bristles(p) && c.data != nullptr) f += bristle_force(p, c.data, d);

@@ -16,7 +16,8 @@ struct ObjectConnectorGravity : NoPairHistory, NoConnectorForms {
 
   // Attraction along the line between the points.
   template <class S>
-  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0,
+                                        const PointFrame<S>& m1) {
     const Vec3<S> f = attraction(p, c, m0, m1);
     return {Force<S>{f}, Force<S>{-f}};
   }
@@ -28,8 +29,12 @@ struct ObjectConnectorGravity : NoPairHistory, NoConnectorForms {
     switch (variable) {
       case OutputVariableType::Distance: values = {norm(span)}; return true;
       case OutputVariableType::Displacement: vector(span); return true;
-      case OutputVariableType::PotentialEnergy: values = {p.activeConnector ? potential(p, norm(span)) : 0.0}; return true;
-      case OutputVariableType::Force: vector(p.activeConnector ? attraction(p, c, m0, m1) : Vec3<double>{}); return true;
+      case OutputVariableType::PotentialEnergy:
+        values = {p.activeConnector ? potential(p, norm(span)) : 0.0};
+        return true;
+      case OutputVariableType::Force:
+        vector(p.activeConnector ? attraction(p, c, m0, m1) : Vec3<double>{});
+        return true;
       default: return false;
     }
   }
@@ -47,7 +52,8 @@ struct ObjectConnectorGravity : NoPairHistory, NoConnectorForms {
   static Vec3<S> attraction(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
     const double near = p.minDistanceRegularization;
     if (coincide(m0, m1)) {
-      if (near == 0) refuse_coinciding(c, "ObjectConnectorGravity", "Keep the masses apart or set minDistanceRegularization");
+      if (near == 0)
+        refuse_coinciding(c, "ObjectConnectorGravity", "Keep the masses apart or set minDistanceRegularization");
       return {};
     }
     const LineOfAction<S> line(m0, m1);

@@ -25,13 +25,16 @@ struct ObjectConnectorHydraulicActuatorSimple : AllMarkersAct, NoAlgebraicEquati
     for (int k = 0; k < 2; ++k) x.equations[k] = pressure_rate(p, c, Chamber(p, k), line, x.unknowns[k]);
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     const LineOfAction<double> line = line_of(c, x);
     const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
     switch (variable) {
       case OutputVariableType::Distance: values = {line.length}; return true;
       case OutputVariableType::Displacement: vector(line.span); return true;
-      case OutputVariableType::Velocity: vector(x.frame<PointPort>(1).velocity - x.frame<PointPort>(0).velocity); return true;
+      case OutputVariableType::Velocity:
+        vector(x.frame<PointPort>(1).velocity - x.frame<PointPort>(0).velocity);
+        return true;
       case OutputVariableType::VelocityLocal: values = {line.rate}; return true;
       case OutputVariableType::Force: vector((p.activeConnector ? tension(p, line, x) : 0.0) * line.axis); return true;
       default: return false;
@@ -42,11 +45,15 @@ struct ObjectConnectorHydraulicActuatorSimple : AllMarkersAct, NoAlgebraicEquati
     const Placement& on = connections.placement();
     const std::string expected = "a list with one NodeGenericODE1 of two coordinates, the pressures";
     if (on.nodes.size() != 1) connections.refuse("nodeNumbers", std::to_string(on.nodes.size()) + " nodes", expected);
-    if (on.ode1.size() != 2) connections.refuse("nodeNumbers", "a node with " + std::to_string(on.ode1.size()) + " ODE1 coordinates", expected);
-    for (const double x : static_cast<const NodeGenericODE1Record*>(on.node_records[0])->parameters.referenceCoordinates)
+    if (on.ode1.size() != 2)
+      connections.refuse("nodeNumbers", "a node with " + std::to_string(on.ode1.size()) + " ODE1 coordinates",
+                         expected);
+    for (const double x :
+         static_cast<const NodeGenericODE1Record*>(on.node_records[0])->parameters.referenceCoordinates)
       if (x != 0)
-        refuse(ErrorKind::value, {connections.item(), "nodeNumbers", "a reference coordinate of the node is " + std::to_string(x), "",
-                                  "reference coordinates that are zero", "State the pressures at the start as initialCoordinates"});
+        refuse(ErrorKind::value,
+               {connections.item(), "nodeNumbers", "a reference coordinate of the node is " + std::to_string(x), "",
+                "reference coordinates that are zero", "State the pressures at the start as initialCoordinates"});
   }
 
  private:
@@ -61,7 +68,8 @@ struct ObjectConnectorHydraulicActuatorSimple : AllMarkersAct, NoAlgebraicEquati
   // Tension along the line between the points.
   template <class S>
   static S tension(const Parameters& p, const LineOfAction<S>& line, const Exchange<S>& x) {
-    return p.chamberCrossSection1 * x.unknowns[1] - p.chamberCrossSection0 * x.unknowns[0] + p.actuatorDamping * line.rate;
+    return p.chamberCrossSection1 * x.unknowns[1] - p.chamberCrossSection0 * x.unknowns[0] +
+           p.actuatorDamping * line.rate;
   }
 
   template <class S>
@@ -83,16 +91,18 @@ struct ObjectConnectorHydraulicActuatorSimple : AllMarkersAct, NoAlgebraicEquati
 
   // Rate of the pressure in one chamber, from the motion of the piston and the flow through its valve.
   template <class S>
-  static S pressure_rate(const Parameters& p, const Context& c, const Chamber& chamber, const LineOfAction<S>& line, const S& pressure) {
+  static S pressure_rate(const Parameters& p, const Context& c, const Chamber& chamber, const LineOfAction<S>& line,
+                         const S& pressure) {
     S volume(chamber.hose_volume), compliance(1 / p.oilBulkModulus);
     if (p.useChamberVolumeChange) {
       const S stroke = line.length - p.offsetLength;
       const S swept = chamber.area * (chamber.sign > 0 ? stroke : p.strokeLength - stroke);
       volume += swept;
       if (value_of(volume) == 0)
-        refuse(ErrorKind::value, {"object " + std::to_string(c.item) + " (ObjectConnectorHydraulicActuatorSimple)", "hoseVolume0",
-                                  "the volume of a chamber vanishes at time " + std::to_string(c.time), "", "",
-                                  "Increase hoseVolume0 and hoseVolume1, or keep the stroke within its limits"});
+        refuse(ErrorKind::value,
+               {"object " + std::to_string(c.item) + " (ObjectConnectorHydraulicActuatorSimple)", "hoseVolume0",
+                "the volume of a chamber vanishes at time " + std::to_string(c.time), "", "",
+                "Increase hoseVolume0 and hoseVolume1, or keep the stroke within its limits"});
       if (p.cylinderBulkModulus != 0) compliance += swept / (volume * p.cylinderBulkModulus);
       if (p.hoseBulkModulus != 0) compliance += chamber.hose_volume / (volume * p.hoseBulkModulus);
     }

@@ -29,19 +29,22 @@ struct ObjectConnectorLaw : AllMarkersAct, NoAlgebraicEquations, NoSwitches {
   // The history at the end of the step follows from that at its start.
   static PostNewton update(const Parameters& p, const Context& c, const Exchange<double>& x, const History& history) {
     if (!p.historyUserFunction || c.data_count == 0) return {};
-    const auto found = Motion<double>(p, x).call(p.historyUserFunction, c, states_of(x, history.start, c), static_cast<std::size_t>(c.data_count));
+    const auto found = Motion<double>(p, x).call(p.historyUserFunction, c, states_of(x, history.start, c),
+                                                 static_cast<std::size_t>(c.data_count));
     std::ranges::copy(found, history.data);
     return {};
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     const Motion<double> motion(p, x);
     switch (variable) {
       case OutputVariableType::Displacement: values.assign(motion.u.begin(), motion.u.begin() + motion.n); return true;
       case OutputVariableType::Velocity: values.assign(motion.v.begin(), motion.v.begin() + motion.n); return true;
       case OutputVariableType::Force:
         values.assign(motion.n, 0.0);
-        if (p.activeConnector && p.forceUserFunction) values = motion.call(p.forceUserFunction, c, states_of(x, c.data, c), motion.n);
+        if (p.activeConnector && p.forceUserFunction)
+          values = motion.call(p.forceUserFunction, c, states_of(x, c.data, c), motion.n);
         return true;
       default: return false;
     }
@@ -52,12 +55,18 @@ struct ObjectConnectorLaw : AllMarkersAct, NoAlgebraicEquations, NoSwitches {
     if (n != coordinate && n != point && n != frame)
       on.refuse("numberOfCoordinates", std::to_string(n), "1 (coordinates), 3 (points) or 6 (frames)");
     for (int i = 0; i < 2; ++i)
-      on.require(n == coordinate ? on.gives<ScalarPort>(i) : n == point ? on.gives<PointPort>(i) : on.gives<RigidPort>(i), i, "markerNumbers",
-                 n == coordinate ? "a marker of a single coordinate" : n == point ? "a marker of a point" : "a marker of a rigid frame");
+      on.require(n == coordinate ? on.gives<ScalarPort>(i)
+                 : n == point    ? on.gives<PointPort>(i)
+                                 : on.gives<RigidPort>(i),
+                 i, "markerNumbers",
+                 n == coordinate ? "a marker of a single coordinate"
+                 : n == point    ? "a marker of a point"
+                                 : "a marker of a rigid frame");
     const Placement& at = on.placement();
     const int states = static_cast<int>(at.ode1.size()), expected = (states > 0 ? 1 : 0) + (at.data_count > 0 ? 1 : 0);
     if (at.nodes.empty() || static_cast<int>(at.nodes.size()) != expected || !at.dofs.empty())
-      on.refuse("nodeNumbers", std::to_string(at.nodes.size()) + " nodes", "a NodeGenericODE1 (states), a NodeGenericData (history), or one of both");
+      on.refuse("nodeNumbers", std::to_string(at.nodes.size()) + " nodes",
+                "a NodeGenericODE1 (states), a NodeGenericData (history), or one of both");
   }
 
  private:
@@ -82,10 +91,12 @@ struct ObjectConnectorLaw : AllMarkersAct, NoAlgebraicEquations, NoSwitches {
         const JointAxes<S> axes(p, m0, m1);
         A_0i = axes.A_0i;
         set(0, transposed_times(A_0i, m1.position - m0.position), transposed_times(A_0i, m1.velocity - m0.velocity));
-        set(3, tait_bryan_angles(transpose(A_0i) * axes.A_0j), transposed_times(A_0i, m1.angular_velocity - m0.angular_velocity));
+        set(3, tait_bryan_angles(transpose(A_0i) * axes.A_0j),
+            transposed_times(A_0i, m1.angular_velocity - m0.angular_velocity));
       }
     }
-    std::vector<S> call(const UserFunction& f, const Context& c, const std::vector<S>& states, std::size_t results) const {
+    std::vector<S> call(const UserFunction& f, const Context& c, const std::vector<S>& states,
+                        std::size_t results) const {
       return call_with_vectors<S>(f, c, {std::span(u).first(n), std::span(v).first(n), states}, results);
     }
     void apply(Exchange<S>& x, const std::vector<S>& f) const {

@@ -15,7 +15,8 @@ struct ObjectConnectorLinearSpringDamper : NoPairHistory, NoConnectorForms {
 
   // A pair of opposite forces in the direction of an axis that turns with the first marker.
   template <class S>
-  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
+  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0,
+                                         const RigidFrame<S>& m1) {
     const Slide<S> slide(p, m0, m1);
     const Vec3<S> f = tension(p, c, slide) * slide.axis;
     return {Wrench<S>{.force = f}, Wrench<S>{.force = -f}};
@@ -57,7 +58,8 @@ struct ObjectConnectorLinearSpringDamper : NoPairHistory, NoConnectorForms {
   template <class S>
   static S tension(const Parameters& p, const Context& c, const Slide<S>& slide) {
     if (p.springForceUserFunction)
-      return call_scalar(p.springForceUserFunction, c, slide.displacement, slide.velocity, p.stiffness, p.damping, p.offset);
+      return call_scalar(p.springForceUserFunction, c, slide.displacement, slide.velocity, p.stiffness, p.damping,
+                         p.offset);
     return p.stiffness * (slide.displacement - p.offset) + p.damping * (slide.velocity - p.velocityOffset) + p.force;
   }
 };

@@ -15,7 +15,9 @@ namespace reeving {
 using Parameters = ObjectConnectorReevingSystemSpringsParameters;
 
 template <class S>
-Vec3<double> value_of(const Vec3<S>& v) { return {dalembert::value_of(v[0]), dalembert::value_of(v[1]), dalembert::value_of(v[2])}; }
+Vec3<double> value_of(const Vec3<S>& v) {
+  return {dalembert::value_of(v[0]), dalembert::value_of(v[1]), dalembert::value_of(v[2])};
+}
 
 // A circle about its axis; a point if its radius is zero.
 template <class S>
@@ -33,7 +35,9 @@ struct Contact {
   Contact(const Contact<Other>& other)
     requires std::is_same_v<S, double>
       : cosine(value_of(other.cosine)), sine(value_of(other.sine)) {}
-  Contact(const Circle<S>& circle, const Vec3<S>& normal) : sine(circle.radius * normal) { cosine = cross(sine, circle.axis); }
+  Contact(const Circle<S>& circle, const Vec3<S>& normal) : sine(circle.radius * normal) {
+    cosine = cross(sine, circle.axis);
+  }
   Vec3<S> at(const S& angle) const {
     using std::cos;
     using std::sin;
@@ -67,7 +71,8 @@ struct Tangent {
   static constexpr int iterations = 8;
 
   // Newton's method for the angles at which both contact vectors are normal to the tangent.
-  bool solve(const Contact<double>& on_a, const Contact<double>& on_b, const Vec3<double>& centres, std::array<double, 2> radii) {
+  bool solve(const Contact<double>& on_a, const Contact<double>& on_b, const Vec3<double>& centres,
+             std::array<double, 2> radii) {
     const double sum = radii[0] + radii[1], tolerance = 1e-12 * sum * (norm(centres) + sum);
     for (int i = 0; i < iterations; ++i) {
       const Vec3<double> r0 = on_a.at(angle_[0]), r1 = on_b.at(angle_[1]);
@@ -99,7 +104,8 @@ struct Span {
 
   Span(const RigidFrame<S>& a, const RigidFrame<S>& b, const Tangent<S>& touch) {
     const Vec3<S> line = b.position + touch.second - a.position - touch.first;
-    velocity = b.velocity + cross(b.angular_velocity, touch.second) - a.velocity - cross(a.angular_velocity, touch.first);
+    velocity =
+        b.velocity + cross(b.angular_velocity, touch.second) - a.velocity - cross(a.angular_velocity, touch.first);
     if (dot(value_of(line), value_of(line)) == 0) return;
     length = norm(line);
     direction = (1.0 / length) * line;
@@ -153,7 +159,9 @@ struct Rope {
       if (p.dampingShear != 0 && dalembert::value_of(span.length) != 0)
         f += (p.dampingShear / span.length) * (span.velocity - span.rate * span.direction);
       if (p.dampingTorsional != 0)
-        moment = (p.dampingTorsional * dot(frames[i + 1].angular_velocity - frames[i].angular_velocity, span.direction)) * span.direction;
+        moment =
+            (p.dampingTorsional * dot(frames[i + 1].angular_velocity - frames[i].angular_velocity, span.direction)) *
+            span.direction;
       w[i].force += f;
       w[i].moment += moment + cross(touches[i].first, f);
       w[i + 1].force -= f;
@@ -186,7 +194,8 @@ struct Rope {
   [[noreturn]] static void refuse_geometry(const Context& c, int i) {
     refuse(ErrorKind::value,
            {"object " + std::to_string(c.item) + " (ObjectConnectorReevingSystemSprings)", "sheavesAxes",
-            "the sheaves " + std::to_string(i) + " and " + std::to_string(i + 1) + " have no common tangent at time " + std::to_string(c.time),
+            "the sheaves " + std::to_string(i) + " and " + std::to_string(i + 1) + " have no common tangent at time " +
+                std::to_string(c.time),
             "", "sheaves that do not overlap, and axes that are not parallel to the line between their centres", ""});
   }
 };
@@ -205,7 +214,8 @@ struct ObjectConnectorReevingSystemSprings : AllMarkersAct, NoAlgebraicEquations
     for (int i = n; i < x.markers(); ++i) x.apply(i, S(p.coordinateFactors[i - n] * rope.force));
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     const reeving::Rope<double> rope(p, c, x);
     switch (variable) {
       case OutputVariableType::Distance: values = {rope.length}; return true;

@@ -15,7 +15,8 @@ struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, NoSwitches, Always
 
   // Force and moment in the joint frame; the intrinsic formulation measures them in the middle between the markers.
   template <class S>
-  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
+  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0,
+                                         const RigidFrame<S>& m1) {
     const Relative<S> r(p, m0, m1);
     const Vec<S, 6> local = tension(p, c, r);
     const Vec3<S> force = r.A_0c * segment<3>(local, 0), moment = r.A_0c * segment<3>(local, 3);
@@ -25,8 +26,8 @@ struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, NoSwitches, Always
   }
 
   // The user function returns an error, a recommended step size and new data coordinates.
-  static PostNewton update(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
-                           const double*, double* data) {
+  static PostNewton update(const Parameters& p, const Context& c, const RigidFrame<double>& m0,
+                           const RigidFrame<double>& m1, const double*, double* data) {
     if (!p.postNewtonStepUserFunction) return {};
     const Relative<double> r(p, m0, m1);
     CallArguments<double, arguments_size> arguments;
@@ -97,7 +98,11 @@ struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, NoSwitches, Always
   template <class S>
   static void add_arguments(const Parameters& p, const Relative<S>& r, CallArguments<S, arguments_size>& arguments) {
     arguments.vector(r.displacement).vector(r.rotation).vector(r.velocity).vector(r.angular_velocity);
-    arguments.matrix(p.stiffness).matrix(p.damping).matrix(p.rotationMarker0).matrix(p.rotationMarker1).vector(p.offset);
+    arguments.matrix(p.stiffness)
+        .matrix(p.damping)
+        .matrix(p.rotationMarker0)
+        .matrix(p.rotationMarker1)
+        .vector(p.offset);
   }
 
   template <class S>
@@ -107,7 +112,8 @@ struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, NoSwitches, Always
       add_arguments(p, r, arguments);
       return evaluate<6>(p.springForceTorqueUserFunction, c, arguments);
     }
-    return p.stiffness * (joined(r.displacement, r.rotation) - p.offset) + p.damping * joined(r.velocity, r.angular_velocity);
+    return p.stiffness * (joined(r.displacement, r.rotation) - p.offset) +
+           p.damping * joined(r.velocity, r.angular_velocity);
   }
 };
 

@@ -20,7 +20,8 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
   enum Data { lateral = 0, forward = 1, gap = 2 };
 
   template <class S>
-  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
+  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0,
+                                         const RigidFrame<S>& m1) {
     const RollingContact<S> contact(p, m0, m1);
     const Vec3<S> f = contact_force(p, c, contact);
     auto forces = contact.forces(f);
@@ -33,8 +34,8 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
   }
 
   // The state of contact and the direction of slip are held fixed in Newton's method: the error is the change of forces.
-  static PostNewton update(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
-                           const double*, double* data) {
+  static PostNewton update(const Parameters& p, const Context&, const RigidFrame<double>& m0,
+                           const RigidFrame<double>& m1, const double*, double* data) {
     const RollingContact<double> contact(p, m0, m1);
     const double now = dot(contact.arm, contact.normal), before = data[gap];
     const Slip<double> slip = slip_of(contact), assumed{data[lateral], data[forward]};
@@ -52,8 +53,8 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
     return verdict;
   }
   // The direction of slip follows by and by; whether it is slip does not.
-  static PostNewton settle(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
-                           const double*, double* data) {
+  static PostNewton settle(const Parameters& p, const Context&, const RigidFrame<double>& m0,
+                           const RigidFrame<double>& m1, const double*, double* data) {
     const Slip<double> assumed{data[lateral], data[forward]};
     if (!(data[gap] < 0) || in_zone(norm(assumed), p.dryFrictionProportionalZone)) return {};
     const RollingContact<double> contact(p, m0, m1);
@@ -70,7 +71,8 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
 
   // Contact, friction that slides, and where the plane would begin to pull.
   static int switch_count(const Parameters&) { return 3; }
-  static void find_switches(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1, Switches& switches) {
+  static void find_switches(const Parameters& p, const Context& c, const RigidFrame<double>& m0,
+                            const RigidFrame<double>& m1, Switches& switches) {
     const RollingContact<double> contact(p, m0, m1);
     const double now = dot(contact.arm, contact.normal);
     if (!(c.data[gap] < 0)) {
@@ -79,7 +81,8 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
     }
     switches.holds("contact", true, -now);
     const bool has_friction = p.dryFriction[0] != 0 || p.dryFriction[1] != 0;
-    find_coulomb_switch(has_friction, norm(Slip<double>{c.data[lateral], c.data[forward]}), norm(slip_of(contact)), p.dryFrictionProportionalZone, switches);
+    find_coulomb_switch(has_friction, norm(Slip<double>{c.data[lateral], c.data[forward]}), norm(slip_of(contact)),
+                        p.dryFrictionProportionalZone, switches);
     switches.kink("pull", normal_force_of(p, contact));
   }
 
@@ -112,7 +115,8 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
 
   template <class S>
   static S normal_force_of(const Parameters& p, const RollingContact<S>& contact) {
-    return -(p.contactStiffness * dot(contact.arm, contact.normal) + p.contactDamping * dot(contact.slip, contact.normal));
+    return -(p.contactStiffness * dot(contact.arm, contact.normal) +
+             p.contactDamping * dot(contact.slip, contact.normal));
   }
 
   // Force on the disc in the contact frame.
@@ -127,7 +131,8 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
 
   // Against the slip; beyond the proportional zone, its direction is the assumed one.
   template <class S>
-  static Slip<S> friction_force(const Parameters& p, const Slip<S>& slip, const Slip<double>& assumed, const S& normal_force) {
+  static Slip<S> friction_force(const Parameters& p, const Slip<S>& slip, const Slip<double>& assumed,
+                                const S& normal_force) {
     using std::abs;
     const double assumed_speed = norm(assumed), zone = p.dryFrictionProportionalZone;
     const bool sticking = in_zone(assumed_speed, zone);
@@ -143,17 +148,19 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, A
     const double co = std::cos(p.dryFrictionAngle), si = std::sin(p.dryFrictionAngle);
     const Slip<S> turned{co * direction[0] - si * direction[1], si * direction[0] + co * direction[1]};
     Slip<S> f;
-    for (int i = 0; i < 2; ++i) f[i] = -abs(normal_force) * (p.dryFriction[i] + p.viscousFriction[i] * speed) * turned[i];
+    for (int i = 0; i < 2; ++i)
+      f[i] = -abs(normal_force) * (p.dryFriction[i] + p.viscousFriction[i] * speed) * turned[i];
     return {co * f[0] + si * f[1], co * f[1] - si * f[0]};
   }
 
   // Against the velocity of the centre along the plane, for a disc that stands upright.
   template <class S>
-  static Vec3<S> rolling_resistance(const Parameters& p, const S& normal_force, const RollingContact<S>& contact, const RigidFrame<S>& m0,
-                                    const RigidFrame<S>& m1) {
+  static Vec3<S> rolling_resistance(const Parameters& p, const S& normal_force, const RollingContact<S>& contact,
+                                    const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
     using std::abs;
     const Vec3<S> velocity = m1.velocity - m0.velocity - cross(m0.angular_velocity, contact.arm);
-    return (-p.rollingFrictionViscous * abs(normal_force)) * (velocity - dot(velocity, contact.normal) * contact.normal);
+    return (-p.rollingFrictionViscous * abs(normal_force)) *
+           (velocity - dot(velocity, contact.normal) * contact.normal);
   }
 };
 

@@ -18,7 +18,8 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
 
   // Force along the line between the points, or along their relative velocity if they coincide; zero if both vanish.
   template <class S>
-  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0,
+                                        const PointFrame<S>& m1) {
     const Line<S> line(m0, m1);
     const Vec3<S> f = tension(p, c, line) * line.axis;
     return {Force<S>{f}, Force<S>{-f}};
@@ -52,10 +53,12 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
   template <class L, class S>
   static SpanTangent<3, S> tangent(const Law<L>& law, const Vec3<S>& span, const Vec3<S>& rate) {
     const Line<S> line(span, rate);
-    const S per_length = inverse_or_zero(line.length), tension = law.tension(line.length, line.rate), turning = tension * per_length;
+    const S per_length = inverse_or_zero(line.length), tension = law.tension(line.length, line.rate),
+            turning = tension * per_length;
     const Vec3<S> slope = law.stiffness * line.axis + (law.damping * per_length) * (rate - line.rate * line.axis);
     SpanTangent<3, S> t;
-    const auto across = [&](int i, int j) DALEMBERT_INLINE { return (i == j ? 1.0 : 0.0) - line.axis[i] * line.axis[j]; };
+    const auto across = [&](int i, int j)
+                            DALEMBERT_INLINE { return (i == j ? 1.0 : 0.0) - line.axis[i] * line.axis[j]; };
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         t.by_span(i, j) = line.axis[i] * slope[j] + turning * across(i, j);
@@ -94,7 +97,8 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
     Vec3<S> span, axis{};
     S length{}, rate{};
 
-    Line(const PointFrame<S>& m0, const PointFrame<S>& m1) : Line(m1.position - m0.position, m1.velocity - m0.velocity) {}
+    Line(const PointFrame<S>& m0, const PointFrame<S>& m1)
+        : Line(m1.position - m0.position, m1.velocity - m0.velocity) {}
     Line(const Vec3<S>& from_0_to_1, const Vec3<S>& velocity) : span(from_0_to_1) {
       const S square = dot(span, span);
       if (any_zero(square)) [[unlikely]] {
@@ -139,14 +143,17 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
     return Pack<N>::chosen(equal(number, Pack<N>()), first, second);
   }
   template <int N>
-  DALEMBERT_INLINE static Vec3<Pack<N>> where_zero(const Pack<N>& number, const Vec3<Pack<N>>& first, const Vec3<Pack<N>>& second) {
+  DALEMBERT_INLINE static Vec3<Pack<N>> where_zero(const Pack<N>& number, const Vec3<Pack<N>>& first,
+                                                   const Vec3<Pack<N>>& second) {
     return vector_of<3>([&](int i) { return where_zero(number, first[i], second[i]); });
   }
   template <class S>
   DALEMBERT_INLINE static S inverse_or_zero(const S& number) {
     if (any_zero(number)) [[unlikely]] {
-      if constexpr (OneNumber<S>) return 0.0;
-      else return where_zero(number, S(0.0), 1.0 / one_for_zero(number));
+      if constexpr (OneNumber<S>)
+        return 0.0;
+      else
+        return where_zero(number, S(0.0), 1.0 / one_for_zero(number));
     }
     return 1.0 / number;
   }
@@ -154,8 +161,8 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
   template <class S>
   static S tension(const Parameters& p, const Context& c, const Line<S>& line) {
     if (p.springForceUserFunction)
-      return call_scalar(p.springForceUserFunction, c, line.length - p.referenceLength, line.rate - p.velocityOffset, p.stiffness,
-                         p.damping, p.force);
+      return call_scalar(p.springForceUserFunction, c, line.length - p.referenceLength, line.rate - p.velocityOffset,
+                         p.stiffness, p.damping, p.force);
     return law(p).tension(line.length, line.rate);
   }
 };

@@ -17,15 +17,16 @@ struct ObjectConnectorTorsionalSpringDamper : HasPairHistory, NoSwitches, Always
 
   // A torque about the z-axis of the first joint frame.
   template <class S>
-  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
+  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0,
+                                         const RigidFrame<S>& m1) {
     const Rotation<S> r(p, c, m0, m1);
     const Vec3<S> moment = torque(p, c, r) * r.axis;
     return {Wrench<S>{.moment = moment}, Wrench<S>{.moment = -moment}};
   }
 
   // The data coordinate follows the angle, so that it counts full turns.
-  static PostNewton update(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
-                           const double*, double* data) {
+  static PostNewton update(const Parameters& p, const Context& c, const RigidFrame<double>& m0,
+                           const RigidFrame<double>& m1, const double*, double* data) {
     data[0] = Rotation<double>(p, c, m0, m1).angle;
     return {};
   }

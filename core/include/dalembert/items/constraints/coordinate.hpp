@@ -29,12 +29,14 @@ struct ObjectConnectorCoordinate : ConstrainsAll, Holonomic, VaryingDirections {
     return {p.factorValue1 * m1.rate - m0.rate - speed};
   }
   template <class S, class L>
-  static std::array<ScalarForce<S>, 2> reaction(const Parameters& p, const Context&, const ScalarFrame<S>&, const ScalarFrame<S>&,
-                                                const Vec<L, 1>& lambda) {
+  static std::array<ScalarForce<S>, 2> reaction(const Parameters& p, const Context&, const ScalarFrame<S>&,
+                                                const ScalarFrame<S>&, const Vec<L, 1>& lambda) {
     return {ScalarForce<S>{S(-lambda[0])}, ScalarForce<S>{S(p.factorValue1 * lambda[0])}};
   }
   static std::array<LinearEquation, 1> linear(const Parameters& p) { return {LinearEquation{0, {-1, p.factorValue1}}}; }
-  static bool is_homogeneous(const Parameters& p) { return p.offset == 0 && !p.offsetUserFunction && !p.offsetUserFunction_t; }
+  static bool is_homogeneous(const Parameters& p) {
+    return p.offset == 0 && !p.offsetUserFunction && !p.offsetUserFunction_t;
+  }
 
   static bool output(const Parameters&, const Context&, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
                      const Vec<double, 1>& lambda, OutputVariableType variable, std::vector<double>& values) {

@@ -17,7 +17,8 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
   using Parameters = ObjectConnectorCoordinateVectorParameters;
 
   static int algebraic_equations(const Parameters& p, std::span<const int>) {
-    return std::max({p.scalingMarker0.rows, p.scalingMarker1.rows, p.quadraticTermMarker0.rows, p.quadraticTermMarker1.rows});
+    return std::max(
+        {p.scalingMarker0.rows, p.scalingMarker1.rows, p.quadraticTermMarker0.rows, p.quadraticTermMarker1.rows});
   }
   static bool is_multiplier(const Parameters&, int) { return true; }
   static bool forces_follow_motion(const Parameters& p) {
@@ -43,7 +44,8 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
       for (std::size_t k = 0; k < x.equations.size(); ++k) x.equations[k] -= p.offset[k];
   }
 
-  static bool output(const Parameters&, const Context&, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters&, const Context&, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     const Coordinates<double> m0(x, 0), m1(x, 1);
     const auto difference = [&](const double* from, const double* to) {
       values.assign(static_cast<std::size_t>(std::max(m0.n, m1.n)), 0.0);
@@ -62,7 +64,8 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
   static void check(const Parameters& p, const Connections& on) {
     const int m = algebraic_equations(p, {});
     if (m == 0)
-      refuse(ErrorKind::value, {on.item(), "scalingMarker0", "all matrices are empty", "", "a matrix with one row per equation", ""});
+      refuse(ErrorKind::value,
+             {on.item(), "scalingMarker0", "all matrices are empty", "", "a matrix with one row per equation", ""});
     if (p.constraintUserFunction) {
       if (!p.jacobianUserFunction)
         refuse(ErrorKind::value, {on.item(), "jacobianUserFunction", "it is missing", "",
@@ -107,7 +110,8 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
     }
   };
   static std::array<Side, 2> sides(const Parameters& p) {
-    return {Side{0, p.scalingMarker0, p.quadraticTermMarker0, -1}, Side{1, p.scalingMarker1, p.quadraticTermMarker1, 1}};
+    return {Side{0, p.scalingMarker0, p.quadraticTermMarker0, -1},
+            Side{1, p.scalingMarker1, p.quadraticTermMarker1, 1}};
   }
 
   // Values and Jacobian of recorded functions have derivatives. Other functions are called with numbers: second
@@ -117,7 +121,8 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
     const bool rate = x.rate_level || p.velocityLevel;
     if (p.constraintUserFunction.callback->has_derivatives() && p.jacobianUserFunction.callback->has_derivatives()) {
       const std::vector<S> gaps = linearized(p.constraintUserFunction, c, x, rate, x.equations.size());
-      const std::vector<S> gradient = linearized(p.jacobianUserFunction, c, x, p.velocityLevel, gaps.size() * columns(x));
+      const std::vector<S> gradient =
+          linearized(p.jacobianUserFunction, c, x, p.velocityLevel, gaps.size() * columns(x));
       auto g = gradient.begin();
       for (std::size_t k = 0; k < gaps.size(); ++k) {
         x.equations[k] = gaps[k];
@@ -152,7 +157,8 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
   template <class S>
   static std::size_t columns(const Exchange<S>& x) {
     std::size_t count = 0;
-    for (int marker = 0; marker < 2; ++marker) count += x.moves(marker) ? static_cast<std::size_t>(x.selected(marker)) : 0;
+    for (int marker = 0; marker < 2; ++marker)
+      count += x.moves(marker) ? static_cast<std::size_t>(x.selected(marker)) : 0;
     return count;
   }
   // q, v of both markers and the level, as arguments of a user function.
@@ -176,18 +182,23 @@ struct ObjectConnectorCoordinateVector : AllMarkersAct, NoHistory {
     }
   }
   template <class S>
-  static std::vector<double> call(const UserFunction& f, const Context& c, const Exchange<S>& x, bool level, std::size_t size) {
+  static std::vector<double> call(const UserFunction& f, const Context& c, const Exchange<S>& x, bool level,
+                                  std::size_t size) {
     std::vector<double> results(size);
     const Given given(x, level);
-    if (c.same_state) f.callback->recall(c.time, c.item, given.arguments(), results);
-    else f.callback->call(c.time, c.item, given.arguments(), results);
+    if (c.same_state)
+      f.callback->recall(c.time, c.item, given.arguments(), results);
+    else
+      f.callback->call(c.time, c.item, given.arguments(), results);
     return results;
   }
-  static std::vector<double> linearized(const UserFunction& f, const Context& c, const Exchange<double>& x, bool level, std::size_t size) {
+  static std::vector<double> linearized(const UserFunction& f, const Context& c, const Exchange<double>& x, bool level,
+                                        std::size_t size) {
     return call(f, c, x, level, size);
   }
   template <class S>
-  static std::vector<S> linearized(const UserFunction& f, const Context& c, const Exchange<S>& x, bool level, std::size_t size) {
+  static std::vector<S> linearized(const UserFunction& f, const Context& c, const Exchange<S>& x, bool level,
+                                   std::size_t size) {
     const Given given(x, level);
     std::vector<int> numbers(given.q.size() + given.v.size());
     std::iota(numbers.begin(), numbers.end(), 0);

@@ -18,12 +18,13 @@ struct ObjectConnectorDistance : ConstrainsAll, Holonomic, VaryingDirections {
   template <class S>
   static Vec<S, 1> gap(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
     if (coincide(m0, m1))
-      refuse_coinciding(c, "ObjectConnectorDistance", "Keep the points apart, or use ObjectJointSpherical for points that stay together");
+      refuse_coinciding(c, "ObjectConnectorDistance",
+                        "Keep the points apart, or use ObjectJointSpherical for points that stay together");
     return {norm(m1.position - m0.position) - p.distance};
   }
   template <class S>
-  static std::array<Force<S>, 2> reaction(const Parameters&, const Context&, const PointFrame<S>& m0, const PointFrame<S>& m1,
-                                          const Vec<double, 1>& lambda) {
+  static std::array<Force<S>, 2> reaction(const Parameters&, const Context&, const PointFrame<S>& m0,
+                                          const PointFrame<S>& m1, const Vec<double, 1>& lambda) {
     const Vec3<S> span = m1.position - m0.position;
     const Vec3<S> f = (lambda[0] / norm(span)) * span;
     return {Force<S>{-f}, Force<S>{f}};

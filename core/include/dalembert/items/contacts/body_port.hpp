@@ -15,14 +15,19 @@ RigidFrame<S> body_frame(const Exchange<S>& x, int marker) {
 // Adds a force at a point that is `arm` away from the marker.
 template <class S>
 void push(Exchange<S>& x, int marker, const Vec3<S>& arm, const Vec3<S>& force) {
-  if (x.selected(marker) == RigidPort::forces) x.apply(marker, Wrench<S>{force, cross(arm, force)});
-  else x.apply(marker, Force<S>{force});
+  if (x.selected(marker) == RigidPort::forces)
+    x.apply(marker, Wrench<S>{force, cross(arm, force)});
+  else
+    x.apply(marker, Force<S>{force});
 }
 
 // Friction has moments.
 inline void require_body_port(const Connections& on, int marker, double friction) {
-  if (friction != 0) on.require(on.gives<RigidPort>(marker), marker, "markerNumbers", "a marker with an orientation, for there is friction (dynamicFriction)");
-  else on.require(on.gives<PointPort>(marker), marker, "markerNumbers", "a marker with a position");
+  if (friction != 0)
+    on.require(on.gives<RigidPort>(marker), marker, "markerNumbers",
+               "a marker with an orientation, for there is friction (dynamicFriction)");
+  else
+    on.require(on.gives<PointPort>(marker), marker, "markerNumbers", "a marker with a position");
 }
 
 }  // namespace dalembert

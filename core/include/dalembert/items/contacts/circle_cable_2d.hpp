@@ -49,8 +49,10 @@ struct ObjectContactCircleCable2D : AllMarkersAct, NoAlgebraicEquations, Switche
       const bool touches = !(c.data[i] > 0);
       switches.holds("contact", touches, touches ? -touch.gap : touch.gap);
       const double elastic = -p.contactStiffness * touch.gap;
-      if (touches) switches.kink("pull", pull_margin(true, elastic, -p.contactDamping * dot(touch.direction, touch.velocity)));
-      else switches.none();
+      if (touches)
+        switches.kink("pull", pull_margin(true, elastic, -p.contactDamping * dot(touch.direction, touch.velocity)));
+      else
+        switches.none();
     }
   }
 

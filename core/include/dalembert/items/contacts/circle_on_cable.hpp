@@ -27,7 +27,9 @@ class CablePoints {
   int way_at() const { return static_cast<int>(values_.size() - 3) / 3; }
 
  private:
-  Vec<S, 2> pair(int i) const { return {values_[static_cast<std::size_t>(i)], values_[static_cast<std::size_t>(i) + 1]}; }
+  Vec<S, 2> pair(int i) const {
+    return {values_[static_cast<std::size_t>(i)], values_[static_cast<std::size_t>(i) + 1]};
+  }
 
   std::span<const S> values_;
 };
@@ -41,21 +43,25 @@ struct CircleOnCable {
   // The gap is the distance to the centre of the circle less a radius.
   CircleOnCable(const PointFrame<S>& centre, const CablePoints<S>& cable, int segment, double radius) {
     const auto planar = [](const Vec3<S>& v) { return Vec<S, 2>{v[0], v[1]}; };
-    const Vec<S, 2> start = cable.position(segment) - planar(centre.position), line = cable.position(segment + 1) - cable.position(segment);
+    const Vec<S, 2> start = cable.position(segment) - planar(centre.position),
+                    line = cable.position(segment + 1) - cable.position(segment);
     if (const S square = dot(line, line); value_of(square) > 0) place = -dot(start, line) / square;
     if (place < 0.0) place = S(0);
     if (place > 1.0) place = S(1);
     const Vec<S, 2> span = start + place * line;
     direction = dalembert::direction(span);
     gap = dot(direction, span) - radius;
-    velocity = cable.velocity(segment) + place * (cable.velocity(segment + 1) - cable.velocity(segment)) - planar(centre.velocity);
+    velocity = cable.velocity(segment) + place * (cable.velocity(segment + 1) - cable.velocity(segment)) -
+               planar(centre.velocity);
   }
 };
 
 inline void check_circle_on_cable(const Connections& on, int cable, int segments) {
-  on.require(on.type(cable).name == "MarkerBodyCable2DShape", cable, "markerNumbers", "a MarkerBodyCable2DShape for the cable");
+  on.require(on.type(cable).name == "MarkerBodyCable2DShape", cable, "markerNumbers",
+             "a MarkerBodyCable2DShape for the cable");
   const int given = (on.coordinates(cable) - 1) / 2 - 1;  // number of positions; the rest are displacements
-  if (given != segments) on.refuse("numberOfContactSegments", std::to_string(segments), std::to_string(given) + ", as marker m1 has");
+  if (given != segments)
+    on.refuse("numberOfContactSegments", std::to_string(segments), std::to_string(given) + ", as marker m1 has");
 }
 
 }  // namespace dalembert

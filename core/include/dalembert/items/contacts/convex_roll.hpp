@@ -32,7 +32,8 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
     PostNewton verdict;
     if ((touch.gap > 0) != (h.data[gap] > 0)) {
       verdict.error = std::abs(touch.gap * p.contactStiffness);
-      if (touch.penetration_rate != 0 && h.start[gap] > 0) verdict.recommended_step_size = std::abs(h.start[gap] / touch.penetration_rate);
+      if (touch.penetration_rate != 0 && h.start[gap] > 0)
+        verdict.recommended_step_size = std::abs(h.start[gap] / touch.penetration_rate);
     }
     const Vec3<double> slip = transposed_times(x.frame<RigidPort>(ground).rotation, touch.slip);
     h.data[gap] = touch.gap;
@@ -51,7 +52,8 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
     switches.kink("pull", pull_margin(p.limitDamping, elastic, p.contactDamping * touch.penetration_rate));
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     const RigidFrame<double>& m1 = x.frame<RigidPort>(roll);
     const Touch<double> touch = lowest(p, x.frame<RigidPort>(ground), m1);
     const Vec3<double> force = p.activeConnector && c.data[gap] <= 0 ? force_on_roll(p, touch) : Vec3<double>{};
@@ -70,12 +72,15 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
     if (!(p.rollLength > 0)) on.refuse("rollLength", std::to_string(p.rollLength), "a positive length");
     const auto profile = [&](double at) { return Profile<double>(p, at); };
     const double end = 0.5 * p.rollLength;
-    if (p.coefficientsHull.empty() || !(std::min(profile(-end).radius, profile(end).radius) >= 0) || !(profile(0).radius > 0))
-      on.refuse("coefficientsHull", std::to_string(p.coefficientsHull.size()) + " coefficients", "a polynomial that is a radius along the whole roll, highest power first");
+    if (p.coefficientsHull.empty() || !(std::min(profile(-end).radius, profile(end).radius) >= 0) ||
+        !(profile(0).radius > 0))
+      on.refuse("coefficientsHull", std::to_string(p.coefficientsHull.size()) + " coefficients",
+                "a polynomial that is a radius along the whole roll, highest power first");
     constexpr int pieces = 50;
     for (int i = 0; i <= pieces; ++i)
       if (const double at = end * (2.0 * i / pieces - 1); profile(at).curvature > 0)
-        on.refuse("coefficientsHull", "a profile that is hollow at x = " + std::to_string(at), "a convex roll: no positive second derivative of the radius");
+        on.refuse("coefficientsHull", "a profile that is hollow at x = " + std::to_string(at),
+                  "a convex roll: no positive second derivative of the radius");
   }
 
  private:
@@ -140,7 +145,8 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesBy
   }
 
   static StribeckCurve curve(const Parameters& p) {
-    return {p.dynamicFriction, p.staticFrictionOffset, p.viscousFriction, p.exponentialDecayStatic, p.frictionProportionalZone};
+    return {p.dynamicFriction, p.staticFrictionOffset, p.viscousFriction, p.exponentialDecayStatic,
+            p.frictionProportionalZone};
   }
   template <class S>
   static Vec3<S> force_on_roll(const Parameters& p, const Touch<S>& touch) {

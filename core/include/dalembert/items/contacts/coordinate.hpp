@@ -19,7 +19,8 @@ struct ObjectContactCoordinate : HasPairHistory, SwitchesByUpdate, AlwaysNeedsDa
   static int data_of(const Parameters& p) { return p.impactModel == 0 ? 1 : 2; }
 
   static void check(const Parameters& p, const ItemLabel& item) {
-    if (p.impactModel > 2) refuse(ErrorKind::value, {item, "impactModel", "", std::to_string(p.impactModel), "0, 1 or 2", ""});
+    if (p.impactModel > 2)
+      refuse(ErrorKind::value, {item, "impactModel", "", std::to_string(p.impactModel), "0, 1 or 2", ""});
   }
 
   // The normal force of an impact law that acts while the gap of the last update is not positive.
@@ -33,8 +34,8 @@ struct ObjectContactCoordinate : HasPairHistory, SwitchesByUpdate, AlwaysNeedsDa
   }
 
   // Contact that opens or closes within a step is an error; the recommended step ends when that happens.
-  static PostNewton update(const Parameters& p, const Context&, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
-                           const double* start, double* data) {
+  static PostNewton update(const Parameters& p, const Context&, const ScalarFrame<double>& m0,
+                           const ScalarFrame<double>& m1, const double* start, double* data) {
     PostNewton verdict;
     const double rate = m1.rate - m0.rate;
     data[0] = gap(p, m0, m1);
@@ -46,13 +47,14 @@ struct ObjectContactCoordinate : HasPairHistory, SwitchesByUpdate, AlwaysNeedsDa
   }
 
   static int switch_count(const Parameters&) { return 1; }
-  static void find_switches(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, Switches& switches) {
+  static void find_switches(const Parameters& p, const Context& c, const ScalarFrame<double>& m0,
+                            const ScalarFrame<double>& m1, Switches& switches) {
     const bool touches = !(c.data[0] > 0);
     switches.holds("contact", touches, touches ? -gap(p, m0, m1) : gap(p, m0, m1));
   }
 
-  static bool output(const Parameters& p, const Context&, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, OutputVariableType variable,
-                     std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context&, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
+                     OutputVariableType variable, std::vector<double>& values) {
     if (variable != OutputVariableType::Distance) return false;
     values = {gap(p, m0, m1)};
     return true;

@@ -98,7 +98,8 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     }
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     const std::size_t count = static_cast<std::size_t>(circles(p));
     std::vector<double> gaps(count, std::numeric_limits<double>::max()), rates(count), forces(2 * count);
     const Centres centres(p, x);
@@ -125,17 +126,22 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
   }
 
   static void check(const Parameters& p, const Connections& on) {
-    if (on.markers() < 2) on.refuse("markerNumbers", std::to_string(on.markers()) + " markers", "a marker for the curve, and one for every circle");
+    if (on.markers() < 2)
+      on.refuse("markerNumbers", std::to_string(on.markers()) + " markers",
+                "a marker for the curve, and one for every circle");
     if (circles(p) != on.markers() - 1)
-      on.refuse("circlesRadii", std::to_string(circles(p)) + " radii", std::to_string(on.markers() - 1) + ", one for every circle marker");
+      on.refuse("circlesRadii", std::to_string(circles(p)) + " radii",
+                std::to_string(on.markers() - 1) + ", one for every circle marker");
     for (const double radius : p.circlesRadii)
       if (!(radius > 0)) on.refuse("circlesRadii", std::to_string(radius), "positive radii");
     if (!p.segmentsData.dense || p.segmentsData.columns != 4 || p.segmentsData.rows == 0)
       on.refuse("segmentsData", size(p.segmentsData), "a dense matrix with a row [x0, y0, x1, y1] per segment");
     for (int i = 0; i < segments(p); ++i)
-      if (!(Segment(p, i).length > 0)) on.refuse("segmentsData", "row " + std::to_string(i) + " without length", "segments between different points");
+      if (!(Segment(p, i).length > 0))
+        on.refuse("segmentsData", "row " + std::to_string(i) + " without length", "segments between different points");
     if (!p.polynomialData.empty())
-      on.refuse("polynomialData", size(p.polynomialData), "an empty matrix: segments are straight, divide the curve into more of them");
+      on.refuse("polynomialData", size(p.polynomialData),
+                "an empty matrix: segments are straight, divide the curve into more of them");
     if (p.contactModel > 1) on.refuse("contactModel", std::to_string(p.contactModel), "0 or 1");
     on.require_data(3 * segments(p));
   }
@@ -144,7 +150,8 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
   static int segments(const Parameters& p) { return p.segmentsData.rows; }
   static int circles(const Parameters& p) { return static_cast<int>(p.circlesRadii.size()); }
   static std::string size(const MatrixContainer& m) {
-    return std::string(m.dense ? "a matrix" : "a sparse matrix") + " of " + std::to_string(m.rows) + " x " + std::to_string(m.columns);
+    return std::string(m.dense ? "a matrix" : "a sparse matrix") + " of " + std::to_string(m.rows) + " x " +
+           std::to_string(m.columns);
   }
 
   // Data of one segment, from the last update.
@@ -187,7 +194,8 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     Centre(const Parameters& p, const Exchange<S>& x, int circle)
         : Centre(x.template frame<RigidPort>(0).rotation * p.rotationMarker0, x, circle) {}
     Centre(const Mat3<S>& axes_of_curve, const Exchange<S>& x, int circle)
-        : axes(axes_of_curve), span(x.template frame<RigidPort>(1 + circle).position - x.template frame<RigidPort>(0).position) {
+        : axes(axes_of_curve),
+          span(x.template frame<RigidPort>(1 + circle).position - x.template frame<RigidPort>(0).position) {
       const Vec3<S> at = transposed_times(axes, span);
       place = {at[0], at[1]};
     }
@@ -245,7 +253,8 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       }
       arm = -(radius + 0.5 * depth) * normal;
       const Vec3<S> lever = direct(arm);
-      const Vec3<S> velocity = transposed_times(axes, m1.velocity + cross(m1.angular_velocity, lever) - m0.velocity - cross(m0.angular_velocity, span + lever));
+      const Vec3<S> velocity = transposed_times(axes, m1.velocity + cross(m1.angular_velocity, lever) - m0.velocity -
+                                                          cross(m0.angular_velocity, span + lever));
       rate = -(normal[0] * velocity[0] + normal[1] * velocity[1]);
       slip = tangent()[0] * velocity[0] + tangent()[1] * velocity[1];
       if (p.contactModel == 0) {
@@ -258,7 +267,9 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     }
     Vec<S, 2> tangent() const { return {-normal[1], normal[0]}; }
     Vec3<S> direct(const Vec<S, 2>& v) const { return axes * Vec3<S>{v[0], v[1], S(0)}; }
-    S normal_force(const Parameters& p, bool limited = true) const { return with_losses<S>(limited, p.contactStiffness * extent, p.contactDamping * extent_rate); }
+    S normal_force(const Parameters& p, bool limited = true) const {
+      return with_losses<S>(limited, p.contactStiffness * extent, p.contactDamping * extent_rate);
+    }
 
    private:
     // The area between the circle and the segment: the line is at `height` from the center, and goes from `begin` to

@@ -51,7 +51,8 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
         state = undefined;
         continue;
       }
-      verdict.error += update_friction(p, touch, h.start[segments + i] == undefined, h.start[2 * segments + i], state, h.data[2 * segments + i]);
+      verdict.error += update_friction(p, touch, h.start[segments + i] == undefined, h.start[2 * segments + i], state,
+                                       h.data[2 * segments + i]);
     }
     return verdict;
   }
@@ -87,7 +88,8 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     }
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     using enum OutputVariableType;
     if (variable != Coordinates && variable != Coordinates_t && variable != ForceLocal) return false;
     values.assign(2 * static_cast<std::size_t>(p.numberOfContactSegments), 0.0);
@@ -97,7 +99,10 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
       const double normal = normal_force(p, touch);
       double &along = values[2 * static_cast<std::size_t>(i)], &across = values[2 * static_cast<std::size_t>(i) + 1];
       switch (variable) {
-        case Coordinates: along = sticks(p, c.data, i) ? way_from(p, touch, c.data[2 * p.numberOfContactSegments + i]) : 0, across = touch.gap; break;
+        case Coordinates:
+          along = sticks(p, c.data, i) ? way_from(p, touch, c.data[2 * p.numberOfContactSegments + i]) : 0,
+          across = touch.gap;
+          break;
         case Coordinates_t: along = touch.along, across = touch.away; break;
         default: along = tangential_force(p, c.data, i, touch, normal), across = normal;
       }
@@ -127,12 +132,15 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     S way;  // displacement of circumference and material
 
     Touching(const Parameters& p, const Exchange<S>& x, int segment)
-        : CircleOnCable<S>(PointFrame<S>{frame(x).position, frame(x).velocity}, CablePoints<S>(x.values(cable)), segment, p.circleRadius) {
+        : CircleOnCable<S>(PointFrame<S>{frame(x).position, frame(x).velocity}, CablePoints<S>(x.values(cable)),
+                           segment, p.circleRadius) {
       const RigidFrame<S>& centre = frame(x);
       const CablePoints<S> points(x.values(cable));
       const Vec<S, 2>&n = this->direction, t = turned(n);
       away = dot(n, this->velocity);
-      const Vec<S, 2> material = this->velocity + points.way_rate() * (points.along(segment) + this->place * (points.along(segment + 1) - points.along(segment)));
+      const Vec<S, 2> material =
+          this->velocity + points.way_rate() * (points.along(segment) +
+                                                this->place * (points.along(segment + 1) - points.along(segment)));
       along = dot(t, material) - p.circleRadius * centre.angular_velocity[2];
       const Vec3<S> on_circle = transposed_times(centre.rotation, Vec3<S>{n[0], n[1], S(0)});
       using std::atan2;
@@ -151,15 +159,23 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     const S elastic = -(p.contactStiffness * touch.gap);
     return -with_losses<S>(p.limitDamping, elastic, -p.contactDamping * touch.away);
   }
-  static double bound(const Parameters& p, const Touching<double>& touch) { return p.frictionCoefficient * std::abs(normal_force(p, touch)); }
-  static void find_friction_switches(const Parameters& p, const double* data, int i, const Touching<double>& touch, Switches& switches) {
-    const double state = data[p.numberOfContactSegments + i], limit = bound(p, touch), noise = StickSlip::rounding * limit;
+  static double bound(const Parameters& p, const Touching<double>& touch) {
+    return p.frictionCoefficient * std::abs(normal_force(p, touch));
+  }
+  static void find_friction_switches(const Parameters& p, const double* data, int i, const Touching<double>& touch,
+                                     Switches& switches) {
+    const double state = data[p.numberOfContactSegments + i], limit = bound(p, touch),
+                 noise = StickSlip::rounding * limit;
     if (state == undefined) return switches.none(2);
     const double held = holding_force(p, touch, data[2 * p.numberOfContactSegments + i]);
-    if (state != stick && p.frictionStiffness == 0) switches.holds("friction", true, std::abs(held) - limit, noise);
-    else law(p).find_switch(state, held, touch.along, limit, switches);
-    if (state == stick || p.frictionStiffness == 0) switches.none();
-    else switches.holds("grip", false, state * held - limit, noise);
+    if (state != stick && p.frictionStiffness == 0)
+      switches.holds("friction", true, std::abs(held) - limit, noise);
+    else
+      law(p).find_switch(state, held, touch.along, limit, switches);
+    if (state == stick || p.frictionStiffness == 0)
+      switches.none();
+    else
+      switches.holds("grip", false, state * held - limit, noise);
   }
 
   // Displacement since the last sticking position, modulo whole turns.
@@ -173,9 +189,12 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
   // Force of spring and damper, or of the damper only.
   template <class S>
   static S holding_force(const Parameters& p, const Touching<S>& touch, double last) {
-    return p.frictionStiffness == 0 ? p.frictionVelocityPenalty * touch.along : law(p).holding_force(way_from(p, touch, last), touch.along);
+    return p.frictionStiffness == 0 ? p.frictionVelocityPenalty * touch.along
+                                    : law(p).holding_force(way_from(p, touch, last), touch.along);
   }
-  static bool sticks(const Parameters& p, const double* data, int i) { return p.frictionStiffness != 0 && data[p.numberOfContactSegments + i] == stick; }
+  static bool sticks(const Parameters& p, const double* data, int i) {
+    return p.frictionStiffness != 0 && data[p.numberOfContactSegments + i] == stick;
+  }
   template <class S>
   static S tangential_force(const Parameters& p, const double* data, int i, const Touching<S>& touch, const S& normal) {
     using std::abs;
@@ -187,15 +206,19 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
 
   // Sticking ends when the force of spring and damper exceeds the limit; during sliding, the sticking position
   // follows at the limit.
-  static double update_friction(const Parameters& p, const Touching<double>& touch, bool begins, double last, double& state, double& position) {
+  static double update_friction(const Parameters& p, const Touching<double>& touch, bool begins, double last,
+                                double& state, double& position) {
     if (begins && p.frictionStiffness != 0) last = touch.way;
     const double displacement = p.frictionStiffness != 0 ? way_from(p, touch, last) : touch.along;
     const double limit = bound(p, touch), excess = std::abs(holding_force(p, touch, last)) - limit;
     const double sign = displacement > 0 ? 1 : displacement < 0 ? -1 : 0;
     const double next = excess > 0 ? sign : stick;
-    if (excess <= 0) position = last;
-    else if (p.frictionStiffness != 0) position = law(p).anchor(touch.way, 0, sign < 0 ? -limit : limit);
-    else position = last;
+    if (excess <= 0)
+      position = last;
+    else if (p.frictionStiffness != 0)
+      position = law(p).anchor(touch.way, 0, sign < 0 ? -limit : limit);
+    else
+      position = last;
     const double error = state == next ? 0 : std::abs(excess);
     state = next;
     return error;

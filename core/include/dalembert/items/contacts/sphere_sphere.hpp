@@ -31,7 +31,9 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, Switches
     PostNewton verdict = update_touch(p, touch, h.start, h.data);
     h.data[TouchData::overlap] =
         touch.gap < 0 ? std::max(h.start[TouchData::overlap], AdhesiveLaw(p).plastic_overlap(-touch.gap)) : 0.0;
-    if (touch.gap < 0) verdict.error += coulomb_error(p.dynamicFriction * normal_force(p, h.data, touch), p.frictionProportionalZone, speed, h.data[TouchData::speed]);
+    if (touch.gap < 0)
+      verdict.error += coulomb_error(p.dynamicFriction * normal_force(p, h.data, touch), p.frictionProportionalZone,
+                                     speed, h.data[TouchData::speed]);
     return verdict;
   }
   static int switch_count(const Parameters&) { return touch_switches; }
@@ -40,7 +42,8 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, Switches
     find_touch_switches(p, touch, c.data, pull_margin(p, c.data, touch), switches);
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     const RigidFrame<double> m0 = body_frame(x, 0), m1 = body_frame(x, 1);
     const Touch<double> touch = closest(p, m0, m1);
     const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
@@ -60,10 +63,13 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, Switches
     on.require_data(TouchData::count);
     const double r0 = p.spheresRadii[0], r1 = p.spheresRadii[1];
     const std::string received = "[" + std::to_string(r0) + ", " + std::to_string(r1) + "]";
-    if (!(r0 > 0 && r1 > 0)) on.refuse("spheresRadii", received, "two positive radii, of the spheres at markers m0 and m1");
-    if (p.isHollowSphere1 && !(r0 < r1)) on.refuse("spheresRadii", received, "a hollow sphere 1 that is larger than sphere 0");
+    if (!(r0 > 0 && r1 > 0))
+      on.refuse("spheresRadii", received, "two positive radii, of the spheres at markers m0 and m1");
+    if (p.isHollowSphere1 && !(r0 < r1))
+      on.refuse("spheresRadii", received, "a hollow sphere 1 that is larger than sphere 0");
     if (p.impactModel > 2) on.refuse("impactModel", std::to_string(p.impactModel), "0, 1 or 2");
-    if (!(p.contactPlasticityRatio < 1)) on.refuse("contactPlasticityRatio", std::to_string(p.contactPlasticityRatio), "0 or more, and less than 1");
+    if (!(p.contactPlasticityRatio < 1))
+      on.refuse("contactPlasticityRatio", std::to_string(p.contactPlasticityRatio), "0 or more, and less than 1");
   }
 
  private:
@@ -81,12 +87,14 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, Switches
   }
   template <class S>
   static S normal_force(const Parameters& p, const double* data, const Touch<S>& touch) {
-    if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).normal_force(-touch.gap, touch.penetration_rate);
+    if (p.impactModel != 0)
+      return ImpactLaw(p, data[TouchData::impact]).normal_force(-touch.gap, touch.penetration_rate);
     const S lossless = AdhesiveLaw(p).normal_force(-touch.gap, data[TouchData::overlap]);
     return with_losses<S>(p.limitDamping, lossless, p.contactDamping * touch.penetration_rate);
   }
   static double pull_margin(const Parameters& p, const double* data, const Touch<double>& touch) {
-    if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate);
+    if (p.impactModel != 0)
+      return ImpactLaw(p, data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate);
     const double lossless = AdhesiveLaw(p).normal_force(-touch.gap, data[TouchData::overlap]);
     return dalembert::pull_margin(p.limitDamping, lossless, p.contactDamping * touch.penetration_rate);
   }

@@ -18,7 +18,8 @@ struct ObjectContactSphereTorus : HasPairHistory, SwitchesByUpdate, AlwaysNeedsD
   static constexpr int data_coordinates = TouchData::count;
 
   template <class S>
-  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
+  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0,
+                                         const RigidFrame<S>& m1) {
     if (!(c.data[TouchData::gap] < 0)) return {};
     const InTube<S> touch(p, c, m0, m1);
     const Vec3<S> force = force_on_sphere(p, c.data, touch);
@@ -26,14 +27,17 @@ struct ObjectContactSphereTorus : HasPairHistory, SwitchesByUpdate, AlwaysNeedsD
   }
 
   // Sticking and sliding change from one step to the next.
-  static PostNewton update(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
-                           const double* start, double* data) {
+  static PostNewton update(const Parameters& p, const Context& c, const RigidFrame<double>& m0,
+                           const RigidFrame<double>& m1, const double* start, double* data) {
     return update_touch(p, InTube<double>(p, c, m0, m1), start, data);
   }
   static int switch_count(const Parameters&) { return touch_switches; }
-  static void find_switches(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1, Switches& switches) {
+  static void find_switches(const Parameters& p, const Context& c, const RigidFrame<double>& m0,
+                            const RigidFrame<double>& m1, Switches& switches) {
     const InTube<double> touch(p, c, m0, m1);
-    find_touch_switches(p, touch, c.data, ImpactLaw(p, c.data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate), switches);
+    find_touch_switches(p, touch, c.data,
+                        ImpactLaw(p, c.data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate),
+                        switches);
   }
 
   static bool output(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
@@ -50,7 +54,8 @@ struct ObjectContactSphereTorus : HasPairHistory, SwitchesByUpdate, AlwaysNeedsD
       default: break;
     }
     const bool acts = p.activeConnector && c.data[TouchData::gap] < 0;
-    return touch_output(touch, m0.position, acts ? force_on_sphere(p, c.data, touch) : Vec3<double>{}, variable, values);
+    return touch_output(touch, m0.position, acts ? force_on_sphere(p, c.data, touch) : Vec3<double>{}, variable,
+                        values);
   }
 
  private:
@@ -63,9 +68,10 @@ struct ObjectContactSphereTorus : HasPairHistory, SwitchesByUpdate, AlwaysNeedsD
       const Vec3<S> axis = torus.rotation * p.torusAxis, span = sphere.position - torus.position;
       radial = direction(span - dot(axis, span) * axis);
       if (value_of(dot(radial, radial)) == 0)
-        refuse(ErrorKind::value, {"object " + std::to_string(c.item) + " (ObjectContactSphereTorus)", "markerNumbers",
-                                  "the centre of the sphere lies on the axis of the torus at time " + std::to_string(c.time), "", "",
-                                  "The sphere has to be inside the tube of the torus"});
+        refuse(ErrorKind::value,
+               {"object " + std::to_string(c.item) + " (ObjectContactSphereTorus)", "markerNumbers",
+                "the centre of the sphere lies on the axis of the torus at time " + std::to_string(c.time), "", "",
+                "The sphere has to be inside the tube of the torus"});
       const Vec3<S> line = p.torusMajorRadius * radial, offset = span - line;
       this->normal = direction(offset);
       this->gap = p.torusMinorRadius - p.radiusSphere - dot(this->normal, offset);
@@ -77,7 +83,8 @@ struct ObjectContactSphereTorus : HasPairHistory, SwitchesByUpdate, AlwaysNeedsD
 
   template <class S>
   static Vec3<S> force_on_sphere(const Parameters& p, const double* data, const Touch<S>& touch) {
-    return force_on_first(p, data, touch, ImpactLaw(p, data[TouchData::impact]).normal_force(-touch.gap, touch.penetration_rate));
+    return force_on_first(p, data, touch,
+                          ImpactLaw(p, data[TouchData::impact]).normal_force(-touch.gap, touch.penetration_rate));
   }
 };
 

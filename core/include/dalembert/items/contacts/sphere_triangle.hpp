@@ -29,16 +29,21 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
     const Nearest<double> touch = nearest(p, x);
     const double speed = h.data[TouchData::speed];
     PostNewton verdict = update_touch(p, touch, h.start, h.data);
-    if (touch.gap < 0) verdict.error += coulomb_error(p.dynamicFriction * normal_force(p, h.data, touch), p.frictionProportionalZone, speed, h.data[TouchData::speed]);
+    if (touch.gap < 0)
+      verdict.error += coulomb_error(p.dynamicFriction * normal_force(p, h.data, touch), p.frictionProportionalZone,
+                                     speed, h.data[TouchData::speed]);
     return verdict;
   }
   static int switch_count(const Parameters&) { return touch_switches; }
   static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
     const Nearest<double> touch = nearest(p, x);
-    find_touch_switches(p, touch, c.data, ImpactLaw(p, c.data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate), switches);
+    find_touch_switches(p, touch, c.data,
+                        ImpactLaw(p, c.data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate),
+                        switches);
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     const RigidFrame<double> sphere = body_frame(x, 0);
     const RigidFrame<double>& carrier = x.frame<RigidPort>(1);
     const Nearest<double> touch(p, sphere, carrier);
@@ -63,14 +68,17 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
     on.require(on.gives<RigidPort>(1), 1, "markerNumbers", "a marker with an orientation, for the triangle");
     on.require_data(TouchData::count);
     if (!(p.radiusSphere > 0)) on.refuse("radiusSphere", std::to_string(p.radiusSphere), "a positive radius");
-    if (p.trianglePoints.size() != 3) on.refuse("trianglePoints", std::to_string(p.trianglePoints.size()) + " points", "three points");
+    if (p.trianglePoints.size() != 3)
+      on.refuse("trianglePoints", std::to_string(p.trianglePoints.size()) + " points", "three points");
     if (is_zero(area_vector(corners(p)))) on.refuse("trianglePoints", "points on one line", "a triangle with an area");
     if (p.includeEdges > 7) on.refuse("includeEdges", std::to_string(p.includeEdges), "a sum of 1, 2 and 4");
     if (p.impactModel > 2) on.refuse("impactModel", std::to_string(p.impactModel), "0, 1 or 2");
   }
 
  private:
-  static Triangle corners(const Parameters& p) { return {p.trianglePoints[0], p.trianglePoints[1], p.trianglePoints[2]}; }
+  static Triangle corners(const Parameters& p) {
+    return {p.trianglePoints[0], p.trianglePoints[1], p.trianglePoints[2]};
+  }
 
   // The triangle rests in the frame of its marker, where the nearest point is found. Velocities are taken there.
   template <class S>
@@ -86,7 +94,8 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
       const Vec3<S> point = nearest_point(triangle, feature, centre), local = point - centre;
       if (!(feature.edges & p.includeEdges)) {
         const double rounding = 1e-12 * p.radiusSphere;
-        const int left_out = ~p.includeEdges & edges_near(triangle, vector_of<3>([&](int i) { return value_of(point[i]); }), rounding);
+        const int left_out =
+            ~p.includeEdges & edges_near(triangle, vector_of<3>([&](int i) { return value_of(point[i]); }), rounding);
         share = feature.is_face() || is_above(triangle, local, rounding) ? share_at(triangle, left_out) : 0;
       }
       span = carrier.rotation * local;
@@ -120,7 +129,8 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, Switch
   // During an iteration, a sphere that touches stays in contact wherever it moves.
   template <class S>
   static S normal_force(const Parameters& p, const double* data, const Nearest<S>& touch) {
-    return (touch.share > 0 ? touch.share : 1) * ImpactLaw(p, data[TouchData::impact]).normal_force(-touch.gap, touch.penetration_rate);
+    return (touch.share > 0 ? touch.share : 1) *
+           ImpactLaw(p, data[TouchData::impact]).normal_force(-touch.gap, touch.penetration_rate);
   }
 };
 

@@ -12,14 +12,16 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
   using Parameters = ObjectALEANCFCable2DParameters;
   using Cable = ObjectANCFCable2D;
   using Axis = AncfCableAxis<2>;
-  static constexpr std::array<std::string_view, 3> node_items{"NodePoint2DSlope1", "NodePoint2DSlope1", "NodeGenericODE2"};
+  static constexpr std::array<std::string_view, 3> node_items{"NodePoint2DSlope1", "NodePoint2DSlope1",
+                                                              "NodeGenericODE2"};
   static constexpr int size = 9, way = 8;
   static constexpr ElementTraits traits{};
 
   static void check(const Parameters& p, const ItemLabel& item) {
     Axis::check(p, item);
     if (p.physicsMovingMassFactor > 1)
-      refuse(ErrorKind::value, {item, "physicsMovingMassFactor", "", std::to_string(p.physicsMovingMassFactor), "0 to 1, a share of the mass", ""});
+      refuse(ErrorKind::value, {item, "physicsMovingMassFactor", "", std::to_string(p.physicsMovingMassFactor),
+                                "0 to 1, a share of the mass", ""});
   }
 
   // Products of r0, r0', r1, r1' in one direction.
@@ -41,7 +43,8 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
         for (int j = 0; j < 4; ++j) to[i][j] += weight * a[i] * b[j];
     };
     for (int i = 0; i < gauss_4.count; ++i) {
-      const auto value = hermite::values(gauss_4.position[i], length), slope = hermite::slopes(gauss_4.position[i], length);
+      const auto value = hermite::values(gauss_4.position[i], length),
+                 slope = hermite::slopes(gauss_4.position[i], length);
       add(k.value_slope, mass * length * gauss_4.weight[i], value, slope);
       add(k.slope_slope, mass * length * gauss_4.weight[i], slope, slope);
     }
@@ -90,8 +93,8 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
     return Cable::section(p.physicsLength, cable_of(x), local);
   }
   template <class S>
-  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local, const Vec3<S>& force,
-                                const Vec3<S>& moment) {
+  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local,
+                                const Vec3<S>& force, const Vec3<S>& moment) {
     return joined(Cable::on_section(p.physicsLength, cable_of(x), local, force, moment), Vec<S, 1>{S(0)});
   }
   // Weight also pulls the material along, from one end to the other.
@@ -102,8 +105,8 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
     return joined(Axis::mass_load(p, cable_of(x), g), Vec<S, 1>{along});
   }
 
-  static bool output(const Parameters& p, const Context&, const Coordinates<double, size>& x, const OutputRequest& request,
-                     std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context&, const Coordinates<double, size>& x,
+                     const OutputRequest& request, std::vector<double>& values) {
     const Section at{p, x, request};
     switch (request.variable) {
       case OutputVariableType::Velocity:
@@ -113,7 +116,8 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
         const Vec<double, 2> slope = at.template fields<0>()[0];
         const double stretch = x.v[way] * (1 - request.local[1] * at.template strain<1>()[0] / norm(slope));
         const Vec3<double> velocity = m.velocity + stretch * Vec3<double>{slope[0], slope[1], 0};
-        const Vec3<double> shown = request.variable == OutputVariableType::Velocity ? velocity : transposed_times(m.rotation, velocity);
+        const Vec3<double> shown =
+            request.variable == OutputVariableType::Velocity ? velocity : transposed_times(m.rotation, velocity);
         values.assign(shown.x.begin(), shown.x.end());
         return true;
       }
@@ -128,7 +132,8 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
   }
   template <class F, class Free>
   static void free_strains(const Parameters& p, const Axis::Constants& k, const Vectors<double, 2, 3>& y, Free& free) {
-    for (int i = 0; i < F::points(k).count; ++i) free[i] = F::stress_free(p, F::strain(k, interpolated<F>(F::points(k).at[i].shape, y)));
+    for (int i = 0; i < F::points(k).count; ++i)
+      free[i] = F::stress_free(p, F::strain(k, interpolated<F>(F::points(k).at[i].shape, y)));
   }
 
   // Strains, seen from the material: when it moves on, fields at a point change by their derivatives along the axis.
@@ -161,12 +166,14 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
     S along{0.0};
   };
   template <class F, class Free, class S>
-  static void add_elastic(const Parameters& p, const Prepared& k, const Free& free, const Coordinates<S, size>& x, Elastic<S>& sum) {
+  static void add_elastic(const Parameters& p, const Prepared& k, const Free& free, const Coordinates<S, size>& x,
+                          Elastic<S>& sum) {
     const auto& points = F::points(k.cable);
     for (int i = 0; i < points.count; ++i) {
       const auto& shape = points.at[i].shape;
       const Point<F, S> at(p, k.cable, shape, x);
-      const auto force = F::pull_back(k.cable, at.fields, (points.at[i].weight * k.cable.length) * stress<F>(k.cable, at, free[i]));
+      const auto force =
+          F::pull_back(k.cable, at.fields, (points.at[i].weight * k.cable.length) * stress<F>(k.cable, at, free[i]));
       for (int f = 0; f < F::fields; ++f) {
         for (int v = 0; v < 3; ++v) sum.forces[v] += shape[f][v] * force[f];
         if (p.physicsAddALEvariation) sum.along += dot(force[f], at.along[f]);
@@ -176,15 +183,18 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
 
   // The other terms of the acceleration r_tt + 2 r'_t s_t + r'' s_t^2 + r' s_tt of the material, and all of it along the axis.
   template <class S>
-  static void add_convection(const Parameters& p, const Prepared& k, const Coordinates<S, size>& x, Vec<S, 8>& r, S& along) {
+  static void add_convection(const Parameters& p, const Prepared& k, const Coordinates<S, size>& x, Vec<S, 8>& r,
+                             S& along) {
     const S &speed = x.v[way], square = speed * speed;
-    const bool couples = p.physicsUseCouplingTerms;  // accelerations of cable and material; else that of the material has a mass of its own
+    const bool couples =
+        p.physicsUseCouplingTerms;  // accelerations of cable and material; else that of the material has a mass of its own
     if (!couples) along += k.moving_mass * x.a[way];
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
         for (int d = 0; d < 2; ++d) {
           const S &qi = x.q[2 * i + d], &qj = x.q[2 * j + d], &vj = x.v[2 * j + d];
-          r[2 * i + d] += k.value_slope[i][j] * (2.0 * speed * vj) + (k.end_value_slope[i][j] - k.slope_slope[i][j]) * (square * qj);
+          r[2 * i + d] += k.value_slope[i][j] * (2.0 * speed * vj) +
+                          (k.end_value_slope[i][j] - k.slope_slope[i][j]) * (square * qj);
           along += k.slope_slope[i][j] * (2.0 * speed * qi * vj) + (0.5 * k.end_slope_slope[i][j]) * (square * qi * qj);
           if (!couples) continue;
           r[2 * i + d] += k.value_slope[i][j] * (x.a[way] * qj);
@@ -217,7 +227,8 @@ struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
     Vec<double, 1> stress() const {
       using F = Family<family>;
       const Coordinates<double, size> reference{.q = load<double, size>(request.reference.data()), .v = {}, .a = {}};
-      const auto of_reference = F::strain(k, Point<F, double>(p, k, Axis::hermite_shape(Axis::along(k, request.local)), reference).fields);
+      const auto of_reference =
+          F::strain(k, Point<F, double>(p, k, Axis::hermite_shape(Axis::along(k, request.local)), reference).fields);
       return ObjectALEANCFCable2D::stress<F>(k, point<family>(), F::stress_free(p, of_reference));
     }
   };

@@ -34,11 +34,17 @@ struct ObjectANCFBeam : NoDoubt {
       return Mat3<double>{axial * f[0], 0, 0, 0, axial * f[1], 0, 0, 0, shear * f[2]};
     };
     const double l = p.physicsLength;
-    return {l, s.stiffnessMatrix, s.dampingMatrix, against_deformation(p.crossSectionPenaltyFactor), against_deformation(p.crossSectionDamping),
+    return {l,
+            s.stiffnessMatrix,
+            s.dampingMatrix,
+            against_deformation(p.crossSectionPenaltyFactor),
+            against_deformation(p.crossSectionDamping),
             {l * s.massPerLength, l * s.inertia(2, 2), l * s.inertia(1, 1), -l * s.inertia(1, 2)}};
   }
   static bool calls(const Parameters&) { return false; }
-  static bool damped(const Constants& k) { return k.damping != Mat<double, 6, 6>{} || k.section_damping != Mat3<double>{}; }
+  static bool damped(const Constants& k) {
+    return k.damping != Mat<double, 6, 6>{} || k.section_damping != Mat3<double>{};
+  }
   static double along(const Constants& k, const Vec3<double>& local) { return 0.5 + local[0] / k.length; }
 
   // The chord (r1 - r0) / L, and both slopes at both nodes.
@@ -59,10 +65,11 @@ struct ObjectANCFBeam : NoDoubt {
       return vector_of<size>([&](int i) { return share(i / 3, k.length) * g[vector(i / 3)][i % 3]; });
     }
     template <class T>
-    static Mat<T, size, size> tangent(const Constants& k, const Coordinates<T, size>&, const Vectors<T, 3, 5>&, const Mat<T, 15, 15>& m,
-                                      const Mat<T, 15, 15>&, const Weights&) {
+    static Mat<T, size, size> tangent(const Constants& k, const Coordinates<T, size>&, const Vectors<T, 3, 5>&,
+                                      const Mat<T, 15, 15>& m, const Mat<T, 15, 15>&, const Weights&) {
       return matrix_of<size, size>([&](int i, int j) {
-        return (share(i / 3, k.length) * share(j / 3, k.length)) * m(3 * vector(i / 3) + i % 3, 3 * vector(j / 3) + j % 3);
+        return (share(i / 3, k.length) * share(j / 3, k.length)) *
+               m(3 * vector(i / 3) + i % 3, 3 * vector(j / 3) + j % 3);
       });
     }
 
@@ -81,7 +88,9 @@ struct ObjectANCFBeam : NoDoubt {
   struct Bending {
     static constexpr int fields = 5, strains = 6, stresses = 6;
     using Shape = ShapeNumbers<5, 5>;
-    static constexpr bool uses(int field, int vector) { return field == 0 ? vector == 0 : vector > 0 && vector % 2 == field % 2; }
+    static constexpr bool uses(int field, int vector) {
+      return field == 0 ? vector == 0 : vector > 0 && vector % 2 == field % 2;
+    }
     static constexpr Shape shape(double xi) {
       return {{{1, 0, 0, 0, 0}, {0, 1 - xi, 0, xi, 0}, {0, 0, 1 - xi, 0, xi}, {0, -1, 0, 1, 0}, {0, 0, -1, 0, 1}}};
     }
@@ -97,7 +106,8 @@ struct ObjectANCFBeam : NoDoubt {
     static Vec<S, 6> strain(const Constants& k, const Vectors<S, 3, 5>& at) {
       const auto frame = Axes::frame(at[1], at[2]);
       const Mat3<S> rotation = Axes::rotation(frame);
-      return joined(transposed_times(rotation, at[0]), transposed_times(rotation, Vec3<S>((1 / k.length) * Axes::spin(frame, at[3], at[4]))));
+      return joined(transposed_times(rotation, at[0]),
+                    transposed_times(rotation, Vec3<S>((1 / k.length) * Axes::spin(frame, at[3], at[4]))));
     }
     // The moment acts on the frame along the axis, and so on slopes and their derivatives; so does the force, which
     // rotates with it.
@@ -105,7 +115,8 @@ struct ObjectANCFBeam : NoDoubt {
     static Vectors<S, 3, 5> pull_back(const Constants& k, const Vectors<S, 3, 5>& at, const Vec<S, 6>& stress) {
       const auto frame = Axes::frame(at[1], at[2]);
       const Mat3<S> rotation = Axes::rotation(frame);
-      const Vec3<S> force = rotation * segment<3>(stress, 0), moment = (1 / k.length) * (rotation * segment<3>(stress, 3));
+      const Vec3<S> force = rotation * segment<3>(stress, 0),
+                    moment = (1 / k.length) * (rotation * segment<3>(stress, 3));
       const auto turn = Axes::pull_back(frame, cross(force, at[0])), bend = Axes::pull_back(frame, moment),
                  bend_rate = Axes::pull_back_rate(frame, moment, at[3], at[4]);
       return {force, turn[0] + bend_rate[0], turn[1] + bend_rate[1], bend[0], bend[1]};
@@ -147,7 +158,8 @@ struct ObjectANCFBeam : NoDoubt {
     });
   }
   template <class T>
-  static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w, Mat<T, size, size>& m) {
+  static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w,
+                                  Mat<T, size, size>& m) {
     for (int i = 0; i < size; ++i)
       for (int j = i % 3; j < size; j += 3) m(i, j) = m(i, j) + w.a * mass(k.mass, i / 3, j / 3);
   }
@@ -161,7 +173,9 @@ struct ObjectANCFBeam : NoDoubt {
   template <class S>
   static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
     const double xi = 0.5 + local[0] / p.physicsLength;
-    const auto at = [&](const Vec<S, size>& q, int first) { return (1 - xi) * segment<3>(q, first) + xi * segment<3>(q, 9 + first); };
+    const auto at = [&](const Vec<S, size>& q, int first) {
+      return (1 - xi) * segment<3>(q, first) + xi * segment<3>(q, 9 + first);
+    };
     const auto all = [&](int first) { return std::array{at(x.q, first), at(x.v, first), at(x.a, first)}; };
     const auto axis = all(0), slope_y = all(3), slope_z = all(6);
     const auto point = [&](int i) { return axis[i] + local[1] * slope_y[i] + local[2] * slope_z[i]; };
@@ -170,8 +184,8 @@ struct ObjectANCFBeam : NoDoubt {
     return m;
   }
   template <class S>
-  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local, const Vec3<S>& force,
-                                const Vec3<S>& moment) {
+  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local,
+                                const Vec3<S>& force, const Vec3<S>& moment) {
     const double xi = 0.5 + local[0] / p.physicsLength;
     const auto slope = [&](int first) { return (1 - xi) * segment<3>(x.q, first) + xi * segment<3>(x.q, 9 + first); };
     const auto couple = Axes::pull_back(Axes::frame(slope(3), slope(6)), moment);

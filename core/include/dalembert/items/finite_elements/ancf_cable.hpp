@@ -42,8 +42,8 @@ struct ObjectANCFCable : AncfCableAxis<3> {
     return {.position = combined(shape, x.q), .velocity = combined(shape, x.v), .acceleration = combined(shape, x.a)};
   }
   template <class S>
-  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>&, const Vec3<double>& local, const Vec3<S>& force,
-                                const Vec3<S>&) {
+  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>&, const Vec3<double>& local,
+                                const Vec3<S>& force, const Vec3<S>&) {
     const auto shape = hermite::values(local[0] / p.physicsLength, p.physicsLength);
     return vector_of<size>([&](int i) { return shape[i / 3] * force[i % 3]; });
   }

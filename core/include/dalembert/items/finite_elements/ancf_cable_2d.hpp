@@ -13,16 +13,16 @@ struct ObjectANCFCable2D : AncfCableAxis<2> {
 
   // Arguments of both user functions: data of the respective strain, then the other strain.
   template <class S>
-  static Vec<S, 1> called(const UserFunction& f, const Context& c, double position, const Vec<S, 1>& e, const Vec<S, 1>& e_t,
-                          const Vec<double, 1>& e_0, double stiffness, double damping, const Vec<S, 1>& other, const Vec<S, 1>& other_t,
-                          const Vec<double, 1>& other_0) {
+  static Vec<S, 1> called(const UserFunction& f, const Context& c, double position, const Vec<S, 1>& e,
+                          const Vec<S, 1>& e_t, const Vec<double, 1>& e_0, double stiffness, double damping,
+                          const Vec<S, 1>& other, const Vec<S, 1>& other_t, const Vec<double, 1>& other_0) {
     if (!f) return {stiffness * (e[0] - e_0[0]) + damping * e_t[0]};
     return {call_scalar(f, c, S(position), e[0], e_t[0], e_0[0], stiffness, damping, other[0], other_t[0], other_0[0])};
   }
   struct AxialForce : Stretching {
     template <class... Strains>
-    static auto read_stress(const Parameters& p, const Constants& k, const Context& c, double position, const auto& e, const auto& e_t,
-                            const auto& e_0, const Strains&... other) {
+    static auto read_stress(const Parameters& p, const Constants& k, const Context& c, double position, const auto& e,
+                            const auto& e_t, const auto& e_0, const Strains&... other) {
       return called(p.axialForceUserFunction, c, position, e, e_t, e_0, k.axial_stiffness, k.axial_damping, other...);
     }
   };
@@ -44,14 +44,16 @@ struct ObjectANCFCable2D : AncfCableAxis<2> {
     static Vectors<S, 2, 2> pull_back(const Constants& k, const Vectors<S, 2, 2>& r, const Vec<S, 1>& moment) {
       const S scale = 1.0 / dot(r[0], r[0]), twice = 2.0 * (scale * planar_cross(r[0], r[1]));
       const S m = (1 / k.length) * (moment[0] * scale), minus = -m;
-      return {Vec<S, 2>{m * (r[1][1] - twice * r[0][0]), minus * (r[1][0] + twice * r[0][1])}, Vec<S, 2>{minus * r[0][1], m * r[0][0]}};
+      return {Vec<S, 2>{m * (r[1][1] - twice * r[0][0]), minus * (r[1][0] + twice * r[0][1])},
+              Vec<S, 2>{minus * r[0][1], m * r[0][0]}};
     }
   };
   struct BendingMoment : Bending {
     template <class... Strains>
-    static auto read_stress(const Parameters& p, const Constants& k, const Context& c, double position, const auto& e, const auto& e_t,
-                            const auto& e_0, const Strains&... other) {
-      return called(p.bendingMomentUserFunction, c, position, e, e_t, e_0, k.bending_stiffness, k.bending_damping, other...);
+    static auto read_stress(const Parameters& p, const Constants& k, const Context& c, double position, const auto& e,
+                            const auto& e_t, const auto& e_0, const Strains&... other) {
+      return called(p.bendingMomentUserFunction, c, position, e, e_t, e_0, k.bending_stiffness, k.bending_damping,
+                    other...);
     }
   };
   using Families = std::tuple<Stretching, Bending>;
@@ -95,7 +97,8 @@ struct ObjectANCFCable2D : AncfCableAxis<2> {
     S m = moment[2];
     if (local[1] != 0) m -= (local[1] / norm(t)) * (t[1] * force[1] + t[0] * force[0]);
     m = m / dot(t, t);
-    return vector_of<size>([&](int i) { return shape[i / 2] * force[i % 2] + slope[i / 2] * (i % 2 ? m * t[0] : -(m * t[1])); });
+    return vector_of<size>(
+        [&](int i) { return shape[i / 2] * force[i % 2] + slope[i / 2] * (i % 2 ? m * t[0] : -(m * t[1])); });
   }
 
   template <class Section>

@@ -19,9 +19,10 @@ struct AncfCableAxis : NoDoubt {
     StrainPoints<Shape> stretching, bending;
   };
   // Indexed by the parameter useReducedOrderIntegration.
-  static constexpr std::array<Rule, 3> rules{{{tabulated(gauss_5, hermite_shape), tabulated(gauss_3, hermite_shape)},
-                                              {tabulated(gauss_4, hermite_shape), tabulated(gauss_2, hermite_shape)},
-                                              {tabulated(lobatto_3, hermite_shape), tabulated(gauss_2, hermite_shape)}}};
+  static constexpr std::array<Rule, 3> rules{
+      {{tabulated(gauss_5, hermite_shape), tabulated(gauss_3, hermite_shape)},
+       {tabulated(gauss_4, hermite_shape), tabulated(gauss_2, hermite_shape)},
+       {tabulated(lobatto_3, hermite_shape), tabulated(gauss_2, hermite_shape)}}};
 
   struct Constants {
     const Rule* rule = nullptr;
@@ -70,10 +71,11 @@ struct AncfCableAxis : NoDoubt {
       return vector_of<size>([&](int i) { return share(i / D, k.length) * g[vector(i / D)][i % D]; });
     }
     template <class T>
-    static Mat<T, size, size> tangent(const Constants& k, const Coordinates<T, size>&, const Vectors<T, D, 3>&, const Mat<T, 3 * D, 3 * D>& m,
-                                      const Mat<T, 3 * D, 3 * D>&, const Weights&) {
+    static Mat<T, size, size> tangent(const Constants& k, const Coordinates<T, size>&, const Vectors<T, D, 3>&,
+                                      const Mat<T, 3 * D, 3 * D>& m, const Mat<T, 3 * D, 3 * D>&, const Weights&) {
       return matrix_of<size, size>([&](int i, int j) {
-        return (share(i / D, k.length) * share(j / D, k.length)) * m(D * vector(i / D) + i % D, D * vector(j / D) + j % D);
+        return (share(i / D, k.length) * share(j / D, k.length)) *
+               m(D * vector(i / D) + i % D, D * vector(j / D) + j % D);
       });
     }
 
@@ -122,7 +124,8 @@ struct AncfCableAxis : NoDoubt {
     });
   }
   template <class T>
-  static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w, Mat<T, size, size>& m) {
+  static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w,
+                                  Mat<T, size, size>& m) {
     for (int i = 0; i < size; ++i)
       for (int j = i % D; j < size; j += D) m(i, j) = m(i, j) + w.a * k.mass[i / D][j / D];
   }
@@ -136,7 +139,9 @@ struct AncfCableAxis : NoDoubt {
   // r or r' from q, v or a.
   template <class S>
   static Vec<S, D> combined(const std::array<double, 4>& shape, const Vec<S, size>& q) {
-    return vector_of<D>([&](int d) { return shape[0] * q[d] + shape[1] * q[D + d] + shape[2] * q[2 * D + d] + shape[3] * q[3 * D + d]; });
+    return vector_of<D>([&](int d) {
+      return shape[0] * q[d] + shape[1] * q[D + d] + shape[2] * q[2 * D + d] + shape[3] * q[3 * D + d];
+    });
   }
 };
 

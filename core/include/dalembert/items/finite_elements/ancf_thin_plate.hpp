@@ -20,15 +20,18 @@ struct ObjectANCFThinPlate : NoDoubt {
   static void check(const Given& p, const ItemLabel& item) {
     const auto one_or_four = [&](const char* name, std::size_t received) {
       if (received != 1 && received != 4)
-        refuse(ErrorKind::value, {item, name, "", std::to_string(received) + " values", "one for the plate, or four for its nodes", ""});
+        refuse(ErrorKind::value,
+               {item, name, "", std::to_string(received) + " values", "one for the plate, or four for its nodes", ""});
     };
     one_or_four("physicsThickness", p.physicsThickness.size());
     one_or_four("physicsStrainCoefficients", p.physicsStrainCoefficients.size());
     one_or_four("physicsCurvatureCoefficients", p.physicsCurvatureCoefficients.size());
     if (!std::ranges::all_of(p.physicsThickness, [](double h) { return h > 0; }))
-      refuse(ErrorKind::value, {item, "physicsThickness", "", "a value that is not positive", "positive thicknesses", ""});
+      refuse(ErrorKind::value,
+             {item, "physicsThickness", "", "a value that is not positive", "positive thicknesses", ""});
     if (p.useReducedOrderIntegration > 1)
-      refuse(ErrorKind::value, {item, "useReducedOrderIntegration", "", std::to_string(p.useReducedOrderIntegration), "0 or 1", ""});
+      refuse(ErrorKind::value,
+             {item, "useReducedOrderIntegration", "", std::to_string(p.useReducedOrderIntegration), "0 or 1", ""});
   }
 
   // ---- geometry: places have two coordinates from -1 to 1 ------------------------------------------------------------------------
@@ -126,8 +129,8 @@ struct ObjectANCFThinPlate : NoDoubt {
       return vector_of<size>([&](int i) { return g[i / 3][i % 3]; });
     }
     template <class T>
-    static Mat<T, size, size> tangent(const K&, const Coordinates<T, size>&, const Vectors<T, 3, 12>&, const Mat<T, size, size>& m,
-                                      const Mat<T, size, size>&, const Weights&) {
+    static Mat<T, size, size> tangent(const K&, const Coordinates<T, size>&, const Vectors<T, 3, 12>&,
+                                      const Mat<T, size, size>& m, const Mat<T, size, size>&, const Weights&) {
       return m;
     }
 
@@ -168,7 +171,9 @@ struct ObjectANCFThinPlate : NoDoubt {
       return joined(k.damping_by_membrane * at_place(k.membrane, at), k.damping_by_bending * at_place(k.bending, at));
     }
     static Mat<double, 6, 6> joined(const Mat3<double>& membrane, const Mat3<double>& bending) {
-      return matrix_of<6, 6>([&](int i, int j) { return i / 3 != j / 3 ? 0.0 : i < 3 ? membrane(i, j) : bending(i - 3, j - 3); });
+      return matrix_of<6, 6>([&](int i, int j) {
+        return i / 3 != j / 3 ? 0.0 : i < 3 ? membrane(i, j) : bending(i - 3, j - 3);
+      });
     }
     static Vec<double, 6> stress_free(const Parameters& p, const Vec<double, 6>& of_reference) {
       return p.strainIsRelativeToReference * of_reference;
@@ -185,9 +190,11 @@ struct ObjectANCFThinPlate : NoDoubt {
       const Vec3<S> normal = cross(r[0], r[1]);
       const S square = dot(normal, normal), scale = 1.0 / (square * norm(normal)), twist = 2.0 * stress[5];
       const Vec3<S> bent = stress[3] * r[2] + stress[4] * r[3] + twist * r[4];
-      const Vec3<S> on_normal = scale * (bent - (3.0 * dot(bent, normal) / square) * normal), by_curvature = scale * normal;
-      return {stress[0] * r[0] + stress[2] * r[1] + cross(r[1], on_normal), stress[1] * r[1] + stress[2] * r[0] + cross(on_normal, r[0]),
-              stress[3] * by_curvature, stress[4] * by_curvature, twist * by_curvature};
+      const Vec3<S> on_normal = scale * (bent - (3.0 * dot(bent, normal) / square) * normal),
+                    by_curvature = scale * normal;
+      return {stress[0] * r[0] + stress[2] * r[1] + cross(r[1], on_normal),
+              stress[1] * r[1] + stress[2] * r[0] + cross(on_normal, r[0]), stress[3] * by_curvature,
+              stress[4] * by_curvature, twist * by_curvature};
     }
   };
   using Families = std::tuple<Surface>;
@@ -198,12 +205,14 @@ struct ObjectANCFThinPlate : NoDoubt {
   static Vec<S, size> inertia(const Constants& k, const Coordinates<S, size>& x) {
     return vector_of<size>([&](int row) {
       S sum(0.0);
-      for (int j = 0; j < 12; ++j) sum += k.mass[row / 3][j] * (x.a[3 * j + row % 3] + k.damping_by_mass * x.v[3 * j + row % 3]);
+      for (int j = 0; j < 12; ++j)
+        sum += k.mass[row / 3][j] * (x.a[3 * j + row % 3] + k.damping_by_mass * x.v[3 * j + row % 3]);
       return sum;
     });
   }
   template <class T>
-  static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w, Mat<T, size, size>& m) {
+  static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w,
+                                  Mat<T, size, size>& m) {
     const double weight = w.a + w.v * k.damping_by_mass;
     for (int i = 0; i < size; ++i)
       for (int j = i % 3; j < size; j += 3) m(i, j) = m(i, j) + weight * k.mass[i / 3][j / 3];
@@ -222,7 +231,8 @@ struct ObjectANCFThinPlate : NoDoubt {
     const Place at{local[0], local[1]};
     const Scales scale = scales(p);
     const auto shape = shares(scale, at, 0, 0);
-    Motion<S> m{.position = combined(shape, x.q), .velocity = combined(shape, x.v), .acceleration = combined(shape, x.a)};
+    Motion<S> m{
+        .position = combined(shape, x.q), .velocity = combined(shape, x.v), .acceleration = combined(shape, x.a)};
     if (local[2] == 0) return m;
     const auto in_time = [&x](const Shares& s) {
       return moving(moving(combined(s, x.q), combined(s, x.v)), moving(combined(s, x.v), combined(s, x.a)));
@@ -237,19 +247,20 @@ struct ObjectANCFThinPlate : NoDoubt {
     return m;
   }
   template <class S>
-  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local, const Vec3<S>& force,
-                                const Vec3<S>&) {
+  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local,
+                                const Vec3<S>& force, const Vec3<S>&) {
     const Place at{local[0], local[1]};
     const Scales scale = scales(p);
     const auto shape = shares(scale, at, 0, 0);
     if (local[2] == 0) return vector_of<size>([&](int i) { return shape[i / 3] * force[i % 3]; });
     const auto by_xi = shares(scale, at, 1, 0), by_eta = shares(scale, at, 0, 1);
-    const Vec3<S> a = combined(by_xi, x.q), b = combined(by_eta, x.q), area = cross(a, b), normal = (1.0 / norm(area)) * area;
-    const Vec3<S> on_area = (0.5 * local[2] * at_place(p.physicsThickness, at) / norm(area)) * (force - dot(force, normal) * normal);
+    const Vec3<S> a = combined(by_xi, x.q), b = combined(by_eta, x.q), area = cross(a, b),
+                  normal = (1.0 / norm(area)) * area;
+    const Vec3<S> on_area =
+        (0.5 * local[2] * at_place(p.physicsThickness, at) / norm(area)) * (force - dot(force, normal) * normal);
     const Vec3<S> on_a = cross(b, on_area), on_b = cross(on_area, a);
-    return vector_of<size>([&](int i) {
-      return shape[i / 3] * force[i % 3] + by_xi[i / 3] * on_a[i % 3] + by_eta[i / 3] * on_b[i % 3];
-    });
+    return vector_of<size>(
+        [&](int i) { return shape[i / 3] * force[i % 3] + by_xi[i / 3] * on_a[i % 3] + by_eta[i / 3] * on_b[i % 3]; });
   }
 
   template <class Section>
@@ -270,7 +281,8 @@ struct ObjectANCFThinPlate : NoDoubt {
       case OutputVariableType::TorqueLocal: return tell(segment<3>(at.template stress<0>(), 3));
       case OutputVariableType::StressLocal: {
         const auto s = at.template stress<0>();
-        const double h = at_place(at.p.physicsThickness, along(at.k, at.request.local)), bend = -6 * at.request.local[2] / (h * h);
+        const double h = at_place(at.p.physicsThickness, along(at.k, at.request.local)),
+                     bend = -6 * at.request.local[2] / (h * h);
         const auto component = [&](int i) { return s[i] / h + bend * s[3 + i]; };
         values = {component(0), component(1), 0, 0, 0, component(2)};
         return true;
@@ -285,7 +297,8 @@ struct ObjectANCFThinPlate : NoDoubt {
     double area, xi_x, xi_y, eta_y;
 
     Tangents(const Constants& k, const Place& at) {
-      const auto along_xi = combined(shares(k.scales, at, 1, 0), k.reference), along_eta = combined(shares(k.scales, at, 0, 1), k.reference);
+      const auto along_xi = combined(shares(k.scales, at, 1, 0), k.reference),
+                 along_eta = combined(shares(k.scales, at, 0, 1), k.reference);
       area = norm(cross(along_xi, along_eta));
       const double length = norm(along_xi);
       xi_x = 1 / length;

@@ -67,7 +67,8 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
     using Families = std::tuple<Screw>;
     using CallingFamilies = Families;
     static constexpr int size = Map::size, node_size = Map::node_size;
-    static constexpr bool constant_mass = Map::derives, constant_jacobian = false, oriented = true;  // constant by spins
+    static constexpr bool constant_mass = Map::derives, constant_jacobian = false,
+                          oriented = true;  // constant by spins
 
     static Constants constants(const Parameters& p) { return ObjectBeamGeometricallyExact::constants(p); }
     static bool calls(const Parameters&) { return false; }
@@ -86,7 +87,8 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
     }
     // Derivative on the group, where rates are spins.
     template <class T>
-    static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>& x, const Weights& w, Mat<T, size, size>& r) {
+    static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>& x, const Weights& w,
+                                    Mat<T, size, size>& r) {
       for (int n = 0; n < nodes; ++n) {
         const Vec3<T> spin = segment<3>(x.v, n * node_size + 3);
         const Mat3<T> turn = w.a * k.node_inertia + w.v * (skew(spin) * k.node_inertia - skew(k.node_inertia * spin));
@@ -123,7 +125,8 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
       std::array<Pose<D>, nodes> ends;
       for (int n = 0; n < nodes; ++n) {
         const SpinMotion<S> m = spin_motion<Node, S>(Map::of_node(x, n));
-        const Mat3<S> spin = skew(m.spin), first = m.rotation * spin, second = m.rotation * (spin * spin + skew(m.spin_rate));
+        const Mat3<S> spin = skew(m.spin), first = m.rotation * spin,
+                      second = m.rotation * (spin * spin + skew(m.spin_rate));
         for (int i = 0; i < 3; ++i)
           ends[n].position[i] = in_time(x.q[n * node_size + i], x.v[n * node_size + i], x.a[n * node_size + i]);
         for (int i = 0; i < 9; ++i) ends[n].rotation.x[i] = in_time(m.rotation.x[i], first.x[i], second.x[i]);
@@ -132,11 +135,15 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
       const Vec3<D> point = ends[0].position + ends[0].rotation * at.position;
       const Mat3<D> axes = ends[0].rotation * at.rotation;
       const auto derivative = [](const D& a, int order) {
-        if constexpr (twice) return order == 0 ? a.value.value : order == 1 ? a.value.d[0] : a.d[0].d[0];
-        else return order == 0 ? a.value : order == 1 ? a.d[0] : S(0);
+        if constexpr (twice)
+          return order == 0 ? a.value.value : order == 1 ? a.value.d[0] : a.d[0].d[0];
+        else
+          return order == 0 ? a.value : order == 1 ? a.d[0] : S(0);
       };
       const auto of_point = [&](int order) { return vector_of<3>([&](int i) { return derivative(point[i], order); }); };
-      const auto of_axes = [&](int order) { return matrix_of<3, 3>([&](int i, int j) { return derivative(axes(i, j), order); }); };
+      const auto of_axes = [&](int order) {
+        return matrix_of<3, 3>([&](int i, int j) { return derivative(axes(i, j), order); });
+      };
       const Mat3<S> rotation = of_axes(0), back = transpose(rotation);
       return {.position = of_point(0),
               .velocity = of_point(1),
@@ -147,8 +154,8 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
     }
     // The wrench acts on the first node as on a rigid body, and on d and phi by their variations.
     template <class S>
-    static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local, const Vec3<S>& force,
-                                  const Vec3<S>& moment) {
+    static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local,
+                                  const Vec3<S>& force, const Vec3<S>& moment) {
       using D = Dual<6, S>;
       const double s = place(p.physicsLength, local);
       const Mat3<S> rotation = Map::pose(x, 0).rotation;
@@ -157,8 +164,11 @@ struct ObjectBeamGeometricallyExact : NoDoubt {
       Vectors<D, 3, 2> moving;
       for (int i = 0; i < 6; ++i) moving[i / 3][i % 3] = D::seed(y[i / 3][i % 3], i);
       const Vec3<D> point = section(s, moving, local).position;
-      const auto work = [&](int i) { return own_force[0] * point[0].d[i] + own_force[1] * point[1].d[i] + own_force[2] * point[2].d[i]; };
-      const Vectors<S, 3, 2> g{Vec3<S>{work(0), work(1), work(2)}, Vec3<S>{work(3), work(4), work(5)} + s * tangent_map(s * y[1], own_moment)};
+      const auto work = [&](int i) {
+        return own_force[0] * point[0].d[i] + own_force[1] * point[1].d[i] + own_force[2] * point[2].d[i];
+      };
+      const Vectors<S, 3, 2> g{Vec3<S>{work(0), work(1), work(2)},
+                               Vec3<S>{work(3), work(4), work(5)} + s * tangent_map(s * y[1], own_moment)};
       auto w = Map::wrenches(rotation, y, g);
       w[0].force += force;
       w[0].moment += own_moment + cross(section(s, y, local).position, own_force);

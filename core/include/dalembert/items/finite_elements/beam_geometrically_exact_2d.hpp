@@ -17,19 +17,24 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
   static void check(const Parameters& p, const ItemLabel& item) {
     check_element_length(p.physicsLength, item);
     if (p.nodeNumbers.size() != 2 && p.nodeNumbers.size() != 3)
-      refuse(ErrorKind::value, {item, "nodeNumbers", "", std::to_string(p.nodeNumbers.size()) + " nodes", "two or three", ""});
+      refuse(ErrorKind::value,
+             {item, "nodeNumbers", "", std::to_string(p.nodeNumbers.size()) + " nodes", "two or three", ""});
   }
 
   // Shares of evenly spaced nodes in a polynomial through them, and in its derivative; xi from 0 to 1.
   template <int nodes>
   static constexpr std::array<double, nodes> shares(double xi) {
-    if constexpr (nodes == 2) return {1 - xi, xi};
-    else return {(1 - xi) * (1 - 2 * xi), 4 * xi * (1 - xi), xi * (2 * xi - 1)};
+    if constexpr (nodes == 2)
+      return {1 - xi, xi};
+    else
+      return {(1 - xi) * (1 - 2 * xi), 4 * xi * (1 - xi), xi * (2 * xi - 1)};
   }
   template <int nodes>
   static constexpr std::array<double, nodes> slopes(double xi) {
-    if constexpr (nodes == 2) return {-1, 1};
-    else return {4 * xi - 3, 4 - 8 * xi, 4 * xi - 1};
+    if constexpr (nodes == 2)
+      return {-1, 1};
+    else
+      return {4 * xi - 3, 4 - 8 * xi, 4 * xi - 1};
   }
 
   // Position and angle have the same interpolation. The number of points is one less than that of nodes, which avoids
@@ -80,8 +85,8 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
         return vector_of<size>([&](int i) { return g[i][0]; });
       }
       template <class T>
-      static Mat<T, size, size> tangent(const Constants&, const Coordinates<T, size>&, const Local<T>&, const Mat<T, size, size>& m,
-                                        const Mat<T, size, size>&, const Weights&) {
+      static Mat<T, size, size> tangent(const Constants&, const Coordinates<T, size>&, const Local<T>&,
+                                        const Mat<T, size, size>& m, const Mat<T, size, size>&, const Weights&) {
         return m;
       }
 
@@ -109,12 +114,15 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
         return s;
       }
       static const auto& points(const Constants&) {
-        static constexpr StrainPoints<Shape> own{.count = 1, .at = {{{rule.position[point], rule.weight[point], shape(rule.position[point])}}}};
+        static constexpr StrainPoints<Shape> own{
+            .count = 1, .at = {{{rule.position[point], rule.weight[point], shape(rule.position[point])}}}};
         return own;
       }
       static const auto& stiffness(const Constants& k) { return k.stiffness; }
       static const auto& damping(const Constants& k) { return k.damping; }
-      static Vec3<double> stress_free(const Parameters& p, const Vec3<double>&) { return {0, 0, p.physicsReferenceCurvature}; }
+      static Vec3<double> stress_free(const Parameters& p, const Vec3<double>&) {
+        return {0, 0, p.physicsReferenceCurvature};
+      }
 
       template <class S>
       static Vec3<S> strain(const Constants& k, const Vectors<S, 1, fields>& at) {
@@ -123,13 +131,14 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
         return {c * x + s * y - 1.0, c * y - s * x, (1 / k.length) * at[3][0]};
       }
       template <class S>
-      static Vectors<S, 1, fields> pull_back(const Constants& k, const Vectors<S, 1, fields>& at, const Vec3<S>& stress) {
+      static Vectors<S, 1, fields> pull_back(const Constants& k, const Vectors<S, 1, fields>& at,
+                                             const Vec3<S>& stress) {
         const auto [s, c] = sine_cosine(S(at[2][0] + k.offset[point]));
         const S x = (1 / k.length) * at[0][0], y = (1 / k.length) * at[1][0];
         const S &axial = stress[0], &shear = stress[1];
         const S force_x = c * axial - s * shear, force_y = s * axial + c * shear;
-        return {Vec<S, 1>{(1 / k.length) * force_x}, Vec<S, 1>{(1 / k.length) * force_y}, Vec<S, 1>{x * -force_y + y * force_x},
-                Vec<S, 1>{(1 / k.length) * stress[2]}};
+        return {Vec<S, 1>{(1 / k.length) * force_x}, Vec<S, 1>{(1 / k.length) * force_y},
+                Vec<S, 1>{x * -force_y + y * force_x}, Vec<S, 1>{(1 / k.length) * stress[2]}};
       }
     };
     template <class Points>
@@ -150,7 +159,8 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
       });
     }
     template <class T>
-    static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w, Mat<T, size, size>& m) {
+    static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w,
+                                    Mat<T, size, size>& m) {
       for (int i = 0; i < size; ++i)
         for (int j = i % 3; j < size; j += 3) m(i, j) = m(i, j) + w.a * mass(k, i, j);
     }
@@ -177,8 +187,8 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
       return moved(axis, Vec3<S>(local[1] * column(axis.rotation, 1)));
     }
     template <class S>
-    static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local, const Vec3<S>& force,
-                                  const Vec3<S>& moment) {
+    static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local,
+                                  const Vec3<S>& force, const Vec3<S>& moment) {
       using std::cos;
       using std::sin;
       const double xi = 0.5 + local[0] / p.physicsLength;
@@ -234,7 +244,9 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
       }
       return sum;
     }();
-    static double mass(const Constants& k, int i, int j) { return (i % 3 == 2 ? k.inertia : k.mass) * products[i / 3][j / 3]; }
+    static double mass(const Constants& k, int i, int j) {
+      return (i % 3 == 2 ? k.inertia : k.mass) * products[i / 3][j / 3];
+    }
 
     static Mat3<double> diagonal(double a, double b, double c) { return {a, 0, 0, 0, b, 0, 0, 0, c}; }
 

@@ -17,7 +17,8 @@ struct PlateShape {
     return {x[0] * y[0], x[1] * y[0], x[1] * y[1], x[0] * y[1]};
   }
   // Derivatives of these orders by the coordinates; `x`, `y`: lengths that belong to unit slopes at the nodes.
-  static constexpr Shares shares(double xi, double eta, const std::array<double, 4>& x, const std::array<double, 4>& y, int by_xi, int by_eta) {
+  static constexpr Shares shares(double xi, double eta, const std::array<double, 4>& x, const std::array<double, 4>& y,
+                                 int by_xi, int by_eta) {
     const auto line_x = linear(xi, by_xi), line_y = linear(eta, by_eta);
     const auto cubic_x = cubic(xi, by_xi), cubic_y = cubic(eta, by_eta);
     constexpr std::array right{0, 1, 1, 0}, upper{0, 0, 1, 1};

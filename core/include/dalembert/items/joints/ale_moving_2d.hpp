@@ -44,12 +44,15 @@ struct ObjectJointALEMoving2D : AlongCable<ObjectJointALEMoving2DParameters> {
   static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
     return go_on(p, x, place(p, x), h.data).verdict;
   }
-  static PostNewton settle(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) { return leave(p, x, place(p, x), h.data); }
+  static PostNewton settle(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
+    return leave(p, x, place(p, x), h.data);
+  }
   static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
     find_switch(p, x, place(p, x), c.data, switches);
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     const PointFrame<double>& frame = x.frame<PointPort>(body);
     const std::span<const double> q = x.values(cable);
     switch (variable) {
@@ -69,12 +72,14 @@ struct ObjectJointALEMoving2D : AlongCable<ObjectJointALEMoving2DParameters> {
     on.require_data(1, "nodeNumbers");
     for (int i = 1; i < on.markers(); ++i) {
       const char* list = i == 1 ? "markerNumbers" : "slidingMarkerNumbers";
-      on.require(on.coordinates(i) == way + 1, i, list, "markers on cables whose material moves along, ObjectALEANCFCable2D");
+      on.require(on.coordinates(i) == way + 1, i, list,
+                 "markers on cables whose material moves along, ObjectALEANCFCable2D");
       on.require(on.placement().dofs.size() == 1 && on.last_coordinate(i) == on.placement().dofs[0], i, list,
                  "markers on cables whose third node is the second one of nodeNumbers");
     }
     if (p.usePenaltyFormulation && !(p.penaltyStiffness > 0))
-      on.refuse("penaltyStiffness", std::to_string(p.penaltyStiffness), "a positive stiffness, as usePenaltyFormulation asks for it");
+      on.refuse("penaltyStiffness", std::to_string(p.penaltyStiffness),
+                "a positive stiffness, as usePenaltyFormulation asks for it");
   }
 
  private:

@@ -30,7 +30,9 @@ struct AlongCable : SwitchesAndSettles {
     return std::clamp(static_cast<int>(std::lround(data[current_element])), 0, elements(p) - 1);
   }
   // The place along all elements at which the current one begins, and where the body was at the start of the step, from there.
-  static double offset(const P& p, const double* data) { return p.slidingMarkerOffsets[static_cast<std::size_t>(element_of(p, data))]; }
+  static double offset(const P& p, const double* data) {
+    return p.slidingMarkerOffsets[static_cast<std::size_t>(element_of(p, data))];
+  }
   static double start(const P& p, const Context& c) { return c.data[start_of_step] - offset(p, c.data); }
   template <class S>
   static double length(const Exchange<S>& x) {
@@ -78,9 +80,11 @@ struct AlongCable : SwitchesAndSettles {
   }
 
   static void check_cables(const P& p, const Connections& on, const char* marker) {
-    if (elements(p) == 0) on.refuse("slidingMarkerNumbers", "an empty list", "the markers of the cable elements, in their order");
+    if (elements(p) == 0)
+      on.refuse("slidingMarkerNumbers", "an empty list", "the markers of the cable elements, in their order");
     for (int i = 1; i < on.markers(); ++i)
-      on.require(on.type(i).name == marker, i, i == 1 ? "markerNumbers" : "slidingMarkerNumbers", std::string("a ") + marker);
+      on.require(on.type(i).name == marker, i, i == 1 ? "markerNumbers" : "slidingMarkerNumbers",
+                 std::string("a ") + marker);
     if (static_cast<int>(p.slidingMarkerOffsets.size()) != elements(p))
       on.refuse("slidingMarkerOffsets", std::to_string(p.slidingMarkerOffsets.size()) + " offsets",
                 std::to_string(elements(p)) + ", one for each of slidingMarkerNumbers");

@@ -19,7 +19,9 @@ struct ObjectJointGeneric : Holonomic, VaryingDirections {
 
   static bool constrains(const Parameters& p, int k) { return p.constrainedAxes[static_cast<std::size_t>(k)] != 0; }
   static Vec<double, 6> offset(const Parameters& p, const Context& c) { return prescribed(p.offsetUserFunction, p, c); }
-  static Vec<double, 6> offset_rate(const Parameters& p, const Context& c) { return prescribed(p.offsetUserFunction_t, p, c); }
+  static Vec<double, 6> offset_rate(const Parameters& p, const Context& c) {
+    return prescribed(p.offsetUserFunction_t, p, c);
+  }
 
   // Displacements along the constrained axes, and products of axes that have to be normal to each other; or, as alternative,
   // the rotation vector between the frames, which vanishes only where they agree.
@@ -42,8 +44,8 @@ struct ObjectJointGeneric : Holonomic, VaryingDirections {
   }
 
   template <class S>
-  static std::array<Wrench<S>, 2> reaction(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
-                                           const Vec<double, 6>& lambda) {
+  static std::array<Wrench<S>, 2> reaction(const Parameters& p, const Context& c, const RigidFrame<S>& m0,
+                                           const RigidFrame<S>& m1, const Vec<double, 6>& lambda) {
     if (p.alternativeConstraints && locked(p) == 3) return virtual_work<ObjectJointGeneric, S>(p, c, m0, m1, lambda);
     const Vec<double, 6> now = offset(p, c);
     Vec<S, 6> o;
@@ -63,12 +65,15 @@ struct ObjectJointGeneric : Holonomic, VaryingDirections {
   }
 
   // The same as a table, where nothing is prescribed.
-  static bool tabulated(const Parameters& p) { return !p.offsetUserFunction && !(p.alternativeConstraints && locked(p) == 3); }
+  static bool tabulated(const Parameters& p) {
+    return !p.offsetUserFunction && !(p.alternativeConstraints && locked(p) == 3);
+  }
   static std::array<JointEquation, 6> table(const Parameters& p) {
     using enum JointEquation::Kind;
     std::array<JointEquation, 6> rows{};
     for (int i = 0; i < 3; ++i)
-      rows[i] = all_translations(p) ? JointEquation{displacement, column(identity(), i)} : JointEquation{along, column(p.rotationMarker0, i)};
+      rows[i] = all_translations(p) ? JointEquation{displacement, column(identity(), i)}
+                                    : JointEquation{along, column(p.rotationMarker0, i)};
     for_each_product(p, [&](int row, int a, int b) {
       rows[row] = {product, column(p.rotationMarker0, a), column(p.rotationMarker1, b)};
     });

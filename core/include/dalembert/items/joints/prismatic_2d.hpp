@@ -22,8 +22,8 @@ struct ObjectJointPrismatic2D : Holonomic, VaryingDirections {
     return {dot(normal, m1.position - m0.position), dot(axis, normal)};
   }
   template <class S>
-  static std::array<Wrench<S>, 2> reaction(const Parameters& p, const Context&, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
-                                           const Vec<double, 2>& lambda) {
+  static std::array<Wrench<S>, 2> reaction(const Parameters& p, const Context&, const RigidFrame<S>& m0,
+                                           const RigidFrame<S>& m1, const Vec<double, 2>& lambda) {
     const Vec3<S> axis = m0.rotation * p.axisMarker0, normal = m1.rotation * p.normalMarker1;
     const Vec3<S> f = lambda[0] * normal;
     std::array<Wrench<S>, 2> forces{Wrench<S>{.force = -f},
@@ -41,7 +41,9 @@ struct ObjectJointPrismatic2D : Holonomic, VaryingDirections {
       case OutputVariableType::Velocity: vector(m0.velocity); return true;
       case OutputVariableType::DisplacementLocal: vector(local(m1.position - m0.position)); return true;
       case OutputVariableType::Distance: values = {dot(p.axisMarker0, local(m1.position - m0.position))}; return true;
-      case OutputVariableType::Rotation: values = {tait_bryan_angles(transpose(m0.rotation) * m1.rotation)[2]}; return true;
+      case OutputVariableType::Rotation:
+        values = {tait_bryan_angles(transpose(m0.rotation) * m1.rotation)[2]};
+        return true;
       case OutputVariableType::ForceLocal: vector(local(lambda[0] * (m1.rotation * p.normalMarker1))); return true;
       default: return false;
     }

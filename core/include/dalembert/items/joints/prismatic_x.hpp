@@ -24,8 +24,11 @@ struct ObjectJointPrismaticX : JointOfTable<ObjectJointPrismaticX>, ConstrainsAl
   static std::array<JointEquation, 5> table(const Parameters& p) {
     using enum JointEquation::Kind;
     const Mat3<double>&first = p.rotationMarker0, &second = p.rotationMarker1;
-    return {JointEquation{along, column(first, 1)}, {along, column(first, 2)}, {product, column(first, 2), column(second, 1)},
-            {product, column(first, 2), column(second, 0)}, {product, column(first, 0), column(second, 1)}};
+    return {JointEquation{along, column(first, 1)},
+            {along, column(first, 2)},
+            {product, column(first, 2), column(second, 1)},
+            {product, column(first, 2), column(second, 0)},
+            {product, column(first, 0), column(second, 1)}};
   }
 
   static bool output(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,

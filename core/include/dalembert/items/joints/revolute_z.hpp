@@ -25,8 +25,11 @@ struct ObjectJointRevoluteZ : JointOfTable<ObjectJointRevoluteZ>, ConstrainsAll,
   static std::array<JointEquation, 5> table(const Parameters& p) {
     using enum JointEquation::Kind;
     const Vec3<double> z0 = column(p.rotationMarker0, 2);
-    return {JointEquation{displacement, {1, 0, 0}}, {displacement, {0, 1, 0}}, {displacement, {0, 0, 1}},
-            {product, z0, column(p.rotationMarker1, 0)}, {product, z0, column(p.rotationMarker1, 1)}};
+    return {JointEquation{displacement, {1, 0, 0}},
+            {displacement, {0, 1, 0}},
+            {displacement, {0, 0, 1}},
+            {product, z0, column(p.rotationMarker1, 0)},
+            {product, z0, column(p.rotationMarker1, 1)}};
   }
 
   static bool output(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,

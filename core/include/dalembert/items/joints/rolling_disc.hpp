@@ -22,8 +22,8 @@ struct ObjectJointRollingDisc : VaryingDirections, NoConstraintForms {
     return contact.local(contact.slip);
   }
   template <class S>
-  static std::array<Wrench<S>, 2> reaction(const Parameters& p, const Context&, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
-                                           const Vec3<double>& lambda) {
+  static std::array<Wrench<S>, 2> reaction(const Parameters& p, const Context&, const RigidFrame<S>& m0,
+                                           const RigidFrame<S>& m1, const Vec3<double>& lambda) {
     return RollingContact<S>(p, m0, m1).forces({S(lambda[0]), S(lambda[1]), S(lambda[2])});
   }
 

@@ -17,7 +17,8 @@ struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0
     const Cable<S> here(p, c, x, x.unknowns[way]);
     Vec3<S> force, couple;  // on position and slope of the cable; the body receives the opposite of the force
     for (int i = 0; i < 3; ++i)
-      if (p.constrainTranslations[static_cast<std::size_t>(i)]) force[i] = -x.unknowns[static_cast<std::size_t>(first_force + i)];
+      if (p.constrainTranslations[static_cast<std::size_t>(i)])
+        force[i] = -x.unknowns[static_cast<std::size_t>(first_force + i)];
     each_axis(p, x, [&](const Vec3<S>& axis, const S& multiplier, int) { couple -= multiplier * axis; });
     set_equations(p, c, x, here, force);
     x.apply(body, Vec3<S>(-force));
@@ -28,10 +29,12 @@ struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0
     const std::span<S> on_cable = x.forces(cable);
     for (int i = 0; i < 4; ++i)
       for (int d = 0; d < 3; ++d)
-        on_cable[static_cast<std::size_t>(3 * i + d)] += here.weights.value[i] * force[d] + here.weights.slope[i] * couple[d];
+        on_cable[static_cast<std::size_t>(3 * i + d)] +=
+            here.weights.value[i] * force[d] + here.weights.slope[i] * couple[d];
   }
 
-  static bool output(const Parameters&, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters&, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     if (variable != OutputVariableType::Force) return output_of_motion(c, x, variable, values);
     values.assign(&x.unknowns[first_force], &x.unknowns[first_force] + 3);
     return true;
@@ -39,9 +42,11 @@ struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0
 
   static void check(const Parameters& p, const Connections& on) {
     if (p.constrainRotations[0])
-      on.refuse("constrainRotations", "a rotation about the x axis that is constrained", "0 as first flag: a cable has no torsion");
+      on.refuse("constrainRotations", "a rotation about the x axis that is constrained",
+                "0 as first flag: a cable has no torsion");
     on.require(turns(p) ? on.gives<RigidPort>(0) : on.gives<PointPort>(0), 0, "markerNumbers",
-               turns(p) ? "a rigid body marker for the body, as rotations are constrained" : "a marker with a position for the body");
+               turns(p) ? "a rigid body marker for the body, as rotations are constrained"
+                        : "a marker with a position for the body");
     check_cables(p, on, "MarkerBodyBeamShape");
     on.require_data(2);
   }
@@ -58,11 +63,13 @@ struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0
   static void each_axis(const Parameters& p, const Exchange<S>& x, const Call& call) {
     for (int i = 1; i < 3; ++i)
       if (p.constrainRotations[static_cast<std::size_t>(i)])
-        call(column(x.template frame<RigidPort>(body).rotation, 3 - i), x.unknowns[static_cast<std::size_t>(first_moment + i)], first_moment + i);
+        call(column(x.template frame<RigidPort>(body).rotation, 3 - i),
+             x.unknowns[static_cast<std::size_t>(first_moment + i)], first_moment + i);
   }
 
   template <class S>
-  static void set_equations(const Parameters& p, const Context& c, Exchange<S>& x, const Cable<S>& here, const Vec3<S>& force) {
+  static void set_equations(const Parameters& p, const Context& c, Exchange<S>& x, const Cable<S>& here,
+                            const Vec3<S>& force) {
     for (std::size_t i = turns(p) ? 7 : 4; i-- > 1;) x.equations[i] = x.unknowns[i];  // inactive equations
     x.equations[way] = -dot(force, here.slope);
     if (p.axialForce != 0) x.equations[way] -= p.axialForce * norm(here.slope);
@@ -72,7 +79,8 @@ struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0
     });
     if (x.rate_level && holds(p)) return set_rates(p, c, x, here);
     for (int i = 0; i < 3; ++i)
-      if (p.constrainTranslations[static_cast<std::size_t>(i)]) x.equations[static_cast<std::size_t>(first_force + i)] = here.gap[i];
+      if (p.constrainTranslations[static_cast<std::size_t>(i)])
+        x.equations[static_cast<std::size_t>(first_force + i)] = here.gap[i];
   }
 
   // Rates across the cable, at the place nearest to the body, and the position along it.
@@ -82,11 +90,13 @@ struct ObjectJointSliding : SlidingAlongCable<ObjectJointSlidingParameters, 3, 0
     const auto rates = foot.rates(x);
     const S square = dot(foot.slope, foot.slope);
     const Vec3<S> closing = cross(rates.slope, foot.gap) + cross(foot.slope, rates.gap);
-    const Vec3<S> both = (1.0 / square) * cross(closing, foot.slope) + (dot(here.gap, here.slope) / square) * foot.slope;
+    const Vec3<S> both =
+        (1.0 / square) * cross(closing, foot.slope) + (dot(here.gap, here.slope) / square) * foot.slope;
     for (int i = 0; i < 3; ++i) x.equations[static_cast<std::size_t>(first_force + i)] = both[i];
     each_axis(p, x, [&](const Vec3<S>& axis, const S&, int row) {
       const Vec3<S>& spin = x.template frame<RigidPort>(body).angular_velocity;
-      x.equations[static_cast<std::size_t>(row)] = dot(rates.slope + rates.slide * foot.bend, axis) + dot(foot.slope, cross(spin, axis));
+      x.equations[static_cast<std::size_t>(row)] =
+          dot(rates.slope + rates.slide * foot.bend, axis) + dot(foot.slope, cross(spin, axis));
     });
   }
 };

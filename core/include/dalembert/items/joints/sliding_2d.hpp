@@ -30,10 +30,12 @@ struct ObjectJointSliding2D : SlidingAlongCable<ObjectJointSliding2DParameters, 
     x.apply(body, Vec<S, 2>(-force));
     const std::span<S> on_cable = x.forces(cable);
     for (int i = 0; i < 4; ++i)
-      for (int d = 0; d < 2; ++d) on_cable[2 * i + d] += here.weights.value[i] * force[d] + here.weights.slope[i] * couple[d];
+      for (int d = 0; d < 2; ++d)
+        on_cable[2 * i + d] += here.weights.value[i] * force[d] + here.weights.slope[i] * couple[d];
   }
 
-  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                     std::vector<double>& values) {
     if (variable == OutputVariableType::DisplacementLocal) {
       const Cable<double> here(p, c, x, x.unknowns[way]);
       const double length = norm(here.slope);
@@ -67,17 +69,19 @@ struct ObjectJointSliding2D : SlidingAlongCable<ObjectJointSliding2DParameters, 
   // The y axis of the body is normal to the slope: t n = 0. The body rotates when it slides along a curved cable, so
   // the moment is accompanied by a force along the cable: the joint does no work.
   template <class S>
-  static void add_rotation(const Parameters& p, Exchange<S>& x, const Cable<S>& here, Vec<S, 2>& force, Vec<S, 2>& couple) {
+  static void add_rotation(const Parameters& p, Exchange<S>& x, const Cable<S>& here, Vec<S, 2>& force,
+                           Vec<S, 2>& couple) {
     const S& multiplier = x.unknowns[rotation];
     const Vec3<S> y = column(x.template frame<RigidPort>(body).rotation, 1);
     couple -= multiplier * planar(y);
     x.forces(body)[5] -= multiplier * (here.slope[1] * y[0] - here.slope[0] * y[1]);
-    if (!p.classicalFormulation) force += (multiplier * dot(here.bend, planar(y)) / dot(here.slope, here.slope)) * here.slope;
+    if (!p.classicalFormulation)
+      force += (multiplier * dot(here.bend, planar(y)) / dot(here.slope, here.slope)) * here.slope;
   }
 
   template <class S>
-  static void set_equations(const Parameters& p, const Context& c, Exchange<S>& x, const Cable<S>& here, const Vec<S, 2>& normal,
-                            const Vec<S, 2>& multipliers) {
+  static void set_equations(const Parameters& p, const Context& c, Exchange<S>& x, const Cable<S>& here,
+                            const Vec<S, 2>& normal, const Vec<S, 2>& multipliers) {
     const S along = dot(here.gap, here.slope);
     if (x.rate_level) {
       set_rates(p, c, x, here, along);
@@ -118,7 +122,8 @@ struct ObjectJointSliding2D : SlidingAlongCable<ObjectJointSliding2DParameters, 
     if (!p.constrainRotation) return;
     const RigidFrame<S>& frame = x.template frame<RigidPort>(body);
     const Vec3<S> y = column(frame.rotation, 1);
-    x.equations[rotation] = dot(rates.slope + rates.slide * foot.bend, planar(y)) + dot(foot.slope, planar(cross(frame.angular_velocity, y)));
+    x.equations[rotation] = dot(rates.slope + rates.slide * foot.bend, planar(y)) +
+                            dot(foot.slope, planar(cross(frame.angular_velocity, y)));
   }
 };
 

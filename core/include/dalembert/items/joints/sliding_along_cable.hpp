@@ -29,7 +29,8 @@ struct SlidingAlongCable : AlongCable<P> {
   }
 
   // Position and velocity of the body, and its place along all elements.
-  static bool output_of_motion(const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+  static bool output_of_motion(const Context& c, const Exchange<double>& x, OutputVariableType variable,
+                               std::vector<double>& values) {
     const PointFrame<double>& frame = x.frame<PointPort>(Base::body);
     switch (variable) {
       case OutputVariableType::Position: values.assign(frame.position.x.begin(), frame.position.x.end()); return true;
@@ -50,7 +51,8 @@ struct SlidingAlongCable : AlongCable<P> {
         : weights(way + Base::start(p, c), Base::length(x)),
           slope(curve<dimension>(weights.slope, x.values(Base::cable).data())),
           bend(curve<dimension>(weights.bend, x.values(Base::cable).data())),
-          gap(curve<dimension>(weights.value, x.values(Base::cable).data()) - segment<dimension>(x.template frame<PointPort>(Base::body).position, 0)) {}
+          gap(curve<dimension>(weights.value, x.values(Base::cable).data()) -
+              segment<dimension>(x.template frame<PointPort>(Base::body).position, 0)) {}
 
     // Velocity of the cable against the body, and rate of its slope, both at a fixed place; how fast the body slides.
     struct Rates {
@@ -59,7 +61,9 @@ struct SlidingAlongCable : AlongCable<P> {
     };
     Rates rates(const Exchange<S>& x) const {
       const S* v = x.values(Base::cable).data() + x.selected(Base::cable);
-      Rates r{curve<dimension>(weights.value, v) - segment<dimension>(x.template frame<PointPort>(Base::body).velocity, 0), curve<dimension>(weights.slope, v), S(0)};
+      Rates r{
+          curve<dimension>(weights.value, v) - segment<dimension>(x.template frame<PointPort>(Base::body).velocity, 0),
+          curve<dimension>(weights.slope, v), S(0)};
       r.slide = -dot(r.gap, slope) / dot(slope, slope);
       return r;
     }

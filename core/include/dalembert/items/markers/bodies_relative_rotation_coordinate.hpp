@@ -21,7 +21,8 @@ struct MarkerBodiesRelativeRotationCoordinate {
   }
   // A pair of opposite moments about the axis.
   template <class S>
-  static std::array<Wrench<S>, 2> forces(const Parameters& p, const RigidFrame<S>& m0, const RigidFrame<S>&, const S& force) {
+  static std::array<Wrench<S>, 2> forces(const Parameters& p, const RigidFrame<S>& m0, const RigidFrame<S>&,
+                                         const S& force) {
     const Vec3<S> moment = force * (m0.rotation * p.axis0);
     return {Wrench<S>{.moment = -moment}, Wrench<S>{.moment = moment}};
   }

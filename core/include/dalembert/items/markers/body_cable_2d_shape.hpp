@@ -12,8 +12,13 @@ struct MarkerBodyCable2DShape {
   using Parameters = MarkerBodyCable2DShapeParameters;
   using Constants = CableBody<2>;
 
-  static void check_body(const Parameters&, const Placement& on, const ItemLabel& item) { CableBody<2>::check(*on.owner_type, item); }
-  static Constants prepare(const Parameters&, const ItemType& body, const void* record, std::span<const double> reference) { return CableBody<2>::of(body, record, reference); }
+  static void check_body(const Parameters&, const Placement& on, const ItemLabel& item) {
+    CableBody<2>::check(*on.owner_type, item);
+  }
+  static Constants prepare(const Parameters&, const ItemType& body, const void* record,
+                           std::span<const double> reference) {
+    return CableBody<2>::of(body, record, reference);
+  }
 
   // Positions of all points and the way of the material along the axis; their rates; how positions change along the axis, where the material moves;
   // the length of a segment without strain.
@@ -37,7 +42,9 @@ struct MarkerBodyCable2DShape {
       if (p.verticalOffset != 0) {
         const Vec<S, 2> slope = curve<2>(at.slope, q);
         const S offset = p.verticalOffset / norm(slope);
-        const auto turn = [&](const Vec<S, 2>& change) { return (slope[0] * change[1] - slope[1] * change[0]) / dot(slope, slope); };
+        const auto turn = [&](const Vec<S, 2>& change) {
+          return (slope[0] * change[1] - slope[1] * change[0]) / dot(slope, slope);
+        };
         r += offset * Vec<S, 2>{-slope[1], slope[0]};
         r_rate -= (offset * turn(curve<2>(at.slope, v))) * slope;
         if (cable.moves_along) r_along -= (offset * turn(curve<2>(at.bend, q))) * slope;
@@ -53,14 +60,17 @@ struct MarkerBodyCable2DShape {
       Vec<S, 2> couple{};  // on the slope, from the lever arm of the offset
       if (p.verticalOffset != 0) {
         const Vec<S, 2> slope = curve<2>(at.slope, q);
-        const S square = dot(slope, slope), moment = -p.verticalOffset / norm(slope) * (slope[0] * force[0] + slope[1] * force[1]);
+        const S square = dot(slope, slope),
+                moment = -p.verticalOffset / norm(slope) * (slope[0] * force[0] + slope[1] * force[1]);
         couple = (moment / square) * Vec<S, 2>{-slope[1], slope[0]};
       }
       for (int j = 0; j < 4; ++j)
         for (int d = 0; d < 2; ++d) generalised[2 * j + d] += at.value[j] * force[d] + at.slope[j] * couple[d];
     }
   }
-  static Motion<double> origin(const Constants&, const double* q, const double* v, const double* a) { return CableBody<2>::begin(q, v, a); }
+  static Motion<double> origin(const Constants&, const double* q, const double* v, const double* a) {
+    return CableBody<2>::begin(q, v, a);
+  }
 
  private:
   static CubicHermite<double> place(const Parameters& p, const Constants& cable, int point) {

@@ -23,15 +23,19 @@ struct CableBody {
   int coordinates() const { return 4 * D + moves_along; }
 
   static CableBody of(const ItemType& body, const void* record, std::span<const double> reference) {
-    const auto length = [record]<class Record>() { return static_cast<const Record*>(record)->parameters.physicsLength; };
+    const auto length = [record]<class Record>() {
+      return static_cast<const Record*>(record)->parameters.physicsLength;
+    };
     if (D == 3) return {length.template operator()<ObjectANCFCableRecord>()};
     if (is_ale(body)) return {length.template operator()<ObjectALEANCFCable2DRecord>(), true, reference[4 * D]};
     return {length.template operator()<ObjectANCFCable2DRecord>()};
   }
   static void check(const ItemType& body, const ItemLabel& marker) {
     if (body.name == (D == 2 ? "ObjectANCFCable2D" : "ObjectANCFCable") || (D == 2 && is_ale(body))) return;
-    refuse(ErrorKind::value, {marker, "bodyNumber", "", "an " + std::string(body.name),
-                              D == 2 ? "a planar cable, ObjectANCFCable2D or ObjectALEANCFCable2D" : "a spatial cable, ObjectANCFCable", ""});
+    refuse(ErrorKind::value,
+           {marker, "bodyNumber", "", "an " + std::string(body.name),
+            D == 2 ? "a planar cable, ObjectANCFCable2D or ObjectALEANCFCable2D" : "a spatial cable, ObjectANCFCable",
+            ""});
   }
   // Motion of its first point.
   static Motion<double> begin(const double* q, const double* v, const double* a) {

@@ -14,8 +14,12 @@ struct CableCoordinates {
   using Parameters = P;
   using Constants = CableBody<D>;
 
-  static void check_body(const P&, const Placement& on, const ItemLabel& item) { Constants::check(*on.owner_type, item); }
-  static Constants prepare(const P&, const ItemType& body, const void* record, std::span<const double> reference) { return Constants::of(body, record, reference); }
+  static void check_body(const P&, const Placement& on, const ItemLabel& item) {
+    Constants::check(*on.owner_type, item);
+  }
+  static Constants prepare(const P&, const ItemType& body, const void* record, std::span<const double> reference) {
+    return Constants::of(body, record, reference);
+  }
 
   static int values(const P&, const Constants& cable) { return 2 * cable.coordinates() + 1; }
   static int forces(const P&, const Constants& cable) { return cable.coordinates(); }
@@ -32,7 +36,9 @@ struct CableCoordinates {
   static void pull_back(const P&, const Constants& cable, const S*, const S* force, S* generalised) {
     for (int i = 0; i < cable.coordinates(); ++i) generalised[i] += force[i];
   }
-  static Motion<double> origin(const Constants&, const double* q, const double* v, const double* a) { return Constants::begin(q, v, a); }
+  static Motion<double> origin(const Constants&, const double* q, const double* v, const double* a) {
+    return Constants::begin(q, v, a);
+  }
 };
 
 }  // namespace dalembert

@@ -44,7 +44,8 @@ struct NodePoint2DSlope1 : NoNodeOutputs {
 
  private:
   [[noreturn]] static void refuse_slope(const char* name, const ItemLabel& item) {
-    refuse(ErrorKind::value, {item, name, "the slope vector has no length", "", "a slope vector along the axis, of length 1 if nothing is stretched", ""});
+    refuse(ErrorKind::value, {item, name, "the slope vector has no length", "",
+                              "a slope vector along the axis, of length 1 if nothing is stretched", ""});
   }
 };
 

@@ -18,7 +18,8 @@ struct NodePointGround : NoLieRotations {
     return {.position = p.referenceCoordinates};
   }
   template <class S>
-  static Vec<S, 0> pull_back(const Parameters&, const Coordinates<S, 0>&, const Vec3<double>&, const Vec3<S>&, const Vec3<S>&) {
+  static Vec<S, 0> pull_back(const Parameters&, const Coordinates<S, 0>&, const Vec3<double>&, const Vec3<S>&,
+                             const Vec3<S>&) {
     return {};
   }
 };

@@ -10,7 +10,9 @@ struct NodePointSlope12 : NodeWithSlopes<AxesOfPlate> {
   using Parameters = NodePointSlope12Parameters;
   static constexpr std::string_view item = "NodePointSlope12";
 
-  static void check(const Parameters& p, const ItemLabel& item) { check_slopes(p.referenceCoordinates, p.initialCoordinates, item); }
+  static void check(const Parameters& p, const ItemLabel& item) {
+    check_slopes(p.referenceCoordinates, p.initialCoordinates, item);
+  }
 };
 
 }  // namespace dalembert

@@ -10,7 +10,9 @@ struct NodePointSlope23 : NodeWithSlopes<AxesOfSection> {
   using Parameters = NodePointSlope23Parameters;
   static constexpr std::string_view item = "NodePointSlope23";
 
-  static void check(const Parameters& p, const ItemLabel& item) { check_slopes(p.referenceCoordinates, p.initialCoordinates, item); }
+  static void check(const Parameters& p, const ItemLabel& item) {
+    check_slopes(p.referenceCoordinates, p.initialCoordinates, item);
+  }
 };
 
 }  // namespace dalembert

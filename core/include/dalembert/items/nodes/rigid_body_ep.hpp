@@ -11,13 +11,15 @@ struct NodeRigidBodyEP : NoNodeOutputs {
   using Parameters = NodeRigidBodyEPParameters;
   static constexpr std::string_view item = "NodeRigidBodyEP";
   static constexpr int size = 7;
-  static constexpr NodeTraits traits{.translations = 3, .unit_from = 3, .rotation_alone = true, .rotation_tangent = true, .in_packs = true};
+  static constexpr NodeTraits traits{
+      .translations = 3, .unit_from = 3, .rotation_alone = true, .rotation_tangent = true, .in_packs = true};
 
   static void check(const Parameters& p, const ItemLabel& item) {
     Vec<double, 4> e = segment<4>(p.referenceCoordinates, traits.unit_from);
     check_unit_length(e.x, "referenceCoordinates", "four Euler parameters, from the fourth value on", item);
     e += segment<4>(p.initialCoordinates, traits.unit_from);
-    check_unit_length(e.x, "initialCoordinates", "values that, added to referenceCoordinates, give four Euler parameters", item);
+    check_unit_length(e.x, "initialCoordinates",
+                      "values that, added to referenceCoordinates, give four Euler parameters", item);
   }
 
   template <class S>
@@ -68,8 +70,8 @@ struct NodeRigidBodyEP : NoNodeOutputs {
     t.angular_tangent = w.v * t.angular_map - w.q * euler_parameters_g(rate);
     return t;
   }
-  static Mat<double, 4, 4> moment_tangent(const Coordinates<double, size>&, const Vec3<double>& local, const Vec3<double>& global,
-                                          const Weights& w) {
+  static Mat<double, 4, 4> moment_tangent(const Coordinates<double, size>&, const Vec3<double>& local,
+                                          const Vec3<double>& global, const Weights& w) {
     const Vec3<double> s = (2 * w.q) * (local + global), d = (2 * w.q) * (local - global);
     return {0, -s[0], -s[1], -s[2], s[0], 0, d[2], -d[1], s[1], -d[2], 0, d[0], s[2], d[1], -d[0], 0};
   }

@@ -11,7 +11,8 @@ struct NodeRigidBodyRotVecLG : NoCheck, NoNodeOutputs {
   using Parameters = NodeRigidBodyRotVecLGParameters;
   static constexpr std::string_view item = "NodeRigidBodyRotVecLG";
   static constexpr int size = 6;
-  static constexpr NodeTraits traits{.translations = 3, .lie_rotation = 3, .rotation_alone = true, .rotation_tangent = true, .in_packs = true};
+  static constexpr NodeTraits traits{
+      .translations = 3, .lie_rotation = 3, .rotation_alone = true, .rotation_tangent = true, .in_packs = true};
 
   template <class S>
   static Mat3<S> rotation(const Coordinates<S, size>& x) {
@@ -59,8 +60,8 @@ struct NodeRigidBodyRotVecLG : NoCheck, NoNodeOutputs {
     t.angular_tangent = t.rotation * (w.v * identity() - w.q * skew(spin));
     return t;
   }
-  static Mat3<double> moment_tangent(const Coordinates<double, size>& x, const Vec3<double>&, const Vec3<double>& global,
-                                     const Weights& w) {
+  static Mat3<double> moment_tangent(const Coordinates<double, size>& x, const Vec3<double>&,
+                                     const Vec3<double>& global, const Weights& w) {
     return w.q * skew(transposed_times(rotation_vector_rotation(segment<3>(x.q, 3)), global));
   }
 };

@@ -57,7 +57,8 @@ struct AxesOfSection {
     return {y, z};
   }
   template <class S>
-  static std::array<Vec3<S>, 2> pull_back_rate(const SlopeFrame<S>& f, const Vec3<S>& moment, const Vec3<S>& rate_y, const Vec3<S>& rate_z) {
+  static std::array<Vec3<S>, 2> pull_back_rate(const SlopeFrame<S>& f, const Vec3<S>& moment, const Vec3<S>& rate_y,
+                                               const Vec3<S>& rate_z) {
     const auto [z, y] = f.pull_back_rate(moment, rate_z, rate_y);
     return {y, z};
   }
@@ -70,7 +71,8 @@ void turn_with_slopes(Motion<S>& m, const std::array<Vec3<S>, 3>& a, const std::
   m.rotation = Axes::rotation(frame);
   m.angular_velocity = Axes::spin(frame, a[1], b[1]);
   if constexpr (std::is_same_v<S, double>)  // only outputs ask for it
-    m.angular_acceleration = rate_of(Axes::spin(Axes::frame(moving(a[0], a[1]), moving(b[0], b[1])), moving(a[1], a[2]), moving(b[1], b[2])));
+    m.angular_acceleration = rate_of(
+        Axes::spin(Axes::frame(moving(a[0], a[1]), moving(b[0], b[1])), moving(a[1], a[2]), moving(b[1], b[2])));
 }
 
 template <class Axes>
@@ -78,13 +80,16 @@ struct NodeWithSlopes : NoNodeOutputs {
   static constexpr int size = 9;
   static constexpr NodeTraits traits{.translations = 3};
 
-  static void check_slopes(const Vec<double, size>& reference, const Vec<double, size>& initial, const ItemLabel& item) {
+  static void check_slopes(const Vec<double, size>& reference, const Vec<double, size>& initial,
+                           const ItemLabel& item) {
     check_slopes(reference, "referenceCoordinates", item);
     check_slopes(reference + initial, "initialCoordinates", item);
   }
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {
-    const auto slope = [&x](int first) { return std::array{segment<3>(x.q, first), segment<3>(x.v, first), segment<3>(x.a, first)}; };
+    const auto slope = [&x](int first) {
+      return std::array{segment<3>(x.q, first), segment<3>(x.v, first), segment<3>(x.a, first)};
+    };
     Motion<S> m{.position = segment<3>(x.q, 0), .velocity = segment<3>(x.v, 0), .acceleration = segment<3>(x.a, 0)};
     turn_with_slopes<Axes>(m, slope(3), slope(6));
     return m;

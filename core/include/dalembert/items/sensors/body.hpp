@@ -9,7 +9,8 @@ namespace dalembert {
 struct SensorBody {
   using Parameters = SensorBodyParameters;
 
-  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration, std::vector<double>& values) {
+  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration,
+                      std::vector<double>& values) {
     system.body_output(p.bodyNumber.value, p.outputVariableType, p.localPosition.x, configuration, values);
   }
   static std::optional<SensorSubject> subject(const Parameters& p) {

@@ -9,11 +9,14 @@ namespace dalembert {
 struct SensorKinematicTree {
   using Parameters = SensorKinematicTreeParameters;
 
-  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration, std::vector<double>& values) {
-    system.link_output(p.objectNumber.value, p.outputVariableType, p.linkNumber, p.localPosition.x, configuration, values);
+  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration,
+                      std::vector<double>& values) {
+    system.link_output(p.objectNumber.value, p.outputVariableType, p.linkNumber, p.localPosition.x, configuration,
+                       values);
   }
   static std::optional<SensorSubject> subject(const Parameters& p) {
-    return SensorSubject{ItemKind::object, p.objectNumber.value, p.outputVariableType, SensorSubject::Link{p.linkNumber, "an ObjectKinematicTree"}};
+    return SensorSubject{ItemKind::object, p.objectNumber.value, p.outputVariableType,
+                         SensorSubject::Link{p.linkNumber, "an ObjectKinematicTree"}};
   }
 };
 

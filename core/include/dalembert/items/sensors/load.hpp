@@ -9,7 +9,8 @@ namespace dalembert {
 struct SensorLoad : NoSubject {
   using Parameters = SensorLoadParameters;
 
-  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration, std::vector<double>& values) {
+  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration,
+                      std::vector<double>& values) {
     system.load_values(p.loadNumber.value, system.state(configuration).time, values);
   }
 };

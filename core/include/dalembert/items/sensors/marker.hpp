@@ -9,7 +9,8 @@ namespace dalembert {
 struct SensorMarker {
   using Parameters = SensorMarkerParameters;
 
-  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration, std::vector<double>& values) {
+  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration,
+                      std::vector<double>& values) {
     system.marker_output(p.markerNumber.value, p.outputVariableType, configuration, values);
   }
   static std::optional<SensorSubject> subject(const Parameters& p) {

@@ -9,11 +9,13 @@ namespace dalembert {
 struct SensorNode {
   using Parameters = SensorNodeParameters;
 
-  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration, std::vector<double>& values) {
+  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration,
+                      std::vector<double>& values) {
     system.node_output(p.nodeNumber.value, p.outputVariableType, configuration, values);
   }
   static std::optional<SensorSubject> subject(const Parameters& p) {
-    return SensorSubject{.kind = ItemKind::node, .number = p.nodeNumber.value, .variable = p.outputVariableType, .is_value = true};
+    return SensorSubject{
+        .kind = ItemKind::node, .number = p.nodeNumber.value, .variable = p.outputVariableType, .is_value = true};
   }
 };
 

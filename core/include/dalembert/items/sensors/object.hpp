@@ -9,7 +9,8 @@ namespace dalembert {
 struct SensorObject {
   using Parameters = SensorObjectParameters;
 
-  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration, std::vector<double>& values) {
+  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration,
+                      std::vector<double>& values) {
     system.object_output(p.objectNumber.value, p.outputVariableType, configuration, values);
   }
   static std::optional<SensorSubject> subject(const Parameters& p) {

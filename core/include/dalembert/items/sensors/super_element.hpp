@@ -9,7 +9,8 @@ namespace dalembert {
 struct SensorSuperElement : NoSubject {
   using Parameters = SensorSuperElementParameters;
 
-  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration, std::vector<double>& values) {
+  static void measure(System& system, const Parameters& p, int, ConfigurationType configuration,
+                      std::vector<double>& values) {
     system.super_element_output(p.bodyNumber.value, p.outputVariableType, p.meshNodeNumber, configuration, values);
   }
 };

@@ -10,7 +10,8 @@ namespace dalembert {
 struct SensorUserFunction : NoSubject {
   using Parameters = SensorUserFunctionParameters;
 
-  static void measure(System& system, const Parameters& p, int sensor, ConfigurationType configuration, std::vector<double>& values) {
+  static void measure(System& system, const Parameters& p, int sensor, ConfigurationType configuration,
+                      std::vector<double>& values) {
     values.clear();
     if (!p.sensorUserFunction) return;
     std::vector<double> numbers;

@@ -23,8 +23,8 @@ struct MeshInertia {
   int coordinates = 0;
   std::vector<std::size_t> begins = {};  // starts of the rows among the entries, and the end
   std::vector<Entry> entries = {};
-  std::vector<Mat3<double>> whole = {};       // by node: its forces of an acceleration of all
-  std::vector<double> rest = {};              // reference positions of the nodes
+  std::vector<Mat3<double>> whole = {};  // by node: its forces of an acceleration of all
+  std::vector<double> rest = {};  // reference positions of the nodes
   std::vector<double> force = {};  // on frame and nodes, in global axes
 };
 
@@ -45,12 +45,18 @@ struct ObjectFFRF {
   static MeshInertia prepare(const Parameters& p);
 
   static int mesh_nodes(const Parameters& p) { return static_cast<int>(p.nodeNumbers.size()) - 1; }
-  static Vec3<double> rest(const Parameters& p, int node) { return load<double, 3>(p.referencePositions.data() + 3 * node); }
+  static Vec3<double> rest(const Parameters& p, int node) {
+    return load<double, 3>(p.referencePositions.data() + 3 * node);
+  }
   template <class Shape>
   static void each_shape(const Parameters&, int node, const Shape& shape) {
-    for (int axis = 0; axis < 3; ++axis) shape(3 * node + axis, vector_of<3>([&](int i) { return i == axis ? 1.0 : 0.0; }));
+    for (int axis = 0; axis < 3; ++axis)
+      shape(3 * node + axis, vector_of<3>([&](int i) { return i == axis ? 1.0 : 0.0; }));
   }
-  static bool mesh_outputs(const Parameters&, const SizedCoordinates<double>&, int, int, OutputVariableType, std::vector<double>&) { return false; }
+  static bool mesh_outputs(const Parameters&, const SizedCoordinates<double>&, int, int, OutputVariableType,
+                           std::vector<double>&) {
+    return false;
+  }
 
   template <class Node>
   struct On;
@@ -63,7 +69,9 @@ struct ObjectFFRF::On : ObjectFFRF {
 
   static FramePlace whole_mass(const Parameters& p) {
     const auto mesh = p.referencePositions.size(), n = Node::size + mesh;
-    FramePlace place{.scale = p.physicsMass, .rest = p.physicsMass * p.physicsCenterOfMass, .translation = std::vector<double>(3 * n)};
+    FramePlace place{.scale = p.physicsMass,
+                     .rest = p.physicsMass * p.physicsCenterOfMass,
+                     .translation = std::vector<double>(3 * n)};
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < mesh; ++i)
         place.translation[axis * n + Node::size + i] = p.PHItTM(static_cast<int>(axis), static_cast<int>(i));
@@ -81,9 +89,10 @@ struct ObjectFFRF::On : ObjectFFRF {
     Vec3<S> sum{}, moment{};
     for (int i = 0; i < k.coordinates; i += 3) {
       const auto [position, velocity, acceleration] = weighted(k, x, i);
-      const Vec3<S> force = k.whole[static_cast<std::size_t>(i / 3)] * a + cross(w_t, position) + cross(w, cross(w, position)) +
-                            2.0 * cross(w, velocity) + acceleration;
-      const Vec3<S> y = vector_of<3>([&](int axis) { return S(k.rest[static_cast<std::size_t>(i + axis)] + x.u[Node::size + i + axis]); });
+      const Vec3<S> force = k.whole[static_cast<std::size_t>(i / 3)] * a + cross(w_t, position) +
+                            cross(w, cross(w, position)) + 2.0 * cross(w, velocity) + acceleration;
+      const Vec3<S> y = vector_of<3>(
+          [&](int axis) { return S(k.rest[static_cast<std::size_t>(i + axis)] + x.u[Node::size + i + axis]); });
       sum += force;
       moment += cross(y, force);
       for (int axis = 0; axis < 3; ++axis) r[static_cast<std::size_t>(Node::size + i + axis)] = force[axis];

@@ -23,7 +23,7 @@ struct ModalInertia {
   bool acts = false;
   int modes = 0;
   double mass = 0;
-  Vec3<double> moment{};   // mass times centre of mass
+  Vec3<double> moment{};  // mass times centre of mass
   Mat3<double> inertia{};  // inertia of the undeformed body, about the origin of the frame
   std::vector<Vec3<double>> moments, arms;  // per mode, mPhitTPsi and mXRefTildePsi
   std::vector<Mat3<double>> inertias;  // per mode, mXRefTildePsiTilde
@@ -51,16 +51,19 @@ struct ObjectFFRFreducedOrder {
   static ModalInertia prepare(const Parameters& p);
 
   static int mesh_nodes(const Parameters& p) { return static_cast<int>(p.referencePositions.size() / 3); }
-  static Vec3<double> rest(const Parameters& p, int node) { return load<double, 3>(p.referencePositions.data() + 3 * node); }
+  static Vec3<double> rest(const Parameters& p, int node) {
+    return load<double, 3>(p.referencePositions.data() + 3 * node);
+  }
   template <class Shape>
   static void each_shape(const Parameters& p, int node, const Shape& shape) {
     const int modes = p.modeBasis.columns;
     const double* const rows = p.modeBasis.values.data() + static_cast<std::ptrdiff_t>(3 * node) * modes;
-    for (int mode = 0; mode < modes; ++mode) shape(mode, Vec3<double>{rows[mode], rows[modes + mode], rows[2 * modes + mode]});
+    for (int mode = 0; mode < modes; ++mode)
+      shape(mode, Vec3<double>{rows[mode], rows[modes + mode], rows[2 * modes + mode]});
   }
   // The variable of outputVariableModeBasis: linear in the modal coordinates, which come last.
-  static bool mesh_outputs(const Parameters& p, const SizedCoordinates<double>& x, int first, int count, OutputVariableType variable,
-                           std::vector<double>& values);
+  static bool mesh_outputs(const Parameters& p, const SizedCoordinates<double>& x, int first, int count,
+                           OutputVariableType variable, std::vector<double>& values);
 
   template <class Node>
   struct On;
@@ -73,7 +76,9 @@ struct ObjectFFRFreducedOrder::On : ObjectFFRFreducedOrder {
 
   static FramePlace whole_mass(const Parameters& p) {
     const auto modes = static_cast<std::size_t>(p.mPhitTPsi.columns), n = Node::size + modes;
-    FramePlace place{.scale = p.physicsMass, .rest = p.physicsMass * p.physicsCenterOfMass, .translation = std::vector<double>(3 * n)};
+    FramePlace place{.scale = p.physicsMass,
+                     .rest = p.physicsMass * p.physicsCenterOfMass,
+                     .translation = std::vector<double>(3 * n)};
     for (std::size_t axis = 0; axis < (modes > 0 ? 3 : 0); ++axis)
       std::copy_n(p.mPhitTPsi.values.begin() + static_cast<std::ptrdiff_t>(axis * modes), modes,
                   place.translation.begin() + static_cast<std::ptrdiff_t>(axis * n + Node::size));
@@ -94,7 +99,8 @@ struct ObjectFFRFreducedOrder::On : ObjectFFRFreducedOrder {
       const S zeta = x.u[Node::size + j], zeta_t = x.v[Node::size + j], zeta_tt = x.a[Node::size + j];
       const Mat3<S> n = inertia_by(k, j, x.u);
       const auto crossed = k.rows(k.crossed, 3 * j, 3);
-      const Vec3<S> arm = k.arms[j] + x.combined(x.u, crossed, Node::size), arm_t = x.combined(x.v, crossed, Node::size);
+      const Vec3<S> arm = k.arms[j] + x.combined(x.u, crossed, Node::size),
+                    arm_t = x.combined(x.v, crossed, Node::size);
       s += zeta * k.moments[j];
       s_t += zeta_t * k.moments[j];
       s_tt += zeta_tt * k.moments[j];
@@ -115,7 +121,8 @@ struct ObjectFFRFreducedOrder::On : ObjectFFRFreducedOrder {
   template <class S>
   static Mat3<S> inertia_by(const ModalInertia& k, int j, const SizedVector<S>& zeta) {
     Mat3<S> n = Mat3<S>{} + k.inertias[j];
-    for (int entry = 0; entry < 9; ++entry) n.x[entry] += zeta.combined(k.rows(k.products, 9 * j + entry, 1), Node::size);
+    for (int entry = 0; entry < 9; ++entry)
+      n.x[entry] += zeta.combined(k.rows(k.products, 9 * j + entry, 1), Node::size);
     return n;
   }
 };

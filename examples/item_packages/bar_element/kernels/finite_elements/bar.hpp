@@ -43,8 +43,8 @@ struct ObjectBar : NoDoubt {
       return vector_of<size>([&](int i) { return share(i, k) * g[0][i % 3]; });
     }
     template <class T>
-    static Mat<T, size, size> tangent(const Constants& k, const Coordinates<T, size>&, const Vectors<T, 3, 1>&, const Mat<T, 3, 3>& m,
-                                      const Mat<T, 3, 3>&, const Weights&) {
+    static Mat<T, size, size> tangent(const Constants& k, const Coordinates<T, size>&, const Vectors<T, 3, 1>&,
+                                      const Mat<T, 3, 3>& m, const Mat<T, 3, 3>&, const Weights&) {
       return matrix_of<size, size>([&](int i, int j) { return (share(i, k) * share(j, k)) * m(i % 3, j % 3); });
     }
 
@@ -86,7 +86,8 @@ struct ObjectBar : NoDoubt {
     return vector_of<size>([&](int i) { return (k.mass / 6) * (2.0 * x.a[i] + x.a[(i + 3) % 6]); });
   }
   template <class T>
-  static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w, Mat<T, size, size>& m) {
+  static void add_inertia_tangent(const Constants& k, const Coordinates<T, size>&, const Weights& w,
+                                  Mat<T, size, size>& m) {
     for (int i = 0; i < size; ++i) {
       m(i, i) += w.a * k.mass / 3;
       m(i, (i + 3) % 6) += w.a * k.mass / 6;
@@ -105,8 +106,8 @@ struct ObjectBar : NoDoubt {
     return {.position = between(x.q), .velocity = between(x.v), .acceleration = between(x.a)};
   }
   template <class S>
-  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>&, const Vec3<double>& local, const Vec3<S>& force,
-                                const Vec3<S>&) {
+  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>&, const Vec3<double>& local,
+                                const Vec3<S>& force, const Vec3<S>&) {
     const double end = local[0] / p.physicsLength;
     return joined((1 - end) * force, end * force);
   }

@@ -26,7 +26,8 @@ struct ObjectConnectorPlasticSpring : HasPairHistory, NoSwitches, AlwaysNeedsDat
 
   // Forces on both markers.
   template <class S>
-  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0,
+                                        const PointFrame<S>& m1) {
     const Vec3<S> span = m1.position - m0.position;
     const S length = norm(span);
     if (value_of(length) == 0) return {};
@@ -35,8 +36,8 @@ struct ObjectConnectorPlasticSpring : HasPairHistory, NoSwitches, AlwaysNeedsDat
   }
 
   // The plastic elongation at the end of the step. The force is the same with the new value: no further iteration is needed.
-  static PostNewton update(const Parameters& p, const Context&, const PointFrame<double>& m0, const PointFrame<double>& m1,
-                           const double* start, double* data) {
+  static PostNewton update(const Parameters& p, const Context&, const PointFrame<double>& m0,
+                           const PointFrame<double>& m1, const double* start, double* data) {
     const double length = norm(m1.position - m0.position), limit = p.yieldForce / p.stiffness;
     const double elongation = length - p.referenceLength;
     data[0] = std::clamp(start[0], elongation - limit, elongation + limit);
