@@ -28,6 +28,6 @@ model.create_spring_damper(name="suspension", body_numbers=[wheel, body], stiffn
 
 solution = model.solve(end_time=4, step_size=1e-3)
 acceleration = solution[body].acceleration[:, 2]
-print(f"largest acceleration {np.abs(acceleration).max():.2f} m/s^2, effective {acceleration.std():.2f} m/s^2")
+print(f"largest acceleration {np.abs(acceleration).max():.2f} m/s^2, root mean square {acceleration.std():.2f} m/s^2")
 solution.plot("body.displacement", file_name="quarter_car.png")
 model.draw(file_name="quarter_car_picture.png")

@@ -219,7 +219,8 @@ def connector(
         marker relative to the first one. The second marker gets the opposite force.
     line: f(L, L_t, t) is the tension along the line between two points; L is their distance
     frames: f(u, phi, v, omega, t) gives force and torque on the first marker in its joint frame; phi: Tait-Bryan angles
-    rotation: f(phi, omega, t) is the torque on the first marker about the z axis of its joint frame
+    rotation: f(phi, omega, t) is the torque on the first marker about the z axis of its joint frame; phi is from -pi to
+        pi, unless the item gets nodeNumber, a NodeGenericData with one coordinate that counts turns (without states)
     coordinates: f(q, q_t, t) is the generalized force on the first coordinate; q is the difference of two coordinates
 
     states, history: names and start values of further arguments, which follow t. The function returns its result, then
@@ -408,6 +409,12 @@ def _constants_of(
             f"{decorator}: {name} is called with ({', '.join(names)}), but has ({', '.join(map(str, own))}); "
             "arguments with a default value are constants"
         )
+    for given, wanted in zip((each.name for each in own), names, strict=True):
+        if given != wanted and given in names:
+            raise TypeError(
+                f"{decorator}: {name} is called with ({', '.join(names)}) in this order, but '{given}' is in the place "
+                f"of '{wanted}'"
+            )
     rows = [row for row in dict(item_class(item)()) if row not in unused]
     constants = {}
     for each in parameters:

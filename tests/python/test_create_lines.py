@@ -84,6 +84,15 @@ def test_a_clamped_cable_on_a_slope(mbs: Any) -> None:
     assert moved @ along == pytest.approx(0, abs=1e-6)
 
 
+def test_joints_accept_handles_of_markers() -> None:
+    model = exu.Model()
+    cable = model.create_cable(end=[1, 0, 0], gravity=[0, 0, -10], supports=["hinged", "free"])
+    ball = model.create_sphere(radius=0.1, mass=2, reference_position=[1, 0, 0])
+    joint = model.create_spherical_joint(body_numbers=[cable["end"], ball])
+    model.solve(end_time=0.01, step_size=1e-3)
+    assert joint.force_on(ball) == pytest.approx(-joint.force_on(cable["end"]), abs=1e-9)
+
+
 def test_bodies_hang_on_the_ends(mbs: Any) -> None:
     cable = mbs.CreateCable(name="rope", end=[1, 0, 0], supports=["hinged", "free"], gravity=[0, 0, -10])
     ball = mbs.CreateSphere(radius=0.1, mass=2, referencePosition=[1, 0, 0])
@@ -153,6 +162,20 @@ def test_open_valves_lift_with_the_flow_of_the_pump(mbs: Any) -> None:
     assert p0 * A0 - p1 * A1 == pytest.approx(5000 + 2e4 * v, rel=1e-4)
 
 
+def test_a_cylinder_that_pulls_has_the_pressure_on_the_side_of_the_rod(mbs: Any) -> None:
+    """A hanging load: p1 A1 = F + p_t A0."""
+    ground = mbs.CreateGround(referencePosition=[0, 2, 0])
+    load = mbs.CreateMassPoint(referencePosition=[0, 1, 0], physicsMass=500, gravity=[0, -10, 0])
+    for coordinate in (0, 2):
+        mbs.CreateCoordinateConstraint(bodyNumbers=[None, load], coordinates=[None, coordinate])
+    cylinder = mbs.CreateHydraulicCylinder(bodyNumbers=[ground, load], initialForce=-5000, actuatorDamping=1e4)
+    pressures = mbs.GetNode(mbs.GetObject(cylinder)["nodeNumbers"][0])["initialCoordinates"]
+    piston, rod = np.pi / 4 * 0.05**2, np.pi / 4 * 0.03**2
+    assert pressures == pytest.approx([1e5, (5000 + 1e5 * piston) / (piston - rod)], rel=1e-12)
+    solve(mbs, 0.2, 200)
+    assert mbs.GetObjectOutputBody(load, Variable.Displacement, [0, 0, 0])[1] == pytest.approx(0, abs=1e-12)
+
+
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [
@@ -160,6 +183,8 @@ def test_open_valves_lift_with_the_flow_of_the_pump(mbs: Any) -> None:
         ({"strokeLength": 0.5, "offsetLength": 0.2}, "stroke is from 0 to 0.5: the points are 1 m apart"),
         ({"strokeLength": 3.0}, "'offsetLength'.*the points are 1 m apart"),
         ({"hoseVolume": 0.0}, "'hoseVolume'.*greater than zero"),
+        ({"tankPressure": 2e7}, "'tankPressure': expected a pressure below systemPressure=1e.07"),
+        ({"pistonDiameter": 0.02, "rodDiameter": 0.01}, "'initialForce': expected a force that systemPressure"),
     ],
 )
 def test_wrong_cylinders_are_refused(mbs: Any, arguments: dict[str, Any], text: str) -> None:

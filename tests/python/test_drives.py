@@ -233,6 +233,22 @@ def test_a_force_of_a_file(mbs: Any, tmp_path: Path) -> None:
     assert velocity == pytest.approx(15 / 5 * np.array([0, 0.6, 0.8]), rel=1e-6)
 
 
+def test_rows_that_are_no_numbers_are_refused(mbs: Any, tmp_path: Path) -> None:
+    for content, text in (("t,F\n0,1\nabc\n1,2\n", "numbers in line 3"), ("0,1\nnan,7\n2,3\n", "finite numbers")):
+        file = tmp_path / "wrong.csv"
+        file.write_text(content)
+        with pytest.raises(ValueError, match=text):
+            mbs.CreateForceFromTable(bodyNumber=mbs.CreateSphere(mass=1), table=file)
+    file.write_bytes(b"\xef\xbb\xbft,F\n0,1\n1,2\n")  # a byte order mark
+    mbs.CreateForceFromTable(bodyNumber=mbs.CreateSphere(mass=1), table=file)
+
+
+def test_motors_of_planar_bodies_turn_about_z(mbs: Any) -> None:
+    bodies = [mbs.CreateGround(), mbs.CreateBox(mass=1, create2D=True)]
+    with pytest.raises(ValueError, match="'axis': expected an axis of the plane"):
+        mbs.CreateMotor(bodyNumbers=bodies, position=[0, 0, 0], axis=[1, 0, 0], torque=1)
+
+
 def test_a_torque_of_a_table_about_an_axis(mbs: Any) -> None:
     ball = mbs.CreateSphere(radius=0.5, mass=5)
     mbs.CreateTorqueFromTable(bodyNumber=ball, table=[[0, 0], [1, 2]], direction=[0, 0, 3])

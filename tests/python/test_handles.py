@@ -105,7 +105,9 @@ def test_force_of_a_joint_has_global_axes_and_a_sign(model: Any) -> None:
     assert hinge.force_on(model.ground) == pytest.approx(hinge.force, abs=1e-12)
     assert hinge.torque_on(arm)[2] == pytest.approx(0, abs=1e-9)
     assert hinge.outputs.force == pytest.approx(hinge.force, abs=0)
-    with pytest.raises(ValueError, match=r"hinge.*expected one of its two bodies, received <MassPoint 'mass'"):
+    with pytest.raises(
+        ValueError, match=r"hinge.*expected one of its two bodies or markers, received <MassPoint 'mass'"
+    ):
         hinge.force_on(model["mass"])
 
 
@@ -162,9 +164,9 @@ def test_entries_of_arrays_cannot_be_changed_without_effect(model: Any) -> None:
 
 def test_completion_shows_the_item_and_nothing_else(model: Any) -> None:
     assert dir(model["spring"]) == [
-        "active_connector", "damping", "displacement", "distance", "force_local", "hide", "loads", "marker_numbers",
+        "active_connector", "damping", "displacement", "distance", "force_local", "force_on", "hide", "loads", "marker_numbers",
         "markers", "name", "nodes", "output", "outputs", "parameters", "potential_energy", "reference_length",
-        "sensors", "show", "spring_force_user_function", "stiffness", "type", "velocity", "velocity_offset",
+        "sensors", "show", "spring_force_user_function", "stiffness", "torque_on", "type", "velocity", "velocity_offset",
         "visualization",
     ]  # fmt: skip
     assert dir(model["spring"].visualization) == ["color", "draw_size", "show"]

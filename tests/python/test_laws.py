@@ -542,6 +542,7 @@ WRONG: list[tuple[Callable[[], Any], type[Exception], str]] = [
     (lambda: Hertz([0, 1], radus=2.0), TypeError, "no constant or parameter 'radus'. Did you mean 'radius'?"),
     (lambda: Hertz([0, 1], damping=[1, 1, 1]), TypeError, "'damping' of ObjectConnectorCartesianSpringDamper has no effect"),
     (lambda: Hertz([0, 1], stiffness="soft"), TypeError, "stiffness: received 'soft', but constants of laws are finite numbers"),
+    (lambda: connector("line")(lambda t, L, L_t: L), TypeError, "in this order, but 't' is in the place of 'L'"),
     (lambda: interpolate(0.5, [0, 0], [1, 2]), ValueError, "the first one increasing"),
 ]  # fmt: skip
 

@@ -201,9 +201,43 @@ def test_forces_on_a_body_over_time() -> None:
         np.testing.assert_allclose(solution[hinge].force_on("ground"), -inertia, atol=1e-9)
     with pytest.raises(ValueError, match="expected one of its two bodies"):
         solution[hinge].force_on(hinge)
-    with pytest.raises(KeyError, match=r"solution\['hinge'\]: there is no body 'rod'"):
+    with pytest.raises(KeyError, match=r"there is no body or marker 'rod'"):
         solution[hinge].torque_on("rod")
     assert "force_on" in dir(solution[hinge])
+
+
+def test_forces_of_planar_joints_and_springs() -> None:
+    """A hanging planar body: its weight is on the hinge, or on the spring."""
+    for planar in (True, False):
+        model = db.Model()
+        body = model.create_box(name="b", size=[1, 1, 1], mass=2, gravity=[0, -10, 0], create_2d=planar)
+        hinge = model.create_revolute_joint(body_numbers=["ground", body], position=[0, 0.5, 0], axis="z")
+        solution = model.solve(end_time=0.1, step_size=1e-2)
+        for on in (body, "b"):
+            np.testing.assert_allclose(hinge.force_on(on), [0, 20, 0], atol=1e-9)
+            np.testing.assert_allclose(solution[hinge].force_on(on)[-1], [0, 20, 0], atol=1e-9)
+    model = db.Model()
+    ball = model.create_sphere(mass=2, gravity=[0, 0, -10], reference_position=[0, 0, -1])
+    spring = model.create_spring_damper(body_numbers=["ground", ball], reference_length=0.9, stiffness=200)
+    model.solve(end_time=0.01, step_size=1e-2)
+    np.testing.assert_allclose(spring.force_on(ball), [0, 0, 20], atol=1e-9)
+    assert "force_on" in dir(spring)
+
+
+def test_items_of_one_name_and_deleted_items() -> None:
+    """Outputs belong to items, not to their names or numbers."""
+    model = db.Model()
+    first = model.create_mass_point(name="first", mass=1, reference_position=[1, 0, 0])
+    last = model.create_mass_point(name="last", mass=1, reference_position=[3, 0, 0])
+    node = model.nodes[0]
+    node.name = "last"
+    solution = model.solve(end_time=0.1, step_size=0.1)
+    assert solution[node].position[0, 0] == 1 and solution[last].position[0, 0] == 3
+    model.delete(first)
+    assert solution[model["last"]].position[0, 0] == 3
+    added = model.create_mass_point(name="new", mass=1)
+    with pytest.raises(KeyError, match="'new'.*was added or renamed after the solution"):
+        _ = solution[added].position
 
 
 def test_solutions_do_not_follow_later_changes() -> None:

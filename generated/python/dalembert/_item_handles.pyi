@@ -4333,6 +4333,10 @@ class ObjectConnectorCartesianSpringDamper(ObjectHandle):
     @property
     def potential_energy(self) -> float:
         """energy of spring and constant force, zero where the spring is relaxed; not available with a user function [J]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorCoordinateSpringDamper(ObjectHandle):
     """Handle: A scalar spring and damper between two coordinates"""
@@ -4399,6 +4403,10 @@ class ObjectConnectorCoordinateSpringDamper(ObjectHandle):
     @property
     def potential_energy(self) -> float:
         """energy of spring and constant force, zero where the spring is relaxed; not available with a user function [J]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorCoordinateSpringDamperExt(ObjectHandle):
     """Handle: A scalar spring and damper between two coordinates, with gear factors, friction and limit stops"""
@@ -4642,6 +4650,10 @@ class ObjectConnectorCoordinateSpringDamperExt(ObjectHandle):
     @property
     def force(self) -> float:
         """total generalized force, with friction and limit stops [various]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorGravity(ObjectHandle):
     """Handle: Newtonian gravitation between two masses, for celestial bodies and satellites; the weight on earth is LoadMassProportional"""
@@ -4713,6 +4725,10 @@ class ObjectConnectorGravity(ObjectHandle):
     @property
     def potential_energy(self) -> float:
         """energy of the attraction, zero at infinite distance [J]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorHydraulicActuatorSimple(ObjectHandle):
     """Handle: A double-acting hydraulic cylinder between two points, with the build-up of pressure in both chambers"""
@@ -4927,6 +4943,10 @@ class ObjectConnectorHydraulicActuatorSimple(ObjectHandle):
     @property
     def force(self) -> Array:
         """global force on marker m0, from chamber pressures and damping [N]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorLaw(ObjectHandle):
     """Handle: Force law between two markers with states of its own, given by user functions"""
@@ -5035,6 +5055,10 @@ class ObjectConnectorLaw(ObjectHandle):
     @property
     def force(self) -> Array:
         """force on marker m0; for frames in the joint frame, followed by the torque [various]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorLinearSpringDamper(ObjectHandle):
     """Handle: A spring and damper along an axis that is fixed to the first marker, as in a prismatic joint"""
@@ -5127,6 +5151,10 @@ class ObjectConnectorLinearSpringDamper(ObjectHandle):
     @property
     def displacement(self) -> Array:
         """global position of marker m1 relative to marker m0 [m]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorReevingSystemSprings(ObjectHandle):
     """Handle: A massless elastic rope that runs without friction over sheaves and joins two end points"""
@@ -5265,6 +5293,10 @@ class ObjectConnectorReevingSystemSprings(ObjectHandle):
     @property
     def force_local(self) -> float:
         """tensile force, the same all along the rope [N]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorRigidBodySpringDamper(ObjectHandle):
     """Handle: A spring and damper with six components, against relative translation and rotation of two rigid body markers"""
@@ -5412,10 +5444,10 @@ class ObjectConnectorRigidBodySpringDamper(ObjectHandle):
     @property
     def torque(self) -> Array:
         """torque on the first body, in global axes [3; Nm]"""
-    def force_on(self, body: ObjectIndex) -> Array:
-        """force on one of the two bodies, in global axes [3; N]"""
-    def torque_on(self, body: ObjectIndex) -> Array:
-        """torque on one of the two bodies, in global axes [3; Nm]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorRollingDiscPenalty(ObjectHandle):
     """Handle: A disc that rolls or slides with friction on a plane, with elastic contact instead of constraints"""
@@ -5593,10 +5625,10 @@ class ObjectConnectorRollingDiscPenalty(ObjectHandle):
     @property
     def force(self) -> Array:
         """force on the first body, in global axes [3; N]"""
-    def force_on(self, body: ObjectIndex) -> Array:
-        """force on one of the two bodies, in global axes [3; N]"""
-    def torque_on(self, body: ObjectIndex) -> Array:
-        """torque on one of the two bodies, in global axes [3; Nm]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorSpringDamper(ObjectHandle):
     """Handle: A spring and a damper that act along the line between two points"""
@@ -5681,6 +5713,10 @@ class ObjectConnectorSpringDamper(ObjectHandle):
     @property
     def potential_energy(self) -> float:
         """energy of spring and constant force, zero where the spring is relaxed; not available with a user function [J]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorTorsionalSpringDamper(ObjectHandle):
     """Handle: A torsional spring and damper about the z axis of a joint frame"""
@@ -5787,6 +5823,10 @@ class ObjectConnectorTorsionalSpringDamper(ObjectHandle):
     @property
     def potential_energy(self) -> float:
         """energy of spring and constant force, zero where the spring is relaxed; not available with a user function [J]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorCoordinate(ObjectHandle):
     """Handle: Couples two coordinates, or fixes one of them to a value or to a function of time"""
@@ -5878,6 +5918,10 @@ class ObjectConnectorCoordinate(ObjectHandle):
     @property
     def force(self) -> float:
         """Lagrange multiplier, the generalized constraint force; N for lengths, Nm for angles [various]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorCoordinateVector(ObjectHandle):
     """Handle: Couples the coordinate vectors of two markers by linear and quadratic equations, or by a user function"""
@@ -5994,6 +6038,10 @@ class ObjectConnectorCoordinateVector(ObjectHandle):
     @property
     def force(self) -> Array:
         """Lagrange multipliers; size: number of equations [various]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectConnectorDistance(ObjectHandle):
     """Handle: Keeps the distance of two points constant, like a massless rigid rod between two ball joints"""
@@ -6032,6 +6080,10 @@ class ObjectConnectorDistance(ObjectHandle):
     @property
     def force(self) -> float:
         """Lagrange multiplier, the force in the rod, positive in tension [N]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectContactCircleCable2D(ObjectHandle):
     """Handle: Contact without friction of a planar cable element with a circle"""
@@ -6116,6 +6168,10 @@ class ObjectContactCircleCable2D(ObjectHandle):
         """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     @activeConnector.setter
     def activeConnector(self, value: bool) -> None: ...
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectContactConvexRoll(ObjectHandle):
     """Handle: Contact of a convex roll, a body of revolution with a polynomial profile, with the ground plane"""
@@ -6277,6 +6333,10 @@ class ObjectContactConvexRoll(ObjectHandle):
     @property
     def torque(self) -> Array:
         """global torque of that force about the center of the roll [Nm]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectContactCoordinate(ObjectHandle):
     """Handle: Contact of two coordinates, a one-sided spring and damper"""
@@ -6384,6 +6444,10 @@ class ObjectContactCoordinate(ObjectHandle):
     @property
     def distance(self) -> float:
         """gap, the difference of the coordinates minus the offset; negative in contact [various]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectContactCurveCircles(ObjectHandle):
     """Handle: Contact of a planar curve with circles, as of a cam with its followers"""
@@ -6522,6 +6586,10 @@ class ObjectContactCurveCircles(ObjectHandle):
     @property
     def force_local(self) -> Array:
         """normal and tangential force for every circle; size: twice the number of circles [N]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectContactFrictionCircleCable2D(ObjectHandle):
     """Handle: Contact with friction of a planar cable element with a circle, such as of a belt on a pulley"""
@@ -6660,6 +6728,10 @@ class ObjectContactFrictionCircleCable2D(ObjectHandle):
     @property
     def force_local(self) -> Array:
         """tangential and normal force, in turn for every segment; size: twice the number of segments [N]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectContactSphereSphere(ObjectHandle):
     """Handle: Contact of two spheres, or of a sphere inside a hollow sphere, with friction, restitution and adhesion"""
@@ -6870,6 +6942,10 @@ class ObjectContactSphereSphere(ObjectHandle):
     @property
     def torque(self) -> Array:
         """global vector whose negative is the torque of the contact force about marker m0 [Nm]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectContactSphereTorus(ObjectHandle):
     """Handle: Contact of a sphere inside the tube of a torus, as of a ball in the groove of a bearing"""
@@ -7076,6 +7152,10 @@ class ObjectContactSphereTorus(ObjectHandle):
     @property
     def velocity(self) -> Array:
         """global velocity of the torus relative to the sphere at the contact point [m/s]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectContactSphereTriangle(ObjectHandle):
     """Handle: Contact of a sphere with a triangle, its face and chosen edges"""
@@ -7266,6 +7346,10 @@ class ObjectContactSphereTriangle(ObjectHandle):
     @property
     def velocity(self) -> Array:
         """global velocity of the nearest point of the triangle relative to the center of the sphere [m/s]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointALEMoving2D(ObjectHandle):
     """Handle: A body attached to an axially moving ANCF cable, whose sliding coordinate is shared by all elements of the cable"""
@@ -7373,6 +7457,10 @@ class ObjectJointALEMoving2D(ObjectHandle):
     @property
     def force(self) -> Array:
         """Lagrange multipliers, the global joint force; the third value is 0 [N]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointGeneric(ObjectHandle):
     """Handle: A joint between two rigid body markers that constrains any choice of three translations and three rotations"""
@@ -7508,10 +7596,10 @@ class ObjectJointGeneric(ObjectHandle):
     @property
     def torque(self) -> Array:
         """torque on the first body, in global axes [3; Nm]"""
-    def force_on(self, body: ObjectIndex) -> Array:
-        """force on one of the two bodies, in global axes [3; N]"""
-    def torque_on(self, body: ObjectIndex) -> Array:
-        """torque on one of the two bodies, in global axes [3; Nm]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointPrismatic2D(ObjectHandle):
     """Handle: A prismatic joint of planar bodies: one point moves on a line that is fixed to the other body"""
@@ -7598,10 +7686,10 @@ class ObjectJointPrismatic2D(ObjectHandle):
     @property
     def force(self) -> Array:
         """force on the first body, in global axes [3; N]"""
-    def force_on(self, body: ObjectIndex) -> Array:
-        """force on one of the two bodies, in global axes [3; N]"""
-    def torque_on(self, body: ObjectIndex) -> Array:
-        """torque on one of the two bodies, in global axes [3; Nm]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointPrismaticX(ObjectHandle):
     """Handle: A prismatic joint between two rigid body markers, free to translate along the x axis of the joint frame"""
@@ -7687,10 +7775,10 @@ class ObjectJointPrismaticX(ObjectHandle):
     @property
     def torque(self) -> Array:
         """torque on the first body, in global axes [3; Nm]"""
-    def force_on(self, body: ObjectIndex) -> Array:
-        """force on one of the two bodies, in global axes [3; N]"""
-    def torque_on(self, body: ObjectIndex) -> Array:
-        """torque on one of the two bodies, in global axes [3; Nm]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointRevolute2D(ObjectHandle):
     """Handle: A revolute joint of planar bodies: keeps two points together in the x-y plane"""
@@ -7732,6 +7820,10 @@ class ObjectJointRevolute2D(ObjectHandle):
     @property
     def force(self) -> Array:
         """Lagrange multipliers, the global joint force on marker m0; the third value is 0 [N]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointRevoluteZ(ObjectHandle):
     """Handle: A revolute joint between two rigid body markers, free to rotate about the z axis of the joint frame"""
@@ -7817,10 +7909,10 @@ class ObjectJointRevoluteZ(ObjectHandle):
     @property
     def torque(self) -> Array:
         """torque on the first body, in global axes [3; Nm]"""
-    def force_on(self, body: ObjectIndex) -> Array:
-        """force on one of the two bodies, in global axes [3; N]"""
-    def torque_on(self, body: ObjectIndex) -> Array:
-        """torque on one of the two bodies, in global axes [3; Nm]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointRollingDisc(ObjectHandle):
     """Handle: A rigid disc that rolls on a plane without slip, by constraints on the velocity of the contact point"""
@@ -7905,10 +7997,10 @@ class ObjectJointRollingDisc(ObjectHandle):
     @property
     def force(self) -> Array:
         """force on the first body, in global axes [3; N]"""
-    def force_on(self, body: ObjectIndex) -> Array:
-        """force on one of the two bodies, in global axes [3; N]"""
-    def torque_on(self, body: ObjectIndex) -> Array:
-        """torque on one of the two bodies, in global axes [3; Nm]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointSliding(ObjectHandle):
     """Handle: A body that slides along a chain of ANCF cable elements in space"""
@@ -8010,6 +8102,10 @@ class ObjectJointSliding(ObjectHandle):
     @property
     def force(self) -> Array:
         """Lagrange multipliers of the position constraint, the joint force [N]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointSliding2D(ObjectHandle):
     """Handle: A body that slides along a chain of planar ANCF cable elements"""
@@ -8124,6 +8220,10 @@ class ObjectJointSliding2D(ObjectHandle):
     @property
     def displacement_local(self) -> Array:
         """position of the cable at the sliding coordinate relative to the body, along and normal to the slope of the cable; the third value is 0 [m]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class ObjectJointSpherical(ObjectHandle):
     """Handle: A ball joint: keeps two points together, or their chosen global components"""
@@ -8175,6 +8275,10 @@ class ObjectJointSpherical(ObjectHandle):
     @property
     def force(self) -> Array:
         """Lagrange multipliers, the global joint force on marker m0; 0 in free directions [N]"""
+    def force_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """force on one of the two bodies or markers, in global axes [3; N]"""
+    def torque_on(self, body: ObjectIndex | MarkerIndex | str) -> Array:
+        """torque on one of the two bodies or markers, in global axes [3; Nm]"""
 
 class MarkerBodiesRelativeRotationCoordinate(MarkerHandle):
     """Handle: A coordinate marker on the relative rotation of two bodies about an axis"""

@@ -634,7 +634,7 @@ def handle_class(item: str) -> type[Any]:
             members[name] = _output(each)
         if kind == "Object" and is_body(item) and each.name not in _OF_WHOLE_BODY:
             members[f"{name}_at"] = _output_at(each)
-    if any(each.source for each in facts.outputs.values()):
+    if kind == "Object" and "marker_numbers" in facts.parameters:
         members |= {"force_on": _force_on, "torque_on": _torque_on}
     shown = [name for name in members if name == snake_case(name)]
     general = [name for cls in base.__mro__[:2] for name in vars(cls) if not name.startswith("_")]
@@ -693,11 +693,20 @@ def _wrench_on(handle: Any, body: Any) -> FloatArray:
 
 
 def side_of(handle: Any, body: Any) -> int:
-    """Return 0 or 1: whether a body is the first or the second one of a connector or joint."""
-    body = handle_of(handle._mbs, own(handle._mbs, body, f"{handle!r}: body"))
-    on_body = {int(marker) for marker in CreatedObject.markers.fget(body)}  # type: ignore[attr-defined]
+    """Return 0 or 1: whether a body, or a marker, is the first or the second one of a connector or joint."""
+    mbs, where = handle._mbs, f"{handle!r}: body"
+    if isinstance(body, str):
+        found = [index for kind in ("Object", "Marker") if int(index := getattr(mbs, f"Get{kind}Number")(body)) >= 0]
+        if not found:
+            raise KeyError(f"{where}: there is no body or marker '{body}'")
+        body = found[0]
     own_markers = [int(marker) for marker in handle.marker_numbers]
-    found = [i for i, marker in enumerate(own_markers[:2]) if marker in on_body]
-    if len(found) != 1:
-        raise ValueError(f"{handle!r}: expected one of its two bodies, received {body!r}")
-    return found[0]
+    if isinstance(body, _core.MarkerIndex):
+        on_body = {int(own(mbs, body, where))}
+    else:
+        body = handle_of(mbs, own(mbs, body, where))
+        on_body = {int(marker) for marker in CreatedObject.markers.fget(body)}  # type: ignore[attr-defined]
+    sides = [i for i, marker in enumerate(own_markers[:2]) if marker in on_body]
+    if len(sides) != 1:
+        raise ValueError(f"{handle!r}: expected one of its two bodies or markers, received {body!r}")
+    return sides[0]

@@ -292,7 +292,7 @@ class Model(CreateMethods):
     ) -> Solution:
         """Integrate the equations of motion from the initial state to end_time (s), and return the solution.
 
-        step_size: size of equal steps (s), which is reduced a little if a whole number of steps does not fit; for
+        step_size: size of equal steps (s), or the next smaller one of which a whole number fits into the time; for
             methods with error control their largest size. method: generalized_alpha, trapezoidal_index2, esdirk43,
             explicit_euler, explicit_midpoint, rk33, rk44, rk67, velocity_verlet; with error control ode23, dopri5,
             dverk6, dop853.

@@ -39,6 +39,9 @@ class SolutionWarning(UserWarning):
 SolutionWarning.__module__ = "dalembert"
 
 
+_INEXACT = 1e-4  # error of the potential energy, relative to the largest energy, that is announced
+
+
 class EnergyHistory(NamedTuple):
     """Energies over time (J)."""
 
@@ -53,6 +56,7 @@ class _Key(NamedTuple):
     item: str
     output: str
     point: tuple[float, ...] | None = None
+    kind: str = ""  # Node, Object, ...: items of several kinds may have one name
 
     def __str__(self) -> str:
         at = "" if self.point is None else f"({', '.join(f'{x:g}' for x in self.point)})"
@@ -133,7 +137,7 @@ class Solution:
             if sensor.store_internal and (stored := np.atleast_2d(model.system.GetSensorStoredData(int(sensor)))).size:
                 facts = model.system.GetSensor(int(sensor))
                 computed = Computed(stored[:, 1:], variable_of(model.system, facts), sensor.unit, stored[:, 0])
-                made._computed[_Key(sensor.name, "values")] = computed
+                made._computed[_Key(sensor.name, "values", None, "Sensor")] = computed
         return made
 
     _states: dict[str, Any]
@@ -171,22 +175,43 @@ class Solution:
             return ItemSolution(self, Model(self._snapshot)[item], item)
         if isinstance(item, Handle):
             own(self._system, item, "solution[...]")
-            return ItemSolution(self, handle_of(self._snapshot, item), item.name)
+            return ItemSolution(self, self._then(item), item.name)
         raise TypeError(f"solution[...]: expected a handle or the name of an item, received {item!r}")
+
+    def _then(self, handle: Any) -> Any:
+        """Return the handle of the same item in the system of the solution; the model may have other items since."""
+        kind, system = handle._kind, self._snapshot
+        handle._number()
+        count = getattr(system.systemData, f"NumberOf{kind}s")()
+        candidates = [int(handle), int(getattr(system, f"Get{kind}Number")(handle.name))]
+        for number in candidates:
+            if 0 <= number < count:
+                found = handle_of(system, getattr(_core, f"{kind}Index")(number))
+                if found.name == handle.name and found._item == handle._item:
+                    return found
+        raise KeyError(f"solution[...]: {handle!r} was added or renamed after the solution")
 
     @property
     def energies(self) -> EnergyHistory:
-        """kinetic, potential and total energy over time (J); the potential one is the work since the reference"""
+        """kinetic, potential and total energy over time (J); potential energy is zero in the reference configuration"""
         if self._energies is None:
             from dalembert._solving.energies import ComputeEnergies
 
             self._require_model("energies")
-            found = []
+            found, error = [], 0.0
             for row in range(len(self)):
                 self._set(row)
                 energies = ComputeEnergies(self._snapshot)
                 found.append((energies.kinetic, energies.potential, energies.total))
+                error = max(error, energies.potentialError)
             self._energies = EnergyHistory(*np.array(found).T)
+            largest = float(np.abs(np.array(found)).max(initial=0.0))
+            if error > _INEXACT * largest:
+                text = (
+                    f"solution.energies: the potential energy is inexact by about {error:.2g} J of {largest:.3g} J, "
+                    "because forces have kinks or jumps, such as those of stops and contacts"
+                )
+                warnings.warn(text, SolutionWarning, stacklevel=2)
         return self._energies
 
     def _require_model(self, what: str) -> None:
@@ -205,7 +230,8 @@ class Solution:
         """Return outputs over time of items, given by handles of the model or of the copy."""
         keys, missing_ones = [], []
         for handle, name, point in wanted:
-            key = _Key(handle.name, name, None if point is None else tuple(float(x) for x in point))
+            at = None if point is None else tuple(float(x) for x in point)
+            key = _Key(handle.name, name, at, handle._kind)
             keys.append(key)
             if key not in self._computed:
                 missing_ones.append((key, handle))
@@ -218,7 +244,7 @@ class Solution:
                     "set its store_internal = True and solve again"
                 )
             self._require_model(str(key))
-            handles[key] = handle_of(self._snapshot, handle)
+            handles[key] = self._then(handle)
             self._warn(handles[key])
         for row in range(len(self) if values else 0):
             self._set(row)
@@ -229,6 +255,11 @@ class Solution:
             unit = fact.unit if fact and fact.unit not in ("1", "various") else ""
             self._computed[key] = Computed(np.array(rows, dtype=float), _camel(handles[key], key), unit)
         return [self._computed[key] for key in keys]
+
+    def _stored(self, item: str, output: str, point: tuple[float, ...] | None = None) -> Computed | None:
+        """Return what has been computed of an item by its name, whichever its kind is."""
+        wanted = (item, output, point)
+        return next((each for key, each in self._computed.items() if (key.item, key.output, key.point) == wanted), None)
 
     def _warn(self, handle: Any) -> None:
         """Warn if outputs may differ from those during the solution."""
@@ -332,11 +363,11 @@ class Solution:
         if isinstance(wanted, Handle) or (isinstance(wanted, tuple) and isinstance(wanted[0], Handle)):
             own(self._system, wanted, "solution.plot")
             rest = wanted[1:] if isinstance(wanted, tuple) else ()
-            handle = handle_of(self._snapshot, wanted[0] if isinstance(wanted, tuple) else wanted)
+            handle = self._then(wanted[0] if isinstance(wanted, tuple) else wanted)
             wanted = (handle, *rest) if rest else handle
         handle, name, point = output_of(Model(self._snapshot), wanted, "solution.plot")
         self._compute([(handle, name, point)])
-        return _Key(handle.name, name, None if point is None else tuple(float(x) for x in point))
+        return _Key(handle.name, name, None if point is None else tuple(float(x) for x in point), handle._kind)
 
     # ---- files
 
@@ -355,7 +386,9 @@ class Solution:
             file["states"].attrs["columns"] = [int(n) for n in self._states["columnsExported"]]
             for number, (key, each) in enumerate(self._computed.items()):
                 group = file.create_group(f"outputs/{number}")
-                group.attrs.update(item=key.item, output=key.output, variable=each.variable, unit=each.unit)
+                group.attrs.update(
+                    item=key.item, kind=key.kind, output=key.output, variable=each.variable, unit=each.unit
+                )
                 group["values"] = each.values
                 if key.point is not None:
                     group.attrs["point"] = key.point
@@ -387,9 +420,8 @@ class Solution:
                 facts = group.attrs
                 point = tuple(float(x) for x in facts["point"]) if "point" in facts else None
                 time = group["time"][:] if "time" in group else None
-                made._computed[_Key(str(facts["item"]), str(facts["output"]), point)] = Computed(
-                    group["values"][:], str(facts["variable"]), str(facts["unit"]), time
-                )
+                key = _Key(str(facts["item"]), str(facts["output"]), point, str(facts.get("kind", "")))
+                made._computed[key] = Computed(group["values"][:], str(facts["variable"]), str(facts["unit"]), time)
             energies = file.get("energies")
             made._energies = EnergyHistory(*(energies[name][:] for name in EnergyHistory._fields)) if energies else None
         made._system = made._snapshot = None
@@ -461,7 +493,7 @@ class ItemSolution:
         """Return an output by its name, perhaps of a point of a body, over time."""
         if self._handle is None:
             point = None if local_position is None else tuple(float(x) for x in local_position)
-            computed = self._solution._computed.get(_Key(self._name, snake_case(name), point))
+            computed = self._solution._stored(self._name, snake_case(name), point)
             if computed is None:
                 raise self._missing(name)
         else:
@@ -471,11 +503,10 @@ class ItemSolution:
 
     def _wrench_on(self, body: Any) -> FloatArray:
         """Return force and torque of a joint or connector on one of its bodies, a handle or the name of a body."""
-        mbs = self._handle._mbs
-        index = mbs.GetObjectNumber(body) if isinstance(body, str) else _core.ObjectIndex(int(body))
-        if int(index) < 0:
-            raise KeyError(f"solution['{self._name}']: there is no body '{body}'")
-        return self.output(f"wrench_on_marker{side_of(self._handle, handle_of(mbs, index))}")
+        if isinstance(body, Handle):
+            own(self._solution._system, body, "force_on")
+            body = self._solution._then(body)
+        return self.output(f"wrench_on_marker{side_of(self._handle, body)}")
 
     def _missing(self, name: str) -> AttributeError:
         known = self.__dir__()
@@ -485,8 +516,8 @@ class ItemSolution:
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
-        if name in ("time", "unit") and (key := _Key(self._name, "values")) in self._solution._computed:
-            return getattr(self._solution._computed[key], name)
+        if name in ("time", "unit") and (stored := self._solution._stored(self._name, "values")) is not None:
+            return getattr(stored, name)
         if name in self._known():
             return self.output(name)
         if name in ("force_on", "torque_on") and self._handle is not None and hasattr(type(self._handle), name):

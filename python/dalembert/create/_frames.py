@@ -56,7 +56,8 @@ def require_items(mbs: Any, function: str, argument: str, numbers: Sequence[Any]
     for i, number in enumerate(numbers):
         if number is None:
             continue
-        noun, counter = _COUNTERS.get(type(number), _COUNTERS[ObjectIndex])
+        kind = next((each for each in _COUNTERS if isinstance(number, each)), ObjectIndex)
+        noun, counter = _COUNTERS[kind]
         count = getattr(mbs.systemData, counter)()
         if not 0 <= int(number) < count:
             expected = f"{noun} of this MainSystem, which has {count}"

@@ -25,7 +25,7 @@ SIGNAL = "a number, a table [[t, value], ...], the name of a file with such colu
 def table_of(function: str, argument: str, given: Any) -> FloatArray:
     """Return a table with the columns time and value, from rows or from a file of numbers (CSV, or with blanks).
 
-    Lines of a file that begin with letters, such as a header, and comments after # are skipped.
+    Lines that begin with letters before the first row, such as a header, and comments after # are skipped.
     """
     if isinstance(given, (str, os.PathLike)):
         given = _read(function, argument, Path(given))
@@ -47,13 +47,15 @@ def table_of(function: str, argument: str, given: Any) -> FloatArray:
 
 def _read(function: str, argument: str, path: Path) -> list[list[float]]:
     try:
-        lines = path.read_text().splitlines()
+        lines = path.read_text("utf-8-sig").splitlines()
     except OSError as error:
         raise argument_error(function, argument, "a file that can be read", f"{path}: {error.strerror}") from None
-    rows = []
+    except UnicodeDecodeError:
+        raise argument_error(function, argument, "a text file in UTF-8", str(path)) from None
+    rows: list[list[float]] = []
     for number, line in enumerate(lines, 1):
         text = line.partition("#")[0].strip()
-        if not text or text[0].isalpha() or text[0] == '"':
+        if not text or (not rows and (text[0].isalpha() or text[0] == '"')):
             continue
         try:
             rows.append([float(each) for each in text.replace(";", " ").replace(",", " ").split()])

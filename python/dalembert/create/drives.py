@@ -25,7 +25,7 @@ from dalembert.create._arguments import (
     require_axis,
     vector,
 )
-from dalembert.create._frames import add_joint_markers, joint_place
+from dalembert.create._frames import add_joint_markers, joint_place, require_axis_of_plane
 from dalembert.create._signals import SIGNAL, Signal, rate, recorded, signal
 from dalembert.create.connectors import frame_with_z
 from dalembert.create.loads import _load_marker
@@ -70,9 +70,11 @@ class _Axis:
         position: Vector,
         axis: Vector,
         useGlobalFrame: bool,
+        is_rotation: bool,
     ) -> None:
         require_axis(function, axis)
         place = joint_place(mbs, function, bodyNumbers, position, useGlobalFrame)
+        require_axis_of_plane(mbs, function, place, place.to_global(axis, useGlobalFrame), normal=is_rotation)
         frames = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
         self.frames: dict[str, Any] = {"rotationMarker0": frames[0], "rotationMarker1": frames[1]}
         self._mbs, self._place, self._name = mbs, place, name
@@ -142,7 +144,7 @@ def CreateMotor(
             drive = gain["stiffness"] * (value - phi) + gain["damping"] * (rate(value, t) - omega)
         return -_limited(drive, maximumTorque)
 
-    shaft = _Axis(mbs, function, name, bodyNumbers, position, axis, useGlobalFrame)
+    shaft = _Axis(mbs, function, name, bodyNumbers, position, axis, useGlobalFrame, True)
     return _add_rotation(mbs, name, shaft, _law("motor", "rotation", constants, motor), show)
 
 
@@ -167,8 +169,8 @@ def CreatePIDController(
 
     The set point is an angle (rad) or, with kind='translation', a displacement (m) since the reference configuration:
     a number, a table, a file or a function of t, as in CreateMotor. The torque or force is P e + I (integral of e) +
-    D (rate of e), with the error e, up to the limit; the integral rests at the limit. It is computed in continuous
-    time: all steps of solvers see the same controller. Returns the ObjectIndex.
+    D (rate of e), with the error e, up to the limit, at which the integral does not grow. The
+    controller acts continuously, not once per step. Returns the ObjectIndex.
     """
     function = "CreatePIDController"
     if kind not in ("rotation", "translation"):
@@ -205,7 +207,7 @@ def CreatePIDController(
         law = _law("controller", "rotation", constants, turning, {"turned": 0.0, "integral": 0.0})
     else:
         law = _law("controller", "frames", constants, moving, {"integral": 0.0})
-    shaft = _Axis(mbs, function, name, bodyNumbers, position, axis, useGlobalFrame)
+    shaft = _Axis(mbs, function, name, bodyNumbers, position, axis, useGlobalFrame, kind == "rotation")
     made = law(shaft.markers(), name=name, nodeNumbers=law.AddNodes(mbs), **shaft.frames)
     made.visualization = {"show": show}
     return mbs.AddObject(made)
@@ -250,7 +252,7 @@ def CreateJointStops(
             total = total - laws.where(way < lower, push, 0.0)
         return total
 
-    shaft = _Axis(mbs, function, name, bodyNumbers, position, axis, useGlobalFrame)
+    shaft = _Axis(mbs, function, name, bodyNumbers, position, axis, useGlobalFrame, kind == "rotation")
     if kind == "rotation":
         law = _law("stops", "rotation", constants, lambda phi, omega, t, **given: force(phi, omega, **given))
         return _add_rotation(mbs, name, shaft, law, show)
@@ -287,7 +289,7 @@ def CreatePrescribedMotion(
         raise argument_error(function, "kind", "'rotation' or 'translation'", kind)
     place = 5 if kind == "rotation" else 2
     wanted = signal(function, "motion", motion, smooth, ramp)
-    shaft = _Axis(mbs, function, name, bodyNumbers, position, axis, useGlobalFrame)
+    shaft = _Axis(mbs, function, name, bodyNumbers, position, axis, useGlobalFrame, kind == "rotation")
 
     def offset(t: Any) -> list[Any]:
         return [wanted(t) if i == place else 0.0 for i in range(6)]

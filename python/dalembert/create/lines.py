@@ -200,10 +200,10 @@ def CreateHydraulicCylinder(
 ) -> ObjectIndex:
     """Add a double-acting hydraulic cylinder between points of two bodies or markers, with the pressures in it.
 
-    It starts in equilibrium with initialForce (N), which pushes the points apart: the chamber of the rod has the
-    pressure of the tank. offsetLength is the distance of the points at zero stroke; by default, the piston starts in
-    the middle. The valves are closed: set valveOpening0 and valveOpening1, from -1 (tank) to 1 (pump). Returns the
-    ObjectIndex.
+    At the start, it carries initialForce (N), which pushes the points apart; negative: pulls them together. One chamber
+    has the pressure for it, the other one that of the tank. offsetLength is the distance of the points at zero stroke;
+    by default, the piston starts in the middle. The stroke has no stops. The valves are closed: set valveOpening0 and
+    valveOpening1, from -1 (tank) to 1 (pump). Returns the ObjectIndex.
     """
     function = "CreateHydraulicCylinder"
     if not rodDiameter < pistonDiameter:
@@ -219,11 +219,22 @@ def CreateHydraulicCylinder(
         expected = f"a length such that the stroke is from 0 to {strokeLength:g}: the points are {distance:g} m apart"
         raise argument_error(function, "offsetLength", expected, offsetLength)
     piston, rod = (np.pi / 4 * each**2 for each in (pistonDiameter, rodDiameter))
-    pressure = (initialForce + tankPressure * (piston - rod)) / piston
-    node = mbs.AddNode(
-        items.NodeGenericODE1(
-            numberOfODE1Coordinates=2, referenceCoordinates=[0, 0], initialCoordinates=[pressure, tankPressure]
+    if tankPressure >= systemPressure:
+        raise argument_error(
+            function, "tankPressure", f"a pressure below systemPressure={systemPressure:g}", tankPressure
         )
+    # the chamber that does not carry the force has the pressure of the tank
+    pressures = [tankPressure, tankPressure]
+    if initialForce >= -tankPressure * rod:
+        pressures[0] = (initialForce + tankPressure * (piston - rod)) / piston
+    else:
+        pressures[1] = (tankPressure * piston - initialForce) / (piston - rod)
+    pressures[0] = max(pressures[0], 0.0)
+    if max(pressures) > systemPressure:
+        expected = f"a force that systemPressure={systemPressure:g} can carry (it takes {max(pressures):.3g} Pa)"
+        raise argument_error(function, "initialForce", expected, initialForce)
+    node = mbs.AddNode(
+        items.NodeGenericODE1(numberOfODE1Coordinates=2, referenceCoordinates=[0, 0], initialCoordinates=pressures)
     )
     return mbs.AddObject(
         items.ObjectConnectorHydraulicActuatorSimple(
