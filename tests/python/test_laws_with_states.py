@@ -402,3 +402,18 @@ def test_laws_with_states_take_numbers() -> None:
     assert Slider.function(0.1, 0.0, 0.0, 0.0) == (YIELD, pytest.approx(0.1 - YIELD / K))
     assert Maxwell.states == {"s": 0.0} and Slider.history == {"p": 0.0}
     assert norm(np.array([3.0, 4.0])) == 5
+
+
+def test_nodes_of_another_law_are_refused() -> None:
+    """States need a first-order node, a history a data node: numbers of the other kind would be taken for them."""
+    rates = connector("coordinates", states={"s": 0.0})(lambda q, q_t, t, s: (100 * (q - s), q - s))
+    history = connector("coordinates", history={"h": 0.0})(lambda q, q_t, t, h: (100 * (q - h), h))
+    for law, other, text in ((rates, history, "no NodeGenericODE1"), (history, rates, "no NodeGenericData")):
+        mbs = exu.SystemContainer().AddSystem()
+        node = mbs.AddNode(exu.Node1D(referenceCoordinates=[0]))
+        mbs.AddObject(exu.Mass1D(physicsMass=1, nodeNumber=node))
+        ends = (mbs.AddNode(exu.NodePointGround()), node)
+        markers = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=end, coordinate=0)) for end in ends]
+        mbs.AddObject(law(markers, nodeNumbers=other.AddNodes(mbs)))
+        with pytest.raises(ValueError, match=f"'nodeNumbers': received {text}"):
+            mbs.Assemble()

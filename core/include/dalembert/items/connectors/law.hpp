@@ -67,6 +67,10 @@ struct ObjectConnectorLaw : AllMarkersAct, NoAlgebraicEquations, NoSwitches {
     if (at.nodes.empty() || static_cast<int>(at.nodes.size()) != expected || !at.dofs.empty())
       on.refuse("nodeNumbers", std::to_string(at.nodes.size()) + " nodes",
                 "a NodeGenericODE1 (states), a NodeGenericData (history), or one of both");
+    if (p.stateRateUserFunction && at.ode1.empty())
+      on.refuse("nodeNumbers", "no NodeGenericODE1", "one for the states of stateRateUserFunction");
+    if (p.historyUserFunction && at.data_count == 0)
+      on.refuse("nodeNumbers", "no NodeGenericData", "one for historyUserFunction");
   }
 
  private:
