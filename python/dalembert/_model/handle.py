@@ -72,7 +72,7 @@ class Output(NamedTuple):
 
 
 class Facts(NamedTuple):
-    """What an item type has, by the snake_case names."""
+    """Parameters and outputs of an item type, by snake_case names."""
 
     parameters: dict[str, Row]
     visualization: dict[str, Row]

@@ -400,7 +400,7 @@ class Solution:
 
     @classmethod
     def load(cls, file_name: str | os.PathLike[str], model: Any = None) -> Solution:
-        """Read a file of save. With the model, as it was when it was solved, all outputs can be computed."""
+        """Read a file of save. If the model is given, as it was solved, all outputs can be computed."""
         from dalembert._io.files import file_to_read, naming
         from dalembert.results import _extra
 
