@@ -52,7 +52,7 @@ missed, slopes = exu.DifferentiableModel(mbs, parameters, outputs, settings, met
 
 first = 4 * np.sin(2 * np.pi * np.linspace(0, 1, corners))
 found = minimize(lambda u: (u @ u / corners, 2 * u / corners), first, jac=True, method="SLSQP",
-                 options={"ftol": 1e-3}, constraints={"type": "eq", "fun": missed, "jac": slopes})  # fmt: skip
+                 options={"ftol": 1e-4}, constraints={"type": "eq", "fun": missed, "jac": slopes})  # fmt: skip
 
 times = np.linspace(0, end, steps + 1)
 way = exu.DifferentiableModel(mbs, parameters, {"turn": exu.At("pole", times, component=2)}, settings)

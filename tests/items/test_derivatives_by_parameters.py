@@ -105,6 +105,10 @@ def residual_of(item: Any, kind: str, index: Any, name: str, entry: Any, change:
 UNIT = ("columns are unit vectors", "expected a vector of length 1", "expected four Euler parameters")
 REFUSED = {
     "ObjectContactSphereSphere.contactPlasticityRatio": "switches something on or off at 0",
+    **{
+        f"Marker{kind}Rigid.localRotation": "cannot change in an assembled model"
+        for kind in ("Body", "KinematicTree", "Node", "SuperElement")
+    },
     "ObjectFFRFreducedOrder.modeBasis": "cannot change in an assembled model",
     "ObjectFFRFreducedOrder.referencePositions": "cannot change in an assembled model",
     "ObjectFFRFreducedOrder.mPsiTildePsi": "it does not belong to mPsiTildePsiTilde",

@@ -25,7 +25,7 @@ def test_page(item: Item) -> None:
 def stubs() -> dict[str, ast.ClassDef]:
     return {
         node.name: node
-        for path in (GENERATED / "python" / "dalembert").glob("*.pyi")
+        for path in (GENERATED / "python" / "dalembert").glob("_core_items*.pyi")
         for node in ast.parse(path.read_text(encoding="utf-8")).body
         if isinstance(node, ast.ClassDef)
     }
