@@ -414,7 +414,7 @@ class SystemDerivatives {
     state_ = middle;
   }
 
-  // Rows of constraints in K, D and M. With gap rates g(q, v) and q moving by v, v by a:
+  // Writes the rows of the constraints in K, D and M. For gap rates g(q, v), along q' = v and v' = a, these rows are:
   //   dK/de, of rotations of Lie-group nodes less K times (v x), because increments are those at q;  K + dD/de;  D
   void linearize_gap_accelerations(System& system) {
     std::vector<double> by_q(k_.size()), both(k_.size());

@@ -15,7 +15,8 @@ import dalembert as db
 from dalembert import handles
 from dalembert._item_table import ITEMS
 from dalembert._model import words
-from dalembert._model.handle import facts_of, handle_class
+from dalembert._model.handle import handle_class
+from dalembert._model.item_facts import facts_of
 
 PACKAGE = Path(db.__file__).parent
 GENERATED = Path(__file__).parents[2] / "generated/python/dalembert"

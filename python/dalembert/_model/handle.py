@@ -22,15 +22,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType
-from dalembert._item_table import ITEMS
 from dalembert._model import words
+from dalembert._model.item_facts import OF_WHOLE_BODY, Output, Row, facts_of, is_body
 from dalembert._snake_case import snake_case
 from dalembert._tools.item_packages import item_class
 from dalembert._tools.missing_names import missing, nearest
@@ -38,79 +38,6 @@ from dalembert.create._created import CreatedObject
 
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 _INDICES = (_core.NodeIndex, _core.ObjectIndex, _core.MarkerIndex, _core.LoadIndex, _core.SensorIndex)
-# Outputs that are the same at each point of a body.
-_OF_WHOLE_BODY = {"KineticEnergy", "PotentialEnergy", "Coordinates", "CoordinatesTotal", "Coordinates_t",
-                  "Coordinates_tt", "Force"}  # fmt: skip
-
-
-class Row(NamedTuple):
-    """A parameter: name in the spec, type and check as the core describes them, unit and further facts, text.
-
-    spelled: the name in the spec, or the further name, that the attribute is made of.
-    """
-
-    name: str
-    type: str
-    check: str
-    facts: str
-    text: str
-    spelled: str = ""
-
-
-class Output(NamedTuple):
-    """An output variable: name, number of components (0: varies), unit and text.
-
-    source, part: the output variable and its components that the output consists of, if it has another name.
-    """
-
-    name: str
-    size: int
-    unit: str
-    text: str
-    source: str = ""
-    part: slice = slice(None)
-
-
-class Facts(NamedTuple):
-    """Parameters and outputs of an item type, by snake_case names."""
-
-    parameters: dict[str, Row]
-    visualization: dict[str, Row]
-    outputs: dict[str, Output]
-    ambiguous: dict[str, str]  # parameters that could be taken for an output, with this output
-
-
-@cache
-def facts_of(item: str) -> Facts:
-    """Return the facts of an item type, given by the name of its class, such as 'ObjectMassPoint'."""
-    cls = item_class(item)
-    outputs = {snake_case(row[0]): Output(*row) for row in _core._outputs_of(cls)}
-    parameters = _rows(cls)
-    if "marker_numbers" in parameters:
-        for k, (name, unit) in enumerate((("Force", "N"), ("Torque", "Nm"))):
-            local = outputs.get(f"{name.lower()}_local")
-            if local and local.size == 3 and not {name.lower()} & {*outputs, *parameters}:
-                text = f"{name.lower()} on the first body, in global axes: WrenchOnMarker0"
-                outputs[name.lower()] = Output(name, 3, unit, text, "WrenchOnMarker0", slice(3 * k, 3 * k + 3))
-    meant = {name: [each for each in (name, f"{name}_local") if each in outputs] for name in parameters}
-    ambiguous = {name: found[0] for name, found in meant.items() if found}
-    return Facts(parameters, _rows(item_class(f"V{item}")), outputs, ambiguous)
-
-
-def _rows(cls: type) -> dict[str, Row]:
-    rows = _core._parameters_of(cls)
-    return {snake_case(name): Row(*row[:5], spelled=name) for row in rows for name in (row[0], *row[5])}
-
-
-def is_body(item: str) -> bool:
-    """Return whether an object is a body: it has no markers."""
-    facts = facts_of(item).parameters
-    return item.startswith("Object") and "marker_numbers" not in facts and "slider_marker_number" not in facts
-
-
-def is_constraint(item: str) -> bool:
-    """Return whether an object is a joint or another constraint."""
-    return "Constraint" in ITEMS.get(item, {"types": ()})["types"] or "Joint" in item
 
 
 def class_name(mbs: Any, kind: str, number: int) -> str:
@@ -632,7 +559,7 @@ def handle_class(item: str) -> type[Any]:
     for name, each in facts.outputs.items():
         if name not in facts.ambiguous:
             members[name] = _output(each)
-        if kind == "Object" and is_body(item) and each.name not in _OF_WHOLE_BODY:
+        if kind == "Object" and is_body(item) and each.name not in OF_WHOLE_BODY:
             members[f"{name}_at"] = _output_at(each)
     if kind == "Object" and "marker_numbers" in facts.parameters:
         members |= {"force_on": _force_on, "torque_on": _torque_on}

@@ -13,17 +13,8 @@ from typing import TYPE_CHECKING, Any, overload
 from dalembert import _core, create
 from dalembert._core import DynamicSolverType, MainSystem, OutputVariableType, SimulationSettings, SystemContainer
 from dalembert._model import words
-from dalembert._model.handle import (
-    KINDS,
-    Handle,
-    Output,
-    facts_of,
-    handle_of,
-    is_body,
-    is_constraint,
-    own,
-    wrapped,
-)
+from dalembert._model.handle import KINDS, Handle, handle_of, own, wrapped
+from dalembert._model.item_facts import Output, facts_of, is_body, is_constraint
 from dalembert._model.solution import Solution, check_output
 from dalembert._snake_case import snake_case
 from dalembert._tools.missing_names import missing, nearest

@@ -22,7 +22,8 @@ from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType, symbolic
 from dalembert._io.solution_rows import solution_of
 from dalembert._io.solution_states import _set_row, check_solution_of
-from dalembert._model.handle import Handle, facts_of, handle_of, own, side_of
+from dalembert._model.handle import Handle, handle_of, own, side_of
+from dalembert._model.item_facts import facts_of
 from dalembert._snake_case import snake_case
 from dalembert._tools.missing_names import missing, nearest
 from dalembert._tools.sensor_facts import component_name, variable_of
