@@ -5,8 +5,10 @@ from __future__ import annotations
 import inspect
 import os
 import pickle
+import re
 import subprocess
 import sys
+import time
 import warnings
 from pathlib import Path
 from typing import Any
@@ -352,6 +354,21 @@ def test_files_that_settings_name_are_written(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["named.txt"]
     assert solution.times == pytest.approx([0, 0.05, 0.1], abs=1e-12)
     assert settings.timeIntegration.endTime == db.SimulationSettings().timeIntegration.endTime  # a copy was changed
+
+
+def test_progress_bars(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """The bar shows the time that the solver has reached, and goes at the end; files and pipes get none."""
+    monkeypatch.setattr("dalembert._model.progress._DELAY", 0)
+    model = oscillator()
+    model.system.SetPreStepUserFunction(lambda mbs, t: time.sleep(0.05) or True)
+    for _ in range(2):  # the second solver replaces the first
+        model.solve(end_time=0.8, step_size=0.1, progress=True)
+        bar = capfd.readouterr().err
+        times = [float(each) for each in re.findall(r"([0-9.e-]+)/0.8 s", bar)]
+        assert 0 < max(times[:-1]) < 0.8 and times == sorted(times)
+        assert bar.endswith("\r")
+    model.solve(end_time=0.2, step_size=0.1)
+    assert capfd.readouterr().err == ""
 
 
 def test_plots() -> None:

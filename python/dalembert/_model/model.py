@@ -279,6 +279,7 @@ class Model(CreateMethods):
         every: float | None = None,
         start_time: float = 0.0,
         update_initial_values: bool = False,
+        progress: bool | None = None,
         settings: SimulationSettings | None = None,
     ) -> Solution:
         """Integrate the equations of motion from the initial state to end_time (s), and return the solution.
@@ -292,6 +293,7 @@ class Model(CreateMethods):
         every: time between stored states and sensor values (s); None: all steps are stored.
         update_initial_values: True: the next solution starts from the final state; solutions start from the initial
             state otherwise.
+        progress: show a bar after one second; None: in terminals and notebooks. Messages of the solver replace it.
         settings: all further settings; the arguments above replace those in a copy.
 
         SolverError has the diagnosis if a step cannot be solved. SolutionWarning: a check of the solution failed. No
@@ -308,6 +310,7 @@ class Model(CreateMethods):
             every=every,
             start_time=start_time,
             update_initial_values=update_initial_values,
+            progress=progress,
             settings=settings,
         )
 

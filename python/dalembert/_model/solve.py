@@ -16,6 +16,7 @@ from dalembert._checks import as_number, shape_error
 from dalembert._core import DynamicSolverType, SimulationSettings
 from dalembert._io.solution_states import LoadSolutionFile
 from dalembert._model import words
+from dalembert._model.progress import progress as progress_bar
 from dalembert._model.solution import Solution, SolutionWarning
 from dalembert._solving.diagnosis import FinishedNotTrusted
 
@@ -42,6 +43,7 @@ def solve(
     every: float | None = None,
     start_time: float = 0.0,
     update_initial_values: bool = False,
+    progress: bool | None = None,
     settings: SimulationSettings | None = None,
 ) -> Solution:
     where = "model.solve"
@@ -66,7 +68,10 @@ def solve(
     if period > 0:
         used.denseOutput.atRequestedTimes = True
     wanted = _wanted(model, outputs, where)
-    with _recorded(model, used, where, "dynamicSolver", kind.name) as run:
+    with (
+        _recorded(model, used, where, "dynamicSolver", kind.name) as run,
+        progress_bar(model.system, "dynamicSolver", start, end_time, progress if time.verboseMode == 0 else False),
+    ):
         run(
             lambda: model.system.SolveDynamic(
                 used, solverType=kind, updateInitialValues=update_initial_values, autoAssemble=False

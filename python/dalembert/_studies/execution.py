@@ -397,16 +397,13 @@ _PERIOD = 0.5  # s, between two lines of progress
 
 
 def _with_progress(results: Iterator[Any], sets: Sequence[ParameterSet], serial: bool) -> Iterator[Any]:
-    """Yield results and show how many are done: with tqdm if it is installed, or by a line that is overwritten."""
+    """Yield results and show how many are done: with tqdm, or by a line with the parameters of serial ones."""
     n = len(sets)
     if not serial:
-        try:
-            from tqdm.auto import tqdm  # type: ignore[import-not-found,import-untyped,unused-ignore]
-        except ImportError:
-            pass
-        else:
-            yield from tqdm(results, total=n)
-            return
+        from tqdm.auto import tqdm
+
+        yield from tqdm(results, total=n)
+        return
     shown_at = -_PERIOD
     for i, value in enumerate(results):
         now = time.monotonic()
