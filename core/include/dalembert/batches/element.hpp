@@ -137,8 +137,7 @@ class ElementBatch : public Term {
         return true;
       }
       const auto forces = [&](const Vec<double, n>& a) {
-        return element_residual<E, double>(e.parameters, e.constants, context(evaluation, e),
-                                           Coordinates<double, n>{.q = x.q, .v = {}, .a = a});
+        return forces_at<double>(e, evaluation, {.q = x.q, .v = {}, .a = a});
       };
       const auto moving = forces(x.v), resting = forces({});
       for (int i = 0; i < n; ++i) value += 0.5 * x.v[i] * (moving[i] - resting[i]);
@@ -169,6 +168,12 @@ class ElementBatch : public Term {
   static Context context(const EvaluationOf<S>& evaluation, const Entry& e) {
     return Context::of(evaluation, e.item);
   }
+  // The call where time does not matter: the compiler then unfolds the kernel into add_residual.
+  template <class S>
+  [[gnu::noinline]] static Vec<S, n> forces_at(const Entry& e, const EvaluationOf<S>& evaluation,
+                                               const Coordinates<S, n>& x) {
+    return element_residual<E, S>(e.parameters, e.constants, context(evaluation, e), x);
+  }
   template <class S>
   static void add_residual(const Entry& e, const EvaluationOf<S>& evaluation, S* r) {
     const auto x = gather<n>(evaluation, e.dofs.data());
@@ -194,7 +199,7 @@ class ElementBatch : public Term {
   template <class S>
   static void add_mass(const Entry& e, const EvaluationOf<S>& evaluation, double weight, const int* slot, S* values) {
     Coordinates<S, n> x{};
-    const auto force = [&] { return element_residual<E, S>(e.parameters, e.constants, context(evaluation, e), x); };
+    const auto force = [&] { return forces_at<S>(e, evaluation, x); };
     if constexpr (is_diagonal) {
       x.a.x.fill(weight);
       const auto f = force();
