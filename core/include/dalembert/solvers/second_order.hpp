@@ -1,6 +1,38 @@
-// Implicit time integration of second-order systems: generalized alpha, Newmark and the trapezoidal rule; first-order
-// equations by the trapezoidal rule; constraints of index 3 or 2; Lie-group nodes.
+// Implicit time integration of second-order systems: generalized alpha, Newmark and the trapezoidal rule.
 //
+// The equations of motion, for coordinates q, velocities v, accelerations a and multipliers lambda, are
+//
+//   r(q, v, a, lambda, t) = M a + G^T lambda - f = 0,     g(q, t) = 0     (index 3), or   dg/dt = 0   (index 2).
+//
+// Algorithmic accelerations b approximate those at the time t + (alpha_m - alpha_f) h. A step of size h solves, for n + 1,
+//
+//   r(q, v, a, lambda, t)_{n+1} = 0,  g_{n+1} = 0
+//   (1 - alpha_m) b_{n+1} + alpha_m b_n = (1 - alpha_f) a_{n+1} + alpha_f a_n
+//   q_{n+1} = q_n + h v_n + h^2 ((1/2 - beta) b_n + beta b_{n+1})
+//   v_{n+1} = v_n + h ((1 - gamma) b_n + gamma b_{n+1})
+//
+// with alpha_m = (2 rho - 1) / (rho + 1), alpha_f = rho / (rho + 1), gamma = 1/2 + alpha_f - alpha_m,
+// beta = (gamma + 1/2)^2 / 4: second order, with the spectral radius rho at infinite frequency. Newmark's method has b = a and
+// given beta, gamma; the trapezoidal rule beta = 1/4, gamma = 1/2. First-order coordinates y take y_{n+1} = y_n +
+// h/2 (y'_n + y'_{n+1}). On Lie groups q_n + dq is the composition q_n o exp(dq).
+//
+// Newton's method changes q by dq, v by gamma' dq and a by beta' dq, where gamma' = gamma / (h beta) and
+// beta' = (1 - alpha_m) / (h^2 beta (1 - alpha_f)), and solves
+//
+//   [ beta h^2 (K + gamma' D + beta' M)   G^T ] [ dq                 ]     [ beta h^2 r ]
+//   [ G                                   0   ] [ beta h^2 dlambda   ] = - [ g          ]
+//
+// whose condition does not grow for small h (`row_scale` is beta h^2). The order of calls in a step:
+//
+//   save_start_of_step
+//   compute_update(initial = true): predict         q, v for a_{n+1} = 0
+//   compute_residual, compute_jacobian, linear solution, compute_update(false): correct      until convergence
+//   finalize_newton                                 b_{n+1}
+//
+// A start with b = a has a transient of first order in multipliers and velocities; `start_steadily` avoids it.
+//
+// Chung, Hulbert: A time integration algorithm for structural dynamics with improved numerical dissipation, Journal of
+//   Applied Mechanics 60 (1993).
 // Arnold, Bruels: Convergence of the generalized-alpha scheme for constrained mechanical systems, Multibody System
 //   Dynamics 18 (2007), algorithm 1, with the scaling of equations and multipliers given there.
 // Holzinger, Arnold, Gerstmayr: Improving the accuracy of Newmark-based time integration methods for rigid bodies on Lie
