@@ -506,3 +506,39 @@ def test_round_off_on_the_diagonal_is_not_a_scale(seed: int, noise: float) -> No
     x = np.asarray(solver.solve(right))
     wanted = np.linalg.solve(matrix, right)
     assert np.abs(x - wanted).max() < EPS * np.linalg.cond(matrix) * np.abs(wanted).max()
+
+
+def redundant_equations(seed: int) -> tuple[np.ndarray, np.ndarray, testing.ProximalSolver]:
+    """A and G of 12 coordinates and 8 equations, three of which follow from others, and their factors; D is 1."""
+    rng = np.random.default_rng(seed)
+    root = rng.normal(size=(12, 12))
+    independent = rng.normal(size=(5, 12))
+    A, G = root @ root.T + np.eye(12), np.vstack([independent, rng.normal(size=(3, 5)) @ independent])
+    matrix = csc(np.block([[A, G.T], [G, np.zeros((8, 8))]]))
+    solver = testing.ProximalSolver(matrix.indptr, matrix.indices, np.ones(8))
+    assert solver.factorize(matrix.data, 1e-9) == -1
+    return A, G, solver
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_redundant_equations_are_fulfilled(seed: int) -> None:
+    """x is that of the minimum of x^T A x / 2 - f^T x on the plane G x = g, by a basis of its directions."""
+    A, G, solver = redundant_equations(seed)
+    rng = np.random.default_rng(seed + 100)
+    f, point = rng.normal(size=12), rng.normal(size=12)
+    free = np.linalg.svd(G)[2][5:].T
+    wanted = point + free @ np.linalg.solve(free.T @ A @ free, free.T @ (f - A @ point))
+    x = solver.solve(np.concatenate([f, G @ point]))[:12]
+    np.testing.assert_allclose(x, wanted, rtol=0, atol=1e-10 * np.abs(wanted).max())  # refined to 1e-12
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_misfit_is_what_no_motion_closes(seed: int) -> None:
+    """It is g minus its closest values G x, in the metric D = 1; without it, gaps are closed exactly."""
+    _, G, solver = redundant_equations(seed)
+    gaps = np.random.default_rng(seed + 200).normal(size=8)
+    closest = G @ np.linalg.lstsq(G, gaps, rcond=1e-12)[0]
+    misfit = solver.misfit(gaps)
+    x = solver.solve(np.concatenate([np.zeros(12), gaps]), fit=False)[:12]
+    np.testing.assert_allclose(misfit, gaps - closest, rtol=0, atol=1000 * EPS)
+    np.testing.assert_allclose(G @ x, closest, rtol=0, atol=1000 * EPS)

@@ -197,8 +197,7 @@ class _Projection:
                 return iteration, False
             constraints = self.linearized(rate_level=False)
             if scale is None:  # scale of all steps, which are compared
-                scale = np.ones_like(gaps)
-                scale[constraints.rows] = constraints.row_scale
+                scale = constraints.scale
             moved = self._better(constraints, self._closable(constraints, gaps), scale, damping)
             if moved is None:
                 return iteration + 1, self.size(gaps) > self.round_off
@@ -332,13 +331,11 @@ def ComputeConsistentInitialConditions(
     """Change initial positions and velocities such that all constraints are fulfilled, and return the changes.
 
     Positions are projected onto the constraints in steps, each of which is the smallest in the metric of the mass
-    matrix:
-    heavy bodies move less than light ones. Velocities change once, as in a plastic impact.
-    Coordinates without mass are treated as if their mass were 1. Constraints may be redundant; those that contradict
-    each
-    other by no more than solvers tolerate (simulationSettings.redundantConstraints.largestMisfit) are fitted as closely
-    as possible, with a warning that names them. Initial and current
-    configuration hold the result; accelerations and multipliers follow when a solver starts.
+    matrix: heavy bodies move less than light ones. Velocities change once, as in a plastic impact. Coordinates without
+    mass are treated as if their mass were 1. Constraints may be redundant; those that contradict each other by no more
+    than solvers tolerate (simulationSettings.redundantConstraints.largestMisfit) are fitted as closely as possible,
+    with a warning that names them. Initial and current configuration hold the result; accelerations and multipliers
+    follow when a solver starts.
 
     simulationSettings: constraints that change with time are taken at timeIntegration.startTime.
     positions, velocities: flags of the quantities that may change.

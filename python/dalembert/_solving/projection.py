@@ -1,7 +1,7 @@
 """Smallest changes, in the metric of the mass matrix, that fulfil linearized constraints, redundant ones among them.
 
-In scaled unknowns and equations the step solves [[M, G^T], [G, -eps I]] (x, y) = (0, b), which has a solution for any
-rank of G. In well-conditioned directions, x is that of eps = 0; the next step corrects the rest.
+The step solves [[M, G^T], [G, -eps D]] (x, y) = (0, b), which has a solution for any rank of G. In well-conditioned
+directions, x is that of eps = 0; the next step corrects the rest. A large eps damps the step (Levenberg-Marquardt).
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import FloatArray, IntArray
+from dalembert._solving.sparse_factors import constrained_factors
 
 REGULAR, SMALLER, SMALLEST = 1e-10, 1e-12, 1e-14  # default eps; values for slow convergence
 _LARGEST_BLOCK = 12  # coordinates of a mass matrix block that is searched for motions without inertia
@@ -73,43 +74,28 @@ class LinearizedConstraints:
     """
 
     def __init__(self, mass: Any, gradient: Any, held: FloatArray, shares: FloatArray) -> None:
-        from scipy.sparse import diags_array
+        from scipy.sparse import block_array, diags_array
 
         free = diags_array(1.0 - held)
-        self._mass = free @ mass @ free + diags_array(held)
-        gradient = (gradient @ free).tocsr()
-        self._scale = 1 / np.sqrt(self._mass.diagonal())
-        squares = gradient.multiply(gradient) @ self._scale**2
-        self.rows = np.flatnonzero(squares > 0)
-        self.row_scale = 1 / np.sqrt(np.where(shares > 0, shares, squares)[self.rows])
-        self._gradient = gradient[self.rows]
-
-    def _factor(self, eps: float) -> Any:
-        from scipy.sparse import block_array, csc_array, diags_array, eye_array
-        from scipy.sparse.linalg import splu
-
-        scale, row_scale = diags_array(self._scale), diags_array(self.row_scale)
-        gradient = row_scale @ self._gradient @ scale
-        matrix = block_array(
-            [[scale @ self._mass @ scale, gradient.T], [gradient, -eps * eye_array(len(self.rows))]], format="csc"
-        )
-        return splu(csc_array(matrix))
+        mass, gradient = free @ mass @ free + diags_array(held), gradient @ free
+        squares = gradient.multiply(gradient) @ (1 / mass.diagonal())
+        self._acts, self._coordinates = squares > 0, len(held)
+        self._metric = np.where(self._acts, np.where(shares > 0, shares, squares), 1.0)
+        self.scale = np.where(self._acts, 1 / np.sqrt(self._metric), 1.0)  # of gaps, by row
+        self._matrix = block_array([[mass, gradient.T], [gradient, None]], format="csc")
 
     def solver(self, eps: float) -> Callable[[FloatArray], FloatArray]:
-        """Return the function that finds the smallest x with G x = b; entries of b for rows left out are ignored."""
-        if not len(self.rows):
-            return lambda right: np.zeros_like(self._scale)
-        factor, size = self._factor(eps), len(self._scale)
+        """Return the function that finds the smallest x with G x = b."""
+        factors = constrained_factors(self._matrix, self._metric, eps)
 
         def solve(right: FloatArray) -> FloatArray:
-            scaled = np.concatenate((np.zeros(size), self.row_scale * right[self.rows]))
-            return np.asarray(self._scale * factor.solve(scaled)[:size])
+            return factors.step(np.append(np.zeros(self._coordinates), self._acts * right))[: self._coordinates]
 
         return solve
 
     def left_open(self, right: FloatArray) -> tuple[FloatArray, float]:
         """Return the part of b that no x fulfils, and its relative size, for scaled equations."""
-        left = np.zeros_like(right)
-        left[self.rows] = right[self.rows] - self._gradient @ self.solver(REGULAR)(right)
-        sizes = [float(np.linalg.norm(self.row_scale * b[self.rows])) for b in (left, right)]
+        right = self._acts * right
+        left = constrained_factors(self._matrix, self._metric, REGULAR).misfit(right)
+        sizes = [float(np.linalg.norm(self.scale * b)) for b in (left, right)]
         return left, sizes[0] / max(sizes[1], 1e-300)

@@ -15,7 +15,7 @@ from dalembert._solving.diagnosis import SolverError, listed
 from dalembert._solving.quiet import assemble_if_needed
 from dalembert._solving.reduced_pencil import INFINITE, ReducedPencil, solve_the_equations
 from dalembert._solving.rotating_frame import RotatingFrame
-from dalembert._solving.sparse_factors import ConstrainedSolver
+from dalembert._solving.sparse_factors import constrained_factors
 
 _NAME = "ComputeVibrationModes"
 _DENSE = 250  # numbers of the first order system up to which all eigenvalues are computed
@@ -28,6 +28,8 @@ _FAR_TURN, _FAR_MOVE = 1.5, 2.0  # limits beyond which an equilibrium counts as 
 _SHORTER_STEPS = 8  # tries with more inertia until a step is short enough
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
 _CLOSED, _NOTICEABLE = 1e-11, 1e-10  # gaps of joints, relative to the size of their mechanism, or in rad
+_EPS = 1e-11  # of constraints, relative to the compliance that they meet
+_EPS_PER_SQUARED_GAP, _LEAST_EPS_APART, _LARGEST_EPS = 1e6, 1e-8, 1e-7
 _ROUND_OFF = 1e3 * np.finfo(float).eps
 _MORE = 4  # eigenvalues that are computed besides those asked for
 _BASIS = 4  # vectors of Arnoldi's method per eigenvalue: two may not separate pairs of equal size
@@ -98,12 +100,40 @@ def _start(mbs: Any) -> Any:
     return state
 
 
-def _factors(matrix: Any, n: int, apart: float) -> ConstrainedSolver:
-    try:
-        return ConstrainedSolver(matrix, n, apart)
-    except np.linalg.LinAlgError as error:
-        problem = f"the matrix of small motions is singular ({error})"
-        raise _error("singularMatrix", problem, "give all coordinates stiffness or mass") from error
+class _Factors:
+    """Factors of a matrix of n small motions and their constraints.
+
+    Springs along the constraints, as stiff as what these hold, do not change the solution. They make the matrix of the
+    motions regular. The metric of the constraints is the compliance of the springs.
+
+    apart: part of the gaps of joints that no motion closes, relative to the size of their mechanism, or in rad. They
+    make redundant equations independent by the square of the gap; a multiple of it makes their effect negligible.
+    """
+
+    def __init__(self, matrix: Any, n: int, apart: float) -> None:
+        from scipy.sparse import block_diag, csr_array, diags_array
+
+        own, forces = matrix.diagonal()[n:] != 0, matrix[:n, n:]  # own: equations that define their multipliers
+        largest = (diags_array(np.abs(matrix.diagonal()[:n])) @ abs(forces).sign()).max(axis=0).toarray().ravel()
+        squares = np.asarray(forces.power(2).sum(axis=0)).ravel()
+        held = (largest > 0) & (squares > 0) & ~own
+        compliance = np.where(own, 0.0, np.divide(squares, largest, out=np.ones(len(own)), where=held))
+        self._n, self._springs = n, forces @ diags_array(held / np.where(held, compliance, 1.0))
+        eps = _EPS if apart <= _CLOSED else min(_LARGEST_EPS, max(_LEAST_EPS_APART, _EPS_PER_SQUARED_GAP * apart**2))
+        if len(own):
+            matrix = matrix + block_diag(
+                [self._springs @ matrix[n:, :n], csr_array((len(own), len(own)))], format="csr"
+            )
+        try:
+            self._factors = constrained_factors(matrix, compliance, eps)
+        except np.linalg.LinAlgError as error:
+            problem = f"the matrix of small motions is singular ({error})"
+            raise _error("singularMatrix", problem, "give all coordinates stiffness or mass") from error
+
+    def solve(self, right: FloatArray, fit: bool) -> FloatArray:
+        """Return the solution. fit = False: what no motion closes of the gaps is left open."""
+        n = self._n
+        return self._factors.solve(np.append(right[:n] + self._springs @ right[n:], right[n:]), fit)
 
 
 def _shifted(M: Any, G: Any, K: Any, shift: float) -> Any:
@@ -133,11 +163,8 @@ def _step(
     M, G, K = matrices
     n, shift = M.shape[0], _shift_of(M, K, parts)
     for _ in range(_SHORTER_STEPS):
-        factors = _factors(_shifted(M, G * 0, K, shift), n, gap if is_closed else 0.0)
-        right = residual.copy()
-        if gap > _CLOSED:
-            right[n:] -= factors.left_open(right)
-        increment = -factors.solve(right)
+        factors = _Factors(_shifted(M, G * 0, K, shift), n, gap if is_closed else 0.0)
+        increment = -factors.solve(residual, fit=gap <= _CLOSED)
         moves, turns = parts.sizes(increment[:n])
         excess = max(moves.max(initial=0.0) / _LARGEST_MOVE, turns.max(initial=0.0) / _LARGEST_TURN)
         if not excess > 1.0:
@@ -257,22 +284,21 @@ def _nearest(
     from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs
 
     n, size = M.shape[0], K.shape[0]
-    solve = _factors(_shifted(M, G, K, shift), n, apart).solve
+    factors, fit = _Factors(_shifted(M, G, K, shift), n, apart), apart <= _CLOSED
     damped = G + shift * M
 
     def inverse(y: FloatArray) -> FloatArray:
-        y = y.reshape(2 * n, -1)
-        right = np.zeros((size, y.shape[1]))
+        right = np.zeros(size)
         right[:n] = -(M @ y[n:]) - damped @ y[:n]
-        x = solve(right)[:n]
-        return np.vstack([x, shift * x + y[:n]])
+        x = factors.solve(right, fit)[:n]
+        return np.append(x, shift * x + y[:n])
 
     wanted = 2 * count + _MORE
-    operator = LinearOperator((2 * n, 2 * n), matvec=lambda y: inverse(y).ravel(), dtype=float)
+    operator = LinearOperator((2 * n, 2 * n), matvec=lambda y: inverse(y.ravel()), dtype=float)
     # vectors in the range of the operator fulfil the constraints
     first = np.random.default_rng(1).normal(size=2 * n)
     for _ in range(_LONGEST_CHAIN):
-        first = inverse(first).ravel()
+        first = inverse(first)
         first /= np.linalg.norm(first)
     try:
         inverses, vectors = eigs(operator, k=wanted, ncv=min(_BASIS * wanted, 2 * n), v0=first, maxiter=_RESTARTS)

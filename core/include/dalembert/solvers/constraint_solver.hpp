@@ -1,20 +1,5 @@
-// Solutions of equations of motion whose constraints may be redundant:
-//
-//   [ A   G^T    ] [ x      ]   [ f ]
-//   [ G  -eps D  ] [ lambda ] = [ g ]
-//
-// A is the mass matrix, or the matrix of Newton's method for the coordinates; G is the constraint Jacobian. D is the
-// constraint metric (`ConstraintMetric`): one number for the forces of a mechanism, and one for its moments. For eps > 0
-// the matrix is regular even if constraints are redundant. Residuals remain exact, so that Newton's method converges to
-// the solution of the original constraints. This is the proximal point method (Rockafellar 1976).
-//
-// Let S = G A^-1 G^T. The operator P = eps (S + eps D)^-1 D keeps multipliers that exert no force (the null space of G^T)
-// and multiplies all others by approximately eps. One solution evaluates it: P y is the negative multiplier part of the
-// solution for f = 0, g = eps D y. The operator has two uses:
-//   - It removes the null-space part of multipliers (`make_smallest`). The result has the minimum norm of all multipliers
-//     with the same forces.
-//   - Its transpose gives the misfit: the part of constraint violations that no motion can close. Multipliers would
-//     increase by this part in each iteration.
+// The regularization of constraints that may be redundant: which equations get which eps in the equations of
+// `ProximalEquations`.
 //
 // If joints have gaps of relative size g, a redundant constraint becomes a weak one with the strength g^2. The mechanism
 // has to move as if this constraint did not exist, which needs a larger eps (`choose`).
@@ -27,6 +12,7 @@
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/simulation_settings.hpp"
 #include "dalembert/solvers/constraint_rank.hpp"
+#include "dalembert/solvers/proximal_equations.hpp"
 #include "dalembert/system/system.hpp"
 
 namespace dalembert {
@@ -55,6 +41,11 @@ class ConstraintSolver {
   // singular position. Returns false if the model has no loops, or if the solver is active already.
   bool activate();
   void deactivate() { active_ = false; }
+  const ConstraintRank& rank() const { return rank_; }  // at the state of `prepare`
+  // Whether as many constraints are redundant at a state near that of `prepare`, so that this one is not singular.
+  bool rank_holds_nearby() const { return rank_holds_nearby_; }
+  bool compare_rank(System& system, const State& near, const Conditions& conditions,
+                    const RedundantConstraintsSettings& settings);
 
   // ---- gaps -------------------------------------------------------------------------------------------------------
   // Largest position gap, relative to the size of the mechanism or in radians.
@@ -83,36 +74,32 @@ class ConstraintSolver {
   void regularize(const Pattern& pattern, std::span<double> values, double scale, double rate, bool all_rates);
   void pattern_revised() { slots_.clear(); }
   // The part of constraint violations that no motion can close, by equation. `factors` are those of the regularized matrix.
-  std::vector<double> misfit(LinearSolver& factors, std::span<const double> gaps);
+  std::vector<double> misfit(LinearSolver& factors, std::span<const double> gaps) {
+    return equations_.misfit(factors, gaps);
+  }
   // Solves for all unknowns with exact constraints. Multipliers are not unique.
-  void solve(LinearSolver& factors, std::span<double> x);
+  void solve(LinearSolver& factors, std::span<double> x) { equations_.solve(factors, x, fit_); }
   // Replaces multipliers by those with minimum norm in the metric that exert the same forces.
-  void make_smallest(LinearSolver& factors, std::span<double> multipliers);
+  void make_smallest(LinearSolver& factors, std::span<double> multipliers) {
+    equations_.make_smallest(factors, multipliers);
+  }
 
   double eps() const { return eps_; }
   // Whether eps had to be so large, because of gaps, that reactions of the weakest constraints have errors above 1 %.
   bool hides_constraints() const { return hides_constraints_; }
-  std::span<const int> rows() const { return rows_; }
+  std::span<const int> rows() const { return equations_.rows(); }
 
  private:
-  double entry(int equation) const { return entries_[static_cast<std::size_t>(equation)]; }
-  // Solves for right-hand sides of constraints. Returns all unknowns.
-  std::span<double> solve_for(LinearSolver& factors, std::span<const double> gaps);
-
-  bool prepared_ = false, active_ = false, fit_ = true, frees_ = false;
+  bool prepared_ = false, active_ = false, fit_ = true, frees_ = false, rank_holds_nearby_ = false;
   Matrix kind_ = Matrix::motion;
   double eps_ = 0, regular_eps_ = 0, largest_gap_ = 0;
-  double strength_ = 1;  // of the weakest constraint
   bool hides_constraints_ = false;
   int first_ae_ = 0;
-  std::vector<int> rows_;  // equations with a metric
-  std::vector<int> dependent_;  // redundant equations, for the order of elimination
-  std::vector<double> metric_;  // D for the inverse masses, by equation; zero if never redundant
+  ProximalEquations equations_;
+  ConstraintRank rank_;
   std::vector<double> units_;  // units of gaps, by equation
   std::vector<char> of_velocities_;  // velocity constraints, by equation
-  std::vector<double> entries_;  // diagonal entries -eps D, by equation
-  std::vector<int> slots_;  // slots of the diagonal entries, by rows_
-  std::vector<double> x_, rest_;
+  std::vector<int> slots_;  // slots of the diagonal entries, by rows()
 };
 
 // Size of A^-1 relative to the inverse masses: the median of M_jj / |A_jj|.

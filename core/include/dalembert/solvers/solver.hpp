@@ -211,6 +211,7 @@ class Solver {
   double largest_misfit_ = 0;
   void find_rank() { find_rank(current()); }
   void find_rank(const State& at);
+  void take_rank(ConstraintRank rank);
   // Called if constraints are redundant at the start only because it is a singular position.
   virtual void solve_as_regular() {}
   ConstraintRank rank_;

@@ -279,17 +279,22 @@ bool ConstrainedMotion::follow_motion(System& system, const State& start, const 
   if (!constraints_.active()) return true;
   const double size = relative_size(system, direction);
   if (!(size > at_rest)) return true;
+  const auto move_by = [&](double part, State& moved) {
+    std::vector<double> step = direction;
+    for (double& x : step) x *= part / size;
+    move_positions(system, step, moved.q);
+    return factorize(system, moved, conditions) == LinearSolver::success && project(system, moved, conditions);
+  };
+  if (State beside = start;
+      move_by(distance, beside) && constraints_.compare_rank(system, beside, conditions, settings_))
+    return factorize(system, start, conditions) == LinearSolver::success;
   std::vector<double> spread(a.size());
   const auto mean = [&](double part) {
     std::pair<std::vector<double>, std::vector<double>> sum{std::vector<double>(a.size()),
                                                             std::vector<double>(lambda.size())};
     for (const double side : {-1.0, 1.0}) {
       State moved = start;
-      std::vector<double> step = direction;
-      for (double& x : step) x *= side * part / size;
-      move_positions(system, step, moved.q);
-      if (factorize(system, moved, conditions) != LinearSolver::success || !project(system, moved, conditions) ||
-          factorize(system, moved, conditions) != LinearSolver::success)
+      if (!move_by(side * part, moved) || factorize(system, moved, conditions) != LinearSolver::success)
         return std::pair<std::vector<double>, std::vector<double>>{a, lambda};
       std::vector<double> of_side(a.size()), forces(lambda.size());
       find(moved, of_side, forces);

@@ -15,28 +15,35 @@ constexpr double near_position = 1e-3;  // relative to the size of the model
 }  // namespace
 
 [[gnu::noinline]] void Solver::find_rank(const State& at) {
-  rank_ = {};
-  rank_known_ = true;
-  if (sizes_.ae == 0) return;
+  ConstraintRank rank;
+  bool remains_known = true;
   if (constraint_solver().active()) {
     const auto rank_at = [&](const State& state) {
       return ConstraintRank(
           *system_, state, conditions_,
           constraint_metric(*system_, state, conditions_, settings_->redundantConstraints.momentLength));
     };
-    rank_ = rank_at(at);
-    bool leaves = rank_.count() == 0;
+    rank = rank_at(at);
+    bool leaves = rank.count() == 0;
     // In a singular position, more equations depend on each other than near it.
-    if (rank_.count() > 0 && !is_static()) {
+    if (rank.count() > 0 && !is_static()) {
       ConstraintRank near = rank_at(singular_->moved_along_velocities(at, near_position));
-      if (near.count() < rank_.count()) {
-        rank_ = std::move(near);
+      if (near.count() < rank.count()) {
+        rank = std::move(near);
         // The first step, and a motion from rest, need the regularization.
-        rank_known_ = leaves = it.currentStepIndex > 0 && largest(start_of_step().v) > at_rest;
+        remains_known = leaves = it.currentStepIndex > 0 && largest(start_of_step().v) > at_rest;
       }
     }
-    if (leaves && rank_.count() == 0 && rank_.certain() && !is_static()) solve_as_regular();
+    if (leaves && rank.count() == 0 && rank.certain() && !is_static()) solve_as_regular();
   }
+  take_rank(std::move(rank));
+  rank_known_ = remains_known;
+}
+
+// Announces redundant equations once.
+void Solver::take_rank(ConstraintRank rank) {
+  rank_ = std::move(rank);
+  rank_known_ = true;
   system_->reactions_are_known(rank_.equations());
   if (rank_.count() == 0 || std::exchange(announced_rank_, true) || !verbose(1)) return;
   std::string text =

@@ -169,6 +169,7 @@ bool SecondOrderSolver::find_accelerations(ConstrainedMotion& motion, int singul
   }
   prepare_constraints(motion.constraints());
   InitialAccelerations found = initial_accelerations(motion, system(), now, conditions_);
+  if (motion.constraints().rank_holds_nearby() && !rank_known_) take_rank(motion.constraints().rank());
   if (!found.decided) singular_->warn_of_undecided_start();
   now.a = found.a;  // in place: other objects refer to the vector
   now.lambda = found.lambda;
