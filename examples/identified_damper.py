@@ -1,58 +1,39 @@
-"""Spring and damper of a wheel suspension, identified from measured accelerations of a vehicle on a bumpy road.
+"""Spring and damper of a wheel suspension, identified from measured accelerations on a bumpy road.
 
-A quarter of a vehicle, with the mass of the body above that of the wheel, drives over a bump at a constant speed. The
-measurement is a solution with other numbers, and with noise. A fit by least squares needs derivatives of all measured
-values with respect to the parameters: they come with the solution, and also tell how well the parameters are known.
+A fit by least squares uses exact derivatives of the solution, which also tell how well the parameters are known.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 from scipy.optimize import least_squares
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
 
-body, wheel, tyre = 320.0, 40.0, 1.8e5  # kg, kg, N/m
-exact, guess = {"stiffness": 21000.0, "damping": 1600.0}, {"stiffness": 15000.0, "damping": 700.0}  # N/m, Ns/m
-noise = 0.3  # m/s^2, standard deviation
-height, duration = 0.05, 0.12  # of the bump: m, s
+exact, noise = {"stiffness": 21000.0, "damping": 1600.0}, 0.3  # N/m, Ns/m; standard deviation in m/s^2
+times, measured_at = np.linspace(0, 1, 1001), np.linspace(0.01, 1, 100)
+bump = np.column_stack([times, 0.05 * np.exp(-(((times - 0.2) / 0.03) ** 2))])  # s, m
 
-mbs = exu.SystemContainer().AddSystem()
-markers = [mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))]
-for name, mass in (("wheel", wheel), ("body", body)):
-    node = mbs.AddNode(Node1D(name=name))
-    mbs.AddObject(Mass1D(physicsMass=mass, nodeNumber=node))
-    markers.append(mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0)))
-mbs.AddObject(CoordinateSpringDamper(name="suspension", markerNumbers=markers[1:], **guess))
+model = db.Model()
+for name, mass, height in (("road", 1, 0.0), ("wheel", 40, 0.3), ("body", 320, 0.9)):
+    model.create_box(name=name, size=[0.8, 0.4, 0.1], mass=mass, reference_position=[0, 0, height])
+    model.create_prismatic_joint(body_numbers=["ground", name], position=[0, 0, 0], axis="z")
+model.create_prescribed_motion(body_numbers=["ground", "road"], position=[0, 0, 0], axis="z", motion=bump)
+model.create_spring_damper(name="tyre", body_numbers=["road", "wheel"], stiffness=1.8e5)
+model.create_spring_damper(name="suspension", body_numbers=["wheel", "body"], stiffness=15000, damping=700)
+model.create_sensor("body", "acceleration", name="acceleration")
 
+output = {"a": db.At("acceleration", measured_at, component=2)}
+twin = model.differentiable({name: ("suspension", name) for name in exact}, output, end_time=1, step_size=1e-3)
+measured = twin.Values(exact)["a"] + np.random.default_rng(1).normal(0, noise, len(measured_at))
+residuals, jacobian = twin.LeastSquares({"a": measured})
+fit = least_squares(residuals, twin.x0, jac=jacobian, x_scale="jac")
+deviations = np.sqrt(np.diag(twin.Covariance(fit.x, noise)))
+for name, unit, value, deviation in zip(exact, ("N/m", "Ns/m"), fit.x, deviations, strict=True):
+    print(f"{name}: {value:.1f} {unit}, with a deviation of {deviation:.1f}; measured with {exact[name]:.1f} {unit}")
 
-def bump(mbs, t, itemNumber, u, v, stiffness, damping, offset):
-    """The force of the tyre, whose lower end follows a bump (1 - cos)/2."""
-    phase = t / duration
-    road = 0.5 * height * (1 - exu.symbolic.cos(2 * np.pi * phase)) * exu.symbolic.IfThenElse(phase < 1, 1, 0)
-    return stiffness * (u - road)
-
-
-contact = mbs.AddObject(CoordinateSpringDamper(name="tyre", markerNumbers=markers[:2], stiffness=tyre))
-law = CreateSymbolicUserFunction(mbs, bump, "springForceUserFunction", contact)
-mbs.SetObjectParameter(contact, "springForceUserFunction", law)
-kind = exu.OutputVariableType.Coordinates_tt
-mbs.AddSensor(SensorNode(name="acceleration", nodeNumber="body", outputVariableType=kind))
-mbs.Assemble()
-
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 1.0, 1000
-times = np.linspace(0.01, 1, 100)
-parameters = {name: ("suspension", name) for name in exact}
-model = exu.DifferentiableModel(mbs, parameters, {"a": exu.At("acceleration", times)}, settings)
-measured = model.Values(exact)["a"] + np.random.default_rng(1).normal(0, noise, len(times))
-
-residuals, jacobian = model.LeastSquares({"a": measured})
-fit = least_squares(residuals, model.x0, jac=jacobian, x_scale="jac")
-deviation = np.sqrt(np.diag(model.Covariance(fit.x, noise)))
-for name, unit, value, error in zip(exact, ("N/m", "Ns/m"), fit.x, deviation, strict=True):
-    print(f"{name}: {value:.1f} {unit}, with a deviation of {error:.1f} {unit}; measured with {exact[name]:.1f} {unit}")
-
-curves = [np.column_stack([times, values]) for values in (measured, model.Values(guess)["a"], model.Values(fit.x)["a"])]
-mbs.PlotSensor(curves, labels=["measured", "before", "after"], lineStyles=["", "--", "-"], markerStyles=["o", "", ""],
-               markerDensity=None, yLabel="acceleration of the body (m/s$^2$)", fileName="identified_damper.png",
-               closeAll=True)  # fmt: skip
+for x, style, label in ((twin.x0, "--", "before"), (fit.x, "-", "after")):
+    plt.plot(measured_at, twin.Values(x)["a"], style, label=label)
+plt.plot(measured_at, measured, "o", markersize=3, label="measured")
+plt.gca().set(xlabel="time (s)", ylabel="acceleration of the body (m/s$^2$)")
+plt.legend()
+plt.savefig("identified_damper.png")

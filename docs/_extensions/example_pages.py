@@ -23,7 +23,7 @@ its theoretical value; tests compare them.
 
 def pictures(path: Path) -> list[str]:
     """Names of the files that an example draws and plots into. The first stands for it: the model, if it is drawn."""
-    names = re.findall(r'(?:fileName|file_name)="(\w+\.(?:png|gif))"', path.read_text("utf-8"))
+    names = re.findall(r'(?:fileName=|file_name=|savefig\()"(\w+\.(?:png|gif))"', path.read_text("utf-8"))
     return sorted(names, key=lambda name: "_picture" not in name)
 
 

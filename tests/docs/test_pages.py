@@ -78,7 +78,7 @@ AGREEMENT = {  # relative difference of compared values, and how many there are
     "glass_and_mirrors": (8e-3, 1),  # half a pixel of 61
     "cable_car": (1.5e-2, 2),  # the bending stiffness of the rope; the cabin still swings a little
     "vibration_absorber": (1e-5, 3),  # rounding of six digits
-    "identified_damper": (3e-2, 2),  # a deviation of the measurement by 2.1 % of the stiffness
+    "identified_damper": (3e-2, 2),  # deviations of the measurement: 3.9 % of the stiffness, 2.1 % of the damping
     "shaped_cantilever": (3e-3, 4),  # the beam has 1.6 % of the mass at its tip
     "swing_up": (1e-5, 1),  # conditions at the end hold to the tolerance of the method, 1e-5
 }
@@ -87,7 +87,7 @@ AGREEMENT = {  # relative difference of compared values, and how many there are
 @pytest.mark.parametrize("path", example_runs.EXAMPLES, ids=[path.stem for path in example_runs.EXAMPLES])
 def test_example_runs_plots_and_agrees(path: Path) -> None:
     folder = example_runs.run(path)  # the pages show these results
-    wanted = set(re.findall(r'(?:fileName|file_name)="(\w+\.png)"', path.read_text()))
+    wanted = set(re.findall(r'(?:fileName=|file_name=|savefig\()"(\w+\.png)"', path.read_text()))
     assert wanted and wanted == {plot.name for plot in folder.glob("*.png")}
     printed = (folder / "printed.txt").read_text("utf-8")
     compared = [match.groups() for line in printed.splitlines() if (match := COMPARISON.fullmatch(line))]

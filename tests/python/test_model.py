@@ -356,6 +356,31 @@ def test_files_that_settings_name_are_written(tmp_path: Path) -> None:
     assert settings.timeIntegration.endTime == db.SimulationSettings().timeIntegration.endTime  # a copy was changed
 
 
+def test_differentiable_models() -> None:
+    """The free vibration from 0.1 m; derivatives by its formula. Errors of the scheme: (h omega)^2 / 12, times 20 rad."""
+    model = oscillator()
+    model.create_sensor("mass", "displacement", name="x")
+    places = {"k": ("spring", "stiffness", 0), "c": (model["spring"], "damping", 0), "m": ("mass", "mass")}
+    found = model.differentiable(places, {"x": db.At("x")}, end_time=1, step_size=1e-3).Sensitivities(
+        [MASS * OMEGA**2, 2 * DAMPING * OMEGA * MASS, MASS]
+    )
+
+    def end(k: float, c: float, m: float) -> float:
+        decay = c / (2 * m)
+        omega = np.sqrt(k / m - decay**2)
+        return float(0.1 * np.exp(-decay) * (np.cos(omega) + decay / omega * np.sin(omega)))
+
+    at = np.array([MASS * OMEGA**2, 2 * DAMPING * OMEGA * MASS, MASS])
+    wanted = [(end(*(at + d)) - end(*(at - d))) / 2e-4 for d in 1e-4 * np.eye(3)]
+    assert found.matrix[0] == pytest.approx(wanted, rel=5e-3, abs=1e-3 * np.abs(wanted).max())
+    with pytest.raises(KeyError, match="no item 'sprin'. Did you mean 'spring'"):
+        model.differentiable({"k": ("sprin", "stiffness")}, {"x": db.At("x")}, 1, 1e-3)
+    with pytest.raises(TypeError, match="parameters: expected .*, received 'k'"):
+        model.differentiable("k", {}, 1, 1e-3)
+    with pytest.raises(ValueError, match="model.differentiable: step_size: GeneralizedAlpha has equal steps"):
+        model.differentiable({"k": ("spring", "stiffness", 0)}, {"x": db.At("x")}, 1)
+
+
 def test_progress_bars(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     """The bar shows the time that the solver has reached, and goes at the end; files and pipes get none."""
     monkeypatch.setattr("dalembert._model.progress._DELAY", 0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from enum import Enum
 from functools import cache
 from typing import TYPE_CHECKING, Any, overload
@@ -21,6 +21,7 @@ from dalembert._tools.missing_names import missing, nearest
 
 if TYPE_CHECKING:
     from dalembert._create_methods import CreateMethods
+    from dalembert._studies.differentiable_model import DifferentiableModel
 else:
 
     class CreateMethods:
@@ -335,6 +336,29 @@ class Model(CreateMethods):
             load_steps=load_steps,
             update_initial_values=update_initial_values,
             settings=settings,
+        )
+
+    def differentiable(
+        self,
+        parameters: Mapping[str, Any],
+        outputs: Mapping[str, Any],
+        end_time: float,
+        step_size: float | None = None,
+        *,
+        method: str | DynamicSolverType = "generalized_alpha",
+        start_time: float = 0.0,
+        settings: SimulationSettings | None = None,
+    ) -> DifferentiableModel:
+        """Return outputs of a solution as a function of parameters, with exact derivatives, for optimizers.
+
+        parameters: places by name: {"k": (spring, "stiffness"), "x": (body, "reference_position", 0)}; several places
+            in a list have one value. outputs: by name, such as {"a": db.At("sensor", times)}, or db.Integral("sensor").
+            See solve for the other arguments.
+        """
+        from dalembert._model.solve import differentiable
+
+        return differentiable(
+            self, parameters, outputs, end_time, step_size, method=method, start_time=start_time, settings=settings
         )
 
     def draw(self, **options: Any) -> Any:

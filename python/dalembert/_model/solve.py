@@ -7,18 +7,22 @@ import math
 import os
 import tempfile
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from dalembert import _core
 from dalembert._checks import as_number, shape_error
 from dalembert._core import DynamicSolverType, SimulationSettings
 from dalembert._io.solution_states import LoadSolutionFile
 from dalembert._model import words
+from dalembert._model.item_facts import facts_of
 from dalembert._model.progress import progress as progress_bar
 from dalembert._model.solution import Solution, SolutionWarning
 from dalembert._solving.diagnosis import FinishedNotTrusted
+
+if TYPE_CHECKING:
+    from dalembert._studies.differentiable_model import DifferentiableModel
 
 _FIXED_STEPS = {
     DynamicSolverType.GeneralizedAlpha,
@@ -47,22 +51,8 @@ def solve(
     settings: SimulationSettings | None = None,
 ) -> Solution:
     where = "model.solve"
-    used = _settings(where, settings)
-    time = used.timeIntegration
-    start = as_number(f"{where}: start_time", start_time, negative=False)
-    duration = as_number(f"{where}: end_time", end_time) - start
-    if duration <= 0:
-        raise ValueError(f"{where}: end_time: received {end_time!r}, but expected a time after {start_time!r}")
-    time.startTime, time.endTime = start, end_time
-    kind = words.member(DynamicSolverType, method, f"{where}: method")
-    if step_size is not None:
-        step = as_number(f"{where}: step_size", step_size)
-        if step <= 0:
-            raise shape_error(f"{where}: step_size", "a positive number", step_size)
-        time.numberOfSteps = max(1, math.ceil(duration / step * (1 - 1e-9)))
-    elif settings is None and kind in _FIXED_STEPS:
-        raise ValueError(f"{where}: step_size: {kind.name} has equal steps: give their size, such as step_size=1e-3")
-    solution = used.solutionSettings
+    used, kind = _dynamic_settings(where, end_time, step_size, method, start_time, settings)
+    time, solution = used.timeIntegration, used.solutionSettings
     period = 0.0 if every is None else as_number(f"{where}: every", every, negative=False)
     solution.solutionWritePeriod = solution.sensorsWritePeriod = period
     if period > 0:
@@ -70,7 +60,7 @@ def solve(
     wanted = _wanted(model, outputs, where)
     with (
         _recorded(model, used, where, "dynamicSolver", kind.name) as run,
-        progress_bar(model.system, "dynamicSolver", start, end_time, progress if time.verboseMode == 0 else False),
+        progress_bar(model.system, "dynamicSolver", time.startTime, end_time, time.verboseMode == 0 and progress),
     ):
         run(
             lambda: model.system.SolveDynamic(
@@ -104,6 +94,62 @@ def _settings(where: str, settings: Any) -> Any:
     if settings is not None and not isinstance(settings, SimulationSettings):
         raise TypeError(f"{where}: settings: received {settings!r}, but expected db.SimulationSettings()")
     return SimulationSettings() if settings is None else copy.deepcopy(settings)
+
+
+def _dynamic_settings(
+    where: str, end_time: Any, step_size: Any, method: Any, start_time: Any, settings: Any
+) -> tuple[SimulationSettings, DynamicSolverType]:
+    used = _settings(where, settings)
+    time = used.timeIntegration
+    start = as_number(f"{where}: start_time", start_time, negative=False)
+    duration = as_number(f"{where}: end_time", end_time) - start
+    if duration <= 0:
+        raise ValueError(f"{where}: end_time: received {end_time!r}, but expected a time after {start_time!r}")
+    time.startTime, time.endTime = start, end_time
+    kind = words.member(DynamicSolverType, method, f"{where}: method")
+    if step_size is not None:
+        step = as_number(f"{where}: step_size", step_size)
+        if step <= 0:
+            raise shape_error(f"{where}: step_size", "a positive number", step_size)
+        time.numberOfSteps = max(1, math.ceil(duration / step * (1 - 1e-9)))
+    elif settings is None and kind in _FIXED_STEPS:
+        raise ValueError(f"{where}: step_size: {kind.name} has equal steps: give their size, such as step_size=1e-3")
+    return used, kind
+
+
+def differentiable(
+    model: Any,
+    parameters: Mapping[str, Any],
+    outputs: Mapping[str, Any],
+    end_time: float,
+    step_size: float | None = None,
+    *,
+    method: Any = "generalized_alpha",
+    start_time: float = 0.0,
+    settings: SimulationSettings | None = None,
+) -> DifferentiableModel:
+    from dalembert._studies.differentiable_model import DifferentiableModel
+
+    where = "model.differentiable"
+    used, kind = _dynamic_settings(where, end_time, step_size, method, start_time, settings)
+    if not isinstance(parameters, Mapping):
+        raise TypeError(f"{where}: parameters: expected {{'k': (spring, 'stiffness')}}, received {parameters!r}")
+    places = {name: _place(model, each, f"{where}: parameters['{name}']") for name, each in parameters.items()}
+    if not model.system.systemIsConsistent:
+        model.system.Assemble()
+    return DifferentiableModel(model.system, places, outputs, used, kind)
+
+
+def _place(model: Any, given: Any, where: str) -> Any:
+    """Return (item, parameter) with the name of the interface with indices for (spring, 'stiffness')."""
+    if isinstance(given, list):
+        return [_place(model, each, where) for each in given]
+    if not isinstance(given, tuple) or len(given) not in (2, 3) or not isinstance(given[1], str):
+        return given  # a DesignParameter, or refused there
+    handle, (name, *entry) = model._item_of(given[0], where), given[1:]
+    base, dot, constant = name.partition(".")
+    known = facts_of(handle._item).parameters
+    return handle, (known[base].spelled if base in known else base) + dot + constant, *entry
 
 
 def _wanted(model: Any, outputs: Any, where: str) -> list[tuple[Any, str, Any]]:
