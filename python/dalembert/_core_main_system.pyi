@@ -312,6 +312,7 @@ class MainSystem(_Bound):
     CreateTorqueFromTable = drives.CreateTorqueFromTable
     CreateCable = lines.CreateCable
     CreateBeam = lines.CreateBeam
+    CreateRope = lines.CreateRope
     CreateHydraulicCylinder = lines.CreateHydraulicCylinder
     CreateRollingDisc = joints.CreateRollingDisc
     CreateRollingDiscPenalty = joints.CreateRollingDiscPenalty

@@ -73,7 +73,7 @@ def test_every_implemented_function_has_a_case():
         "CreateBox", "CreateCylinder", "CreateSphere",
         "CreateMotor", "CreatePIDController", "CreateJointStops", "CreatePrescribedMotion",  # see test_drives.py
         "CreateForceFromTable", "CreateTorqueFromTable",
-        "CreateCable", "CreateBeam", "CreateHydraulicCylinder",  # see test_create_lines.py
+        "CreateCable", "CreateBeam", "CreateRope", "CreateHydraulicCylinder",  # see test_create_lines.py
         "CreateLinearSpringDamper",  # see test_linear_spring_damper.py
     }  # fmt: skip
     assert functions == set(create.functions) - elsewhere

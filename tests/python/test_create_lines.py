@@ -190,3 +190,67 @@ def test_a_cylinder_that_pulls_has_the_pressure_on_the_side_of_the_rod(mbs: Any)
 def test_wrong_cylinders_are_refused(mbs: Any, arguments: dict[str, Any], text: str) -> None:
     with pytest.raises(ValueError, match=text):
         lift(mbs, **arguments)
+
+
+def atwood(mbs: Any, **arguments: Any) -> tuple[Any, Any, Any]:
+    """Two masses on a rope over a pulley of radius 0.3 m."""
+    ground = mbs.CreateGround()
+    loads = [
+        mbs.CreateBox(size=[0.2] * 3, mass=mass, referencePosition=[x, -1, 0], gravity=[0, -9.81, 0])
+        for mass, x in ((11, -0.3), (10, 0.3))
+    ]
+    positions = [[-0.3, -0.9, 0], [0, 0, 0], [0.3, -0.9, 0]]
+    given = {"bodyNumbers": [loads[0], ground, loads[1]], "positions": positions, "radii": [-0.3], **arguments}
+    return *loads, mbs.CreateRope(**given)
+
+
+def test_a_rope_over_a_pulley(mbs: Any) -> None:
+    """Atwood's machine: the force is F = 2 m0 m1 g / (m0 + m1), and the stretch of the rope F L / EA."""
+    heavy, light, rope = atwood(mbs, stiffness=1e6, damping=5e3)
+    length = 1.8 + np.pi * 0.3
+    assert mbs.GetObjectParameter(rope, "referenceLength") == pytest.approx(length, rel=1e-14)
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 500, 0.5
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings)
+    force = 2 * 11 * 10 / 21 * 9.81
+    moved = [mbs.GetObjectOutputBody(each, Variable.Displacement, [0, 0, 0]) for each in (heavy, light)]
+    # the rope pulls both with the same force
+    assert 11 * moved[0][1] - 10 * moved[1][1] == pytest.approx(-(11 - 10) * 9.81 * 0.5**2 / 2, rel=1e-9)
+    assert -(moved[0] + moved[1])[1] == pytest.approx(force * length / 1e6, rel=2e-3)  # damped to 1e-3
+    assert mbs.GetObjectOutput(rope, Variable.ForceLocal) == pytest.approx(force, rel=1e-6)
+
+
+def test_a_rope_over_a_turned_block(mbs: Any) -> None:
+    """Two falls carry a block: each has half of its weight. The frame of the block is turned, its axis is not."""
+    ground = mbs.CreateGround()
+    block = mbs.CreateBox(
+        size=[0.2] * 3, mass=10, referencePosition=[0, -1, 0], gravity=[0, -9.81, 0],
+        referenceRotationMatrix=exu.utilities.RotationMatrixX(0.7) @ exu.utilities.RotationMatrixZ(0.3),
+    )  # fmt: skip
+    mbs.CreatePrismaticJoint(bodyNumbers=[ground, block], position=[0, -1, 0], axis=[0, 1, 0])
+    rope = mbs.CreateRope(
+        bodyNumbers=[ground, block, ground], positions=[[-0.2, 0, 0], [0, -1, 0], [0.2, 0, 0]], radii=[0.2],
+        axis=[0, 0, 2], stiffness=1e6,
+    )  # fmt: skip
+    solve_static(mbs)
+    assert mbs.GetObjectOutput(rope, Variable.ForceLocal) == pytest.approx(10 * 9.81 / 2, rel=1e-8)
+    moved = mbs.GetObjectOutputBody(block, Variable.Displacement, [0, 0, 0])
+    assert moved[1] == pytest.approx(-10 * 9.81 / 2 * (2 + np.pi * 0.2) / 1e6 / 2, rel=1e-3)  # arcs stay
+
+
+@pytest.mark.parametrize(
+    ("given", "text"),
+    [
+        ({"bodyNumbers": [0]}, "'bodyNumbers': expected a list of at least two body numbers"),
+        ({"positions": [[0, 0, 0]]}, "'positions': expected a point for each of the 3 bodies"),
+        ({"radii": []}, "'radii': expected a radius for each of the 1 pulleys between the ends"),
+        ({"radii": [2.0]}, "'positions': expected points 0 and 1 more than 2 m apart"),
+        ({"axis": [0, 0, 0]}, "'axis': expected a vector that is not zero"),
+        ({"length": -1.0}, "'length': expected a finite number greater than zero"),
+    ],
+)
+def test_wrong_arguments_of_ropes(mbs: Any, given: dict[str, Any], text: str) -> None:
+    with pytest.raises(ValueError, match=f"CreateRope.*{text}"):
+        atwood(mbs, **given)

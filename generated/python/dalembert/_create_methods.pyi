@@ -526,6 +526,21 @@ class CreateMethods:
         rolling_viscous_friction: float = ...,
     ) -> handles.ObjectConnectorRollingDiscPenalty:
         """Let a disc, fixed to the second body, roll with contact and friction forces on a plane of the first body."""
+    def create_rope(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        positions: Sequence[Vector] = ...,
+        radii: Sequence[float] = ...,
+        axis: Vector | str = ...,
+        stiffness: float = ...,
+        damping: float = ...,
+        length: float | None = ...,
+        diameter: float = ...,
+        show: bool = ...,
+        color: Vector | str = ...,
+    ) -> handles.ObjectConnectorReevingSystemSprings:
+        """Add a massless elastic rope between points of two bodies, which runs without friction over pulleys between them."""
     def create_sphere(
         self,
         name: str = ...,

@@ -33,6 +33,7 @@ MIRRORS: dict[str, tuple[str, ...]] = {
     "CreateRobot": ("ObjectKinematicTree",),
     "CreateRollingDisc": ("ObjectJointRollingDisc",),
     "CreateRollingDiscPenalty": ("ObjectConnectorRollingDiscPenalty",),
+    "CreateRope": ("ObjectConnectorReevingSystemSprings",),
     "CreateSphere": ("ObjectRigidBody", "ObjectRigidBody2D", "NodeRigidBodyEP", "NodeRigidBody2D",),
     "CreateSphereQuadContact": ("ObjectContactSphereTriangle",),
     "CreateSphereSphereContact": ("ObjectContactSphereSphere",),

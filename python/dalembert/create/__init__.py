@@ -48,7 +48,7 @@ MODULES = {
         "CreateRollingDisc",
         "CreateRollingDiscPenalty",
     ),
-    "lines": ("CreateCable", "CreateBeam", "CreateHydraulicCylinder"),
+    "lines": ("CreateCable", "CreateBeam", "CreateRope", "CreateHydraulicCylinder"),
     "loads": ("CreateForce", "CreateTorque"),
     "trees": ("CreateKinematicTree",),
     "sensors": ("CreateDistanceSensorGeometry", "CreateDistanceSensor"),

@@ -196,6 +196,15 @@ mbs.CreateSphericalJoint(bodyNumbers=[cable["end"], ball])
 beam = mbs.CreateBeam(start=[0, 0, 0], end=[1, 0, 0], width=0.02, height=0.05, supports=["clamped", "free"])
 mbs.CreateForce(bodyNumber=beam["end"], loadVector=[0, 0, -500])
 """,
+    "CreateRope": """
+ground = mbs.CreateGround()
+loads = [mbs.CreateBox(size=[0.2, 0.2, 0.2], mass=m, referencePosition=[x, -1, 0], gravity=[0, -9.81, 0])
+         for m, x in ((11, -0.3), (10, 0.3))]
+mbs.CreateRope(
+    bodyNumbers=[loads[0], ground, loads[1]], positions=[[-0.3, -0.9, 0], [0, 0, 0], [0.3, -0.9, 0]], radii=[-0.3],
+    stiffness=1e5, damping=500,
+)
+""",
     "CreateHydraulicCylinder": """
 ground = mbs.CreateGround()
 boom = mbs.CreateBox(size=[2, 0.1, 0.1], density=2700, referencePosition=[1, 0, 0], gravity=[0, -9.81, 0])
