@@ -162,7 +162,7 @@ class Solution:
         return len(self.times)
 
     def __getitem__(self, item: Any) -> ItemSolution:
-        """Return the outputs of an item, given by its handle or name."""
+        """Return the outputs of an item, given by its handle, index or name."""
         if self._snapshot is None:
             names = {key.item for key in self._computed}
             name = item if isinstance(item, str) else getattr(item, "name", item)
@@ -174,6 +174,8 @@ class Solution:
 
         if isinstance(item, str):
             return ItemSolution(self, Model(self._snapshot)[item], item)
+        if not isinstance(item, Handle) and hasattr(item, "GetTypeString"):  # an index
+            item = handle_of(self._system, item)
         if isinstance(item, Handle):
             own(self._system, item, "solution[...]")
             return ItemSolution(self, self._then(item), item.name)
