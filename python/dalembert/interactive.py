@@ -306,13 +306,17 @@ def SolutionViewer(
     Notebooks play it in the cell; on a display, the browser plays it, otherwise the open live viewer. If there is
     no viewer, the first row becomes the visualization state. `rowIncrement` skips rows,
     `timeout` is the time (s) between shown rows, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2
-    again and again. fontSize and windowSize have no effect. ValueError if there is no solution.
+    again and again. fontSize and windowSize have no effect. ValueError if there is no solution, unless viewers are
+    suppressed.
     """
     check_given(SolutionViewer, locals().items())
     check_type("SolutionViewer: mainSystem", mainSystem, _core.MainSystem)
     check_type("SolutionViewer: title", title, str)
     timeout = as_positive("SolutionViewer: timeout", timeout)
     check_integer("SolutionViewer: runMode", runMode, 0, 2)
+    suppressed = UIWindowSuppressed("SolutionViewer")
+    if suppressed and solution is None and "simulationSettings" not in mainSystem.sys:
+        return
     data = solution_of_last_simulation(mainSystem, "SolutionViewer") if solution is None else solution
     check_solution("SolutionViewer", data)
     check_solution_of(mainSystem, "SolutionViewer", data)
@@ -320,7 +324,6 @@ def SolutionViewer(
     from dalembert._pictures.showing import show_solution
 
     rows = {**data, "data": np.asarray(data["data"], float)[::rowIncrement]}
-    suppressed = UIWindowSuppressed("SolutionViewer")
     if suppressed or not show_solution(mainSystem, rows, timeout, title, runOnStart, runMode):
         SetSolutionState(mainSystem, data, 0, ConfigurationType.Visualization)
         _notice_once(title or "SolutionViewer")
