@@ -9,10 +9,13 @@ them, and a sensor has their values. Values of sensors are those that were store
 from __future__ import annotations
 
 import copy
+import hashlib
+import itertools
 import json
 import os
 import warnings
 from collections.abc import Sequence
+from enum import Enum
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,6 +33,7 @@ from dalembert._tools.sensor_facts import component_name, variable_of
 
 _FORMAT = "dalembert solution 1"
 _STATES = ("coordinates", "velocities", "accelerations", "ode1_coordinates", "ode1_velocities", "multipliers", "data")
+_INDICES = (_core.NodeIndex, _core.ObjectIndex, _core.MarkerIndex)
 _STEP_FUNCTIONS = ("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "EventAction", "ItemEventAction")
 
 
@@ -387,6 +391,8 @@ class Solution:
             file.attrs["multiplier_sign"] = self._sign
             file["states"] = self._states["data"]
             file["states"].attrs["columns"] = [int(n) for n in self._states["columnsExported"]]
+            if self._snapshot is not None:
+                file["items"] = json.dumps(_facts_of_items(self._snapshot))
             for number, (key, each) in enumerate(self._computed.items()):
                 group = file.create_group(f"outputs/{number}")
                 group.attrs.update(
@@ -403,7 +409,10 @@ class Solution:
 
     @classmethod
     def load(cls, file_name: str | os.PathLike[str], model: Any = None) -> Solution:
-        """Read a file of save. If the model is given, as it was solved, all outputs can be computed."""
+        """Read a file of save. If the model is given, as it was solved, all outputs can be computed.
+
+        ValueError if items of the model, or their parameters, are others; initial values do not matter.
+        """
         from dalembert._io.files import file_to_read, naming
         from dalembert.results import _extra
 
@@ -425,6 +434,7 @@ class Solution:
                 time = group["time"][:] if "time" in group else None
                 key = _Key(str(facts["item"]), str(facts["output"]), point, str(facts.get("kind", "")))
                 made._computed[key] = Computed(group["values"][:], str(facts["variable"]), str(facts["unit"]), time)
+            solved = json.loads(file["items"][()]) if "items" in file else None
             energies = file.get("energies")
             made._energies = EnergyHistory(*(energies[name][:] for name in EnergyHistory._fields)) if energies else None
         made._system = made._snapshot = None
@@ -432,6 +442,8 @@ class Solution:
             if not model.system.systemIsConsistent:
                 model.system.Assemble()
             check_solution_of(model.system, "Solution.load", made._states)
+            if solved is not None:
+                _require_same_items(solved, _facts_of_items(model.system), os.fspath(file_name))
             made._system, made._snapshot = model.system, copy.copy(model.system)
         return made
 
@@ -445,6 +457,39 @@ class Solution:
 
 
 Solution.__module__ = "dalembert"
+
+
+def _facts_of_items(system: Any) -> list[list[str]]:
+    """Return kind and number, name, type and a digest of the parameters of all items, without initial values."""
+    found = []
+    for kind in ("Node", "Object", "Marker", "Load"):
+        for number in range(getattr(system.systemData, f"NumberOf{kind}s")()):
+            item = getattr(system, f"Get{kind}")(number)
+            digest = hashlib.sha256()
+            for key, value in item.items():
+                if not key.startswith(("V", "initial", "graphicsData")):
+                    digest.update(_bytes_of(value))
+            found.append([f"{kind.lower()} {number}", item["name"], item[f"{kind.lower()}Type"], digest.hexdigest()[:16]])
+    return found
+
+
+def _bytes_of(value: Any) -> bytes:
+    if isinstance(value, (list, tuple)):
+        return b"".join(map(_bytes_of, value))
+    if isinstance(value, (bool, int, float, str, np.generic, np.ndarray)):
+        return np.ascontiguousarray(value).tobytes()
+    return str(value).encode() if isinstance(value, (Enum, *_INDICES)) else b""
+
+
+def _require_same_items(solved: list[list[str]], given: list[list[str]], file_name: str) -> None:
+    for before, now in itertools.zip_longest(solved, given):
+        if before != now:
+            what = before or now
+            how = "has other parameters" if before and now and before[:3] == now[:3] else "is another item, or missing"
+            raise ValueError(
+                f"Solution.load: model: {what[0]} '{what[1]}' ({what[2]}) {how}; {file_name} belongs to another model. "
+                "Give the model as it was solved, or none for the stored outputs"
+            )
 
 
 def _restored(content: dict[str, Any]) -> Solution:
