@@ -112,6 +112,8 @@ def test_errors_of_create_methods_have_their_names() -> None:
         ValueError, match=r"model.create_rigid_body: node_type: received 'Euler'.*'RotationEulerParameters'"
     ):
         model.create_rigid_body(node_type="Euler")
+    with pytest.raises(ValueError, match=r"model.create_box: argument 'initial_velocity'.*without z component"):
+        model.create_box(mass=1, create_2d=True, initial_velocity=[0, 0, 1])
     with pytest.raises(TypeError, match="'name' is given twice"):
         model.create_mass_point("name", name="other")
     with pytest.raises(ValueError, match=r"model.create_sensor of <MassPoint 'mass'.*no output 'positon'.*'position'"):
@@ -293,6 +295,14 @@ def test_static_solution() -> None:
     assert model["mass"].displacement[0] == pytest.approx(3 / (MASS * OMEGA**2), rel=1e-10)
 
 
+def test_directions_have_names() -> None:
+    model = db.Model()
+    mass = model.create_mass_point(mass=2)
+    model.create_force_from_table(body_number=mass, table=6, direction="-z")
+    solution = model.solve(1, 1e-2)
+    assert solution[mass].velocity[-1] == pytest.approx([0, 0, -3], rel=1e-12)
+
+
 def test_constants_of_recorded_functions_are_parameters() -> None:
     model = db.Model()
     wheel = model.create_cylinder(mass=1)
@@ -304,6 +314,31 @@ def test_constants_of_recorded_functions_are_parameters() -> None:
         motor.parameters["springTorque.damping"]
     with pytest.raises(Exception, match="stiffness"):
         motor.parameters["springTorqueUserFunction.stiffness"]
+    assert motor.damping == 5
+    motor.damping = 4.0
+    assert motor.parameters["springTorqueUserFunction.damping"] == motor.damping == 4
+
+
+def test_energies_of_springs_that_turn_several_times() -> None:
+    """A wheel on a torsional spring turns by 20 rad; kinetic energy becomes potential energy, 0.5 k phi^2."""
+    for nonlinear in (False, True):
+        model = db.Model()
+        wheel = model.create_cylinder(mass=2, radius=1, initial_angular_velocity=[0, 0, 20])
+        place = {"body_numbers": ["ground", wheel], "position": [0, 0, 0], "axis": "z"}
+        model.create_revolute_joint(**place)
+        spring = model.create_torsional_spring_damper(name="spring", **place, stiffness=1.0)
+        if nonlinear:
+            spring.parameters["springTorqueUserFunction"] = lambda mbs, t, i, phi, w, k, d, offset: k * phi
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            solution = model.solve(3, 1e-3, every=0.3)
+            energies = solution.energies
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of user functions: this one has no data of its own
+            angle = solution["spring"].rotation
+        assert np.abs(angle).max() > 15
+        assert energies.potential == pytest.approx(0.5 * angle**2, rel=1e-9, abs=1e-9)
+        assert energies.total == pytest.approx(200.0, rel=1e-4)  # steps of 1e-3 s at 1 rad/s
 
 
 def test_solutions_go_on_from_the_last_state() -> None:
@@ -342,6 +377,12 @@ def test_tables_and_files(tmp_path: Path) -> None:
     assert with_model["spring"].force == pytest.approx(solution["spring"].force, abs=0)
     with pytest.raises(ValueError, match="it belongs to another model"):
         db.Solution.load(tmp_path / "run.h5", model=db.Model())
+    other = oscillator()
+    other["mass"].physics_mass = 2 * MASS
+    with pytest.raises(ValueError, match=r"model: object 1 'mass' .MassPoint. has other parameters; .*another model"):
+        db.Solution.load(tmp_path / "run.h5", model=other)
+    model["mass"].nodes[0].initial_velocities = [1, 0, 0]
+    db.Solution.load(tmp_path / "run.h5", model=model)
     (tmp_path / "other.h5").write_text("text")
     with pytest.raises(OSError, match=r"other\.h5: .*signature not found"):
         db.Solution.load(tmp_path / "other.h5")

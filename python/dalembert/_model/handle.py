@@ -241,6 +241,13 @@ class Handle:
     def _get(self, name: str) -> Any:
         return _readable(self._mbs, getattr(self._mbs, f"Get{self._kind}Parameter")(self._number(), name))
 
+    def _constants(self, name: str) -> list[str]:
+        """Return the full names of the constant of this name of recorded functions, which replaces a parameter."""
+        functions = [row.name for row in facts_of(self._item).parameters.values() if row.type == "function or 0"]
+        given = {each: getattr(self._mbs, f"Get{self._kind}Parameter")(self._number(), each) for each in functions}
+        recorded = {each: law for each, law in given.items() if isinstance(law, _core.symbolic.UserFunction)}
+        return [f"{each}.{name}" for each, law in recorded.items() if name in law._Variables()]
+
     def _set(self, row: Row, value: Any, prefix: str = "") -> None:
         number = self._number()
         where = f"{self!r}: {snake_case(row.name)}"
@@ -579,10 +586,11 @@ def handle_class(item: str) -> type[Any]:
 
 def _parameter(row: Row) -> property:
     def read(self: Handle) -> Any:
-        return self._get(row.name)
+        return self._get(next(iter(self._constants(row.name)), row.name))
 
     def write(self: Handle, value: Any) -> None:
-        self._set(row, value)
+        for name in self._constants(row.name) or [row.name]:
+            self._set(row._replace(name=name), value)
 
     return property(read, write, doc=f"{row.text} ({row.type}{row.facts})")
 

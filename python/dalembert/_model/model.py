@@ -445,7 +445,7 @@ def _value(function: Callable[..., Any], name: str, value: Any, where: str) -> A
     where = f"{where}: {snake_case(name)}"
     if lower.startswith("color"):
         return words.color(value, where)
-    if "axis" in lower or "normal" in lower:
+    if "axis" in lower or "normal" in lower or lower == "direction":
         return words.axis(value, where)
     parameter = inspect.signature(function).parameters.get(name)
     if parameter is not None and isinstance(parameter.default, Enum):

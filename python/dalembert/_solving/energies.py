@@ -7,6 +7,8 @@ rotations are about fixed axes, all other coordinates are linear. If forces have
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -101,7 +103,7 @@ class MovingSystem:
     """Forces and masses of a system in states at rest and in motion."""
 
     def __init__(self, mbs: Any, configuration: ConfigurationType) -> None:
-        data = mbs.systemData
+        data, self.configuration = mbs.systemData, configuration
         self.mbs, self.state = mbs, testing.State(mbs)
         self.state.q = data.GetODE2Coordinates(configuration)
         self.state.v = data.GetODE2Coordinates_t(configuration)
@@ -140,6 +142,24 @@ class MovingSystem:
                 return work, error
             before, parts = work, 2 * parts
 
+    def turned_springs(self) -> dict[int, tuple[float, float]]:
+        """Return the reference angle and the angle of torsional springs that are turned by more than half a turn.
+
+        They count turns, which the path does not have.
+        """
+        if not (np.abs(self.state.data) > np.pi).any():
+            return {}
+        mbs, angle = self.mbs, OutputVariableType.Rotation
+        found = {}
+        for i in range(mbs.systemData.NumberOfObjects()):
+            item = mbs.GetObject(i)
+            if item["objectType"] == "ConnectorTorsionalSpringDamper" and item["activeConnector"]:
+                at_rest = float(mbs.GetObjectOutput(i, angle, ConfigurationType.Reference))
+                turned = float(mbs.GetObjectOutput(i, angle, self.configuration))
+                if abs(turned) > np.pi:
+                    found[i] = float(np.remainder(at_rest + np.pi, 2 * np.pi) - np.pi), turned
+        return found
+
     def rows_with_history(self) -> IntArray:
         """Return the rows whose forces in the reference configuration depend on the past, such as the sticking point of
         friction: the work on the path is no energy that these forces have stored."""
@@ -166,6 +186,35 @@ class MovingSystem:
         return float(-power - (inertia[0] - inertia[1]) / (4 * step))
 
 
+def _stored_by_torque(mbs: Any, number: int, start: float, end: float, time: float) -> float:
+    """Return the work of a torsional spring against a rotation from one angle to another one."""
+    item = mbs.GetObject(number)
+    k, d, offset = item["stiffness"], item["damping"], item["offset"]
+    function = item["springTorqueUserFunction"]
+
+    def torque(angle: float) -> float:
+        if function:
+            return float(function(mbs, time, number, angle, 0.0, k, d, offset))
+        return float(k * (angle - offset) - d * item["velocityOffset"] + item["torque"])
+
+    points, weights = np.polynomial.legendre.leggauss(_POINTS)
+    parts = int(np.ceil(abs(end - start) / np.pi)) * (16 if function else 1)
+    half = (end - start) / parts / 2
+    places = start + half * (1 + points + 2 * np.arange(parts)[:, None])
+    return half * float(sum(weights @ [torque(float(angle)) for angle in row] for row in places))
+
+
+@contextmanager
+def _inactive(mbs: Any, connectors: Iterable[int]) -> Iterator[None]:
+    for number in connectors:
+        mbs.SetObjectParameter(number, "activeConnector", False)
+    try:
+        yield
+    finally:
+        for number in connectors:
+            mbs.SetObjectParameter(number, "activeConnector", True)
+
+
 def ComputeEnergies(
     mbs: Any, configuration: ConfigurationType = ConfigurationType.Current, autoAssemble: bool = True
 ) -> Energies:
@@ -182,6 +231,14 @@ def ComputeEnergies(
 
 def energies_of(system: MovingSystem) -> Energies:
     """Return the energies of a system in the state that it holds."""
+    mbs, turned = system.mbs, system.turned_springs()
+    stored = sum(_stored_by_torque(mbs, number, *ends, system.state.t) for number, ends in turned.items())
+    power = system.dissipated_power()
+    with _inactive(mbs, turned):
+        return _energies_on_path(system, stored, power)
+
+
+def _energies_on_path(system: MovingSystem, stored: float, power: float) -> Energies:
     mbs = system.mbs
     q, v = np.asarray(system.state.q), np.asarray(system.state.v)
     shares = v * system.momentum(q, v) / 2
@@ -194,8 +251,8 @@ def energies_of(system: MovingSystem) -> Energies:
             f"{_NAME}: forces on {testing.describe_row(mbs, int(rows[0]))} depend on the past, such as those of "
             "sticking friction or plastic springs. Their work is counted as potential energy, which it is not",
             RuntimeWarning,
-            stacklevel=3,
+            stacklevel=4,
         )
     work, error = system.work(_Path(mbs, q))
-    kinetic = float(shares.sum())
-    return Energies(kinetic, -work, kinetic - work, system.dissipated_power(), error, per_node)
+    kinetic, potential = float(shares.sum()), stored - work
+    return Energies(kinetic, potential, kinetic + potential, power, error, per_node)

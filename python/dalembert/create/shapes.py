@@ -52,7 +52,7 @@ def CreateBox(
         raise argument_error("CreateBox", "size", "a vector with 3 components greater than zero", size)
     x, y, z = (float(length) for length in size)
     inertia = InertiaCuboid(_density("CreateBox", density, mass, x * y * z), [x, y, z])
-    return _add(mbs, inertia, **_common(locals()))
+    return _add("CreateBox", mbs, inertia, **_common(locals()))
 
 
 def CreateCylinder(
@@ -86,7 +86,7 @@ def CreateCylinder(
     volume = np.pi * (radius**2 - innerRadius**2) * length
     rho = _density("CreateCylinder", density, mass, volume)
     inertia = InertiaCylinder(rho, length, radius, axis=int(along[0]), innerRadius=innerRadius)
-    return _add(mbs, inertia, **_common(locals()))
+    return _add("CreateCylinder", mbs, inertia, **_common(locals()))
 
 
 def CreateSphere(
@@ -106,7 +106,7 @@ def CreateSphere(
 ) -> ObjectIndex:
     """Add a homogeneous sphere, a rigid body, and its weight if there is gravity; return the ObjectIndex."""
     rho = _density("CreateSphere", density, mass, 4 / 3 * np.pi * radius**3)
-    return _add(mbs, InertiaSphere(radius=radius, density=rho), **_common(locals()))
+    return _add("CreateSphere", mbs, InertiaSphere(radius=radius, density=rho), **_common(locals()))
 
 
 _COMMON = (
@@ -119,8 +119,11 @@ def _common(arguments: dict[str, Any]) -> dict[str, Any]:
     return {name: arguments[name] for name in _COMMON}
 
 
-def _add(mbs: MainSystem, inertia: RigidBodyInertia, **arguments: Any) -> ObjectIndex:
-    index: ObjectIndex = CreateRigidBody(mbs, inertia=inertia, **arguments)
+def _add(function: str, mbs: MainSystem, inertia: RigidBodyInertia, **arguments: Any) -> ObjectIndex:
+    try:
+        index: ObjectIndex = CreateRigidBody(mbs, inertia=inertia, **arguments)
+    except ValueError as error:
+        raise ValueError(str(error).replace("CreateRigidBody", function)) from None
     return index
 
 
