@@ -295,6 +295,23 @@ def test_static_solution() -> None:
     assert model["mass"].displacement[0] == pytest.approx(3 / (MASS * OMEGA**2), rel=1e-10)
 
 
+def test_integral_parts_of_controllers_rest_in_statics() -> None:
+    """P (0.5 - phi) = m g l cos(phi): the integral part of the controller is held, with a warning."""
+    model = db.Model()
+    arm = model.create_box(mass=6, gravity=[0, -9.81, 0], reference_position=[0.5, 0, 0])
+    place = {"body_numbers": ["ground", arm], "position": [0, 0, 0], "axis": "z"}
+    model.create_revolute_joint(**place)
+    controller = model.create_pid_controller(name="pid", **place, set_point=0.5, P=60, I=100)
+    with pytest.warns(db.SolutionWarning, match=r"such as the integral part .* keep .* The rate of 'node1' is 0\.49"):
+        solution = model.solve_static()
+    angle = solution[arm].rotation[-1, 2]
+    assert 60 * (0.5 - angle) == pytest.approx(6 * 9.81 * 0.5 * np.cos(angle), rel=1e-8)
+    controller.parameters["forceUserFunction.P"] = 0.0
+    with pytest.raises(db.SolverError) as it:
+        model.solve_static()
+    assert "an integral part alone resists no motion" in it.value.__notes__[0]
+
+
 def test_directions_have_names() -> None:
     model = db.Model()
     mass = model.create_mass_point(mass=2)

@@ -11,15 +11,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from dalembert import _core
 from dalembert._checks import as_number, shape_error
-from dalembert._core import DynamicSolverType, SimulationSettings
+from dalembert._core import DynamicSolverType, SimulationSettings, testing
 from dalembert._io.solution_states import LoadSolutionFile
 from dalembert._model import words
 from dalembert._model.item_facts import facts_of
 from dalembert._model.progress import progress as progress_bar
 from dalembert._model.solution import Solution, SolutionWarning
-from dalembert._solving.diagnosis import FinishedNotTrusted
+from dalembert._solving.diagnosis import FinishedNotTrusted, SolverError
 
 if TYPE_CHECKING:
     from dalembert._studies.differentiable_model import DifferentiableModel
@@ -86,8 +88,36 @@ def solve_static(
     used.solutionSettings.solutionWritePeriod = used.solutionSettings.sensorsWritePeriod = 0.0
     wanted = _wanted(model, outputs, where)
     with _recorded(model, used, where, "staticSolver", "Static") as run:
-        run(lambda: model.system.SolveStatic(used, updateInitialValues=update_initial_values, autoAssemble=False))
+        try:
+            run(lambda: model.system.SolveStatic(used, updateInitialValues=update_initial_values, autoAssemble=False))
+        except SolverError as error:
+            if model.system.systemData.ODE1Size() > 0:
+                error.add_note(f"{_HELD}; without P, an integral part alone resists no motion")
+            raise
+    _warn_of_rates(model.system)
     return _with_outputs(run.solution, wanted)
+
+
+_HELD = (
+    "model.solve_static: states of first-order equations, such as the integral part of a controller, keep their "
+    "initial values"
+)
+
+
+def _warn_of_rates(system: Any) -> None:
+    """Warn of first-order equations that are not in equilibrium, because static solvers do not change their states."""
+    rates = np.abs(testing.rates(system, testing.State(system)))
+    if not (rates > 1e-9).any():
+        return
+    largest = int(rates.argmax())
+    for number in range(system.systemData.NumberOfNodes()):
+        if largest in system.systemData.GetNodeLTGODE1(number):
+            name = system.GetNode(number)["name"]
+            text = (
+                f"{_HELD}. The rate of '{name}' is {rates[largest]:.3g} 1/s, not zero: use model.solve until it rests"
+            )
+            warnings.warn(text, SolutionWarning, stacklevel=4)
+            return
 
 
 def _settings(where: str, settings: Any) -> Any:

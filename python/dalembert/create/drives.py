@@ -322,10 +322,12 @@ def _force(
     along = np.asarray(direction, dtype=float) / np.linalg.norm(direction)
     value = signal(function, "table", table, smooth)
     name_of_item = item.__name__
-    law = recorded(
-        function, "table", name_of_item, "loadVectorUserFunction",
-        lambda t: [float(each) * value(t) for each in along],
-    )  # fmt: skip
+
+    def vector_at(t: Any) -> list[Any]:
+        magnitude = value(t)
+        return [float(each) * magnitude for each in along]
+
+    law = recorded(function, "table", name_of_item, "loadVectorUserFunction", vector_at)
     marker = _load_marker(mbs, function, bodyNumber, localPosition, rigid)
     return mbs.AddLoad(
         item(
