@@ -76,9 +76,9 @@ def _carries(objectName: str, markerName: str) -> bool:
     if markerName in _ONLY_ON:
         return objectName in _ONLY_ON[markerName]
     if markerName in _SUPER_ELEMENT_MARKERS:
-        return "SuperElement" in body
-    if "Body" not in marker:  # coordinates of an object
-        return "Ground" not in body
+        return "SuperElement" in body and objectName != "ObjectKinematicTree"  # whose links are no mesh nodes
+    if markerName == "MarkerObjectODE2Coordinates":
+        return "Ground" not in body and objectName != "ObjectGenericODE1"
     return objectName not in _NO_FRAME and (markerName != "MarkerBodyRigid" or objectName not in _POINTS_ONLY)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import dalembert as exu
@@ -24,6 +25,29 @@ def test_facts_of_an_item() -> None:
         assert list(each["parameters"])[0] == "name"
         item = getattr(exu, name)()
         assert all(hasattr(item, parameter) for parameter in each["parameters"])
+
+
+def test_markers_on_trees() -> None:
+    """Links have markers of their own; a tree has no frame, and no mesh nodes."""
+    found = types.MarkersForObject("ObjectKinematicTree")
+    assert found == ["MarkerKinematicTreeRigid", "MarkerObjectODE2Coordinates"]
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodeGenericODE2(numberOfODE2Coordinates=1, referenceCoordinates=[0]))
+    tree = mbs.AddObject(
+        exu.ObjectKinematicTree(
+            nodeNumber=node,
+            jointTypes=[exu.JointType.RevoluteZ],
+            linkParents=[-1],
+            jointTransformations=exu.Matrix3DList([np.eye(3)]),
+            jointOffsets=exu.Vector3DList([[0, 0, 0]]),
+            linkInertiasCOM=exu.Matrix3DList([np.eye(3)]),
+            linkCOMs=exu.Vector3DList([[0, 0, 0]]),
+            linkMasses=[1],
+        )
+    )
+    mbs.AddMarker(exu.MarkerSuperElementRigid(bodyNumber=tree, meshNodeNumbers=[0], weightingFactors=[1]))
+    with pytest.raises(ValueError, match="meshNodeNumbers"):
+        mbs.Assemble()
 
 
 def test_partners() -> None:
