@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "console.hpp"
+#include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/open_constraints.hpp"
@@ -159,6 +160,46 @@ void register_vectors(py::module_& module) {
       [](MainSystem& main, EvaluationState& s) { checked(main, s, "switch_over").switch_over(s.state, s.conditions); },
       py::arg("mbs"), py::arg("state"),
       "Set the data coordinates of items with events, such as contacts, to those of the state.");
+}
+
+// The equations of one object alone: mbs.ComputeItem.
+void register_object_equations(py::module_& module) {
+  const auto of = [](MainSystem& main, int object, const char* method) {
+    require_idle(main, std::string("testing.") + method + "(...)");
+    System& system = main.assembled(method);
+    return ObjectEquations(main.model, system, object);
+  };
+  const auto matrix_of = [](const std::vector<double>& values, int columns) {
+    const py::ssize_t rows = columns == 0 ? 0 : static_cast<py::ssize_t>(values.size()) / columns;
+    return new_array({rows, columns}, values.data());
+  };
+  module.def(
+      "object_residual",
+      [of](MainSystem& main, int object) {
+        ObjectEquations equations = of(main, object, "object_residual");
+        const std::vector<double> r = equations.residual();
+        const auto split = r.begin() + equations.coordinates();
+        return py::make_tuple(array(std::vector<double>(r.begin(), split)), array(std::vector<double>(split, r.end())));
+      },
+      py::arg("mbs"), py::arg("object"),
+      "f of the ODE2 coordinates of an object alone, without accelerations, loads and multipliers, and its algebraic "
+      "equations, in the current state.");
+  module.def(
+      "object_tangent",
+      [of, matrix_of](MainSystem& main, int object, double cq, double cv) {
+        ObjectEquations equations = of(main, object, "object_tangent");
+        return matrix_of(equations.tangent(cq, cv), equations.coordinates());
+      },
+      py::arg("mbs"), py::arg("object"), py::kw_only(), py::arg("cq") = 1.0, py::arg("cv") = 0.0,
+      "cq times the derivative of both by the coordinates of the object, and cv times that by their rates; see "
+      "`tangent`.");
+  module.def(
+      "object_mass_matrix",
+      [of, matrix_of](MainSystem& main, int object) {
+        ObjectEquations equations = of(main, object, "object_mass_matrix");
+        return matrix_of(equations.mass_matrix(), equations.coordinates());
+      },
+      py::arg("mbs"), py::arg("object"), "The mass matrix of an object alone.");
 }
 
 void register_matrices(py::module_& module) {
@@ -325,6 +366,7 @@ void register_evaluation(py::module_& module) {
       "testing", "Residual and tangent of an assembled system at any state, for tests and authors of integrators.");
   register_state(testing);
   register_vectors(testing);
+  register_object_equations(testing);
   register_matrices(testing);
   register_constraints(testing);
   register_updates(testing);

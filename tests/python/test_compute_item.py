@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import dalembert as exu
+from dalembert._core import testing
 from dalembert.advancedUtilities import ItemODE2Coordinates, NumericalJacobian
 from dalembert.itemInterface import CoordinateConstraint, MarkerBodyRigid, MarkerNodeCoordinate, NodePointGround
 from dalembert.rigidBodyUtilities import InertiaCuboid
@@ -97,11 +98,54 @@ def test_derivatives_of_forces_are_those_of_their_work(
     np.testing.assert_allclose(found, second, atol=1e-6)
     np.testing.assert_allclose(found, found.T, atol=1e-8)
     marker_free = [each.name for each in mbs.ComputeItem(body)]
-    assert "ODE2LHS" not in marker_free and "JacobianTTimesVectorDerivative" in marker_free
+    assert "ConstraintJacobian" not in marker_free and "JacobianTTimesVectorDerivative" in marker_free
     with pytest.raises(ValueError, match="vector: expected a vector with 6 components, received None"):
         mbs.ComputeItem(body, Type.JacobianTTimesVectorDerivative)
-    with pytest.raises(ValueError, match="what: ODE2LHS is not available for object 1; available: PositionJacobian"):
-        mbs.ComputeItem(body, Type.ODE2LHS)
+    with pytest.raises(
+        ValueError, match="what: CoordinateJacobian is not available for object 1; available: PositionJacobian"
+    ):
+        mbs.ComputeItem(body, Type.CoordinateJacobian)
+
+
+@pytest.mark.parametrize("node", [exu.NodeType.RotationRxyz, exu.NodeType.RotationEulerParameters])
+def test_terms_of_objects_are_those_of_the_equations_of_motion(node: exu.NodeType) -> None:
+    """The terms of two bodies and two springs add up to those of the system; Jacobians are their derivatives."""
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround()
+    inertia = InertiaCuboid(1000, [0.2, 0.1, 0.3]).Translated([0.1, 0.05, 0])
+    bodies = [
+        mbs.CreateRigidBody(
+            referencePosition=[i, 0.2, 0], inertia=inertia, nodeType=node, initialAngularVelocity=[1, 2, -i],
+            initialVelocity=[0, i, 1],
+        )
+        for i in range(2)
+    ]  # fmt: skip
+    springs = [
+        mbs.CreateCartesianSpringDamper(bodyNumbers=[ground, bodies[0]], stiffness=[70, 80, 90], damping=[1, 2, 3],
+                                        localPosition1=[0.3, 0.1, 0.2]),
+        mbs.CreateSpringDamper(bodyNumbers=bodies, stiffness=300, damping=5, localPosition1=[0, 0.2, 0.1]),
+    ]  # fmt: skip
+    mbs.Assemble()
+    if node == exu.NodeType.RotationRxyz:
+        mbs.systemData.SetODE2Coordinates(0.1 * np.arange(1.0, 13.0) % 0.7)
+    total = np.zeros(mbs.systemData.ODE2Size())
+    M = np.zeros((len(total), len(total)))
+    for number in (*bodies, *springs):
+        coordinates = ItemODE2Coordinates(mbs, number)
+        total[coordinates] += mbs.ComputeItem(number, Type.ODE2LHS)
+        for kind, velocities in ((Type.JacobianODE2, False), (Type.JacobianODE2_t, True)):
+            found = mbs.ComputeItem(number, kind)
+            expected = NumericalJacobian(
+                mbs, lambda number=number: mbs.ComputeItem(number, Type.ODE2LHS), coordinates, velocities
+            )
+            scale = max(1.0, float(np.abs(expected).max()))
+            np.testing.assert_allclose(found, expected, atol=1e-8 * scale)  # differences of 1e-6
+        if number in bodies:
+            M[np.ix_(coordinates, coordinates)] += mbs.ComputeItem(number, Type.MassMatrix)
+    state = testing.State(mbs)
+    state.a, state.lam = np.zeros_like(state.a), np.zeros_like(state.lam)
+    np.testing.assert_allclose(total, -testing.forces(mbs, state), rtol=1e-12, atol=1e-10)
+    np.testing.assert_allclose(M, testing.mass_matrix(mbs, state), rtol=1e-12, atol=1e-12)
 
 
 def test_markers_on_bodies() -> None:

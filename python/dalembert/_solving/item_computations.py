@@ -204,52 +204,6 @@ def _columns(mbs: Any, coordinates: list[int], output: Callable[[], Any]) -> Flo
     return np.array(columns).T.reshape(3, len(coordinates))
 
 
-def _mass_matrix(mbs: Any, coordinates: list[int], energy: Callable[[], float]) -> FloatArray:
-    """Return the matrix of a quadratic form of the velocities by its values for sums of unit velocities."""
-    n = len(coordinates)
-    M = np.zeros((n, n))
-    with _velocities_kept(mbs) as start:
-
-        def of(*units: int) -> float:
-            v = np.zeros_like(start)
-            for i in units:
-                v[coordinates[i]] += 1
-            mbs.systemData.SetODE2Coordinates_t(v)
-            return float(energy())
-
-        for i in range(n):
-            M[i, i] = 2 * of(i)
-        for i in range(n):
-            for j in range(i):
-                M[i, j] = M[j, i] = of(i, j) - (M[i, i] + M[j, j]) / 2
-    return M
-
-
-def _current_state(mbs: Any) -> Any:
-    data, state = mbs.systemData, testing.State(mbs)
-    state.q, state.v, state.a = (
-        data.GetODE2Coordinates(),
-        data.GetODE2Coordinates_t(),
-        data.GetODE2Coordinates_tt(),
-    )
-    state.y, state.lam, state.data = data.GetODE1Coordinates(), data.GetAECoordinates(), data.GetDataCoordinates()
-    state.t = data.GetTime()
-    return state
-
-
-def _constraint_jacobian(mbs: Any, itemIndex: Any, coordinates: list[int]) -> FloatArray:
-    """Return the rows of the system's Jacobian that are the equations of a constraint."""
-    data = mbs.systemData
-    first = data.ODE2Size() + data.ODE1Size()
-    equations = {first + int(i): k for k, i in enumerate(data.GetObjectLTGAE(itemIndex))}
-    places = {i: k for k, i in enumerate(coordinates)}
-    G = np.zeros((len(equations), len(coordinates)))
-    for row, column, value in zip(*testing.tangent_entries(mbs, _current_state(mbs)), strict=True):
-        if row in equations and column in places:
-            G[equations[row], places[column]] += value
-    return G
-
-
 def ComputeItem(
     mbs: Any,
     itemIndex: Any,
@@ -260,7 +214,9 @@ def ComputeItem(
     """Return Jacobians, the mass matrix, or equations of an item in the current state, or the kinematics of a marker.
 
     Columns belong to the coordinates of the item, see exu.advancedUtilities.ItemODE2Coordinates. what=None: a list of
-    what is available for the item; other members of ComputeItemType raise ValueError. ReactionForces is the transposed
+    what is available for the item; other members of ComputeItemType raise ValueError. ODE2LHS has the terms of an
+    object in the equations of motion, on the left-hand side, without accelerations, loads and Lagrange multipliers;
+    JacobianODE2 and JacobianODE2_t are its derivatives by coordinates and velocities. ReactionForces is the transposed
     ConstraintJacobian times the Lagrange multipliers. vector: force and torque, six numbers, for
     JacobianTTimesVectorDerivative, the derivative of their forces on the coordinates of the item by these.
     """
@@ -310,7 +266,10 @@ def ComputeItem(
         at_center = lambda: mbs.GetObjectOutputBody(itemIndex, V.Velocity, center)  # noqa: E731
         return float(content["physicsMass"]) * _columns(mbs, coordinates, at_center)
 
-    facts = _facts_of(mbs, kind, itemIndex)
+    def tangent(**weights: float) -> FloatArray:
+        return testing.object_tangent(mbs, int(itemIndex), **weights)
+
+    facts, n = _facts_of(mbs, kind, itemIndex), len(coordinates)
     moves = "Connector" not in facts["types"] and has(V.Velocity)
     turns = moves and has(V.AngularVelocity) and (kind != "Marker" or "Orientation" in facts["types"])
     available: dict[Any, Callable[[], Any]] = {}
@@ -322,10 +281,12 @@ def ComputeItem(
         available[ComputeItemType.RotationJacobian] = lambda: _columns(
             mbs, coordinates, lambda: output(V.AngularVelocity)
         )
-    if kind == "Object" and has(V.KineticEnergy):
-        available[ComputeItemType.MassMatrix] = lambda: _mass_matrix(
-            mbs, coordinates, lambda: mbs.GetObjectOutput(itemIndex, V.KineticEnergy)
-        )
+    if kind == "Object" and coordinates and "Constraint" not in facts["types"]:
+        available[ComputeItemType.ODE2LHS] = lambda: testing.object_residual(mbs, int(itemIndex))[0]
+        if "Connector" not in facts["types"]:
+            available[ComputeItemType.MassMatrix] = lambda: testing.object_mass_matrix(mbs, int(itemIndex))
+        available[ComputeItemType.JacobianODE2] = lambda: tangent()[:n]
+        available[ComputeItemType.JacobianODE2_t] = lambda: tangent(cq=0, cv=1)[:n]
     if moves:
         available[ComputeItemType.JacobianTTimesVectorDerivative] = derivative
     if kind == "Object" and {"physicsMass", "physicsCenterOfMass"} & mbs.GetObject(itemIndex).keys() and moves:
@@ -333,11 +294,9 @@ def ComputeItem(
     if kind == "Object" and "Constraint" in facts["types"]:
         equations = [int(i) for i in mbs.systemData.GetObjectLTGAE(itemIndex)]
         multipliers = np.array(mbs.systemData.GetAECoordinates())[equations]
-        available[ComputeItemType.AlgebraicEquations] = lambda: testing.gaps(mbs, _current_state(mbs))[equations]
-        available[ComputeItemType.ConstraintJacobian] = lambda: _constraint_jacobian(mbs, itemIndex, coordinates)
-        available[ComputeItemType.ReactionForces] = lambda: (
-            _constraint_jacobian(mbs, itemIndex, coordinates).T @ multipliers
-        )
+        available[ComputeItemType.AlgebraicEquations] = lambda: testing.object_residual(mbs, int(itemIndex))[1]
+        available[ComputeItemType.ConstraintJacobian] = lambda: tangent()[n:]
+        available[ComputeItemType.ReactionForces] = lambda: tangent()[n:].T @ multipliers
     if kind == "Marker" and "coordinate" in mbs.GetMarker(itemIndex) and "Node" in facts["types"]:
         row = np.zeros((1, len(coordinates)))
         row[0, mbs.GetMarker(itemIndex)["coordinate"]] = 1
