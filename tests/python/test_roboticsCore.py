@@ -374,3 +374,22 @@ def test_transformations_of_parts():
         np.testing.assert_array_equal(make(HT=None).HT, np.eye(4))
     link = RobotLink(1, [0, 0, 0], np.eye(3), localHT=None, preHT=HT)
     np.testing.assert_array_equal([link.localHT, link.preHT], [np.eye(4), np.array(HT)])
+
+
+def test_transformations_are_HT():
+    """Results are exu.HT; attributes of parts are, too, and changes of their entries change the robot."""
+    robot = arbitrary(seed=2)
+    q = np.linspace(0.1, 0.7, robot.NumberOfLinks())
+    HT = robot.JointHT(q)
+    assert robot.JointHT(q) == HT
+    for T in (*HT, *robot.LinkHT(q), *robot.COMHT(HT), robot.GetBaseHT(), robot.GetToolHT(), robot.FrameHT("tool", q)):
+        assert isinstance(T, exu.HT)
+    for T in (robotics.StdDH2HT([1, 2, 3, 4]), *robotics.ModDHKK2HT([1, 2, 3, 4])):
+        assert isinstance(T, exu.HT)
+    np.testing.assert_allclose(robot.Jacobian(HT), robot.Jacobian([np.array(T) for T in HT]), atol=1e-15)
+    robot.base.HT[0:3, 3] += [1, 2, 3]
+    np.testing.assert_allclose(robot.JointHT(q)[-1].translation, HT[-1].translation + [1, 2, 3], atol=1e-14)
+    robot.links[0].localHT = exu.HT(translation=[0, 0, 1])
+    assert robot.links[0].localHT.translation.tolist() == [0, 0, 1]
+    with pytest.raises(ValueError, match="RobotBase: HT"):
+        robot.base.HT = np.zeros((4, 4))

@@ -99,6 +99,32 @@ def test_interpolation() -> None:
     assert np.allclose(H.Relative(half).rotation, half.Relative(G).rotation, rtol=0, atol=1e-13)
 
 
+def test_an_HT_is_used_like_its_matrix() -> None:
+    """Models that get an HT instead of a 4 x 4 array go on running."""
+    matrix, x = np.array(H), np.array([1.0, 2, 3, 1])
+    for found, expected in (
+        (H - np.eye(4), matrix - np.eye(4)),
+        (np.eye(4) - H, np.eye(4) - matrix),
+        (H + H, 2 * matrix),
+        (2 * H, 2 * matrix),
+        (H * 2, 2 * matrix),
+        (-H, -matrix),
+        (H.T, matrix.T),
+        (H.dot(x), matrix @ x),
+        (np.dot(H, x), matrix @ x),
+        (np.linalg.inv(H), np.linalg.inv(matrix)),
+        (np.array([H, H]), [matrix, matrix]),
+        (np.vstack(list(H)), matrix),
+        (H.copy(), matrix),
+        (matrix @ H, matrix @ matrix),
+    ):
+        assert isinstance(found, np.ndarray)
+        np.testing.assert_allclose(found, expected, atol=1e-15)
+    assert H.shape == (4, 4) and len(H) == 4 and H.tolist() == matrix.tolist()
+    with pytest.raises(AttributeError, match="'HT' object has no attribute 'rotate'"):
+        H.rotate  # noqa: B018
+
+
 def test_entries_copies_and_pickles() -> None:
     own = copy.deepcopy(H)
     own[0:3, 3] = [4, 5, 6]

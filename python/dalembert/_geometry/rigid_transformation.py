@@ -32,7 +32,7 @@ class HT:
 
     HT() is the identity, HT(H) that of a 4 x 4 matrix; otherwise give at most one of rotation (3 x 3 matrix),
     eulerParameters, Rxyz (Tait-Bryan angles) and rotationVector, and a translation. H1*H2 is the composition, H*v the
-    transformed point; np.array(H) and H[i, j] have the 4 x 4 matrix.
+    transformed point. Otherwise an HT is used like its 4 x 4 matrix: np.array(H), H[i, j], H @ array, H1 - H2, H.T, ...
     """
 
     __slots__ = ("_matrix",)
@@ -96,7 +96,7 @@ class HT:
         if isinstance(rotation, HT) or (rotation is not None and np.shape(rotation) == (4, 4)):
             if translation is not None:
                 raise ValueError("HT: translation is given twice, also by the 4 x 4 matrix")
-            self._matrix = np.array(as_transformation("HT", np.asarray(rotation)), dtype=float)
+            self._matrix[:] = as_transformation("HT", np.asarray(rotation))
             return self
         if rotation is not None:
             self.rotation = rotation
@@ -108,7 +108,6 @@ class HT:
         return self
 
     def _of(self, rotation: npt.ArrayLike, translation: npt.ArrayLike = (0.0, 0.0, 0.0)) -> HT:
-        self._matrix = np.eye(4)
         self._matrix[:3, :3] = rotation
         self._matrix[:3, 3] = translation
         return self
@@ -193,7 +192,7 @@ class HT:
 
     def Invert(self) -> None:
         """Replace the transformation by its inverse."""
-        self._matrix = self.Inverse()._matrix
+        self._matrix[:] = self.Inverse()._matrix
 
     def Relative(self, other: HT) -> HT:
         """Return the frame of `other` as seen from this one, Inverse()*other."""
@@ -263,11 +262,28 @@ class HT:
     def __mul__(self, other: npt.ArrayLike) -> FloatArray: ...
     def __mul__(self, other: HT | npt.ArrayLike) -> HT | FloatArray:
         if isinstance(other, HT):
-            product = HT()
-            product._matrix = self._matrix @ other._matrix
-            return product
+            return sharing(self._matrix @ other._matrix)
+        if np.ndim(other) == 0:
+            return self._matrix * np.asarray(other, dtype=float)
         point = as_vector("HT * point", other, 3)
         return np.asarray(self._matrix[:3, :3] @ point + self._matrix[:3, 3])
+
+    def __rmul__(self, other: npt.ArrayLike) -> FloatArray:
+        return as_array("array * HT", other) * self._matrix
+
+    def __add__(self, other: npt.ArrayLike) -> FloatArray:
+        return self._matrix + as_array("HT + array", other)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: npt.ArrayLike) -> FloatArray:
+        return self._matrix - as_array("HT - array", other)
+
+    def __rsub__(self, other: npt.ArrayLike) -> FloatArray:
+        return as_array("array - HT", other) - self._matrix
+
+    def __neg__(self) -> FloatArray:
+        return -self._matrix
 
     @overload
     def __matmul__(self, other: HT) -> HT: ...
@@ -282,6 +298,15 @@ class HT:
     def __eq__(self, other: object) -> bool:
         return bool((self._matrix == other._matrix).all()) if isinstance(other, HT) else NotImplemented
 
+    def __getattr__(self, name: str) -> Any:
+        """Return an attribute of the 4 x 4 matrix, a copy: shape, T, dot, tolist, ..."""
+        if name.startswith("_") or not hasattr(np.ndarray, name):
+            raise AttributeError(f"'HT' object has no attribute {name!r}")
+        return getattr(self._matrix.copy(), name)
+
+    def __len__(self) -> int:
+        return 4
+
     def __getitem__(self, key: Any) -> Any:
         found = self._matrix[key]
         return found.copy() if isinstance(found, np.ndarray) else float(found)
@@ -291,7 +316,7 @@ class HT:
         changed[key] = value
         if not np.array_equal(changed[3], [0, 0, 0, 1]):
             raise ValueError(f"HT: the last row is [0, 0, 0, 1]; received {changed[3].tolist()}")
-        self._matrix = changed
+        self._matrix[:] = changed
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> FloatArray:
         if copy is False:
@@ -299,7 +324,7 @@ class HT:
         return np.array(self._matrix, dtype=dtype)
 
     def __copy__(self) -> HT:
-        return HT()._of(self._matrix[:3, :3], self._matrix[:3, 3])
+        return of_matrix(self._matrix)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> HT:
         return self.__copy__()
@@ -314,8 +339,13 @@ class HT:
 
 def of_matrix(matrix: FloatArray) -> HT:
     """Return the HT of 16 numbers, which are not checked."""
-    made = HT()
-    made._matrix = matrix.reshape(4, 4).copy()
+    return sharing(matrix.reshape(4, 4).copy())
+
+
+def sharing(matrix: FloatArray) -> HT:
+    """Return an HT whose memory is that of a 4 x 4 array, which is not checked."""
+    made = HT.__new__(HT)
+    made._matrix = matrix
     return made
 
 

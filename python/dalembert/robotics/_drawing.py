@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from dalembert.robotics._robot import Robot
 
 
-def moved(parts: GraphicsList, T: FloatArray) -> GraphicsList:
+def moved(parts: GraphicsList, T: Any) -> GraphicsList:
     """Return graphics moved from the frame that T leads to."""
     return [graphics.Move(part, T[:3, 3], T[:3, :3]) for part in parts]
 

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_transformation, as_vector, shape_error
 from dalembert._core import _reach_pose
+from dalembert._geometry.rigid_transformation import HT, of_matrix
 from dalembert._geometry.rotations import RotationMatrix2RotationVector, RotationVector2RotationMatrix
 from dalembert._geometry.transformations import HomogeneousTransformation
 from dalembert.robotics._denavit_hartenberg import projectAngleToPMPi
@@ -68,13 +69,13 @@ class InverseKinematicsNumerical:
         )
         return tuple([float(a), float(a + b)] for a, b in zip(start, way, strict=True))
 
-    def GetCurrentRobotHT(self) -> FloatArray:
+    def GetCurrentRobotHT(self) -> Any:
         """Return the pose of the tool at the coordinates found last."""
         return self.robot.FrameHT(self.link, self.q)
 
     def InterpolateHTs(
         self, T1: npt.ArrayLike, T2: npt.ArrayLike, rotStep: float = np.pi / 16, minSteps: int = 1
-    ) -> list[FloatArray]:
+    ) -> list[HT]:
         """Return poses on the way from T1 to T2, the last of them T2: straight, and turning about one axis.
 
         They are not more than rotStep (rad) apart, and not fewer than minSteps.
@@ -90,7 +91,7 @@ class InverseKinematicsNumerical:
             HomogeneousTransformation(start[:3, :3] @ RotationVector2RotationMatrix(s * turn), start[:3, 3] + s * way)
             for s in np.arange(1, n) / n
         ]
-        return [*between, end.copy()]
+        return [of_matrix(pose) for pose in (*between, end)]
 
     def SolveSafe(self, T: npt.ArrayLike, q0: npt.ArrayLike | None = None) -> list[Any]:
         """Return [q, success] like Solve; if it fails, by small steps from the initial pose to T, and then

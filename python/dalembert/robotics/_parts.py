@@ -12,6 +12,8 @@ import numpy.typing as npt
 from dalembert._checks import FloatArray, as_color, as_matrix, as_number, as_transformation, as_vector, shape_error
 from dalembert._core import JointType
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.rigid_transformation import HT as HomogeneousTransformation
+from dalembert._geometry.rigid_transformation import sharing
 from dalembert._geometry.transformations import HT0
 
 GraphicsList = list[dict[str, Any]]
@@ -31,6 +33,21 @@ PREVIOUS_LINK = -2  # as parent: the link that was added before
 def _transformation(name: str, HT: npt.ArrayLike | None) -> FloatArray:
     """Return a copy of a homogeneous transformation, such as exu.HT or a 4x4 matrix; None is the unit matrix."""
     return HT0() if HT is None else as_transformation(name, HT).copy()
+
+
+class _Transformation:
+    """Attribute that is an HT; its matrix, for computations, has the same name after an underscore."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._where, self._stored = f"{owner.__name__}: {name}", f"_{name}"
+
+    def __get__(self, part: Any, owner: type | None = None) -> HomogeneousTransformation:
+        if part is None:
+            raise AttributeError(f"{self._where} is an attribute of objects, not of their class")
+        return sharing(vars(part)[self._stored])
+
+    def __set__(self, part: Any, value: npt.ArrayLike | None) -> None:
+        vars(part)[self._stored] = _transformation(self._where, value)
 
 
 def is_revolute(jointType: str) -> bool:
@@ -85,6 +102,9 @@ class RobotLink:
     be given wherever a robot takes the index of a link.
     """
 
+    localHT = _Transformation()
+    preHT = _Transformation()
+
     def __init__(
         self,
         mass: float,
@@ -114,8 +134,8 @@ class RobotLink:
         self.mass = mass
         self.COM = as_vector("RobotLink: COM", COM, 3).copy()
         self.inertia = as_matrix("RobotLink: inertia", inertia, (3, 3)).copy()
-        self.localHT = _transformation("RobotLink: localHT", localHT)
-        self.preHT = _transformation("RobotLink: preHT", preHT)
+        self.localHT = localHT
+        self.preHT = preHT
         self.jointType = jointType
         self.parent = parent
         self.visualization = deepcopy(visualization) if visualization is not None else VRobotLink()
@@ -169,7 +189,7 @@ class RobotLink:
         return f" '{self.name}'" if self.name else ""
 
     def __repr__(self) -> str:
-        shown = {name: str(value) for name, value in vars(self).items() if value is not None}
+        shown = {name.lstrip("_"): str(value) for name, value in vars(self).items() if value is not None}
         lines = [f"  {name} = {value}" for name, value in shown.items() if value and name != "visualization"]
         return "\n".join([*lines, "  visualization:", repr(self.visualization)])
 
@@ -191,8 +211,10 @@ class VRobotBase:
 class RobotTool:
     """The tool: HT leads from the frame of the last link to it."""
 
+    HT = _Transformation()
+
     def __init__(self, HT: npt.ArrayLike | None = None, visualization: VRobotTool | None = None) -> None:
-        self.HT = _transformation("RobotTool: HT", HT)
+        self.HT = HT
         self.visualization = visualization if visualization is not None else VRobotTool()
 
     def __repr__(self) -> str:
@@ -202,8 +224,10 @@ class RobotTool:
 class RobotBase:
     """The base: HT leads from the global frame to it."""
 
+    HT = _Transformation()
+
     def __init__(self, HT: npt.ArrayLike | None = None, visualization: VRobotBase | None = None) -> None:
-        self.HT = _transformation("RobotBase: HT", HT)
+        self.HT = HT
         self.visualization = visualization if visualization is not None else VRobotBase()
 
     def __repr__(self) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,8 @@ import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_array, as_vector, shape_error
 from dalembert._core import NodeType, _joint_poses, _robot_jacobian, _static_torques
+from dalembert._geometry.rigid_transformation import HT as HomogeneousTransformation
+from dalembert._geometry.rigid_transformation import sharing
 from dalembert._geometry.transformations import HTtranslate, RotationTranslation2T66Inverse
 from dalembert.kinematicTree import Inertia2T66, KinematicTree66
 from dalembert.robotics import _drawing, _redundant, _tree
@@ -26,6 +28,11 @@ from dalembert.robotics._parts import (
 from dalembert.treeDynamics import TreeDynamics
 
 _MODES = {"all": slice(0, 6), "trans": slice(0, 3), "rot": slice(3, 6)}
+
+
+def _transformations(arrays: Iterable[FloatArray]) -> list[Any]:
+    """Return transformations as HT; those of many states stay arrays."""
+    return [sharing(T) if T.ndim == 2 else T for T in arrays]
 
 
 class Robot:
@@ -129,11 +136,11 @@ class Robot:
         """Return the number of links, which is that of the coordinates."""
         return len(self.links)
 
-    def GetBaseHT(self) -> FloatArray:
+    def GetBaseHT(self) -> HomogeneousTransformation:
         """Return the transformation from the global frame to the base."""
         return self.base.HT
 
-    def GetToolHT(self) -> FloatArray:
+    def GetToolHT(self) -> HomogeneousTransformation:
         """Return the transformation from the last link to the tool."""
         return self.tool.HT
 
@@ -155,25 +162,30 @@ class Robot:
                 result[..., i] = factor * result[..., self.GetJointIndex(leader)] + offset
         return result
 
-    def JointHT(self, q: npt.ArrayLike) -> list[FloatArray]:
-        """Return the transformations from the global frame to all joints, after their motion."""
-        return list(_joint_poses(self.links, self.base.HT, self._coordinates("q", q)))
+    def JointHT(self, q: npt.ArrayLike) -> list[Any]:
+        """Return the transformations from the global frame to all joints, after their motion: a list of exu.HT.
 
-    def LinkHT(self, q: npt.ArrayLike) -> list[FloatArray]:
-        """Return the transformations from the global frame to all links."""
+        If q has one row per state, each is an array of 4 x 4 matrices.
+        """
+        return _transformations(_joint_poses(self.links, self.base.HT, self._coordinates("q", q)))
+
+    def LinkHT(self, q: npt.ArrayLike) -> list[Any]:
+        """Return the transformations from the global frame to all links, like JointHT."""
         return [T @ link.localHT for T, link in zip(self.JointHT(q), self.links, strict=True)]
 
-    def COMHT(self, HT: Sequence[FloatArray]) -> list[FloatArray]:
+    def COMHT(self, HT: Sequence[npt.ArrayLike]) -> list[Any]:
         """Return the transformations to the centres of mass, in the axes of the links, from those of JointHT."""
-        return [T @ link.localHT @ HTtranslate(link.COM) for T, link in zip(HT, self.links, strict=False)]
+        return _transformations(
+            np.asarray(T) @ link.localHT @ HTtranslate(link.COM) for T, link in zip(HT, self.links, strict=False)
+        )
 
-    def FrameHT(self, frame: str, q: npt.ArrayLike) -> FloatArray:
+    def FrameHT(self, frame: str, q: npt.ArrayLike) -> Any:
         """Return the transformation to a link, to a frame of a file that the robot has been read from, or to 'tool'."""
         index = self.FrameLink(frame)
         carrier = self.JointHT(q)[index] @ self.links[index].localHT if index >= 0 else self.base.HT
-        return np.asarray(carrier @ self._frameLocalHT(frame))
+        return _transformations([np.asarray(carrier @ self._frameLocalHT(frame))])[0]
 
-    def _frameLocalHT(self, frame: str) -> FloatArray:
+    def _frameLocalHT(self, frame: str) -> Any:
         """Return the transformation from the link that carries a frame, see FrameHT, to the frame."""
         return self.frames[frame][1] if frame in self.frames else self.tool.HT if frame == "tool" else np.eye(4)
 

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from dalembert import graphics
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.rigid_transformation import HT
 from dalembert._geometry.transformations import HTrotateX, HTrotateY, HTtranslate, InverseHT
 from dalembert.robotics.roboticsCore import ModDHKK2HT, Robot, RobotBase, RobotLink, RobotTool, StdDH2HT, VRobotLink
 
@@ -70,8 +71,8 @@ def _robot(
         "jointType": [1] * len(rows),
         "jointStiffnessMatrix": np.diag([row.stiffness for row in rows]),
         "joinTorqueMaxMatrix": np.diag([row.torque for row in rows]),
-        "base": {"HT": np.eye(4)},
-        "tool": {"HT": tool},
+        "base": {"HT": HT()},
+        "tool": {"HT": HT(tool)},
         "gravity": [0, 0, -9.81],
         "referenceConfiguration": [0] * len(rows),
         "dhMode": dhMode,
