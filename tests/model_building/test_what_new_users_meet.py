@@ -114,12 +114,36 @@ def test_weight_across_the_plane_is_named(create: str) -> None:
     body: dict[str, Any] = (
         {"inertia": InertiaCuboid(1, [1, 1, 1])} if create == "CreateRigidBody" else {"physicsMass": 1}
     )
-    with pytest.warns(UserWarning, match=rf"{create}\(...\): gravity: .*its z component has no effect"):
-        getattr(mbs, create)(gravity=[0, 0, -9.81], create2D=True, **body)
+    getattr(mbs, create)(gravity=[0, -9.81, 0], create2D=True, **body)
+    getattr(mbs, create)(gravity=[0, 0, -9.81], **body)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        getattr(mbs, create)(gravity=[0, -9.81, 0], create2D=True, **body)
-        getattr(mbs, create)(gravity=[0, 0, -9.81], **body)
+        mbs.Assemble()
+    getattr(mbs, create)(gravity=[0, 0, -9.81], create2D=True, **body)
+    with pytest.warns(UserWarning, match=r"load 2 .*its component along z has no effect, .* in the xy plane"):
+        mbs.Assemble()
+
+
+@pytest.mark.parametrize(
+    ("create", "vector", "warned"),
+    [
+        ("CreateForce", [0, 0, 2], "its component along z has no effect"),
+        ("CreateForce", [1, 2, 0], ""),
+        ("CreateTorque", [1, 0, 2], "its components along x and y have no effect"),
+        ("CreateTorque", [0, 0, 2], ""),
+    ],
+)
+def test_loads_across_the_plane_are_named(create: str, vector: list[float], warned: str) -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    body = mbs.CreateRigidBody(inertia=InertiaCuboid(1, [1, 1, 1]), create2D=True)
+    getattr(mbs, create)(name="pull", bodyNumber=body, loadVector=vector)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        if not warned:
+            mbs.Assemble()
+            return
+    with pytest.warns(UserWarning, match=f"load 0 'pull' .*: {warned}, because what it acts on moves in the xy plane"):
+        mbs.Assemble()
 
 
 def test_axes_out_of_the_plane_are_refused() -> None:

@@ -295,6 +295,38 @@ std::string doubt_of_shared_states(const Model& model) {
   return "";
 }
 
+// The node of a marker, or the first node of its body; null: it has none.
+const Item* node_under(const Model& model, int marker) {
+  const Item* item = model.find_item(ItemKind::marker, marker);
+  while (item != nullptr && item->type->kind != ItemKind::node) {
+    const auto below = std::ranges::find_if(item->type->rows, [](const Row& row) {
+      const IndexStorage index = index_storage(row.storage);
+      return index.is_index && (index.kind == ItemKind::node || index.kind == ItemKind::object);
+    });
+    if (below == item->type->rows.end()) return nullptr;
+    const auto numbers = index_values(*below, item->record.get());
+    item = numbers.empty() ? nullptr : model.find_item(index_storage(below->storage).kind, numbers.front());
+  }
+  return item;
+}
+
+// Constant loads across the plane of a planar body; the plane carries them. Empty: there are none.
+std::string doubt_of_loads_across(const Model& model) {
+  for (int i = 0; i < model.count(ItemKind::load); ++i) {
+    const Item& load = model.item(ItemKind::load, i);
+    const auto* vector = member_of<Vec3<double>>(load, "loadVector");
+    const auto* function = member_of<UserFunction>(load, "loadVectorUserFunction");
+    if (vector == nullptr || function == nullptr || *function) continue;
+    const bool turns = load.type->name == "LoadTorqueVector";
+    if (turns ? (*vector)[0] == 0 && (*vector)[1] == 0 : (*vector)[2] == 0) continue;
+    const Item* node = node_under(model, index_values(*find_row(*load.type, "markerNumber"), load.record.get()).front());
+    if (node == nullptr || !provides(*node->type, "Position2D")) continue;
+    return model.describe(ItemKind::load, i) + ": its component" + (turns ? "s along x and y have" : " along z has") +
+           " no effect, because what it acts on moves in the xy plane.";
+  }
+  return "";
+}
+
 }  // namespace
 
 void Model::check() const {
@@ -322,8 +354,9 @@ std::string Model::doubt() const {
     ++others;
   }
   if (others > 0) first += " So have " + std::to_string(others) + " other objects.";
-  const std::string shared = doubt_of_shared_states(*this);
-  return first.empty() || shared.empty() ? first + shared : first + " " + shared;
+  for (const std::string& more : {doubt_of_shared_states(*this), doubt_of_loads_across(*this)})
+    first += (first.empty() || more.empty() ? "" : " ") + more;
+  return first;
 }
 
 }  // namespace dalembert

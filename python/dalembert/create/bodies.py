@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -97,16 +96,6 @@ def _add_gravity(mbs: Any, node: Any, body: Any, gravity: Vector, returnDict: bo
     return {"nodeNumber": node, "bodyNumber": body, "markerBodyMass": marker, "loadNumber": load}
 
 
-def _warn_of_weight_across(function: str, gravity: Vector) -> None:
-    """Warn of gravity that moves no planar body."""
-    if gravity[2]:
-        warnings.warn(
-            f"MainSystem.{function}(...): gravity: received {list(gravity)}; its z component has no effect on a body "
-            "in the xy plane (create2D=True)",
-            stacklevel=4,
-        )
-
-
 def CreateMassPoint(
     mbs: Any,
     name: str = "",
@@ -131,7 +120,6 @@ def CreateMassPoint(
     node_type: Any = items.NodePoint
     body_type: Any = items.ObjectMassPoint
     if create2D:
-        _warn_of_weight_across("CreateMassPoint", gravity)
         node_type, body_type = items.NodePoint2D, items.ObjectMassPoint2D
         referencePosition, initialDisplacement = referencePosition[:2], initialDisplacement[:2]
         initialVelocity = initialVelocity[:2]
@@ -291,8 +279,6 @@ def CreateRigidBody(
     if create2D and np.linalg.norm(inertia.com) > 1e-14:
         expected = "an inertia with its centre of mass at [0,0,0] (create2D=True)"
         raise argument_error("CreateRigidBody", "inertia", expected, inertia.com)
-    if create2D:
-        _warn_of_weight_across("CreateRigidBody", gravity)
     A, omega = np.asarray(referenceRotationMatrix, dtype=float), np.asarray(initialAngularVelocity, dtype=float)
     rotation = None if initialRotationMatrix is None else np.asarray(initialRotationMatrix, dtype=float)
     motion = (referencePosition, A, initialVelocity, omega, initialDisplacement, rotation)
