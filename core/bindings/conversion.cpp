@@ -292,6 +292,14 @@ void read(PyObject* value, const Row& row, std::vector<Entry>& out) {
     out = py::handle(value).cast<const EntryList<Entry>&>().entries;
     return;
   }
+  if constexpr (is_mat<Entry>) {  // one matrix
+    if (py::isinstance<py::array>(value) && py::reinterpret_borrow<py::array>(value).ndim() == 2) {
+      Entry one{};
+      read(value, row, one);
+      out = {one};
+      return;
+    }
+  }
   const Items items(value, what);
   std::vector<Entry> entries(static_cast<std::size_t>(items.size()));
   for (Py_ssize_t i = 0; i < items.size(); ++i) {

@@ -59,9 +59,15 @@ py::object plain(const Row& row, const T& value) {
   }
 }
 
+// A member, or its name as in handles: 'EigenSparse' or 'eigen_sparse'.
 void write_enumeration(const Row& row, PyObject* value, std::uint32_t& out) {
   const std::string name(enum_tables()[row.enumeration].name);
   const py::object type = core_module().attr(name.c_str());
+  if (PyUnicode_Check(value)) {
+    const auto member = py::module_::import("dalembert._model.words").attr("member");
+    out = member(type, py::handle(value), std::string(row.name)).cast<std::uint32_t>();
+    return;
+  }
   if (!py::isinstance(value, type)) throw Refusal{ErrorKind::type, "a member of " + name, member_advice(name, value)};
   out = py::handle(value).cast<std::uint32_t>();
 }

@@ -212,3 +212,11 @@ def test_matrices_of_items_are_not_those_of_the_user() -> None:
     mbs.SolveStatic(settings)
     # Two equations with pivots of one: exact but for the rounding of a division.
     np.testing.assert_allclose(mbs.systemData.GetODE2Coordinates(), [1 / 3, 2 / 3], rtol=1e-14, atol=0)
+
+
+def test_a_single_matrix_is_a_list_with_one() -> None:
+    plate = exu.ObjectANCFThinPlate(physicsStrainCoefficients=np.diag([1.0, 2, 3]))
+    assert np.array(plate.physicsStrainCoefficients[0]).tolist() == [[1, 0, 0], [0, 2, 0], [0, 0, 3]]
+    assert len(plate.physicsStrainCoefficients) == 1
+    with pytest.raises(ValueError, match="physicsStrainCoefficients"):
+        exu.ObjectANCFThinPlate(physicsStrainCoefficients=np.eye(2))

@@ -119,7 +119,7 @@ def test_dictionaries_may_be_partial_and_errors_change_nothing() -> None:
         ("parallel.numberOfThreads", 0, ValueError, "an integer greater than zero"),
         ("displayStatistics", "yes", TypeError, "True or False"),
         ("linearSolverType", 2, TypeError, "a member of LinearSolverType"),
-        ("linearSolverType", "EigenSparse", TypeError, "Write LinearSolverType.EigenSparse without quotes"),
+        ("linearSolverType", "EigenSpars", ValueError, "'EigenSpars'. Did you mean 'EigenSparse'"),
         ("linearSolverType", exu.NodeType.Position, TypeError, "a member of LinearSolverType"),
         ("solutionSettings.coordinatesSolutionFileName", 3, TypeError, "expected a string"),
     ],
@@ -208,6 +208,11 @@ def test_keywords_set_settings() -> None:
     expected.outputPrecision, expected.timeIntegration.endTime = 9, 2
     expected.timeIntegration.newton.useModifiedNewton = True
     assert settings._equals(expected) and not settings._equals(exu.SimulationSettings())
+    settings = exu.SimulationSettings(linearSolverType="eigen_sparse", timeIntegration={"solverType": "RK44"})
+    assert settings.linearSolverType == exu.LinearSolverType.EigenSparse
+    assert settings.timeIntegration.solverType == exu.DynamicSolverType.RK44
+    with pytest.raises(ValueError, match=r"linearSolverType: received 'Eigen'.* Expected one of 'EXUdense'"):
+        exu.SimulationSettings(linearSolverType="Eigen")
     with pytest.raises(TypeError, match="SimulationSettings: takes keywords only"):
         exu.SimulationSettings(3)
     with pytest.raises(AttributeError, match=r"endTime"):

@@ -469,7 +469,9 @@ def _facts_of_items(system: Any) -> list[list[str]]:
             for key, value in item.items():
                 if not key.startswith(("V", "initial", "graphicsData")):
                     digest.update(_bytes_of(value))
-            found.append([f"{kind.lower()} {number}", item["name"], item[f"{kind.lower()}Type"], digest.hexdigest()[:16]])
+            found.append(
+                [f"{kind.lower()} {number}", item["name"], item[f"{kind.lower()}Type"], digest.hexdigest()[:16]]
+            )
     return found
 
 
