@@ -54,6 +54,14 @@ def test_no_viewer_opens(switches: user_interface.UserInterface, monkeypatch: py
     assert exu.SystemContainer().renderer.Start() is False
 
 
+def test_no_solution_is_needed_where_viewers_are_suppressed(switches: user_interface.UserInterface) -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    with pytest.raises(ValueError, match="no simulation has been run yet"):
+        mbs.SolutionViewer()
+    switches.suppressSolutionViewer = True
+    mbs.SolutionViewer()
+
+
 def run(script: str, folder: Path, **environment: str) -> str:
     return subprocess.run(
         [sys.executable, "-c", script],
