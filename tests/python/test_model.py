@@ -312,6 +312,23 @@ def test_integral_parts_of_controllers_rest_in_statics() -> None:
     assert "an integral part alone resists no motion" in it.value.__notes__[0]
 
 
+def test_motions_without_stiffness_are_named() -> None:
+    """A beam on two hinges turns about its own axis: coordinate 3 of its nodes is a rotation about x."""
+    model = db.Model()
+    line: dict[str, Any] = {"end": [2, 0, 0], "diameter": 0.02, "gravity": [0, 0, -9.81], "number_of_elements": 8}
+    model.create_beam(**line, supports=["hinged", "hinged"])
+    with pytest.raises(db.SolverError) as it:
+        model.solve_static()
+    assert "nothing resists a motion of node" in it.value.__notes__[0]
+    assert "(NodeRigidBodyRotVecLG), coordinate 3" in it.value.__notes__[0]
+    held = db.Model()
+    held.create_beam(**line, supports=["clamped", "free"])
+    settings = db.SimulationSettings(staticSolver={"newton": {"maxIterations": 1}, "adaptiveStep": False})
+    with pytest.raises(db.SolverError) as it:
+        held.solve_static(settings=settings)
+    assert not hasattr(it.value, "__notes__")
+
+
 def test_directions_have_names() -> None:
     model = db.Model()
     mass = model.create_mass_point(mass=2)

@@ -15,7 +15,7 @@ import numpy as np
 
 from dalembert import _core
 from dalembert._checks import as_number, shape_error
-from dalembert._core import DynamicSolverType, SimulationSettings, testing
+from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings, testing
 from dalembert._io.solution_states import LoadSolutionFile
 from dalembert._model import words
 from dalembert._model.item_facts import facts_of
@@ -93,6 +93,11 @@ def solve_static(
         except SolverError as error:
             if model.system.systemData.ODE1Size() > 0:
                 error.add_note(f"{_HELD}; without P, an integral part alone resists no motion")
+            if free := _free_motion(model.system):
+                error.add_note(
+                    f"model.solve_static: nothing resists a motion of {free}, such as the rotation of a beam on hinges "
+                    "about its own axis. Hold it by a support, a joint or a weak spring"
+                )
             raise
     _warn_of_rates(model.system)
     return _with_outputs(run.solution, wanted)
@@ -102,6 +107,34 @@ _HELD = (
     "model.solve_static: states of first-order equations, such as the integral part of a controller, keep their "
     "initial values"
 )
+
+
+def _free_motion(system: Any) -> str:
+    """Return the coordinates with the largest share in a motion at the start that has no stiffness; empty: none."""
+    import scipy.sparse
+    import scipy.sparse.linalg
+
+    state, n = testing.State(system), system.systemData.ODE2Size()
+    state.q = system.systemData.GetODE2Coordinates(ConfigurationType.Initial)
+    rows, columns, values = testing.tangent_entries(system, state)
+    size = system.systemData.SystemSize()
+    if len(values) == 0 or n == 0 or not np.isfinite(values).all():
+        return ""
+    tangent = scipy.sparse.csc_matrix((values, (rows, columns)), shape=(size, size))
+    shift = 1e-14 * float(np.abs(values).max())
+    try:
+        factors = scipy.sparse.linalg.splu(tangent + shift * scipy.sparse.identity(size, format="csc"))
+    except RuntimeError:
+        return ""
+    motion = np.sin(1 + 2.7 * np.arange(size))  # has components of all motions
+    for _ in range(4):
+        motion[n:] = 0
+        motion = factors.solve(motion)
+        motion /= np.linalg.norm(motion[:n])
+    stiffness, shares = tangent[:n, :n], np.abs(motion[:n])
+    if abs(motion[:n] @ (stiffness @ motion[:n])) > 1e-13 * float(shares @ (abs(stiffness) @ shares)):
+        return ""
+    return ", ".join(testing.describe_row(system, int(row)) for row in np.argsort(-shares)[:3])
 
 
 def _warn_of_rates(system: Any) -> None:
