@@ -189,6 +189,10 @@ void register_information(SolverClass<W>& c) {
       "GetDoubts", [](const W& w) { return w.doubts(); },
       "Why a solution that has finished is not to be trusted, one text each; output.trusted tells whether there are "
       "none.");
+  c.def(
+      "PrescribeEndsOfSteps",
+      [](W& w, std::vector<double> times) { w.prescribe_ends_of_steps(std::move(times)); }, py::arg("times"),
+      "Let steps end at these times, the last of which is endTime, whatever their errors are.");
   c.def("GetErrorString", [](const W& w) { return w.error_string(); }, "Why the solver failed; empty after success.");
   c.def(
       "GetDiagnosis", [](const W& w) { return w.diagnosis().failed() ? w.diagnosis().text() : ""; },

@@ -129,6 +129,32 @@ def SolveStatic(
     return success
 
 
+def new_solver(kind: str) -> Any:
+    """Return a solver of a kind of methods (kind_of)."""
+    if kind == "diagonally implicit":
+        return _core.MainSolverDiagonallyImplicit()
+    return _core.MainSolverImplicitSecondOrder() if kind == "implicit" else _core.MainSolverExplicit()
+
+
+def integrate(
+    solver: Any,
+    mbs: Any,
+    settings: SimulationSettings,
+    solverType: DynamicSolverType,
+    slot: str | None = "dynamicSolver",
+    showCausingItems: bool = True,
+) -> Finished:
+    """Solve with a new solver for this type."""
+    chosen: Any = nullcontext()
+    if isinstance(solver, _core.MainSolverExplicit):
+        settings.timeIntegration.explicitIntegration.dynamicSolverType = solverType
+        chosen = chosen_method(settings, solverType)
+    elif solverType == DynamicSolverType.TrapezoidalIndex2:
+        chosen = trapezoidal_rule(settings)
+    with chosen:
+        return _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
+
+
 def SolveDynamic(
     mbs: Any,
     simulationSettings: SimulationSettings | None = None,
@@ -159,23 +185,10 @@ def SolveDynamic(
     slot = "dynamicSolver" if storeSolver else None
     warn_of_half_turns("SolveDynamic", mbs, ConfigurationType.Initial, "at the start")
     allocations = _core.special.InfoStat(False)
-    solver: Any
-    if kind == "diagonally implicit":
-        solver = _core.MainSolverDiagonallyImplicit()
-        success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
-        evaluations = solver.it.newtonStepsCount
-    elif kind == "implicit":
-        solver = _core.MainSolverImplicitSecondOrder()
-        is_trapezoidal = solverType == DynamicSolverType.TrapezoidalIndex2
-        with trapezoidal_rule(settings) if is_trapezoidal else nullcontext():
-            success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
-        evaluations = solver.it.newtonStepsCount
-    else:
-        settings.timeIntegration.explicitIntegration.dynamicSolverType = solverType
-        solver = _core.MainSolverExplicit()
-        with chosen_method(settings, solverType):
-            success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
-        evaluations = solver.it.currentStepIndex * solver.GetNumberOfStages()
+    solver: Any = new_solver(kind)
+    success = integrate(solver, mbs, settings, solverType, slot, showCausingItems)
+    explicit = kind not in ("diagonally implicit", "implicit")
+    evaluations = solver.it.currentStepIndex * solver.GetNumberOfStages() if explicit else solver.it.newtonStepsCount
     CheckSolverInfoStatistics(solver.GetSolverName(), allocations, evaluations)
     if success and updateInitialValues:
         _keep_as_initial_values(mbs, accelerations=True)

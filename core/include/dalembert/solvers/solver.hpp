@@ -78,6 +78,9 @@ class Solver {
   // Copies the settings that the steps use; called by attach.
   virtual void read_settings();
 
+  // Lets the steps of the next solutions end at these times (StepController::prescribe_ends).
+  void prescribe_ends_of_steps(std::vector<double> times);
+
   // ---- parts of initialize, in this order --------------------------------------------------------------------------
   virtual void pre_initialize() {}
   void initialize_output();

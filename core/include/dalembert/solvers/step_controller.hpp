@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "dalembert/solvers/data.hpp"
 
@@ -35,6 +36,10 @@ class StepController {
   void start(const StepFactors& factors);
   void resume(double size, std::span<const double> numbers);  // after start(): continues from a restart file
   std::array<double, restart_size> restart_numbers() const;
+  // Lets steps end at these increasing times, of which the last one is the end of the solution. Steps that are rejected,
+  // or end at events, are shorter. Estimated errors have no effect.
+  void prescribe_ends(std::vector<double> times) { ends_ = std::move(times); }
+  bool ends_are_prescribed() const { return !ends_.empty(); }
   // Time at the end of the step. The last step is shortened to the end of the solution.
   double end_of_step();
 
@@ -78,6 +83,9 @@ class StepController {
     StepCount before = 0;
   };
   EqualSteps equal_;
+  double prescribed_end();
+  std::vector<double> ends_;
+  StepCount prescribed_step_ = -1;  // index of the step whose size has been set
   StepCount since_rejection_ = 0;
   int above_tolerance_ = 0;
   bool rejected_by_error_ = false;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <thread>
+#include <utility>
 
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/model/errors.hpp"
@@ -417,6 +419,12 @@ void Solver::step_succeeded() {
   if (!silent_ && settings_->solutionSettings.writeRestartFile) continuation_->write();
   ++it.currentStepIndex;
   end_reached_ = ends_here();
+}
+
+void Solver::prescribe_ends_of_steps(std::vector<double> times) {
+  if (times.empty() || std::ranges::adjacent_find(times, std::greater_equal<>()) != times.end())
+    throw ModelError(ErrorKind::value, name() + ": received ends of steps that do not increase");
+  steps_.prescribe_ends(std::move(times));
 }
 
 void Solver::update_current_time() { it.currentTime = steps_.end_of_step(); }

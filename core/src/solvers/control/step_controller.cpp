@@ -23,6 +23,7 @@ void StepController::start(const StepFactors& factors) {
   since_rejection_ = 0;
   above_tolerance_ = 0;
   rejected_by_error_ = false;
+  prescribed_step_ = -1;
 }
 
 void StepController::resume(double size, std::span<const double> numbers) {
@@ -41,7 +42,19 @@ std::array<double, StepController::restart_size> StepController::restart_numbers
           static_cast<double>(above_tolerance_)};
 }
 
+// The first attempt of a step gets the remaining size; other attempts keep the size that was chosen for them.
+double StepController::prescribed_end() {
+  const double now = it_.currentTime,
+               round_off = 8 * std::numeric_limits<double>::epsilon() * std::max(std::abs(now), std::abs(ends_.back()));
+  const auto next = std::ranges::upper_bound(ends_, now + round_off);
+  const double end = next == ends_.end() ? it_.endTime : *next;
+  if (std::exchange(prescribed_step_, it_.currentStepIndex) != it_.currentStepIndex) it_.currentStepSize = end - now;
+  return it_.currentStepSize == end - now ? end : now + it_.currentStepSize;
+}
+
 double StepController::end_of_step() {
+  if (!ends_.empty()) [[unlikely]]
+    return prescribed_end();
   double& h = it_.currentStepSize;
   if (h != equal_.size || it_.currentTime != equal_.time) [[unlikely]] {
     equal_ = {.start = it_.currentTime, .size = h, .before = it_.currentStepIndex - 1};

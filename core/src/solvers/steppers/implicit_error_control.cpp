@@ -79,6 +79,7 @@ double SecondOrderSolver::noise_of_estimates() {
 
 // Returns false if the step has to be repeated, or if the solver stops.
 bool SecondOrderSolver::control_step_size() {
+  if (steps_.ends_are_prescribed()) return true;
   const TimedPart time(timer, timer.errorEstimator);
   const double h = it.currentStepSize, error = it.automaticStepSizeError = estimated_error();
   const double wanted = tolerances_.safety * std::cbrt(1 / std::max(error, 1e-12));
