@@ -176,13 +176,15 @@ class SystemDerivatives {
       if (row >= first_ae) return gk * k_[slot] + gv * d_[slot] + ca * m_[slot];
       return ck * k_[slot] + cv * d_[slot] + (row < n ? ca * m_[slot] : 0.0);
     };
-    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) { j_[slot] = value_at(row, column, slot); });
-    if (blocks) add_blocks(*blocks, ck, gk);
+    const auto scale_of = [n, first_ae, scale](int row, int column) {
+      return (row < n ? scale : 1.0) * (column >= first_ae ? 1 / scale : 1.0);
+    };
+    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+      j_[slot] = scale_of(row, column) * value_at(row, column, slot);
+    });
+    if (blocks) add_blocks(*blocks, ck * scale, gk);
     scale_ = scale;
     transposed_ = transposed;
-    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
-      j_[slot] *= (row < n ? scale : 1.0) * (column >= first_ae ? 1 / scale : 1.0);
-    });
     if (transposed) transpose();
     if (!factors_) {
       const auto type = pattern_->is_dense() ? LinearSolverType::EXUdense : LinearSolverType::EigenSparse;
@@ -612,6 +614,17 @@ class SystemDerivatives {
   bool transposed_ = false, acceleration_level_ = false;
 };
 
+Rows current_state(const std::shared_ptr<MainSystem>& main) {
+  const State& state = main->assembled("current_state").state(ConfigurationType::Current);
+  const std::array parts{&state.q, &state.v, &state.a, &state.y, &state.y_t, &state.lambda, &state.data};
+  std::size_t length = 0;
+  for (const auto* part : parts) length += part->size();
+  Rows z(static_cast<py::ssize_t>(length));
+  double* to = z.mutable_data();
+  for (const auto* part : parts) to = std::copy(part->begin(), part->end(), to);
+  return z;
+}
+
 }  // namespace
 
 void register_system_derivatives(py::module_& testing) {
@@ -622,6 +635,7 @@ void register_system_derivatives(py::module_& testing) {
                   "are rows of an array. rate_level, inertia: see State.");
   c.def(py::init<std::shared_ptr<MainSystem>, bool, bool>(), py::arg("mbs"), py::kw_only(),
         py::arg("rate_level") = false, py::arg("inertia") = true);
+  testing.def("current_state", &current_state, py::arg("mbs"), "The current state while a solver runs: z.");
   const auto z = py::arg("z"), time = py::arg("time"), step_size = py::arg("step_size");
   c.def("residual", &D::residual, z, time, step_size, "Residual of [ODE2, ODE1, AE].");
   c.def("residuals", &D::residuals, py::arg("states"), py::arg("times"), step_size, "Residuals at states in rows.");

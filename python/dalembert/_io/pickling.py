@@ -143,6 +143,18 @@ def __copy__(mbs: MainSystem) -> MainSystem:
     return made
 
 
+def copier(mbs: MainSystem) -> Callable[[], MainSystem]:
+    """Return a function that makes copies of a system as it is now; copy.copy reads the system for each of them."""
+    state = _state(mbs)
+
+    def made() -> MainSystem:
+        copied = MainSystem()
+        _restore(copied, state | {name: dict(state[name]) for name in _variables})
+        return copied
+
+    return made
+
+
 def __deepcopy__(mbs: MainSystem, memo: dict[int, Any]) -> MainSystem:
     made = memo[id(mbs)] = MainSystem()
     _restore(made, copy.deepcopy(_state(mbs), memo))

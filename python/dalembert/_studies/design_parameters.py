@@ -7,7 +7,6 @@ without common equations are varied together, in one set of copies of the model.
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 from dalembert import _core
 from dalembert._checks import FloatArray, shape_error
 from dalembert._core import testing
+from dalembert._io.pickling import copier
 from dalembert._studies.difference_formulas import BACKWARD, CENTRAL, FORWARD, STEP
 from dalembert._studies.not_differentiable import NotDifferentiable
 from dalembert._tools.found_items import find_item
@@ -426,7 +426,8 @@ class Parameters:
                 else {s for s, reads in self.reads.items() if reads is None or reads & affected}
             )
         self.size = size
-        trial = copy.copy(base)
+        self._copied = copier(base)
+        trial = self._copied()
         for parameter in self.all:
             parameter.choose_formula(trial)
         self._check_rows(trial, *state)
@@ -512,7 +513,7 @@ class Parameters:
     def _group(self, base: Any, members: list[int]) -> _Group:
         formula = self.all[members[0]].formula
         variants = {
-            multiple: self.base if multiple == 0 else self._variant(base, copy.copy(base), members, multiple)
+            multiple: self.base if multiple == 0 else self._variant(base, self._copied(), members, multiple)
             for multiple in formula
         }
         if self.rows[members[0]] is None:

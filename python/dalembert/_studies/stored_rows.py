@@ -27,6 +27,10 @@ class Rows:
         self._file: Any = None
         self._count = 0
 
+    def __del__(self) -> None:
+        if self._file is not None:
+            self._file.close()
+
     @staticmethod
     def of(row: FloatArray) -> Rows:
         """Return a single row."""
