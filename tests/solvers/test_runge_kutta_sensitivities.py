@@ -241,7 +241,7 @@ def test_what_is_refused() -> None:
     found = refusal(driven(), {"m": ("mass", "physicsMass")}, {"x": "x"}, equal_steps(), solverType=Solver.ESDIRK43)
     assert found.item == "object 3 'drive' (ObjectConnectorCoordinate), equation 0"
     assert found.reason == "constraints that functions of time prescribe are not available with Runge-Kutta methods"
-    assert found.advice == "use generalized alpha"
+    assert found.advice == "use generalized alpha without events"
 
 
 def driven() -> Any:

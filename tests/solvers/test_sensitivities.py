@@ -778,7 +778,7 @@ def test_derivatives_through_stick_and_slip() -> None:
         )
 
 
-def falling(*heights: float, constrained: bool = False) -> Any:
+def falling(*heights: float) -> Any:
     """Masses that fall on springs."""
     mbs = new_system()
     for i, height in enumerate(heights):
@@ -792,21 +792,12 @@ def falling(*heights: float, constrained: bool = False) -> Any:
         )
         mbs.AddLoad(LoadCoordinate(markerNumber=marker, load=-20))
         mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, name=f"x{i}"))
-    if constrained:
-        other = mbs.AddNode(Node1D(referenceCoordinates=[0]))
-        mbs.AddObject(Mass1D(physicsMass=1, nodeNumber=other))
-        ends = [ground_coordinate(mbs), mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=other, coordinate=0))]
-        mbs.AddObject(CoordinateConstraint(markerNumbers=ends))
     mbs.Assemble()
     return mbs
 
 
 def test_events_that_are_refused() -> None:
     parameters, outputs = {"m": ("mass 0", "physicsMass")}, {"x": "x0"}
-    found = refusal(falling(0.05, constrained=True), parameters, outputs, with_events(0.2, 40))
-    assert found.reason == "generalized alpha changes velocities after events in systems with constraints"
-    assert found.advice == "use exu.DynamicSolverType.ESDIRK43, an explicit Runge-Kutta method, or TrapezoidalIndex2"
-    assert found.item == "event 'contact' of object 1 'stop 0' (ContactCoordinate)" and found.time is not None
     found = refusal(falling(0.05, 0.05), parameters, outputs, with_events(0.2, 40))
     assert found.reason == "two events come at the same time"
     with pytest.raises(ValueError, match="output 't': number: received 3, but the object has 2 events"):
@@ -886,29 +877,79 @@ def test_jacobians_that_are_no_derivatives_are_refused() -> None:
 
 
 def test_settings_that_are_refused() -> None:
-    def changed(change: Callable[[Any], None]) -> Any:
-        s = settings()
-        change(s)
-        return refusal(oscillator(), with_settings=s).item
-
-    def control(s: Any) -> None:
-        s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
-
-    assert changed(control) == "simulationSettings.stepSizeControl.implicitSolvers"
+    s = settings()
+    s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
+    found = refusal(pendulum(), {"m": ("mass", "physicsMass")}, {"p": "p"}, s)
+    assert found.item == "simulationSettings.stepSizeControl.implicitSolvers" and "ESDIRK43" in found.advice
     for solver in (exu.DynamicSolverType.VelocityVerlet, exu.DynamicSolverType.DOP853):
         found = refusal(oscillator(), solverType=solver)
         assert "generalized alpha" in found.reason
 
 
-def test_adaptive_steps_are_frozen() -> None:
+def adaptive(tolerance: float = 1e-9, end: float = 0.9) -> Any:
+    s = settings(end, 1)
+    s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
+    s.timeIntegration.relativeTolerance, s.timeIntegration.absoluteTolerance = tolerance, 0.1 * tolerance
+    return s
+
+
+@pytest.mark.parametrize(
+    ("solver", "tolerance", "error"),
+    [
+        (exu.DynamicSolverType.DOPRI5, 1e-9, 1e-7),
+        (exu.DynamicSolverType.ESDIRK43, 1e-9, 1e-7),
+        (exu.DynamicSolverType.GeneralizedAlpha, 1e-6, 1e-3),
+    ],
+)
+def test_adaptive_steps_are_frozen(solver: Any, tolerance: float, error: float) -> None:
     # The derivative of the exact solution, to the tolerance of the steps.
-    s = settings(0.9, 1)
-    s.timeIntegration.automaticStepSize = True
-    s.timeIntegration.relativeTolerance, s.timeIntegration.absoluteTolerance = 1e-9, 1e-10
-    mbs = oscillator(damping=0.0)
-    found = mbs.ComputeSensitivities({"F": ("force", "load")}, {"x": "x"}, s, exu.DynamicSolverType.DOPRI5)
-    assert found.exactness == "frozen steps"
-    assert found.Derivative("x", "F") == pytest.approx((1 - np.cos(5 * 0.9)) / 50, rel=1e-7)
+    forward, adjoint = (
+        oscillator(damping=0.0).ComputeSensitivities(
+            {"F": ("force", "load")}, {"x": "x"}, adaptive(tolerance), solver, method
+        )
+        for method in ("forward", "adjoint")
+    )
+    assert forward.exactness == adjoint.exactness == "frozen steps"
+    assert forward.Derivative("x", "F") == pytest.approx((1 - np.cos(5 * 0.9)) / 50, rel=error)
+    assert adjoint.Derivative("x", "F") == pytest.approx(forward.Derivative("x", "F"), rel=1e-10)
+
+
+@pytest.mark.parametrize("bounces", [False, True], ids=["smooth", "events"])
+@pytest.mark.parametrize(
+    "solver",
+    [exu.DynamicSolverType.DOPRI5, exu.DynamicSolverType.ESDIRK43, exu.DynamicSolverType.GeneralizedAlpha],
+)
+def test_steps_that_are_repeated(solver: Any, bounces: bool) -> None:
+    # Coarse adaptive steps: differences of solutions with steps of their own scatter by the size of their errors.
+    s = adaptive(1e-4, 0.4)
+    s.events.ofItems = bounces
+    mbs = falling(0.05) if bounces else oscillator()
+    given: dict[str, Any] = {"m": ("mass 0" if bounces else "mass", "physicsMass"), "T": "timeIntegration.endTime"}
+    outputs = {"x": exu.At("x0" if bounces else "x"), "E": exu.Integral("x0" if bounces else "x")}
+    replay = exu.DifferentiableModel(mbs, given, outputs, s, solver, steps="replay")
+    x = replay.x0.copy()
+    first = replay.Sensitivities(x)
+    assert first.exactness == "frozen steps"
+    assert replay.Sensitivities(x * 1.001).values != first.values
+    again = replay.Sensitivities(x)  # with the steps of the first solution
+    for name, value in first.values.items():
+        assert again.values[name] == pytest.approx(value, rel=1e-12)
+    np.testing.assert_allclose(again.matrix, first.matrix, rtol=1e-9)
+    for k in range(len(x)):
+        step = 1e-4 * x[k] * np.eye(len(x))[k]
+        differences = sum(
+            weight * np.array(list(replay.Values(x + multiple * step).values())) for multiple, weight in CENTRAL.items()
+        ) / (1e-4 * x[k])
+        size = np.abs(again.matrix * x).max(axis=1)
+        assert np.all(np.abs(again.matrix[:, k] - differences) * x[k] < 1e-7 * size), (again.matrix[:, k], differences)
+
+
+def test_steps_that_cannot_be_repeated() -> None:
+    model = exu.DifferentiableModel
+    with pytest.raises(ValueError, match="steps: received 'again', but expected 'frozen' or 'replay'"):
+        model(oscillator(), {"k": ("spring", "stiffness")}, {"x": "x"}, settings(), steps="again")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="steps='replay' needs a time integration"):
+        model(oscillator(), {"k": ("spring", "stiffness")}, {"x": "x"}, settings(), "static", steps="replay")
 
 
 def test_redundant_constraints_are_refused() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,8 +23,11 @@ class DifferentiableModel:
     """Outputs of an assembled model as a function of its parameters, with derivatives: see mbs.ComputeSensitivities.
 
     Parameters are given as vectors in the order of `names`, or as dictionaries. The model is copied: mbs does not
-    change. The last
-    solution is kept, so that a value and its gradient at one point need one solution.
+    change. The last solution is kept, so that a value and its gradient at one point need one solution.
+
+    steps: if tolerances choose the steps, 'frozen': they choose them anew in each solution, and derivatives are those
+    with these steps; 'replay': all solutions have the steps of the first one, so that derivatives are those of the
+    function that is computed.
 
     names, x0: names and present values of the parameters; bounds: (lower, upper), infinite where an item accepts
     everything.
@@ -43,9 +46,16 @@ class DifferentiableModel:
         *,
         consistentStart: bool = False,
         maximumMemory: float | None = None,
+        steps: Literal["frozen", "replay"] = "frozen",
     ) -> None:
         assemble_if_needed("DifferentiableModel", mbs, True)
         self._settings = copy.deepcopy(given_or_default("DifferentiableModel", simulationSettings))
+        if steps not in ("frozen", "replay"):
+            raise ValueError(f"DifferentiableModel: steps: received {steps!r}, but expected 'frozen' or 'replay'")
+        if steps == "replay" and solverType == "static":
+            raise ValueError("DifferentiableModel: steps='replay' needs a time integration")
+        self._replays = steps == "replay"
+        self._ends: FloatArray | None = None  # of steps, by the first solution
         self._options = solverType, consistentStart, maximumMemory
         Problem(mbs, parameters, outputs, self._settings, *self._options)  # checks
         self._mbs = copy.copy(mbs)
@@ -95,9 +105,24 @@ class DifferentiableModel:
             given = {
                 name: _moved(each, float(value)) for (name, each), value in zip(self._given.items(), point, strict=True)
             }
-            problem = Problem(mbs, given, self._outputs, settings, *self._options)
-            self._found, self._point = problem.solve(self._method), point.copy()
+
+            def solved() -> Found:
+                ends = self._ends_until(settings.timeIntegration.endTime)
+                return Problem(mbs, given, self._outputs, settings, *self._options, ends).solve(self._method)
+
+            if self._replays and self._ends is None:
+                self._ends = solved()._ends
+            self._found, self._point = solved(), point.copy()
         return self._found
+
+    def _ends_until(self, end: float) -> FloatArray | None:
+        """Return the ends of steps of the first solution, in a duration that may be a parameter."""
+        if self._ends is None:
+            return None
+        first = self._ends[0]
+        times = first + (self._ends[1:] - first) * ((end - first) / (self._ends[-1] - first))
+        times[-1] = end
+        return np.asarray(times)
 
     def __call__(self, parameterSet: Mapping[str, Any]) -> Any:
         """Return all numbers of the outputs, or a number if there is one, for the functions of dalembert.processing.

@@ -25,6 +25,7 @@ from dalembert._studies.recorded_motion import (
     check_steps,
     check_tangent,
     record,
+    refuse_changed_velocities,
     refuse_settings,
     refuse_system,
     refuse_unit_lengths,
@@ -64,6 +65,7 @@ class Sensitivities:
     cost: dict[str, float]
     _rows: dict[str, slice]
     _histories: dict[str, tuple[FloatArray, FloatArray]] = field(default_factory=dict)
+    _ends: FloatArray | None = None  # of steps that end at no event
 
     def __repr__(self) -> str:
         """Sizes and method."""
@@ -118,9 +120,9 @@ def ComputeSensitivities(
     outputs: by name, exu.At, exu.Integral, exu.Final, exu.Reaction, exu.EventTime or exu.Function; with 'static',
         exu.At, exu.Reaction, exu.Eigenvalue, exu.BucklingLoad or exu.FrequencyResponse. The name of a sensor stands for
         At(sensor).
-    simulationSettings, solverType: as in SolveDynamic: generalized alpha or the trapezoidal rule with equal steps,
-        ESDIRK43, or an explicit Runge-Kutta method of up to seven stages; 'static': as in SolveStatic. Contact and
-        friction need simulationSettings.events.ofItems=True.
+    simulationSettings, solverType: as in SolveDynamic: generalized alpha, the trapezoidal rule, ESDIRK43, or an
+        explicit Runge-Kutta method of up to seven stages; 'static': as in SolveStatic. Contact and friction need
+        simulationSettings.events.ofItems=True.
     method: 'forward': one linear solution per parameter and step; 'adjoint': one per number of the outputs and step;
         'auto': whichever needs less.
     consistentStart: initial values follow constraints that parameters change; otherwise they stay as they are, with a
@@ -171,7 +173,9 @@ class Problem:
         solverType: Any,
         consistent: bool,
         maximumMemory: float | None = None,
+        ends: FloatArray | None = None,
     ) -> None:
+        """ends: times at which steps end, whatever their errors are."""
         if not isinstance(parameters, Mapping) or not parameters:
             raise shape_error(
                 "ComputeSensitivities: parameters", "a dictionary, such as {'k': ('spring', 'stiffness')}", parameters
@@ -183,7 +187,9 @@ class Problem:
         self.static = solverType == "static"
         if not self.static:
             refuse_settings(settings, solverType)
+            refuse_changed_velocities(mbs, settings, solverType)
         refuse_system(mbs)
+        self.ends = ends
         self.mbs, self.settings, self.solverType, self.consistent = (
             copy.copy(mbs),
             silent(settings),
@@ -416,7 +422,7 @@ class _Integration:
         self.problem = problem
         begin = clock.perf_counter()
         solved = copy.copy(problem.mbs)
-        self.motion: Motion = record(solved, problem.settings, problem.solverType, problem.memory)
+        self.motion: Motion = record(solved, problem.settings, problem.solverType, problem.memory, problem.ends)
         self.seconds = clock.perf_counter() - begin
 
     def solve(self, method: Method, histories: bool) -> Sensitivities:
@@ -471,7 +477,7 @@ class _Integration:
                     walk.tolerance = time.absoluteTolerance, time.relativeTolerance
                 if not tableau.implicit:
                     samples.refuse_accelerations()
-            elif not walk.tracked and not steps.moves and end_time is None:
+            elif not walk.tracked and not steps.moves and end_time is None and motion.algorithmic is not None:
                 walk = None
         start = Start(parameters, motion, problem.consistent).variations()
         how = "forward" if histories and method == "auto" else chosen(method, len(parameters.all), samples.size)
@@ -497,10 +503,13 @@ class _Integration:
             row_names(problem.outputs),
             [p.name for p in parameters.all],
             how,
-            "differences" if steps is None or steps.equal or steps.events else "frozen steps",
+            "frozen steps" if steps is not None and motion.adaptive and not steps.equal else "differences",
             cost,
             samples.rows,
             kept,
+            np.delete(
+                motion.times, [i for i in steps.events if i + 1 < len(motion.times)] if steps is not None else []
+            ),
         )
 
     def _steps(self, rate_level: bool, end_time: int | None) -> tuple[Steps | None, Context]:
@@ -511,13 +520,21 @@ class _Integration:
         has_stages = motion.tableau is not None
         if has_stages:
             derivatives.acceleration_level = True
-            refuse_driven(derivatives, problem.mbs, motion.states[0], float(motion.times[0]), float(motion.times[-1]))
+            refuse_driven(derivatives, problem.mbs, motion.states, motion.times, "with Runge-Kutta methods")
         plain = not watches and end_time is None and motion.algorithmic is not None
         if plain and (
             not derivatives.sizes[3]
             or only_states_of_items(motion.times, motion.states, motion.scheme.h, derivatives, problem.mbs)
         ):
             return None, Context(problem.mbs, motion.times, False)
+        if watches and not has_stages and not motion.computes_start:
+            raise NotDifferentiable(
+                "accelerations after events are not computed",
+                item="simulationSettings.timeIntegration.generalizedAlpha.computeInitialAccelerations",
+                advice="set it to True",
+            )
+        if watches and not has_stages and not rate_level:
+            refuse_driven(derivatives, problem.mbs, motion.states, motion.times, "together with events")
         scheme = _with_rotations(motion, derivatives)
         steps = find_steps(
             motion.times,
@@ -530,6 +547,8 @@ class _Integration:
             memory=problem.memory / 6,
             has_stages=has_stages,
             rate_level=rate_level,
+            adaptive=motion.adaptive,
+            prescribed=problem.ends is not None,
         )
         events = tuple((step, event.item) for step, event in sorted(steps.events.items()))
         moves = bool(events) or end_time is not None

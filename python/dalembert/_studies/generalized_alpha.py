@@ -175,7 +175,7 @@ class Scheme:
         return np.asarray(m_a * a + m_b * b + self.c_b * a_end)
 
     def increment_of_step(self, v: FloatArray, a: FloatArray, b: FloatArray, a_end: FloatArray) -> list[FloatArray]:
-        """Return the increments whose compositions with q give q at the end, one after the other."""
+        """Return increments whose compositions with q, one after the other, give q at the end; steps may be in rows."""
         predicted = self._turned(v, a, b)
         x = a_end / self.c_a
         return [predicted + x] if self.simplified else [predicted, x]
@@ -188,9 +188,10 @@ class Scheme:
         """Return predicted increments; those of rotations are turned by half a step of the velocity."""
         dq = self.increments(v, a, b)
         if len(self.rotations) and not self.simplified:
-            dq = dq.copy()
-            speed = self.velocities(v, a, b)[self.rotations]
-            dq[self.rotations] += self._half_step * _cross(speed, dq[self.rotations])
+            dq, r = dq.copy(), self.rotations
+            shape = (*dq.shape[:-1], len(r), 3)
+            speed, turned = self.velocities(v, a, b)[..., r].reshape(-1, 3), dq[..., r].reshape(-1, 3)
+            dq[..., r] += (self._half_step * _cross(speed, turned)).reshape(shape)
         return dq
 
 

@@ -8,7 +8,8 @@ D' = S(z', D; p). Its size h is
     T - t                                       the last step
 
 At an event, dh = -(g_z dz' + g_t dt' + g_p dp)/(g_z z'_h + g_t), with dz' at a fixed size, and z'_h = dPhi/dh. After
-it, accelerations are those of the equations of motion with the new data. The transposed maps give the gradient.
+it, accelerations are those of the equations of motion with the new data; see restarted_steps for generalized alpha with
+constraints. The transposed maps give the gradient.
 
 Serban, Recuero: Sensitivity analysis for hybrid systems and systems with memory, Journal of Computational and Nonlinear
 Dynamics 14 (2019).
@@ -18,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,7 +29,8 @@ from dalembert._studies.design_parameters import Parameters, Variant, describe, 
 from dalembert._studies.difference_formulas import CENTRAL, FORWARD, derivative
 from dalembert._studies.generalized_alpha import LinearStep, Scheme, Variation, turns_of_steps
 from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
-from dalembert._studies.recorded_steps import OF_DATA, OF_MASS, Steps, name_of, of_accelerations, over_mass, with_data
+from dalembert._studies.recorded_steps import OF_DATA, Steps, name_of, with_data
+from dalembert._studies.restarted_steps import factorize_mass, of_accelerations, over_mass
 from dalembert._studies.stored_rows import Rows
 
 _GRAZES = 1e-6  # rate of a switch, relative to its terms
@@ -67,6 +69,16 @@ class Moving:
         return np.asarray(total)
 
 
+class AtState(NamedTuple):
+    """Derivatives with respect to a state: positions, velocities, first-order coordinates, time, and data."""
+
+    q: FloatArray
+    v: FloatArray
+    y: FloatArray
+    t: FloatArray
+    data: FloatArray
+
+
 class Walk:
     """Linearized steps of a motion."""
 
@@ -102,12 +114,17 @@ class Walk:
         """Return the state at the end, with the data of the step."""
         return with_data(self.states[step], self.data(step - 1)) if self.nd else np.asarray(self.states[step])
 
+    def velocity_before(self, i: int) -> FloatArray:
+        """Return the velocities at the start of a step."""
+        n, moved = self.n, self.steps.velocities.get(i)
+        return self.states[i - 1][n : 2 * n] if moved is None else moved
+
     def linear_step(self, i: int, transposed: bool) -> LinearStep:
         h, time = float(self.steps.sizes[i]), float(self.times[i])
         z = self.end(i)
         self.derivatives.linearize(z, time, h)
         n, scheme = self.n, self.scheme_of(h)
-        start = self.states[i - 1][n : 2 * n], self.steps.a[i], self.steps.b[i], self.states[i][2 * n : 3 * n]
+        start = self.velocity_before(i), self.steps.a[i], self.steps.b[i], self.states[i][2 * n : 3 * n]
         turns = turns_of_steps(scheme, *(part[None] for part in start))
         step = LinearStep(scheme, self.derivatives, turns.of_step(0))
         failed = step.factorize(transposed)
@@ -129,10 +146,9 @@ class Walk:
 
     def by_data(self, i: int) -> FloatArray:
         """Return derivatives of the residual of a step with respect to tracked data coordinates, in rows."""
-        return self._by_data_at(i, self.end(i))
+        return self._by_data_at(self.end(i), float(self.times[i]), float(self.steps.sizes[i]))
 
-    def _by_data_at(self, i: int, z: FloatArray) -> FloatArray:
-        time, h = float(self.times[i]), float(self.steps.sizes[i])
+    def _by_data_at(self, z: FloatArray, time: float, h: float) -> FloatArray:
         return np.array(
             [self._along_data(lambda at: self.derivatives.residual(at, time, h), z, entry) for entry in self.tracked]
         )
@@ -305,8 +321,8 @@ class Walk:
         self, values: dict[Any, FloatArray], formula: dict[Any, float], size: float, middle: FloatArray, time: float
     ) -> FloatArray:
         """Return differences, and refuse those across a change of the state of the item."""
-        total = sum(weight * values[multiple] for multiple, weight in formula.items())
-        slope = np.asarray(total)
+        # Weights sum up to 0: without the value in the middle, what does not change has no rounding errors.
+        slope = np.asarray(sum(weight * (values[multiple] - middle) for multiple, weight in formula.items()))
         for multiple, value in values.items():
             off = np.abs(value - middle - float(multiple) * slope)
             if np.any(off > 0.1 * np.abs(float(multiple) * slope) + 1e-9 * (np.abs(middle) + np.abs(value)) + 1e-300):
@@ -321,15 +337,23 @@ class Walk:
     # ---- forwards ----------------------------------------------------------------------------------------------------
 
     def _start(self, i: int, change: Moving) -> Variation:
-        """Return the variation at the start of a step of fixed size, with algorithmic accelerations moved to it."""
+        """Return the variation at the start of a step of fixed size, with what has moved to this size."""
         ratio, s = float(self.steps.ratios[i]), change.state
-        if ratio in (0.0, 1.0) and not np.any(change.h):
-            return s
-        if ratio == 0.0 or self.scheme.newmark:
+        if i in self.steps.moved:
+            with of_accelerations(*self.parameters.systems):
+                projected = self.steps.moved[i].vary(self, s.q, s.q, s.v)
+            v = ratio**2 * s.v + (1 - ratio**2) * projected - np.outer(change.h * ratio, self._v_slope(i))
+            s = replace(s, v=v)
+        if (ratio in (0.0, 1.0) and not np.any(change.h)) or ratio == 0.0 or self.scheme.newmark:
             return s
         slope = self._b_slope(i)
         b = (1 - ratio) * s.a + ratio * s.b - np.outer(change.h * ratio, slope)
         return replace(s, b=b)
+
+    def _v_slope(self, i: int) -> FloatArray:
+        """Return the derivative of moved velocities by the size of a step."""
+        moved = self.steps.moved[i]
+        return np.asarray(2 * self.steps.ratios[i] ** 2 / self.steps.sizes[i] * (moved.before - moved.after))
 
     def _b_slope(self, i: int) -> FloatArray:
         """Return the derivative of moved algorithmic accelerations by the size of a step."""
@@ -342,11 +366,13 @@ class Walk:
         """Return the variation of the end by the size of the step."""
         start = Variation.zeros(1, self.n, self.n1, self.m)
         start.b[0] = self._b_slope(i)
+        if i in self.steps.moved:
+            start.v[0] = self._v_slope(i)
         before, n, n1 = self.states[i - 1], self.n, self.n1
         state = step.forward_by_size(
             start,
             (rates[0] + rates[1])[None],
-            before[n : 2 * n],
+            self.velocity_before(i),
             self.steps.a[i],
             self.steps.b[i],
             self.states[i][2 * n : 3 * n],
@@ -362,8 +388,8 @@ class Walk:
         yield 0, change
         end_time = self.end_time
         for i in range(1, len(self.times)):
-            last = i == len(self.times) - 1
-            sized = i in self.steps.events or end_time is not None or (last and self.ends_at_end(i))
+            is_fixed = self.ends_at_fixed_time(i)
+            sized = i in self.steps.events or end_time is not None or is_fixed
             fixed, size = self.fixed_and_size(i, change, sized)
             by = np.zeros_like(change.t)
             if size is None:
@@ -372,10 +398,10 @@ class Walk:
                 by_state, by_time, by_data, by_parameters = self.switch_gradient(i)
                 rate = self._switch_rate(i, by_state, by_time, size)
                 by = -(fixed.state.z @ by_state + fixed.t * by_time + change.data @ by_data + by_parameters) / rate
-            elif last and self.ends_at_end(i):
+            elif is_fixed:
                 by = -change.t
                 if end_time is not None:
-                    by[end_time] += 1.0
+                    by[end_time] += self._part_of_time(i)
             elif end_time is not None:
                 by[end_time] = self._part(i)
             change = fixed.plus(by, size) if size is not None else fixed
@@ -387,19 +413,31 @@ class Walk:
             if i in self.steps.events:
                 change = self.renewed(i, change)
 
-    def ends_at_end(self, i: int) -> bool:
-        """Return whether the last step ends at the end of the solution, whenever it begins."""
-        return bool(self.steps.events) or not self.steps.is_regular(i)
+    def ends_at_fixed_time(self, i: int) -> bool:
+        """Return whether a step that ends at no event ends at a fixed part of the duration, whenever it begins.
+
+        The last step does, and prescribed steps after events.
+        """
+        if i in self.steps.events:
+            return False
+        if i == len(self.times) - 1:
+            return bool(self.steps.events) or not self.steps.is_regular(i)
+        return self.steps.prescribed and i - 1 in self.steps.events
+
+    def _part_of_time(self, i: int) -> float:
+        """Return the derivative of the end of a step by the end of the solution."""
+        return float((self.times[i] - self.times[0]) / (self.times[-1] - self.times[0]))
 
     def fixed_and_size(self, i: int, change: Moving, sized: bool) -> tuple[Moving, Moving | None]:
         """Return the variation at the end of a step of fixed size, and, if wanted, that by the size of the step."""
-        step, parameters = self.linear_step(i, False), self.parameters
+        start, parameters = self._start(i, change), self.parameters  # before the factors of the step
+        step = self.linear_step(i, False)
         z, time, h = self.end(i), float(self.times[i]), float(self.steps.sizes[i])
         rates = self.residual_rates(i)
         right = parameters.rates(parameters.residual_at(z, time, h)) + np.outer(change.t, rates[0])
         if self.tracked:
             right += change.data @ self.by_data(i)
-        state = step.forward(self._start(i, change), right)
+        state = step.forward(start, right)
         fixed = Moving(state, change.t.copy(), np.zeros_like(change.t), change.data)
         return fixed, self.response_to_size(step, i, rates) if sized else None
 
@@ -430,11 +468,12 @@ class Walk:
 
     def renewed(self, i: int, change: Moving) -> Moving:
         """Return the variation after an event: accelerations follow from positions, velocities and data."""
-        z = self._after(i)
+        s, time, h = change.state, float(self.times[i]), float(self.steps.sizes[i])
         with of_accelerations(*self.parameters.systems):
-            right = self._acceleration_rates(i, z, change)
-            a = over_mass(self.derivatives, z, float(self.times[i]), float(self.steps.sizes[i]), right)[:, : self.n]
-        return replace(change, state=replace(change.state, a=a, b=a.copy()))
+            if i in self.steps.restarts:
+                return self.steps.restarts[i].vary(self, change)
+            a, _ = self.vary_accelerations(self._after(i), time, h, s.q, s.v, s.y, change.t, change.data)
+        return replace(change, state=replace(s, a=a, b=a.copy()))
 
     def _after(self, i: int) -> FloatArray:
         z, n = np.array(self.states[i]), self.n
@@ -442,15 +481,27 @@ class Walk:
         z[3 * n + 2 * self.n1 : self.count] = self.steps.multipliers[i]
         return z
 
-    def _acceleration_rates(self, i: int, z: FloatArray, change: Moving) -> FloatArray:
-        d, time, h, s = self.derivatives, float(self.times[i]), float(self.steps.sizes[i]), change.state
+    def vary_accelerations(
+        self,
+        z: FloatArray,
+        time: float,
+        h: float,
+        q: FloatArray,
+        v: FloatArray,
+        y: FloatArray,
+        t: FloatArray,
+        data: FloatArray,
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return variations of the accelerations that the equations of motion have at a state, and of rates of y."""
+        d, n, n1 = self.derivatives, self.n, self.n1
         by_time = derivative(lambda e: d.residual(z, time + e, h), self.steps.regular * SMALL)
-        rates = self.parameters.rates(self.parameters.residual_at(z, time, h)) + np.outer(change.t, by_time)
+        rates = self.parameters.rates(self.parameters.residual_at(z, time, h)) + np.outer(t, by_time)
         if self.tracked:
-            rates += change.data @ self._by_data_at(i, z)
+            rates += data @ self._by_data_at(z, time, h)
         d.linearize(z, time, h)
-        padded = np.hstack((s.q, s.y, np.zeros((len(s.q), self.m))))
-        return np.asarray(rates + d.product("K", padded) + d.product("D", s.v))
+        padded = np.hstack((q, y, np.zeros((len(q), self.m))))
+        rates = np.asarray(rates + d.product("K", padded) + d.product("D", v))
+        return over_mass(d, z, time, h, rates)[:, :n], rates[:, n : n + n1]
 
     # ---- backwards ---------------------------------------------------------------------------------------------------
 
@@ -467,7 +518,7 @@ class Walk:
                 self._add_state(bar, bar.data @ gradient[0])
                 matrix += bar.data @ gradient[2]
                 bar.data = bar.data @ gradient[1]
-            event, ends = i in self.steps.events, last and self.ends_at_end(i)
+            event, ends = i in self.steps.events, self.ends_at_fixed_time(i)
             follows = end_time is not None
             of_start = np.zeros_like(bar.t)
             if event or ends or follows:
@@ -484,7 +535,7 @@ class Walk:
                 elif ends:
                     of_start = -by_size
                     if end_time is not None:
-                        matrix[:, end_time] += by_size
+                        matrix[:, end_time] += by_size * self._part_of_time(i)
                 else:
                     matrix[:, end_time] += by_size * self._part(i)
             bar = self.step_back(i, bar, matrix)
@@ -504,6 +555,11 @@ class Walk:
         if ratio != 0.0 and not self.scheme.newmark:
             size_before = -(start.b @ self._b_slope(i)) * ratio
             start = replace(start, a=start.a + (1 - ratio) * start.b, b=ratio * start.b)
+        if i in self.steps.moved:
+            size_before = size_before - (start.v @ self._v_slope(i)) * ratio
+            with of_accelerations(*parameters.systems):
+                forces_q, q, v = self.steps.moved[i].back(self, (1 - ratio**2) * start.v, matrix)
+            start = replace(start, q=start.q + forces_q + q, v=ratio**2 * start.v + v)
         return Moving(start, t, size_before, data)
 
     def _add_state(self, bar: Moving, z: FloatArray) -> None:
@@ -511,30 +567,26 @@ class Walk:
             bar.state.add(row, values)
 
     def renew_back(self, i: int, bar: Moving, matrix: FloatArray) -> None:
+        s, time, h = bar.state, float(self.times[i]), float(self.steps.sizes[i])
         with of_accelerations(*self.parameters.systems):
-            self._renew_back(i, bar, matrix)
+            if i in self.steps.restarts:
+                return self.steps.restarts[i].back(self, bar, matrix)
+            by = self.accelerations_back(self._after(i), time, h, s.a + s.b, None, matrix)
+        zero = np.zeros_like(s.a)
+        bar.state = replace(s, q=s.q + by.q, v=s.v + by.v, y=s.y + by.y, a=zero, b=zero)
+        bar.t, bar.data = bar.t + by.t, bar.data + by.data
+        return None
 
-    def _renew_back(self, i: int, bar: Moving, matrix: FloatArray) -> None:
-        z, time, h, n = self._after(i), float(self.times[i]), float(self.steps.sizes[i]), self.n
-        d, s = self.derivatives, bar.state
-        d.linearize(z, time, h)
-        if d.factorize(OF_MASS, transposed=True) >= 0:
-            raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
-        padded = np.zeros((len(s.q), n + self.n1 + self.m))
-        padded[:, :n] = s.a + s.b
-        w = np.asarray(d.solve(padded))
-        w[:, n : n + self.n1] = 0.0
-        by_k = d.product("K", w, transposed=True)
-        bar.state = replace(
-            s,
-            q=s.q - by_k[:, :n],
-            v=s.v - d.product("D", w, transposed=True),
-            y=s.y - by_k[:, n : n + self.n1],
-            a=np.zeros_like(s.a),
-            b=np.zeros_like(s.b),
-        )
+    def accelerations_back(
+        self, z: FloatArray, time: float, h: float, a: FloatArray, y_t: FloatArray | None, matrix: FloatArray
+    ) -> AtState:
+        """Return derivatives with respect to a state from those with respect to its accelerations and rates of y."""
+        d, n, n1 = self.derivatives, self.n, self.n1
+        factorize_mass(d, z, time, h, True)
+        w = np.asarray(d.solve(np.hstack((a, np.zeros((len(a), n1 + self.m))))))
+        w[:, n : n + n1] = 0.0 if y_t is None else -y_t
+        by_k, by_v = np.asarray(d.product("K", w, transposed=True)), d.product("D", w, transposed=True)
         by_time = derivative(lambda e: d.residual(z, time + e, h), self.steps.regular * SMALL)
-        bar.t = bar.t - w @ by_time
-        if self.tracked:
-            bar.data = bar.data - w @ self._by_data_at(i, z).T
+        by_data = w @ self._by_data_at(z, time, h).T if self.tracked else np.zeros((len(w), 0))
         matrix -= self.parameters.weighted_rates(self.parameters.residual_at(z, time, h), w)
+        return AtState(-by_k[:, :n], -np.asarray(by_v), -by_k[:, n : n + n1], -np.asarray(w @ by_time), -by_data)

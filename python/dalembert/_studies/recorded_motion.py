@@ -42,6 +42,7 @@ class Motion(NamedTuple):
     scheme: Scheme  # of Runge-Kutta methods: the size of regular steps alone
     computes_start: bool  # accelerations of the start fulfil the equations of motion
     tableau: Tableau | None = None  # of Runge-Kutta methods
+    adaptive: bool = False  # tolerances have chosen the steps, or they are prescribed
 
 
 def refuse_system(mbs: MainSystem) -> None:
@@ -115,12 +116,6 @@ def refuse_settings(settings: SimulationSettings, solverType: Any) -> None:
     time = settings.timeIntegration
     refused = [
         (
-            solverType in IMPLICIT and time.automaticStepSize and settings.stepSizeControl.implicitSolvers,
-            "stepSizeControl.implicitSolvers",
-            "steps depend on parameters",
-            "use equal steps",
-        ),
-        (
             solverType in IMPLICIT and time.newton.useNewtonSolver is False,
             "timeIntegration.newton.useNewtonSolver",
             "residuals do not vanish",
@@ -136,6 +131,17 @@ def refuse_settings(settings: SimulationSettings, solverType: Any) -> None:
     for is_set, name, reason, advice in refused:
         if is_set:
             raise NotDifferentiable(reason, item=f"simulationSettings.{name}", advice=advice)
+
+
+def refuse_changed_velocities(mbs: MainSystem, settings: SimulationSettings, solverType: Any) -> None:
+    """Refuse error control of methods that correct velocities across constraints whenever the step size changes."""
+    controls = settings.timeIntegration.automaticStepSize and settings.stepSizeControl.implicitSolvers
+    if solverType in IMPLICIT and controls and mbs.systemData.AEsize() > 0:
+        raise NotDifferentiable(
+            "velocities across constraints are corrected after each step, in the metric of Newton's matrices",
+            item="simulationSettings.stepSizeControl.implicitSolvers",
+            advice="use exu.DynamicSolverType.ESDIRK43, or equal steps",
+        )
 
 
 def silent(settings: SimulationSettings) -> SimulationSettings:
@@ -167,52 +173,50 @@ def refuse_redundant(used: Any) -> None:
         )
 
 
-def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any, memory: float) -> Motion:
-    """Solve a system, which is a copy that may change, and return its motion; memory: bytes of rows in memory."""
+def record(
+    mbs: MainSystem, settings: SimulationSettings, solverType: Any, memory: float, ends: FloatArray | None = None
+) -> Motion:
+    """Solve a system, which is a copy that may change, and return its motion.
+
+    memory: bytes of rows in memory. ends: times at which steps end, whatever their errors are.
+    """
     data = mbs.systemData
     times: list[float] = []
     n = data.ODE2Size()
     width = 3 * n + 2 * data.ODE1Size() + data.AEsize() + len(data.GetDataCoordinates())
     states, b = Rows(width, memory * width / (width + n)), Rows(n, memory * n / (width + n))
-    get = (
-        data.GetODE2Coordinates,
-        data.GetODE2Coordinates_t,
-        data.GetODE2Coordinates_tt,
-        data.GetODE1Coordinates,
-        data.GetODE1Coordinates_t,
-        data.GetAECoordinates,
-        data.GetDataCoordinates,
-    )
 
     def keep(_mbs: Any, time: float) -> bool:
         times.append(time)
-        states.append(np.concatenate([part() for part in get]))
+        states.append(_core.testing.current_state(mbs))
         return True
 
     mbs.SetPostStepUserFunction(keep)
+    used = solver.new_solver(kind_of("ComputeSensitivities", solverType))
+    if ends is not None:
+        used.PrescribeEndsOfSteps(ends)
     try:
-        solver.SolveDynamic(mbs, settings, solverType=solverType)
+        solver.integrate(used, mbs, settings, solverType)
     finally:
         mbs.SetPostStepUserFunction(0)
-    used = mbs.sys["dynamicSolver"]
     refuse_redundant(used)
-    tableau = TABLEAUS.get(solverType)
+    tableau, adaptive = TABLEAUS.get(solverType), bool(used.it.automaticStepSize)
     if tableau is not None:
         time = settings.timeIntegration
         h = (time.endTime - time.startTime) / int(round(time.numberOfSteps))
         scheme = Scheme(h, 0.25, 0.5, 0.0, 0.0, True, False)
-        return Motion(np.array(times), states, None, scheme, tableau.implicit, tableau)
+        return Motion(np.array(times), states, None, scheme, tableau.implicit, tableau, adaptive)
     generalized = settings.timeIntegration.generalizedAlpha
     newmark = generalized.useNewmark or solverType == _core.DynamicSolverType.TrapezoidalIndex2
     steps = int(round(settings.timeIntegration.numberOfSteps))
     step_size = (settings.timeIntegration.endTime - settings.timeIntegration.startTime) / steps
     all_times = np.array(times)
     equal = len(times) == steps + 1 and np.max(np.abs(np.diff(all_times) - step_size)) <= 1e-8 * step_size
-    if not equal and not settings.events.ofItems:
+    if not equal and not settings.events.ofItems and not adaptive:
         raise NotDifferentiable(
             f"there were {len(times) - 1} steps, some of them of other sizes, instead of {steps} equal ones",
             item="time integration",
-            advice="use smaller steps, such that none has to be repeated",
+            advice="set simulationSettings.events.ofItems = True for contacts and friction, or use smaller steps",
         )
     scheme = Scheme(
         step_size,
@@ -230,7 +234,14 @@ def record(mbs: MainSystem, settings: SimulationSettings, solverType: Any, memor
             for a in states[part][:, 2 * n : 3 * n]:
                 last, made = a, scheme.algorithmic(last, made, a)
                 b.append(made)
-    return Motion(all_times, states, b if equal else None, scheme, bool(generalized.computeInitialAccelerations))
+    return Motion(
+        all_times,
+        states,
+        b if equal else None,
+        scheme,
+        bool(generalized.computeInitialAccelerations),
+        adaptive=adaptive,
+    )
 
 
 def _predicted(
@@ -250,7 +261,7 @@ def check_steps(motion: Motion, derivatives: Any, n: int, steps: Steps | None = 
 def _check_steps(motion: Motion, derivatives: Any, n: int, steps: Steps | None, part: slice) -> None:
     """Check the steps that end at some states."""
     s, z = motion.scheme, motion.states[part.start - 1 : part.stop]
-    q, v, a = z[:-1, :n], z[:-1, n : 2 * n], z[:-1, 2 * n : 3 * n]
+    q, v, a = z[:-1, :n], z[:-1, n : 2 * n].copy(), z[:-1, 2 * n : 3 * n]
     q_end, v_end, a_end = z[1:, :n], z[1:, n : 2 * n], z[1:, 2 * n : 3 * n]
     furthest = motion.states.largest[:n].max(initial=0.0)
     if steps is None:
@@ -259,15 +270,22 @@ def _check_steps(motion: Motion, derivatives: Any, n: int, steps: Steps | None, 
         expected_q, expected_v = _predicted(s, q, v, a, b, a_end)
     else:
         a, b = steps.a[part], steps.b[part]
+        for i, moved in steps.velocities.items():
+            if part.start <= i < part.stop:
+                v[i - part.start] = moved
         expected_q, expected_v = np.empty_like(q), np.empty_like(v)
         for i in range(len(q)):
             own = replace(s, h=float(steps.sizes[part.start + i]))
             expected_q[i], expected_v[i] = _predicted(own, q[i], v[i], a[i], b[i], a_end[i])
     if len(s.rotations):
-        for i in range(len(q)):
-            own = s if steps is None else replace(s, h=float(steps.sizes[part.start + i]))
+        if steps is None:
+            increments: Any = zip(*s.increment_of_step(v, a, b, a_end), strict=True)
+        else:
+            schemes = [replace(s, h=float(h)) for h in steps.sizes[part]]
+            increments = (each.increment_of_step(v[i], a[i], b[i], a_end[i]) for i, each in enumerate(schemes))
+        for i, parts in enumerate(increments):
             now = q[i]
-            for increment in own.increment_of_step(v[i], a[i], b[i], a_end[i]):
+            for increment in parts:
                 now = derivatives.compose(now, increment)
             expected_q[i] = now
     # Round-off of a is that of increments times c_a.

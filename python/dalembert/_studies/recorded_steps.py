@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -14,12 +12,12 @@ from dalembert._checks import FloatArray
 from dalembert._studies.design_parameters import describe
 from dalembert._studies.generalized_alpha import Scheme
 from dalembert._studies.not_differentiable import INSTEAD, NotDifferentiable
+from dalembert._studies.restarted_steps import Projection, Restart, accelerations, of_accelerations
 from dalembert._studies.stored_rows import Rows
 
 _SAME_SIZE = 1e-9  # relative
 _BALANCED = 1e-6  # residual of a step, relative to its terms
 OF_DATA = 1e-3  # relative steps of data coordinates
-OF_MASS = (0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)  # weights of derivatives in the matrix of the accelerations
 
 
 class Event(NamedTuple):
@@ -34,7 +32,9 @@ class Steps(NamedTuple):
     """Sizes of all steps (index 0 is not used), and what starts them.
 
     a, b: accelerations at the start of each step; ratio: size relative to that of the step before, by which b has been
-    moved; 0 after an event, and in the first step. multipliers: those after events.
+    moved; 0 after an event, and in the first step. multipliers: those after events. velocities: those at the start of
+    steps, where they are not those of the state before; moved: projections of steps whose velocities moved with their
+    size; restarts: by the step before.
     """
 
     sizes: FloatArray
@@ -44,6 +44,10 @@ class Steps(NamedTuple):
     ratios: FloatArray
     events: dict[int, Event]
     multipliers: dict[int, FloatArray]
+    velocities: dict[int, FloatArray]
+    moved: dict[int, Projection]
+    restarts: dict[int, Restart]
+    prescribed: bool = False  # the end of each step is a given time, or an event
 
     @property
     def moves(self) -> bool:
@@ -76,14 +80,18 @@ def find_steps(
     memory: float,
     has_stages: bool = False,
     rate_level: bool = False,
+    adaptive: bool = False,
+    prescribed: bool = False,
 ) -> Steps:
     """Find events, and the accelerations after them; refuse steps that are not explained by them.
 
+    adaptive: tolerances have chosen the sizes of steps. prescribed: steps end at given times.
     has_stages: steps are those of a Runge-Kutta method, whose ends are checked with their stages.
-    rate_level: velocities fulfil constraints at the ends of steps. Otherwise, generalized alpha projects them after an
-    event, and changes them to those of equal steps, by differences of the motion ahead.
+    rate_level: velocities fulfil constraints at the ends of steps. Otherwise, generalized alpha restarts with those of
+    equal steps.
     """
     n, _, m, nd = derivatives.sizes
+    restarts_steadily = m > 0 and not has_stages and not rate_level
     count = len(times)
     sizes = np.diff(times, prepend=times[0])
     sizes[np.abs(sizes - regular) < _SAME_SIZE * regular] = regular
@@ -92,6 +100,9 @@ def find_steps(
     b.append(np.zeros(n))
     events: dict[int, Event] = {}
     multipliers: dict[int, FloatArray] = {}
+    velocities: dict[int, FloatArray] = {}
+    moved: dict[int, Projection] = {}
+    restarts: dict[int, Restart] = {}
     before: list[Any] = []
     z_before = states[0]
     a_now, b_now, size = z_before[2 * n : 3 * n], z_before[2 * n : 3 * n], 0.0
@@ -118,28 +129,34 @@ def find_steps(
                 advice="change the start a little, so that one comes first",
             )
         if size > 0:
-            ratios[i] = h / size if found or last or h == size else 0.0  # repeated and recovered steps take b as it is
+            # Repeated and recovered steps of equal size take b as it is.
+            ratios[i] = h / size if found or last or adaptive or h == size else 0.0
             if ratios[i] not in (0.0, 1.0) and not scheme.newmark:
                 b_now = a_now + ratios[i] * (b_now - a_now)
+            if ratios[i] not in (0.0, 1.0) and restarts_steadily:
+                start, v = float(times[i - 1]), velocities.get(i, z_before[n : 2 * n])
+                with of_accelerations(derivatives):
+                    moved[i] = Projection.of(derivatives, z_before, start, v, size)
+                velocities[i] = v - (1 - ratios[i] ** 2) * (v - moved[i].after)
         a.append(a_now)
         b.append(b_now)
         a_end = z_after[2 * n : 3 * n]
         a_now, b_now, size = a_end, own.algorithmic(a_now, b_now, a_end), h
         if found:
-            if m > 0 and not has_stages and not rate_level:
-                raise NotDifferentiable(
-                    "generalized alpha changes velocities after events in systems with constraints",
-                    item=name_of(mbs, found[0]),
-                    time=time,
-                    advice="use exu.DynamicSolverType.ESDIRK43, an explicit Runge-Kutta method, or TrapezoidalIndex2",
-                )
             events[i] = found[0]
             with of_accelerations(derivatives):
-                a_now, multipliers[i] = accelerations(derivatives, z_after, time, h)
-            b_now, size = a_now, 0.0
+                if restarts_steadily:
+                    left = float(times[-1] - times[i - 1])
+                    to_end = left < (1 - _SAME_SIZE) * regular
+                    restart = Restart.of(derivatives, scheme, z_after, time, h, left if to_end else regular, to_end)
+                    restarts[i], velocities[i + 1] = restart, restart.v
+                    a_now, b_now, size = restart.state[2 * n : 3 * n], restart.b, restart.size
+                else:
+                    a_now, multipliers[i] = accelerations(derivatives, z_after, time, h)
+                    b_now, size = a_now, 0.0
         before = list(derivatives.switches(z_after, time, h)) if watches else []
         z_before = z_after
-    return Steps(sizes, regular, a, b, ratios, events, multipliers)
+    return Steps(sizes, regular, a, b, ratios, events, multipliers, velocities, moved, restarts, prescribed)
 
 
 def _switched(now: list[Any], before: list[Any], beyond_noise: bool) -> list[Event]:
@@ -206,37 +223,3 @@ def _item_with_history(mbs: Any) -> str:
                 if isinstance(each, _core.NodeIndex) and data.GetNodeLTGData(int(each)):
                     return describe(mbs, _core.ObjectIndex(number))
     return "time integration"
-
-
-@contextmanager
-def of_accelerations(*systems: Any) -> Iterator[None]:
-    """Take constraints of accelerations."""
-    before = [system.acceleration_level for system in systems]
-    for system in systems:
-        system.acceleration_level = True
-    try:
-        yield
-    finally:
-        for system, level in zip(systems, before, strict=True):
-            system.acceleration_level = level
-
-
-def accelerations(derivatives: Any, z: FloatArray, time: float, h: float) -> tuple[FloatArray, FloatArray]:
-    """Return accelerations and multipliers of the equations of motion, with constraints of accelerations."""
-    n, n1, m, _ = derivatives.sizes
-    still = z.copy()
-    still[2 * n : 3 * n] = still[3 * n + 2 * n1 : 3 * n + 2 * n1 + m] = 0.0
-    found = over_mass(derivatives, still, time, h, np.asarray(derivatives.residual(still, time, h))[None])[0]
-    return found[:n], found[n + n1 :]
-
-
-def over_mass(derivatives: Any, z: FloatArray, time: float, h: float, right: FloatArray) -> FloatArray:
-    """Return solutions a and lambda of M a + G^T lambda = - right, G a = - right, in rows."""
-    n, n1, _, _ = derivatives.sizes
-    derivatives.linearize(z, time, h)
-    failed = derivatives.factorize(OF_MASS)
-    if failed >= 0:
-        raise NotDifferentiable("the mass matrix is singular", item="accelerations after an event", time=time)
-    padded = right.copy()
-    padded[:, n : n + n1] = 0.0
-    return -np.asarray(derivatives.solve(padded))

@@ -27,6 +27,7 @@ from dalembert._studies.difference_formulas import derivative
 from dalembert._studies.generalized_alpha import Variation, rotation_operators, skew
 from dalembert._studies.moving_steps import SMALL, Moving, Walk
 from dalembert._studies.not_differentiable import NotDifferentiable
+from dalembert._studies.stored_rows import Rows
 
 _SAME_END = 1e-8  # of a step that is computed again
 _VIOLATED = 1e-5  # corrections by the projection, relative to the motion, whose own derivatives are left out
@@ -111,15 +112,15 @@ TABLEAUS = {
 }
 
 
-def refuse_driven(derivatives: Any, mbs: Any, z: FloatArray, start: float, end: float) -> None:
+def refuse_driven(derivatives: Any, mbs: Any, states: Rows, times: FloatArray, where: str) -> None:
     """Refuse constraints that user functions prescribe in time: solvers take differences for their accelerations."""
     n, n1, m, _ = derivatives.sizes
-    driven = derivatives.driven(z, start, end) if m > 0 else []
+    driven = derivatives.driven(states[0], float(times[0]), float(times[-1])) if m > 0 else []
     if driven:
         raise NotDifferentiable(
-            "constraints that functions of time prescribe are not available with Runge-Kutta methods",
+            f"constraints that functions of time prescribe are not available {where}",
             item=_core.testing.describe_row(mbs, n + n1 + driven[0]),
-            advice="use generalized alpha",
+            advice="use generalized alpha without events",
         )
 
 
