@@ -7,7 +7,7 @@ steps.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -933,6 +933,57 @@ def cantilever_problem(numbers: Numbers, elements: int, outputs: dict[str, Any])
         solver="static",
         change=in_steps,
     )
+
+
+def of_cantilever(numbers: Numbers, others: Numbers, elements: int, outputs: dict[str, Any]) -> Problem:
+    """A cantilever with some of its numbers as parameters."""
+    problem = cantilever_problem({**numbers, **others}, elements, outputs)
+
+    def parameters(p: Numbers) -> dict[str, Any]:
+        found = problem.parameters({**others, **p})
+        return {name: found[name] for name in numbers}
+
+    return replace(
+        problem, numbers=numbers, build=lambda p: cantilever({**others, **p}, elements), parameters=parameters
+    )
+
+
+def elastica(elements: int) -> Problem:
+    """P4b."""
+    slope = exu.Function(lambda q: float(np.arctan2(q[3], 1 + q[2])), sensors=["slope"])
+    outputs = {"w(tip)": exu.At("tip", component=1), "x(tip)": exu.At("tip"), "angle": slope}
+    others = {"EA": 2e6, "rhoA": 1.0, "M": 1.0}
+    problem = of_cantilever({"F": 4.0, "L": 1.0, "EI": 2.0}, others, elements, outputs)
+
+    def build(p: Numbers) -> Any:
+        mbs = problem.build(p)
+        tip = mbs.GetNodeNumber(f"end {elements}")
+        mbs.AddSensor(SensorNode(nodeNumber=tip, outputVariableType=Variable.Coordinates, name="slope"))
+        mbs.Assemble()
+        return mbs
+
+    return replace(problem, build=build)
+
+
+def buckling(elements: int) -> Problem:
+    """P5."""
+    others = {"F": 0.0, "EA": 1e7, "rhoA": 1.0, "M": 1.0}
+    problem = of_cantilever({"L": 1.5, "EI": 20.0}, others, elements, {"P": exu.BucklingLoad()})
+
+    def build(p: Numbers) -> Any:
+        mbs = problem.build(p)
+        tip = mbs.AddMarker(MarkerNodePosition(nodeNumber=mbs.GetNodeNumber(f"end {elements}")))
+        mbs.AddLoad(LoadForceVector(markerNumber=tip, loadVector=[-1, 0, 0], name="pressure"))
+        mbs.Assemble()
+        return mbs
+
+    return replace(problem, build=build)
+
+
+def vibrating_cantilever(elements: int) -> Problem:
+    """P6."""
+    outputs = {f"omega_{k + 1}": exu.Function(np.sqrt, outputs=[exu.Eigenvalue(k)]) for k in (0, 1)}
+    return of_cantilever({"EI": 50.0, "L": 1.2, "rhoA": 2.0, "M": 0.8}, {"F": 0.0, "EA": 1e7}, elements, outputs)
 
 
 # ---- P9: block that slides to rest -------------------------------------------------------------------------------------
