@@ -52,13 +52,6 @@ std::string list(const std::array<int, N>& numbers) {
   return text;
 }
 
-void append_values(std::string& text, const std::vector<double>& values, int precision) {
-  for (const double x : values) {
-    text += ',';
-    append_rounded(text, x, precision);
-  }
-}
-
 template <class T>
 void append_bytes(std::string& text, const T& value) {
   text.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -191,7 +184,7 @@ void SolutionFile::write_row(const SimulationSettings& settings, const State& st
     append_rounded(t, state.time, precision);
     each_column(settings, is_static_, state, [&](const auto& x) {
       values += x.size();
-      append_values(t, x, precision);
+      append_rounded(t, x, precision);
     });
     t += '\n';
   }

@@ -1,12 +1,14 @@
 // Numbers of results as text, as printf("%.*g") gives them, in half the time of std::to_chars: the scaled number is found exactly, by integers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string>
 
 namespace dalembert {
@@ -19,6 +21,7 @@ constexpr int most_digits =
     17;  // beyond these, and for numbers that are too large, too small or not finite, std::to_chars is used
 constexpr int most_fives = 55;  // powers of five that have 128 bits at most
 constexpr int room = 64;  // characters
+constexpr int copied = 24;  // characters of digits that are copied at once; those behind a number are overwritten
 
 struct Tables {
   std::array<std::uint64_t, 20> ten{};
@@ -72,12 +75,12 @@ inline void write_digits(char* digits, std::uint64_t whole, int count) {
   if (count == 1) digits[0] = static_cast<char>('0' + whole);
 }
 
-// Without trailing zeros; `exponent` is that of the first digit.
+// Without trailing zeros; `exponent` is that of the first digit. Copies of a fixed size need no call of a function.
 inline char* place_digits(char* to, const char* digits, int precision, int exponent) {
   int count = precision;
   while (count > 1 && digits[count - 1] == '0') --count;
   const auto copy = [&](const char* from, int n) {
-    std::memcpy(to, from, static_cast<std::size_t>(n));
+    std::memcpy(to, from, copied);
     to += n;
   };
   if (exponent < -4 || exponent >= precision) {
@@ -85,9 +88,11 @@ inline char* place_digits(char* to, const char* digits, int precision, int expon
     if (count > 1) *to++ = '.', copy(digits + 1, count - 1);
     *to++ = 'e';
     *to++ = exponent < 0 ? '-' : '+';
-    copy(&tables.pair[2 * static_cast<std::size_t>(std::abs(exponent))], 2);
+    std::memcpy(to, &tables.pair[2 * static_cast<std::size_t>(std::abs(exponent))], 2);
+    to += 2;
   } else if (exponent < 0) {
-    copy("0.000", 1 - exponent);
+    std::memcpy(to, "0.000", 6);
+    to += 1 - exponent;
     copy(digits, count);
   } else if (count > exponent + 1) {
     copy(digits, exponent + 1);
@@ -136,17 +141,37 @@ inline char* write(char* to, double value, int precision) {
   }
   n.whole += n.rest > 0 || (n.rest == 0 && n.whole % 2 == 1) ? 1 : 0;
   if (n.whole == end) n.whole = begin, ++exponent;
-  char digits[most_digits + 1];
+  char digits[most_digits + copied] = {};
   write_digits(digits, n.whole, precision);
   return place_digits(to, digits, precision, exponent);
 }
 
 }  // namespace rounded_text
 
+namespace rounded_text {
+
+inline int printable(int precision) { return precision < 1 ? 1 : precision > 25 ? 25 : precision; }
+
+}  // namespace rounded_text
+
 // A number behind what the text has.
 inline void append_rounded(std::string& text, double value, int precision) {
   char buffer[rounded_text::room];
-  text.append(buffer, rounded_text::write(buffer, value, precision < 1 ? 1 : precision > 25 ? 25 : precision));
+  text.append(buffer, rounded_text::write(buffer, value, rounded_text::printable(precision)));
+}
+
+// Numbers behind what the text has, each after a comma. The text grows once for many of them.
+inline void append_rounded(std::string& text, std::span<const double> values, int precision) {
+  constexpr std::size_t group = 32;
+  char buffer[group * (rounded_text::room + 1)];
+  for (; !values.empty(); values = values.subspan(std::min(group, values.size()))) {
+    char* to = buffer;
+    for (const double value : values.first(std::min(group, values.size()))) {
+      *to++ = ',';
+      to = rounded_text::write(to, value, rounded_text::printable(precision));
+    }
+    text.append(buffer, to);
+  }
 }
 
 }  // namespace dalembert
