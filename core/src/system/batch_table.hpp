@@ -40,18 +40,17 @@ class BatchTable {
     if (last_ != table_.end()) return last_->second;
     batches_.push_back(make());
     last_ = table_.emplace(key, GrowingBatch<B>{batches_.back().get(), 0, key.region}).first;
+    in_order_.push_back(&last_->second);
     return last_->second;
   }
 
-  template <class F>
-  void each_acting(F&& f) const {
-    for (const auto& [key, growing] : table_)
-      if (growing.acts) f(growing);
-  }
+  // In the order of the batches.
+  const std::vector<GrowingBatch<B>*>& in_order() const { return in_order_; }
 
  private:
   std::vector<std::unique_ptr<B>>& batches_;
   std::map<BatchKey, GrowingBatch<B>> table_;
+  std::vector<GrowingBatch<B>*> in_order_;
   typename std::map<BatchKey, GrowingBatch<B>>::iterator last_ = table_.end();
 };
 

@@ -1,8 +1,6 @@
 // Assembly of batches from a model: numbers the coordinates, places every item, collects items of one kind.
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 #include "batch_table.hpp"
@@ -17,6 +15,26 @@
 
 namespace dalembert {
 namespace {
+
+// Numbers of items by type, of which there are few.
+class TypeCounts {
+ public:
+  void add(const ItemType* type) { ++counts_[place_of(type)].second; }
+  int of(const ItemType* type) { return counts_[place_of(type)].second; }
+  const std::vector<std::pair<const ItemType*, int>>& all() const { return counts_; }
+
+ private:
+  std::size_t place_of(const ItemType* type) {
+    if (last_ < counts_.size() && counts_[last_].first == type) return last_;  // neighbours are mostly of one type
+    last_ = static_cast<std::size_t>(
+        std::ranges::find(counts_, type, &std::pair<const ItemType*, int>::first) - counts_.begin());
+    if (last_ == counts_.size()) counts_.emplace_back(type, 0);
+    return last_;
+  }
+
+  std::vector<std::pair<const ItemType*, int>> counts_;
+  std::size_t last_ = 0;
+};
 
 class Builder {
  public:
@@ -40,12 +58,15 @@ class Builder {
     for (const auto& term : parts_.terms) parts_.has_switches = parts_.has_switches || term->has_switches();
     for (const auto& batch : parts_.marker_batches) parts_.has_history = parts_.has_history || batch->has_history();
     numbers_of(Regions::whole).rows.add(parts_.sizes.ode2, parts_.sizes.ode1);
+    differentiated_.sort();
+    parts_.division = division_;
     make_plan(parts_, {marker_batches_, terms_, rotating_, differentiated_}, division_);
     complete_configurations(parts_);
     parts_.structure = model_.structure_changes();
     parts_.equations = model_.equation_changes();
     parts_.values = model_.value_changes();
     parts_.records = model_.record_changes();
+    memory_ = std::move(placing_.last());
   }
 
  private:
@@ -60,8 +81,8 @@ class Builder {
     make_room(parts_.loads, ItemKind::load);
     make_room(parts_.sensors, ItemKind::sensor);
     for (int k = 0; k < item_kinds; ++k)
-      for (const Item& item : model_.items(static_cast<ItemKind>(k))) ++counts_[item.type];
-    parts_.others_take_functions = std::ranges::any_of(counts_, [](const auto& counted) {
+      for (const Item& item : model_.items(static_cast<ItemKind>(k))) counts_.add(item.type);
+    parts_.others_take_functions = std::ranges::any_of(counts_.all(), [](const auto& counted) {
       const ItemType& type = *counted.first;
       const auto is_function = [](const Row& row) { return row.storage == Storage::user_function; };
       return (type.kind == ItemKind::node || type.kind == ItemKind::object) &&
@@ -90,7 +111,7 @@ class Builder {
     growing.acts = growing.acts || has_coordinates(p) || !p.markers.empty();
     growing.batch->add(record, p, parts_.ports);
     if (growing.batch->has_tangent())
-      for (const int marker : p.markers) differentiated_.insert(parts_.markers[marker].member.batch);
+      for (const int marker : p.markers) differentiated_.add(parts_.markers[marker].member.batch);
     return growing.entries++;
   }
 
@@ -155,9 +176,10 @@ class Builder {
 
   // Numbers that an item's parameters name, of one kind, in the order of the spec.
   Stretch refer(const Item& item, ItemKind kind) {
+    static thread_local NamingRows naming_rows;  // types stay
     auto& numbers = parts_.references;
     Stretch named{static_cast<std::uint32_t>(numbers.size()), 0};
-    for (const Row* row : naming_rows_.of(*item.type, kind))
+    for (const Row* row : naming_rows.of(*item.type, kind))
       for (const int number : index_values(*row, item.record.get()))
         if (number >= 0) numbers.push_back(number);
     named.count = static_cast<std::uint32_t>(numbers.size()) - named.first;
@@ -188,7 +210,7 @@ class Builder {
     if (is_new)
       if (auto made = node.physics->make_rotating(); made != nullptr) {
         batch->second = parts_.rotating_nodes.emplace_back(std::move(made)).get();
-        make_room_for_rotating(counts_[node.type]);
+        make_room_for_rotating(counts_.of(node.type));
       }
     if (batch->second == nullptr) return -1;
     Placement p;
@@ -326,7 +348,7 @@ class Builder {
     return table.find(key_, [&] {
       std::unique_ptr<B> batch = make();
       if (batch == nullptr) refuse_combination(kind, number, on.name);
-      batch->reserve(regions_.expected(key_.region, counts_[item_of(kind, number).type]));
+      batch->reserve(regions_.expected(key_.region, counts_.of(item_of(kind, number).type)));
       return batch;
     });
   }
@@ -430,13 +452,13 @@ class Builder {
   Regions regions_;
   std::vector<Sizes> node_sizes_;
   std::vector<int> marker_regions_;
-  std::unordered_set<const MarkerBatch*> differentiated_;
-  std::unordered_map<const ItemType*, int> counts_;  // of items
+  BatchSet differentiated_;
+  TypeCounts counts_;
   // Used again for every item.
-  Placing placing_{parts_};
+  static inline thread_local Placement memory_;  // of the last assembly
+  Placing placing_{parts_, std::move(memory_)};
   const Placement& placement_ = placing_.last();
   StartValues start_values_;
-  NamingRows naming_rows_;
   BatchKey key_;
 };
 

@@ -2,29 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "dalembert/system/system_term.hpp"
 
 namespace dalembert {
 namespace {
-
-// Batches, of which there are few while many items name them, one after the other.
-class BatchSet {
- public:
-  void add(const Batch* batch) {
-    if (batches_.empty() || batches_.back() != batch) batches_.push_back(batch);
-  }
-  void sort() {
-    std::ranges::sort(batches_);
-    batches_.erase(std::ranges::unique(batches_).begin(), batches_.end());
-  }
-  bool contains(const Batch* batch) const { return std::ranges::binary_search(batches_, batch); }  // after sort()
-
- private:
-  std::vector<const Batch*> batches_;
-};
 
 // Regions of one size, which follow each other in the tree; the smallest come last there and first here.
 void list_sizes(EvaluationPlan& plan, const Division& division) {
@@ -42,36 +25,33 @@ void list_sizes(EvaluationPlan& plan, const Division& division) {
 // Terms without an acting entry are left out: ground.
 void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& division) {
   EvaluationPlan& plan = parts.plan;
-  std::unordered_map<const Batch*, RegionPlan*> acting;
-  const auto note = [&](const auto& growing) {
-    RegionPlan& region = plan.regions[static_cast<std::size_t>(growing.region)];
-    region.entries += growing.entries;
-    acting.emplace(growing.batch, &region);
+  const auto region_of = [&](const auto* growing) -> RegionPlan* {
+    return growing->acts ? &plan.regions[static_cast<std::size_t>(growing->region)] : nullptr;
   };
-  const auto region_of = [&](const Batch* batch) {
-    const auto found = acting.find(batch);
-    return found == acting.end() ? nullptr : found->second;
-  };
-  grown.markers.each_acting(note);
-  grown.terms.each_acting(note);
   for (const auto& [key, batch] : grown.rotating)
     if (batch != nullptr) plan.regions[static_cast<std::size_t>(key.first)].nodes.push_back(batch);
-  for (const auto& batch : parts.marker_batches) {
-    RegionPlan* region = region_of(batch.get());
-    (region != nullptr ? region->moving : plan.resting).push_back(batch.get());
-    if (region != nullptr && (grown.differentiated.contains(batch.get()) || batch->geometric_follows_tangent()))
-      region->differentiated.push_back(batch.get());
+  for (const auto* growing : grown.markers.in_order()) {
+    RegionPlan* region = region_of(growing);
+    (region != nullptr ? region->moving : plan.resting).push_back(growing->batch);
+    if (region == nullptr) continue;
+    region->entries += growing->entries;
+    if (grown.differentiated.contains(growing->batch) || growing->batch->geometric_follows_tangent())
+      region->differentiated.push_back(growing->batch);
   }
   BatchSet loads;
   for (const LoadPlace& load : parts.loads) loads.add(load.member.batch);
   loads.sort();
-  for (const auto& term : parts.terms)
-    if (RegionPlan* region = region_of(term.get()))
-      (loads.contains(term.get()) ? region->loads : region->terms).push_back(term.get());
+  for (const auto* growing : grown.terms.in_order()) {
+    RegionPlan* region = region_of(growing);
+    if (region == nullptr) continue;
+    region->entries += growing->entries;
+    (loads.contains(growing->batch) ? region->loads : region->terms).push_back(growing->batch);
+  }
   list_sizes(plan, division);
   for (const ObjectPlace& object : parts.objects)
     for (const int marker : object.markers.of(parts.references))
-      plan.connected.insert(parts.markers[static_cast<std::size_t>(marker)].member.batch);
+      plan.connected.add(parts.markers[static_cast<std::size_t>(marker)].member.batch);
+  plan.connected.sort();
   sort_loads(parts);
 }
 
@@ -95,7 +75,7 @@ void sort_loads(SystemParts& parts) {
   changing.sort();
   for (const LoadPlace& load : parts.loads)
     (changing.contains(load.member.batch) ? pulled : loaded).add(batch_of(load.marker));
-  for (const MarkerBatch* batch : parts.plan.connected) pulled.add(batch);
+  for (const Batch* batch : parts.plan.connected.all()) pulled.add(batch);
   pulled.sort();
   loaded.sort();
   parts.loads_are_sorted = true;

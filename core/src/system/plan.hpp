@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <unordered_set>
 #include <utility>
 
 #include "batch_table.hpp"
@@ -17,7 +16,7 @@ struct GrownBatches {
   const BatchTable<MarkerBatch>& markers;
   const BatchTable<Term>& terms;
   const RotatingBatches& rotating;
-  const std::unordered_set<const MarkerBatch*>& differentiated;  // whose derivatives a term asks for
+  const BatchSet& differentiated;  // whose derivatives a term asks for
 };
 
 // Requires the regions with their data.

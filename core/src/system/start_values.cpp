@@ -58,4 +58,16 @@ void complete_configurations(SystemParts& parts) {
     parts.states[static_cast<std::size_t>(c)].waits = true;
 }
 
+void start_again(SystemParts& parts) {
+  for (State& state : parts.states) {
+    for (auto* list : {&state.q, &state.v, &state.a, &state.y, &state.y_t, &state.lambda, &state.data}) list->clear();
+    state.time = 0;
+    state.sign = MultiplierSign::motion;
+    state.waits = false;
+  }
+  StartValues values;
+  for (const NodePlace& node : parts.nodes) values.take(node, parts);
+  complete_configurations(parts);
+}
+
 }  // namespace dalembert

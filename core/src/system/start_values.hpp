@@ -20,4 +20,7 @@ class StartValues {
 // from the initial configuration.
 void complete_configurations(SystemParts& parts);
 
+// All configurations as after an assembly of the same model; their vectors stay where they are.
+void start_again(SystemParts& parts);
+
 }  // namespace dalembert

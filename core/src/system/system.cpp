@@ -8,6 +8,7 @@
 #include "dalembert/system/parts.hpp"
 #include "placing.hpp"
 #include "plan.hpp"
+#include "start_values.hpp"
 
 namespace dalembert {
 
@@ -15,9 +16,8 @@ System::System() : parts_(std::make_unique<SystemParts>()), states_(parts_->stat
 System::~System() = default;
 
 void System::assemble(const Model& model, const Division& division) {
-  const bool is_checked =
-      assembled_ && parts_->structure == model.structure_changes() && parts_->records == model.record_changes();
-  if (!is_checked || !model.term_sources().empty()) model.check();
+  if (start_again(model, division)) return;
+  model.check();
   auto parts = std::make_unique<SystemParts>();
   build(*parts, model, division);
   parts->check_sensors();
@@ -42,6 +42,24 @@ void System::assemble(const Model& model, const Division& division) {
     parts_->system_terms.back()->enter(*this, model);
   }
   ++version_;
+}
+
+bool System::start_again(const Model& model, const Division& division) {
+  SystemParts& parts = *parts_;
+  const bool is_same = assembled_ && parts.structure == model.structure_changes() &&
+                       parts.records == model.record_changes() && parts.division == division &&
+                       model.term_sources().empty() && parts.system_terms.empty();
+  if (!is_same || parts.kept_states.use_count() > 1) return false;  // others keep the states of the last assembly
+  dalembert::start_again(parts);
+  ports_hold(nullptr);
+  parts.plan.resting_evaluated = parts.evaluating = parts.current_moved = parts.recording = false;
+  parts.recorded = nullptr;
+  parts.not_unique.clear();
+  parts.workers.reset();
+  std::ranges::fill(parts.work, 0.0);
+  late_ = nullptr;
+  ++version_;
+  return true;
 }
 
 void System::use_threads(int count) {

@@ -23,7 +23,8 @@ class ContainmentCheck final : public BlockVisitor {
 void System::add(std::unique_ptr<SystemTerm> term) {
   SystemParts& parts = *parts_;
   for (const int marker : term->markers())
-    parts.plan.connected.insert(parts.markers[static_cast<std::size_t>(marker)].member.batch);
+    parts.plan.connected.add(parts.markers[static_cast<std::size_t>(marker)].member.batch);
+  parts.plan.connected.sort();
   for (RegionPlan& region : parts.plan.regions)
     for (const MarkerBatch* batch : region.moving)
       if (parts.plan.connected.contains(batch) &&

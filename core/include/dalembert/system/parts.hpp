@@ -12,7 +12,6 @@
 #include <string>
 #include <type_traits>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "dalembert/math/few_numbers.hpp"
@@ -22,6 +21,7 @@
 #include "dalembert/model/model.hpp"
 #include "dalembert/system/load_dependencies.hpp"
 #include "dalembert/system/physics.hpp"
+#include "dalembert/system/regions.hpp"
 #include "dalembert/system/system.hpp"
 #include "dalembert/system/system_term.hpp"
 #include "dalembert/system/tree_term.hpp"
@@ -171,12 +171,29 @@ struct ConstantLoads {
   std::vector<double> residual;  // empty if there are no constant loads
 };
 
+// Batches, of which there are few while many items name them, one after the other.
+class BatchSet {
+ public:
+  void add(const Batch* batch) {
+    if (batches_.empty() || batches_.back() != batch) batches_.push_back(batch);
+  }
+  void sort() {
+    std::ranges::sort(batches_);
+    batches_.erase(std::ranges::unique(batches_).begin(), batches_.end());
+  }
+  bool contains(const Batch* batch) const { return std::ranges::binary_search(batches_, batch); }  // after sort()
+  const std::vector<const Batch*>& all() const { return batches_; }
+
+ private:
+  std::vector<const Batch*> batches_;
+};
+
 // Regions of one size share no coordinates. Markers without coordinates rest: their frames are evaluated once.
 struct EvaluationPlan {
   std::vector<const MarkerBatch*> resting;
   std::vector<RegionPlan> regions;
   std::vector<RegionsOfOneSize> sizes;  // small ones first
-  std::unordered_set<const MarkerBatch*> connected;  // markers of objects
+  BatchSet connected;  // markers of objects
   ConstantLoads constant;
   bool resting_evaluated = false;  // constant loads as well
 };
@@ -202,6 +219,7 @@ struct SystemParts {
   std::vector<std::unique_ptr<MarkerBatch>> marker_batches;
   std::vector<std::unique_ptr<RotatingNodeBatch>> rotating_nodes;
   std::vector<LoadDependency> load_dependencies;
+  Division division;  // by which the plan was made
   EvaluationPlan plan;
   bool leaves_markers_to_terms = false;  // some are not needed, where these read nodes themselves;
   bool needs_totals = true;              // there,

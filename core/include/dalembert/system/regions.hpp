@@ -17,6 +17,7 @@ struct Division {
   int coordinates = 2000;  // lower bound for a smallest region: large enough for a thread, small enough for its cache
   // lower bound for regions of one size that threads share: waking threads takes as long as some hundred entries
   int entries = 2000;
+  bool operator==(const Division&) const = default;
 };
 
 class Regions {

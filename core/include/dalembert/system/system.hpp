@@ -279,6 +279,8 @@ class System {
  private:
   friend class TracedEquations;
 
+  // An assembly gives the same parts as the last one: nothing but their states may have changed. False: it does not.
+  bool start_again(const Model& model, const Division& division);
   void find_nodes_of_terms();
   std::unique_ptr<SystemParts> parts_;
   State* states_;  // states of the parts, by ConfigurationType
