@@ -56,7 +56,9 @@ def pendulum(mbs: exu.MainSystem) -> None:
 
 
 def first_order(mbs: exu.MainSystem) -> None:
-    node = mbs.AddNode(exu.NodeGenericODE1(numberOfODE1Coordinates=2, referenceCoordinates=[1, 2], initialCoordinates=[3, 4]))
+    node = mbs.AddNode(
+        exu.NodeGenericODE1(numberOfODE1Coordinates=2, referenceCoordinates=[1, 2], initialCoordinates=[3, 4])
+    )
     mbs.AddObject(exu.ObjectGenericODE1(nodeNumbers=[node], systemMatrix=[[-1, 2], [-2, -1]]))
 
 
