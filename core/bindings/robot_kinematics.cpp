@@ -28,8 +28,8 @@ void write_pose(const Pose& pose, double* to) {
 
 // The words are kept as long as the module is.
 struct Names {
-  PyObject *jointType = word("jointType"), *parent = word("parent"), *preHT = word("_preHT"), *localHT = word("_localHT"),
-           *mass = word("mass"), *COM = word("COM");
+  PyObject *jointType = word("jointType"), *parent = word("parent"), *preHT = word("_preHT"),
+           *localHT = word("_localHT"), *mass = word("mass"), *COM = word("COM");
   static PyObject* word(const char* text) { return PyUnicode_InternFromString(text); }
 };
 

@@ -190,9 +190,9 @@ void register_information(SolverClass<W>& c) {
       "Why a solution that has finished is not to be trusted, one text each; output.trusted tells whether there are "
       "none.");
   c.def(
-      "PrescribeEndsOfSteps",
-      [](W& w, std::vector<double> times) { w.prescribe_ends_of_steps(std::move(times)); }, py::arg("times"),
-      "Let steps end at these times, the last of which is endTime, whatever their errors are.");
+      "PrescribeEndsOfSteps", [](W& w, std::vector<double> times) { w.prescribe_ends_of_steps(std::move(times)); },
+      py::arg("times"),
+      "Lets steps end at these times, the last of which is endTime. Error control has no effect then.");
   c.def("GetErrorString", [](const W& w) { return w.error_string(); }, "Why the solver failed; empty after success.");
   c.def(
       "GetDiagnosis", [](const W& w) { return w.diagnosis().failed() ? w.diagnosis().text() : ""; },

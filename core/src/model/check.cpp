@@ -319,7 +319,8 @@ std::string doubt_of_loads_across(const Model& model) {
     if (vector == nullptr || function == nullptr || *function) continue;
     const bool turns = load.type->name == "LoadTorqueVector";
     if (turns ? (*vector)[0] == 0 && (*vector)[1] == 0 : (*vector)[2] == 0) continue;
-    const Item* node = node_under(model, index_values(*find_row(*load.type, "markerNumber"), load.record.get()).front());
+    const Item* node =
+        node_under(model, index_values(*find_row(*load.type, "markerNumber"), load.record.get()).front());
     if (node == nullptr || !provides(*node->type, "Position2D")) continue;
     return model.describe(ItemKind::load, i) + ": its component" + (turns ? "s along x and y have" : " along z has") +
            " no effect, because what it acts on moves in the xy plane.";

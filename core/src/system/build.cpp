@@ -26,8 +26,8 @@ class TypeCounts {
  private:
   std::size_t place_of(const ItemType* type) {
     if (last_ < counts_.size() && counts_[last_].first == type) return last_;  // neighbours are mostly of one type
-    last_ = static_cast<std::size_t>(
-        std::ranges::find(counts_, type, &std::pair<const ItemType*, int>::first) - counts_.begin());
+    last_ = static_cast<std::size_t>(std::ranges::find(counts_, type, &std::pair<const ItemType*, int>::first) -
+                                     counts_.begin());
     if (last_ == counts_.size()) counts_.emplace_back(type, 0);
     return last_;
   }

@@ -55,8 +55,7 @@ class Copier {
       if (source.first != ItemKind::node) continue;
       const auto take = [&, number = source.second, copied = copied](System::Coordinates kind, auto... members) {
         const std::vector<int> there = whole.node_ltg(number, kind), here = part.node_ltg(copied, kind);
-        for (std::size_t i = 0; i < here.size(); ++i)
-          (((current.*members)[here[i]] = (from.*members)[there[i]]), ...);
+        for (std::size_t i = 0; i < here.size(); ++i) (((current.*members)[here[i]] = (from.*members)[there[i]]), ...);
       };
       take(System::Coordinates::ode2, &State::q, &State::v);
       take(System::Coordinates::ode1, &State::y, &State::y_t);
