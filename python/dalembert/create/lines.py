@@ -197,7 +197,7 @@ def _length_of_rope(points: FloatArray, parameters: dict[str, Any]) -> float:
 def CreateRope(
     mbs: MainSystem,
     name: str = "",
-    bodyNumbers: Sequence[Connected] = (),
+    bodyNumbers: Sequence[ObjectIndex | int | str] = (),
     positions: Sequence[Vector] = (),
     radii: Sequence[float] = (),
     axis: Vector = (0.0, 0.0, 1.0),
@@ -215,12 +215,16 @@ def CreateRope(
     0: a ring. It carries no compression. Its force is ForceLocal, its length Distance. Returns the ObjectIndex.
     """
     function, count = "CreateRope", len(bodyNumbers)
-    if np.shape(positions) != (count, 3) or not np.isfinite(positions).all():
+    try:
+        points = np.array([*positions], dtype=float)
+    except ValueError:
+        points = np.zeros(0)
+    if points.shape != (count, 3) or not np.isfinite(points).all():
         raise argument_error(function, "positions", f"a point for each of the {count} bodies", positions)
     if np.shape(radii) != (count - 2,) or not np.isfinite(radii).all():
         expected = f"a radius for each of the {count - 2} pulleys between the ends"
         raise argument_error(function, "radii", expected, list(radii))
-    points, turns = np.asarray(positions, dtype=float), np.array([0.0, *radii, 0.0])
+    turns = np.array([0.0, *radii, 0.0])
     apart, needed = np.linalg.norm(np.diff(points, axis=0), axis=1), np.abs(turns[:-1] - turns[1:])
     if (apart <= needed).any():
         i = int(np.argmax(apart <= needed))
