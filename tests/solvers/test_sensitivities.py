@@ -950,6 +950,8 @@ def test_steps_that_cannot_be_repeated() -> None:
         model(oscillator(), {"k": ("spring", "stiffness")}, {"x": "x"}, settings(), steps="again")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="steps='replay' needs a time integration"):
         model(oscillator(), {"k": ("spring", "stiffness")}, {"x": "x"}, settings(), "static", steps="replay")
+    with pytest.raises(ValueError, match="received ends of steps that do not increase"):
+        exu.MainSolverExplicit().PrescribeEndsOfSteps([0.1, 0.1])
 
 
 def test_redundant_constraints_are_refused() -> None:
