@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from enum import Enum
 from functools import cache
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from dalembert import _core, create
 from dalembert._core import DynamicSolverType, MainSystem, OutputVariableType, SimulationSettings, SystemContainer
@@ -346,6 +346,7 @@ class Model(CreateMethods):
         step_size: float | None = None,
         *,
         method: str | DynamicSolverType = "generalized_alpha",
+        steps: Literal["frozen", "replay"] = "frozen",
         start_time: float = 0.0,
         settings: SimulationSettings | None = None,
     ) -> DifferentiableModel:
@@ -353,12 +354,20 @@ class Model(CreateMethods):
 
         parameters: places by name: {"k": (spring, "stiffness"), "x": (body, "reference_position", 0)}; several places
             in a list have one value. outputs: by name, such as {"a": db.At("sensor", times)}, or db.Integral("sensor").
-            See solve for the other arguments.
+            steps: see DifferentiableModel. See solve for the other arguments.
         """
         from dalembert._model.solve import differentiable
 
         return differentiable(
-            self, parameters, outputs, end_time, step_size, method=method, start_time=start_time, settings=settings
+            self,
+            parameters,
+            outputs,
+            end_time,
+            step_size,
+            method=method,
+            steps=steps,
+            start_time=start_time,
+            settings=settings,
         )
 
     def draw(self, **options: Any) -> Any:

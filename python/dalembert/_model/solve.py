@@ -9,7 +9,7 @@ import tempfile
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -188,6 +188,7 @@ def differentiable(
     step_size: float | None = None,
     *,
     method: Any = "generalized_alpha",
+    steps: Literal["frozen", "replay"] = "frozen",
     start_time: float = 0.0,
     settings: SimulationSettings | None = None,
 ) -> DifferentiableModel:
@@ -200,7 +201,7 @@ def differentiable(
     places = {name: _place(model, each, f"{where}: parameters['{name}']") for name, each in parameters.items()}
     if not model.system.systemIsConsistent:
         model.system.Assemble()
-    return DifferentiableModel(model.system, places, outputs, used, kind)
+    return DifferentiableModel(model.system, places, outputs, used, kind, steps=steps)
 
 
 def _place(model: Any, given: Any, where: str) -> Any:
