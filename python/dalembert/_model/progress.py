@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import threading
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -30,7 +31,9 @@ def progress(system: Any, slot: str, start: float, end: float, wanted: bool | No
     if not is_shown(wanted):
         yield
         return
-    from tqdm.auto import tqdm
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of notebooks without widgets, where a bar of text is shown
+        from tqdm.auto import tqdm
 
     ended = threading.Event()
     earlier = system.sys.get(slot)
