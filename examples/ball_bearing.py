@@ -18,10 +18,10 @@ model.create_force(body_number=shaft, load_vector=[0, -load, 0])
 data = db.machines.GetBallBearingData(
     [0, 0, 1], outside, bore, width, balls, radiusBalls=ball / 2, radiusCage=pitch / 2, ballsAngleOffset=np.pi / 2
 )
-rings = [model.add(db.MarkerBodyRigid(bodyNumber=body)) for body in (shaft, model.ground)]
+inner, outer = (model.add(db.MarkerBodyRigid(bodyNumber=body)) for body in (shaft, model.ground))
 contact = {"contactStiffness": 1e10, "contactDamping": 2000, "dynamicFriction": 0.1, "contactStiffnessExponent": 1.5}
 parts = db.machines.CreateBallBearing(
-    model.system, data, *rings, densityBalls=7850, densityCage=8500, springStiffnessCage=1e4, springDampingCage=1,
+    model.system, data, inner, outer, densityBalls=7850, densityCage=8500, springStiffnessCage=1e4, springDampingCage=1,
     contactParametersRingBalls=contact,
 )  # fmt: skip
 
