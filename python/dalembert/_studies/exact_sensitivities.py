@@ -175,7 +175,7 @@ class Problem:
         maximumMemory: float | None = None,
         ends: FloatArray | None = None,
     ) -> None:
-        """ends: times at which steps end, whatever their errors are."""
+        """ends: times at which steps end; error control then has no effect."""
         if not isinstance(parameters, Mapping) or not parameters:
             raise shape_error(
                 "ComputeSensitivities: parameters", "a dictionary, such as {'k': ('spring', 'stiffness')}", parameters

@@ -178,7 +178,7 @@ def record(
 ) -> Motion:
     """Solve a system, which is a copy that may change, and return its motion.
 
-    memory: bytes of rows in memory. ends: times at which steps end, whatever their errors are.
+    memory: bytes of rows in memory. ends: times at which steps end; error control then has no effect.
     """
     data = mbs.systemData
     times: list[float] = []

@@ -146,10 +146,6 @@ inline char* write(char* to, double value, int precision) {
   return place_digits(to, digits, precision, exponent);
 }
 
-}  // namespace rounded_text
-
-namespace rounded_text {
-
 inline int printable(int precision) { return precision < 1 ? 1 : precision > 25 ? 25 : precision; }
 
 }  // namespace rounded_text
