@@ -374,7 +374,7 @@ class Model(CreateMethods):
         """Return a picture of the current state; arguments of MainSystem.Draw, in snake_case too."""
         if not self.system.systemIsConsistent:
             self.system.Assemble()
-        return self.system.Draw(**_camel_case(MainSystem.Draw, options, "model.draw"))
+        return self.system.Draw(**camel_case(MainSystem.Draw, options, "model.draw"))
 
     def save(self, file_name: str | os.PathLike[str]) -> None:
         """Write the model to a JSON file."""
@@ -420,7 +420,7 @@ def arguments_of(function: Callable[..., Any]) -> dict[str, str]:
     return {snake_case(name): name for name in names if name not in _OLD_ARGUMENTS}
 
 
-def _camel_case(function: Callable[..., Any], given: dict[str, Any], where: str) -> dict[str, Any]:
+def camel_case(function: Callable[..., Any], given: dict[str, Any], where: str) -> dict[str, Any]:
     """Return arguments by the names of the interface with indices; TypeError for unknown ones."""
     known = arguments_of(function)
     result = {}
@@ -483,7 +483,7 @@ def _create_method(name: str, create_name: str) -> Callable[..., Any]:
         where = f"model.{name}"
         if len(args) > len(parameters):
             raise TypeError(f"{where}: received {len(args)} positional arguments, but has only {len(parameters)}")
-        given = _camel_case(function, kwargs, where)
+        given = camel_case(function, kwargs, where)
         for parameter, value in zip(parameters, args, strict=False):
             if parameter.name in given:
                 raise TypeError(f"{where}: argument '{snake_case(parameter.name)}' is given twice")
