@@ -384,6 +384,22 @@ def test_solutions_go_on_from_the_last_state() -> None:
     assert solution["mass"].displacement[-1, 0] == pytest.approx(displacement(1.0)[0], abs=5e-5)
 
 
+def test_equilibria_stay_initial_states_when_sensors_are_added() -> None:
+    model = oscillator()
+    at_rest = model.solve_static(update_initial_values=True)["mass"].position[-1]
+    sensor = model.create_sensor("mass", "position")
+    solution = model.solve(0.1, 1e-3)
+    assert sensor.values[[0, -1]] == pytest.approx(np.array([at_rest] * 2), abs=1e-9)  # tolerance of the static solver
+    model["mass"].nodes[0].initial_velocities = [0, 1, 0]
+    solution = model.solve(0.1, 1e-3)
+    assert solution["mass"].velocity[0] == pytest.approx([0, 1, 0], abs=0)
+    assert solution["mass"].position[0] == pytest.approx(at_rest, abs=0)
+    model.create_mass_point(name="second", mass=1)
+    with pytest.warns(UserWarning, match="initial state that update_initial_values has set is lost"):
+        solution = model.solve(0.1, 1e-3)
+    assert np.abs(solution["mass"].position[0] - at_rest).max() > 1e-3
+
+
 def test_tables_and_files(tmp_path: Path) -> None:
     model = oscillator()
     speed = model.create_sensor("mass", "velocity", name="speed")

@@ -25,6 +25,7 @@ from dalembert._checks import FloatArray, as_number, shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, symbolic
 from dalembert._io.solution_rows import solution_of
 from dalembert._io.solution_states import _set_row, check_solution_of
+from dalembert._model.assembly import assemble_if_needed
 from dalembert._model.handle import Handle, handle_of, own, side_of
 from dalembert._model.item_facts import facts_of
 from dalembert._snake_case import snake_case
@@ -394,8 +395,7 @@ class Solution:
         named = camel_case(getattr(_core.MainSystem, kind), options, "solution.animate")
         if "solution" in named:
             raise TypeError("solution.animate: unknown argument 'solution': it is this one")
-        if not self._system.systemIsConsistent:
-            self._system.Assemble()
+        assemble_if_needed(self._system)
         file = {"fileName": name} if name else {}
         getattr(self._system, kind)(**file, solution=self._states, **named)
 
@@ -477,8 +477,7 @@ class Solution:
             made._energies = EnergyHistory(*(energies[name][:] for name in EnergyHistory._fields)) if energies else None
         made._system = made._snapshot = None
         if model is not None:
-            if not model.system.systemIsConsistent:
-                model.system.Assemble()
+            assemble_if_needed(model.system)
             check_solution_of(model.system, "Solution.load", made._states)
             if solved is not None:
                 _require_same_items(solved, _facts_of_items(model.system), os.fspath(file_name))
