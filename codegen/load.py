@@ -25,7 +25,7 @@ from codegen.model import (
     UserFunction,
 )
 from codegen.model_settings import Enum, Specs, value_type
-from codegen.names import FOLDERS, nearest
+from codegen.names import FOLDERS, nearest, snake_case
 from codegen.rows import at, check_keys, known_key, parameter, parse, text
 from codegen.scene import SceneTable
 from codegen.views.python import create_functions
@@ -168,7 +168,8 @@ def with_examples(items: list[Item], examples: Mapping[str, str]) -> list[Item]:
     mirrored = create_functions(items)
     completed = []
     for item in items:
-        calls = [f"mbs.{name}(" for name in item.create_functions if first_of_kind(item, mirrored[name])]
+        own = [name for name in item.create_functions if first_of_kind(item, mirrored[name])]
+        calls = [f".{each}(" for name in own for each in (name, snake_case(name))]
         found = {stem for stem, code in examples.items() if item.used_in(code) or any(call in code for call in calls)}
         completed.append(replace(item, examples=tuple(sorted(found.union(item.examples)))))
     return completed

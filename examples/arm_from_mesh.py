@@ -5,14 +5,15 @@ six eigenmodes replace 5145 coordinates; deflections and stresses are available 
 node.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 import skfem
 from scipy.linalg import eigh
 from skfem.io.meshio import to_meshio
 
-import dalembert as exu
+import dalembert as db
 from dalembert.FEM import FEMinterface, HCBstaticModeSelection, KirchhoffMaterial
-from dalembert.utilities import *
+from dalembert.utilities import SmoothStep
 
 length, rootHeight, tipHeight, width = 0.8, 0.06, 0.03, 0.02  # m
 aluminium = KirchhoffMaterial(youngsModulus=7e10, poissonsRatio=0.33, density=2700)
@@ -36,11 +37,11 @@ interfaces, weights = fem.GetBoundaryNodeSetsAsLists()
 fem.ComputeHurtyCraigBamptonModes(
     interfaces, nEigenModes=6, boundaryNodesWeights=weights, computationMode=HCBstaticModeSelection.RBE2
 )
-fem.ComputePostProcessingModes(aluminium, exu.OutputVariableType.StressLocal)
+fem.ComputePostProcessingModes(aluminium, db.OutputVariableType.StressLocal)
 
 # the body, on a motor that turns it by a right angle in 0.3 s, with the mass in its hand
-mbs = exu.SystemContainer().AddSystem()
-arm = mbs.CreateFFRFReducedOrderObject("arm", fem, stiffnessProportionalDamping=2e-5)
+model = db.Model()
+arm = model.create_ffrf_reduced_order_object("arm", fem, stiffness_proportional_damping=2e-5)
 body = arm["FFRFReducedOrderObjectDict"]["oFFRFreducedOrder"]
 
 
@@ -48,31 +49,20 @@ def motor(mbs, t, itemNumber, offset):
     return [0, 0, 0, 0, 0, SmoothStep(t, 0, 0.3, 0, np.pi / 2)]
 
 
-ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
-mbs.AddObject(ObjectJointGeneric(markerNumbers=[ground, arm["arm:hub"]], offsetUserFunction=motor))
-mass = mbs.CreateMassPoint(referencePosition=[length, 0, 0], physicsMass=payload)
-hand = mbs.AddMarker(MarkerBodyPosition(bodyNumber=mass))
-mbs.AddObject(ObjectJointSpherical(markerNumbers=[arm["arm:hand"], hand]))
+ground = model.add(db.MarkerBodyRigid(bodyNumber=model.ground))
+model.add(db.ObjectJointGeneric(markerNumbers=[ground, arm["arm:hub"]], offsetUserFunction=motor))
+mass = model.create_mass_point(reference_position=[length, 0, 0], physics_mass=payload)
+hand = model.add(db.MarkerBodyPosition(bodyNumber=mass))
+model.add(db.ObjectJointSpherical(markerNumbers=[arm["arm:hand"], hand]))
 
 tip = fem.GetNodeAtPoint([length, 0, 0], tolerance=0.01)
 root = fem.GetNodeAtPoint([0.1 * length, 0.5 * (0.9 * rootHeight + 0.1 * tipHeight), 0], tolerance=0.01)
-sensors = [
-    mbs.AddSensor(
-        SensorSuperElement(bodyNumber=body, meshNodeNumber=node, outputVariableType=variable, storeInternal=True)
-    )
-    for node, variable in (
-        (tip, exu.OutputVariableType.DisplacementLocal),
-        (root, exu.OutputVariableType.StressLocal),
-    )
-]
-mbs.Assemble()
+deflection = model.create_sensor(body, "displacement_local", mesh_node=tip, name="deflection of the hand")
+stress = model.create_sensor(body, "stress_local", mesh_node=root, name="stress near the hub")
 
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = 0.6
-settings.timeIntegration.numberOfSteps = 1200
+settings = db.SimulationSettings()
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
-settings.solutionSettings.sensorsWritePeriod = 1e-3
-mbs.SolveDynamic(settings)
+solution = model.solve(end_time=0.6, step_size=5e-4, every=1e-3, settings=settings)
 
 # results, compared with those of the whole mesh
 section = 0.5 * (rootHeight + tipHeight) * width
@@ -86,18 +76,20 @@ whole = fem.GetEigenFrequenciesHz()
 print(f"first frequency with the hub held: {frequencies[0]:.3f} Hz, of the whole mesh {whole[0]:.3f} Hz")
 print(f"second frequency: {frequencies[1]:.3f} Hz, of the whole mesh {whole[1]:.3f} Hz")
 
-t, stress = mbs.GetSensorStoredData(sensors[1])[:, :2].T
+t, along_arm = stress.time, stress.values[:, 0]
 acceleration = np.gradient(np.gradient([SmoothStep(ti, 0, 0.3, 0, np.pi / 2) for ti in t], t), t)
-print(f"largest stress: {np.abs(stress).max() / 1e6:.1f} MPa")
+print(f"largest stress: {np.abs(along_arm).max() / 1e6:.1f} MPa")
 print(f"largest angular acceleration: {acceleration.max():.0f} rad/s^2")
-mbs.PlotSensor(sensors[0], components=1, yLabel="deflection of the hand (m)", fileName="arm_deflection.png")
-mbs.PlotSensor(sensors[1], components=0, yLabel="stress near the hub (Pa)", fileName="arm_stress.png")
-mbs.SetObjectParameter(body, "VshowNodes", False)
-view = mbs.GetSystemContainer().visualizationSettings
+solution.plot(deflection, file_name="arm_deflection.png")
+plt.figure()
+plt.plot(t, along_arm)
+plt.gca().set(xlabel="time (s)", ylabel="stress near the hub (Pa)")
+plt.savefig("arm_stress.png")
+model.system.SetObjectParameter(body, "VshowNodes", False)
+view = model.container.visualizationSettings
 view.nodes.show = view.markers.show = view.connectors.show = False
 view.view0.scene.showMeshEdges = False
-view.contour.outputVariable, view.contour.outputVariableComponent = exu.OutputVariableType.StressLocal, 0  # along it
+view.contour.outputVariable, view.contour.outputVariableComponent = db.OutputVariableType.StressLocal, 0  # along it
 view.contour.automaticRange, view.contour.minValue, view.contour.maxValue = False, -1.5e7, 1.5e7
-mbs.Draw(fileName="arm_picture.png")
-in_a_second = settings.timeIntegration.endTime / 4
-mbs.DrawSolution(fileName="arm_motion.gif", windowSize=[480, 360], framesPerSecond=20, speed=in_a_second, view="front")
+model.draw(file_name="arm_picture.png")
+solution.animate(file_name="arm_motion.gif", window_size=[480, 360], frames_per_second=20, speed=0.15, view="front")

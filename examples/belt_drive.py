@@ -7,11 +7,11 @@ other.
 The ratio of the speeds is (1 + T2/EA) / (1 + T1/EA) (O. Reynolds), independently of friction.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
+import dalembert as db
 from dalembert.beams import CreateReevingCurve, PointsAndSlopes2ANCFCable2D
-from dalembert.utilities import *
 
 radius, distance, speed = 0.1, 0.3, 50.0  # m, m, rad/s
 stiffness, mass, friction = 2e4, 0.5, 0.4  # N, kg/m, 1
@@ -26,11 +26,11 @@ stretch = 1 + pull / 2 / stiffness  # the belt was made shorter than its way aro
 length = curve["totalLength"] / elements / stretch
 way = radius * speed  # m/s; along the curve, which is clockwise
 
-mbs = exu.SystemContainer().AddSystem()
-fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
-runs = mbs.AddNode(NodeGenericODE2(numberOfODE2Coordinates=1, referenceCoordinates=[0], initialCoordinates=[0],
+model = db.Model()
+fixed = model.add(db.MarkerNodeCoordinate(nodeNumber=model.add(db.NodePointGround()), coordinate=0))
+runs = model.add(db.NodeGenericODE2(numberOfODE2Coordinates=1, referenceCoordinates=[0], initialCoordinates=[0],
                                    initialCoordinates_t=[way / stretch]))  # fmt: skip
-belt = ALECable2D(
+belt = db.ALECable2D(
     nodeNumbers=[-1, -1, runs],
     physicsMassPerLength=mass,
     physicsBendingStiffness=1e-3,
@@ -38,84 +38,74 @@ belt = ALECable2D(
     physicsAxialDamping=5,
     strainIsRelativeToReference=False,
     physicsAddALEvariation=False,
-    visualization=VCable2D(drawHeight=0.006),
+    visualization=db.VCable2D(drawHeight=0.006),
 )
 # one node is fixed along the belt, so that elements stay while the material moves
 _, cables, *_ = PointsAndSlopes2ANCFCable2D(
-    mbs, np.array(curve["ancfPointsSlopes"]) * [1, 1, stretch, stretch], [length] * elements, belt,
+    model.system, np.array(curve["ancfPointsSlopes"]) * [1, 1, stretch, stretch], [length] * elements, belt,
     massProportionalLoad=[0, 0, 0], fixedConstraintsNode0=[1, 0, 0, 0], firstNodeIsLastNode=True,
 )  # fmt: skip
 part = length / segments
 pulleys, contacts = [], []
 for x in (0, distance):
-    disc = exu.graphics.Cylinder([0, 0, -0.02], [0, 0, 0.015], 0.98 * radius, exu.graphics.color.steelblue, nTiles=64)
-    spoke = exu.graphics.Brick([0, 0, -0.004], [1.8 * radius, 0.01, 0.001], exu.graphics.color.orange)
-    node = mbs.AddNode(NodeRigidBody2D(referenceCoordinates=[x, 0, 0], initialVelocities=[0, 0, -speed]))
-    body = mbs.AddObject(
-        RigidBody2D(physicsMass=1, physicsInertia=0.005, nodeNumber=node,
-                    visualization=VRigidBody2D(graphicsData=[disc, spoke]))
+    disc = db.graphics.Cylinder([0, 0, -0.02], [0, 0, 0.015], 0.98 * radius, db.graphics.color.steelblue, nTiles=64)
+    spoke = db.graphics.Brick([0, 0, -0.004], [1.8 * radius, 0.01, 0.001], db.graphics.color.orange)
+    node = model.add(db.NodeRigidBody2D(referenceCoordinates=[x, 0, 0], initialVelocities=[0, 0, -speed]))
+    body = model.add(
+        db.RigidBody2D(physicsMass=1, physicsInertia=0.005, nodeNumber=node,
+                    visualization=db.VRigidBody2D(graphicsData=[disc, spoke]))
     )  # fmt: skip
     pulleys.append(node)
-    rim = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))
+    rim = model.add(db.MarkerBodyRigid(bodyNumber=body))
     contacts.append([])
     for cable in cables:
-        shape = mbs.AddMarker(MarkerBodyCable2DShape(bodyNumber=cable, numberOfSegments=segments))
-        states = mbs.AddNode(
-            NodeGenericData(numberOfDataCoordinates=3 * segments,
+        shape = model.add(db.MarkerBodyCable2DShape(bodyNumber=cable, numberOfSegments=segments))
+        states = model.add(
+            db.NodeGenericData(numberOfDataCoordinates=3 * segments,
                             initialCoordinates=[0.1] * segments + [-2] * segments + [0] * segments)
         )  # fmt: skip
         contacts[-1].append(
-            mbs.AddObject(
-                ObjectContactFrictionCircleCable2D(
+            model.add(
+                db.ObjectContactFrictionCircleCable2D(
                     markerNumbers=[rim, shape], nodeNumber=states, numberOfContactSegments=segments,
                     circleRadius=radius, contactStiffness=1e8 * part, contactDamping=1e4 * part,
                     frictionVelocityPenalty=1e5 * part, frictionCoefficient=friction,
-                    visualization=VObjectContactFrictionCircleCable2D(show=False),
+                    visualization=db.VObjectContactFrictionCircleCable2D(show=False),
                 )
             )
         )  # fmt: skip
-coordinate = [[mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=n, coordinate=k)) for k in range(3)] for n in pulleys]
+coordinate = [[model.add(db.MarkerNodeCoordinate(nodeNumber=n, coordinate=k)) for k in range(3)] for n in pulleys]
 for held in (coordinate[0][0], coordinate[0][1], coordinate[1][1]):
-    mbs.AddObject(CoordinateConstraint(markerNumbers=[fixed, held]))
+    model.add(db.CoordinateConstraint(markerNumbers=[fixed, held]))
 # the first pulley drives; the second one brakes, and tensions the belt: the pull minus the bending force of the belt
-mbs.AddObject(CoordinateConstraint(markerNumbers=[fixed, coordinate[0][2]], velocityLevel=True, offset=-speed))
-mbs.AddLoad(LoadCoordinate(markerNumber=coordinate[1][0], load=pull - 2 * mass * way**2))
-mbs.AddObject(CoordinateSpringDamper(markerNumbers=[fixed, coordinate[1][0]], damping=2000))
+model.add(db.CoordinateConstraint(markerNumbers=[fixed, coordinate[0][2]], velocityLevel=True, offset=-speed))
+model.add(db.LoadCoordinate(markerNumber=coordinate[1][0], load=pull - 2 * mass * way**2))
+model.add(db.CoordinateSpringDamper(markerNumbers=[fixed, coordinate[1][0]], damping=2000))
 brake = lambda mbs, t, load: load * min(1.0, t / run_up)  # noqa: E731
-mbs.AddLoad(LoadCoordinate(markerNumber=coordinate[1][2], load=moment, loadUserFunction=brake))
-turning = mbs.AddSensor(
-    SensorNode(nodeNumber=pulleys[1], outputVariableType=exu.OutputVariableType.AngularVelocity, storeInternal=True)
-)
-mbs.Assemble()
+model.add(db.LoadCoordinate(markerNumber=coordinate[1][2], load=moment, loadUserFunction=brake))
 
-settings = exu.SimulationSettings()
-settings.solutionSettings.writeSolutionToFile = False
-settings.solutionSettings.sensorsWritePeriod = 1e-3
-settings.timeIntegration.endTime = end
-settings.timeIntegration.numberOfSteps = steps
-settings.timeIntegration.verboseMode = 0
+settings = db.SimulationSettings()
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.5
 settings.timeIntegration.discontinuous.iterationTolerance = 1e-3
 settings.timeIntegration.discontinuous.maxIterations = 10
-mbs.SolveDynamic(settings)
-told = mbs.GetSensorStoredData(turning)
-history = np.column_stack([told[:, 0], 100 * (1 + told[:, 3] / speed)])
-creep = np.mean(history[history[:, 0] > 0.75 * end, 1])  # minus the effect of segments that begin and end contact
-force = exu.OutputVariableType.ForceLocal
-tension = np.array([mbs.GetObjectOutputBody(cable, force, [length / 2, 0, 0]) for cable in cables])
+solution = model.solve(end_time=end, step_size=end / steps, every=1e-3, settings=settings)
+history = 100 * (1 + solution[pulleys[1]].angular_velocity[:, 2] / speed)
+creep = np.mean(history[solution.times > 0.75 * end])  # minus the effect of segments that begin and end contact
+tension = [solution[cable].force_local_at([length / 2, 0, 0])[-1] for cable in cables]
 tight, slack = ((pull + sign * moment / radius) / 2 for sign in (1, -1))
 reynolds = 100 * (1 - (1 + slack / stiffness) / (1 + tight / stiffness))
 print(f"tension of the tight side: {np.sort(tension)[-8]:.1f} N, by pull and moment {tight:.1f} N")
 print(f"creep: {creep:.4f} %, Reynolds {reynolds:.4f} %")
 for name, side in zip(("driving", "driven"), contacts, strict=True):
-    along, pressed = np.array([mbs.GetObjectOutput(contact, force) for contact in side]).reshape(-1, 2).T
+    along, pressed = np.array([contact.force_local for contact in side]).reshape(-1, 2).T
     touching = np.count_nonzero(pressed)
     slides = np.count_nonzero((pressed != 0) & (np.abs(along) > (1 - 1e-9) * friction * np.abs(pressed)))
     print(f"{slides} of {touching} segments slide on the {name} pulley")
 
-mbs.PlotSensor([history], components=[0], yLabel="creep (%)", fileName="belt_creep.png", closeAll=True)
-SC = mbs.GetSystemContainer()
-shown = SC.visualizationSettings
+plt.plot(solution.times, history)
+plt.gca().set(xlabel="time (s)", ylabel="creep (%)")
+plt.savefig("belt_creep.png")
+shown = model.container.visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.connectors.show = shown.sensors.show = False
-shown.contour.outputVariable = force  # tension, as color
-mbs.Draw(fileName="belt_picture.png")
+shown.contour.outputVariable = db.OutputVariableType.ForceLocal  # tension, as color
+model.draw(file_name="belt_picture.png")

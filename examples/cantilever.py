@@ -9,8 +9,7 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
 
 length, elements = 2.0, 8
 EI, EA, mass, force = 5.0, 1e4, 0.5, 3.0  # N m^2, N, kg/m, N
@@ -29,55 +28,46 @@ def elastica():
     return (1 - np.sqrt((4 * m - 2) / load)) * length, across * length
 
 
-mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround()
-
+model = db.Model()
 h = length / elements
-nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[i * h, 0, 1, 0])) for i in range(elements + 1)]
+nodes = [model.add(db.NodePoint2DSlope1(referenceCoordinates=[i * h, 0, 1, 0])) for i in range(elements + 1)]
 for left, right in pairwise(nodes):
-    mbs.AddObject(
-        ObjectANCFCable2D(
+    model.add(
+        db.ObjectANCFCable2D(
             nodeNumbers=[left, right],
             physicsLength=h,
             physicsMassPerLength=mass,
             physicsBendingStiffness=EI,
             physicsBendingDamping=0.02,
             physicsAxialStiffness=EA,
-            visualization=VObjectANCFCable2D(drawHeight=0.03),
+            visualization=db.VObjectANCFCable2D(drawHeight=0.03),
         )
     )
 
 # the clamp holds position and direction of the first node: three of its four coordinates
-fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
+fixed = model.add(db.MarkerNodeCoordinate(nodeNumber=model.add(db.NodePointGround()), coordinate=0))
 for coordinate in (0, 1, 3):
-    moving = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=coordinate))
-    mbs.AddObject(ObjectConnectorCoordinate(markerNumbers=[fixed, moving]))
+    moving = model.add(db.MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=coordinate))
+    model.add(db.ObjectConnectorCoordinate(markerNumbers=[fixed, moving]))
 
-tip = mbs.AddMarker(MarkerNodePosition(nodeNumber=nodes[-1]))
-load = mbs.AddLoad(LoadForceVector(markerNumber=tip, loadVector=[0, -force, 0]))
-sensor = mbs.AddSensor(
-    SensorNode(nodeNumber=nodes[-1], outputVariableType=exu.OutputVariableType.Displacement, storeInternal=True)
+tip = nodes[-1]
+load = model.add(
+    db.LoadForceVector(markerNumber=model.add(db.MarkerNodePosition(nodeNumber=tip)), loadVector=[0, -force, 0])
 )
-mbs.Assemble()
 
-settings = exu.SimulationSettings()
-settings.linearSolverType = exu.LinearSolverType.EigenSparse
-settings.solutionSettings.writeSolutionToFile = False
-settings.staticSolver.numberOfLoadSteps = 5
+settings = db.SimulationSettings()
+settings.linearSolverType = db.LinearSolverType.EigenSparse
 settings.staticSolver.verboseMode = 0
-mbs.SolveStatic(settings, updateInitialValues=True)
-for value, exact in zip(mbs.GetNodeOutput(nodes[-1], exu.OutputVariableType.Displacement), elastica(), strict=False):
+model.solve_static(load_steps=5, update_initial_values=True, settings=settings)
+for value, exact in zip(tip.displacement, elastica(), strict=False):
     print(f"static displacement: {-value:.5f} m, elastica {exact:.5f} m")
 
-SC = mbs.GetSystemContainer()
-SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.TorqueLocal  # bending moment, as color
-mbs.Draw(fileName="cantilever_picture.png")
-mbs.SetLoadParameter(load, "loadVector", [0, 0, 0])
-settings.timeIntegration.endTime = 3
-settings.timeIntegration.numberOfSteps = 600
+model.container.visualizationSettings.contour.outputVariable = (
+    db.OutputVariableType.TorqueLocal
+)  # bending moment, as color
+model.draw(file_name="cantilever_picture.png")
+load.load_vector = [0, 0, 0]
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
-mbs.SolveDynamic(settings)
-mbs.PlotSensor(
-    sensor, components=[0, 1], yLabel="displacement of the tip (m)", fileName="cantilever.png", closeAll=True
-)
-print("displacement at the end", mbs.GetSensorValues(sensor)[:2])
+solution = model.solve(end_time=3, step_size=5e-3, settings=settings)
+solution.plot((tip, "displacement"), file_name="cantilever.png")
+print("displacement at the end", tip.displacement[:2])

@@ -4,9 +4,10 @@ Stiffness and mass of the section are computed from its outline. The axis of the
 that act there bend and twist, unless they act in the shear centre.
 """
 
-import dalembert as exu
+import matplotlib.pyplot as plt
+
+import dalembert as db
 from dalembert.beams import ComputeSectionConstants, GenerateBeamElementsAlongLine, SectionPolygon
-from dalembert.utilities import *
 
 length, elements = 2.0, 32  # m
 height, width, wall = 0.08, 0.04, 0.004  # m
@@ -24,40 +25,35 @@ arm = section.centroid[0] - section.shearCenter[0]
 
 
 def cantilever(offset):
-    """The system, bent by an eccentric force, and sensors of rotations along the beam."""
-    mbs = exu.SystemContainer().AddSystem()
-    drawn = VObjectBeamGeometricallyExact(sectionGeometry=section.BeamSectionGeometry())
-    template = ObjectBeamGeometricallyExact(sectionData=section.BeamSection(), visualization=drawn)
+    """Return the model, the nodes of the beam and the solution under an eccentric force."""
+    model = db.Model()
+    drawn = db.VObjectBeamGeometricallyExact(sectionGeometry=section.BeamSectionGeometry())
+    template = db.ObjectBeamGeometricallyExact(sectionData=section.BeamSection(), visualization=drawn)
     beam = GenerateBeamElementsAlongLine(
-        mbs, [0, 0, 0], [length, 0, 0], elements, template, groundConstraintsStart=[1] * 6
+        model.system, [0, 0, 0], [length, 0, 0], elements, template, groundConstraintsStart=[1] * 6
     )
     # the force, and its moment about the axis
-    tip = mbs.AddMarker(MarkerNodeRigid(nodeNumber=beam["nodes"][-1]))
-    mbs.AddLoad(LoadForceVector(markerNumber=tip, loadVector=[0, 0, -force]))
-    mbs.AddLoad(LoadTorqueVector(markerNumber=tip, loadVector=[-offset * force, 0, 0]))
-    variable = exu.OutputVariableType.Rotation
-    sensors = [
-        mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=variable, storeInternal=True))
-        for node in beam["nodes"][elements // 4 :: elements // 4]
-    ]
-    mbs.Assemble()
-    settings = exu.SimulationSettings()
-    settings.staticSolver.numberOfLoadSteps = 4
-    mbs.SolveStatic(settings)
-    return mbs, beam["nodes"][-1], sensors
+    tip = model.add(db.MarkerNodeRigid(nodeNumber=beam["nodes"][-1]))
+    model.add(db.LoadForceVector(markerNumber=tip, loadVector=[0, 0, -force]))
+    model.add(db.LoadTorqueVector(markerNumber=tip, loadVector=[-offset * force, 0, 0]))
+    return model, beam["nodes"], model.solve_static(load_steps=4)
 
 
-mbs, tip, sensors = cantilever(-arm)
-deflection = mbs.GetNodeOutput(tip, exu.OutputVariableType.Displacement)[2]
+_, nodes, solution = cantilever(-arm)
+deflection = solution[nodes[-1]].displacement[-1, 2]
 inertia, area = section.secondMoments[1, 1], section.shearFactors[1] * section.area
 theory = -force * length**3 / (3 * E * inertia) - force * length / (G * area)
 print(f"shear centre: {-1e3 * section.shearCenter[0]:.2f} mm before the web")
 print(f"deflection, force in the shear centre: {1e3 * deflection:.4f} mm, theory of beams {1e3 * theory:.4f} mm")
 
-mbs, tip, sensors = cantilever(0.0)
-turned = mbs.GetSensorValues(sensors[-1])[0]
+model, nodes, solution = cantilever(0.0)
+turned = solution[nodes[-1]].rotation[-1, 0]
 twist = -force * arm * length / (G * section.torsionConstant)
 print(f"angle of twist, force in the centroid: {turned:.6f} rad, theory of torsion {twist:.6f} rad")
-quarters = [f"{i}/4 of the length" for i in range(1, 5)]
-mbs.PlotSensor(sensors, components=0, labels=quarters, yLabel="twist (rad)", fileName="channel_twist.png")
-mbs.Draw(fileName="channel_picture.png")
+for i in range(1, 5):
+    node = nodes[i * elements // 4]
+    plt.plot(solution.times, solution[node].rotation[:, 0], label=f"{i}/4 of the length")
+plt.gca().set(xlabel="load factor (1)", ylabel="twist (rad)")
+plt.legend()
+plt.savefig("channel_twist.png")
+model.draw(file_name="channel_picture.png")

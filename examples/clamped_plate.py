@@ -5,11 +5,11 @@ overestimates the deflection by 18 percent if it is half of the thickness. Frequ
 published ones; two meshes give an extrapolated limit.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
+import dalembert as db
 from dalembert.shells import ShellMesh
-from dalembert.utilities import *
 
 side, thickness = 1.0, 0.01  # m
 young, poisson, density = 2.1e11, 0.3, 7850
@@ -20,54 +20,45 @@ pressure, load_steps = 50 * unit, 50
 
 # mesh and support
 def plate(elements):
-    """The system, the mesh and the node in the middle of a plate of as many elements along each side."""
-    mbs = exu.SystemContainer().AddSystem()
+    """Return the model, the mesh and the node in the middle of a plate of as many elements along each side."""
+    model = db.Model()
     corners = [[0, 0, 0], [side, 0, 0], [side, side, 0], [0, side, 0]]
     mesh = ShellMesh(corners, elements, elements, young, poisson, density, thickness)
-    mesh.CreateANCFThinPlateElements(mbs)
-    fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
+    mesh.CreateANCFThinPlateElements(model.system)
+    fixed = model.add(db.MarkerNodeCoordinate(nodeNumber=model.add(db.NodePointGround()), coordinate=0))
     for node, place in zip(mesh.nodeNumbers, mesh.nodeReferencePositions, strict=True):
         along_x, along_y = (any(np.isclose(place[k], [0, side])) for k in (1, 0))  # edges on which it lies
         held = {0, 1, 2, 5, 8} if along_x or along_y else set()  # its place, and how it leans
         held |= {3, 4} if along_x else set()  # the slope along the edge
         held |= {6, 7} if along_y else set()
         for coordinate in sorted(held):
-            marker = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=coordinate))
-            mbs.AddObject(ObjectConnectorCoordinate(markerNumbers=[fixed, marker]))
-    return mbs, mesh, mesh.nodeNumbers[len(mesh.nodeNumbers) // 2]
+            marker = model.add(db.MarkerNodeCoordinate(nodeNumber=node, coordinate=coordinate))
+            model.add(db.ObjectConnectorCoordinate(markerNumbers=[fixed, marker]))
+    return model, mesh, mesh.nodeNumbers[len(mesh.nodeNumbers) // 2]
 
 
 # vibrations
 def frequencies(elements):
-    """The first four (Hz)."""
-    mbs, *_ = plate(elements)
-    mbs.Assemble()
-    return mbs.ComputeVibrationModes(4).frequencies
+    """Return the first four frequencies (Hz)."""
+    model, *_ = plate(elements)
+    model.assemble()
+    return model.system.ComputeVibrationModes(4).frequencies
 
 
 # pressure
 def deflections(elements):
-    """System and deflections of the middle, as parts of the thickness, while the pressure grows."""
-    mbs, mesh, middle = plate(elements)
+    """Return the model, pressures and deflections of the middle, as parts of the thickness."""
+    model, mesh, middle = plate(elements)
     for element in mesh.elementNumbers:
-        whole = mbs.AddMarker(MarkerBodyMass(bodyNumber=element))
-        mbs.AddLoad(LoadMassProportional(markerNumber=whole, loadVector=[0, 0, pressure / (density * thickness)]))
-    sensor = mbs.AddSensor(
-        SensorNode(nodeNumber=middle, outputVariableType=exu.OutputVariableType.Displacement, storeInternal=True)
-    )
-    mbs.Assemble()
-    settings = exu.SimulationSettings()
-    settings.solutionSettings.writeSolutionToFile = False
-    settings.solutionSettings.sensorsWritePeriod = 1 / load_steps
-    settings.staticSolver.numberOfLoadSteps = load_steps
-    settings.staticSolver.verboseMode = 0
-    mbs.SolveStatic(settings)
-    return mbs, mbs.GetSensorStoredData(sensor)[:, [0, 3]] * [pressure / unit, 1 / thickness]
+        whole = model.add(db.MarkerBodyMass(bodyNumber=element))
+        model.add(db.LoadMassProportional(markerNumber=whole, loadVector=[0, 0, pressure / (density * thickness)]))
+    solution = model.solve_static(load_steps=load_steps)
+    return model, solution.times * pressure / unit, solution[middle].displacement[:, 2] / thickness
 
 
 # two meshes
 def limit(coarse, fine):
-    """Limit of mesh refinement: errors decrease with the square of the element size."""
+    """Return the limit of mesh refinement: errors decrease with the square of the element size."""
     return (4 * fine - coarse) / 3
 
 
@@ -76,21 +67,19 @@ found = limit(frequencies(8), frequencies(16))
 wanted = leissa / (2 * np.pi * side**2) * np.sqrt(rigidity / (density * thickness))
 for name, k in (("first", 0), ("second", 1), ("fourth", 3)):
     print(f"{name} frequency: {found[k]:.2f} Hz, Leissa {wanted[k]:.2f} Hz")
-(_, coarse), (mbs, fine) = deflections(8), deflections(16)
-bent = limit(coarse[:, 1], fine[:, 1])
+(_, pressures, coarse), (model, _, fine) = deflections(8), deflections(16)
+bent = limit(coarse, fine)
 small = 0.0012653 * unit * side**4 / rigidity / thickness
 print(f"deflection under the first load step: {bent[1]:.5f} h, linear theory {small:.5f} h")
 print(f"deflection under the last load step: {bent[-1]:.4f} h, von Karman {0.584601:.4f} h")
-linear = np.column_stack([fine[:, 0], small * fine[:, 0]])
-mbs.PlotSensor(
-    [np.column_stack([fine[:, 0], bent]), linear], components=[0, 0], labels=["plate", "linear theory"],
-    xLabel="pressure (E h^4 / a^4)", yLabel="deflection of the middle (h)", fileName="plate_deflection.png",
-    closeAll=True,
-)  # fmt: skip
+plt.plot(pressures, bent, label="plate")
+plt.plot(pressures, small * pressures, label="linear theory")
+plt.gca().set(xlabel="pressure (E h$^4$ / a$^4$)", ylabel="deflection of the middle (h)")
+plt.legend()
+plt.savefig("plate_deflection.png")
 
-SC = mbs.GetSystemContainer()
-shown = SC.visualizationSettings
+shown = model.container.visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.connectors.show = shown.sensors.show = False
-shown.contour.outputVariable, shown.contour.outputVariableComponent = exu.OutputVariableType.Displacement, 2
-SC.renderer.SetModelView(zoom=0.9, rotationVector=[-1.0, 0.2, 0.4], centerPoint=[side / 2, side / 2, 0])
-mbs.Draw(fileName="plate_picture.png")
+shown.contour.outputVariable, shown.contour.outputVariableComponent = db.OutputVariableType.Displacement, 2
+model.container.renderer.SetModelView(zoom=0.9, rotationVector=[-1.0, 0.2, 0.4], centerPoint=[side / 2, side / 2, 0])
+model.draw(file_name="plate_picture.png")

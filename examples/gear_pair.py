@@ -7,8 +7,8 @@ and bases.
 
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
+from dalembert.utilities import InertiaCylinder
 
 module, teeth, pressure_angle = 4e-3, [18, 36], np.radians(20)  # m, 1, rad
 width, backlash, points = 0.02, 1e-4, 24  # m, m, per flank
@@ -34,12 +34,12 @@ def tooth(pitch, base, tip):
     return np.concatenate([flank * [1, -1], flank[::-1]])
 
 
-mbs = exu.SystemContainer().AddSystem()
-contact = mbs.AddGeneralContact()
+model = db.Model()
+contact = model.system.AddGeneralContact()
 contact.SetFrictionPairings([[0.0]])
 surface = {"contactStiffness": 2 * stiffness, "contactDamping": damping / 2, "frictionMaterialIndex": 0}
 nodes = []
-for number, color in enumerate([graphics.color.orange, graphics.color.steelblue]):
+for number, color in enumerate([db.graphics.color.orange, db.graphics.color.steelblue]):
     count, radius = teeth[number], pitch_radii[number]
     profile = tooth(radius, base_radii[number], tip_radii[number])
     turns = 2 * np.pi / count * (np.arange(count) + 0.5 * number)  # teeth of the pinion meet gaps of the gear
@@ -48,7 +48,7 @@ for number, color in enumerate([graphics.color.orange, graphics.color.steelblue]
     whole = np.vstack([feet[:1], profile, feet[1:]])
     turned = [whole @ np.array([[np.cos(t), np.sin(t)], [-np.sin(t), np.cos(t)]]) for t in turns]
     rim = np.concatenate(turned)
-    drawn = graphics.SolidExtrusion(
+    drawn = db.graphics.SolidExtrusion(
         vertices=rim,
         segments=[[i, (i + 1) % len(rim)] for i in range(len(rim))],
         pOff=[0, 0, -width / 2],
@@ -57,36 +57,30 @@ for number, color in enumerate([graphics.color.orange, graphics.color.steelblue]
         addEdges=True,
     )
     velocity = speed if number == 0 else -speed * teeth[0] / teeth[1]
-    node = mbs.AddNode(Node1D(referenceCoordinates=[0], initialVelocities=[velocity]))
-    body = mbs.AddObject(
-        ObjectRotationalMass1D(
+    node = model.add(db.Node1D(referenceCoordinates=[0], initialVelocities=[velocity]))
+    body = model.add(
+        db.ObjectRotationalMass1D(
             nodeNumber=node,
             physicsInertia=InertiaCylinder(density, width, radius, axis=2).GetInertia6D()[2],
             referencePosition=[number * distance, 0, 0],
-            visualization=VObjectRotationalMass1D(graphicsData=[drawn]),
+            visualization=db.VObjectRotationalMass1D(graphicsData=[drawn]),
         )
     )
-    marker = mbs.AddMarker(MarkerBodyRigid(bodyNumber=body))
+    marker = model.add(db.MarkerBodyRigid(bodyNumber=body))
     for outline in turned:
         both = [[x, y, z] for z in (-width / 2, width / 2) for x, y in outline[1:-1]]
         contact.AddConvexHullWithMarker(marker, pointList=both, **surface)
-    on_shaft = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+    on_shaft = model.add(db.MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
     share = teeth[number] / teeth[1]  # both torques act against the clock: the wheels turn against each other
-    mbs.AddLoad(LoadCoordinate(markerNumber=on_shaft, load=torque * share))
+    model.add(db.LoadCoordinate(markerNumber=on_shaft, load=torque * share))
     nodes.append(node)
-mbs.Assemble()
-
-settings = exu.SimulationSettings()
-settings.solutionSettings.writeSolutionToFile = False
-settings.timeIntegration.verboseMode = 0
 
 
 def solve(begin, end):
-    settings.timeIntegration.startTime, settings.timeIntegration.endTime = begin, end
-    settings.timeIntegration.numberOfSteps = max(1, round((end - begin) / 5e-6))
-    mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.VelocityVerlet)
-    state = mbs.systemData.GetSystemState(exu.ConfigurationType.Current)
-    mbs.systemData.SetSystemState(state, exu.ConfigurationType.Initial)
+    model.solve(
+        start_time=begin, end_time=end, step_size=5e-6, every=end - begin, method="velocity_verlet",
+        update_initial_values=True,
+    )  # fmt: skip
 
 
 def touching():
@@ -99,7 +93,7 @@ solve(0, 2 * pitch_time)  # the flanks come to rest on each other
 angles, numbers, samples, pitches = [], [], 60, 3
 for k in range(samples * pitches + 1):
     begin = (2 + k / samples) * pitch_time
-    angles.append([mbs.GetNodeOutput(n, exu.OutputVariableType.Coordinates) for n in nodes])
+    angles.append([node.coordinates for node in nodes])
     numbers.append(touching())
     solve(begin, begin + pitch_time / samples)
 angles = np.array(angles)
@@ -109,6 +103,6 @@ path = sum(np.sqrt(tip**2 - base**2) for tip, base in zip(tip_radii, base_radii,
 path -= distance * np.sin(pressure_angle)
 expected = path / (np.pi * module * np.cos(pressure_angle))
 print(f"contact ratio: {np.mean(numbers[:-1]):.3f} pairs, by the circles {expected:.3f} pairs")
-view = mbs.GetSystemContainer().visualizationSettings
+view = model.container.visualizationSettings
 view.nodes.show = view.markers.show = view.loads.show = False
-mbs.Draw(fileName="gear_pair_picture.png")
+model.draw(file_name="gear_pair_picture.png")

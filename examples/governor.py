@@ -8,8 +8,8 @@ of the arms.
 
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
+from dalembert.utilities import InertiaCylinder, InertiaSphere, RotationMatrixY
 
 arm, ball, sleeve, g = 0.3, 1.0, 4.0, 9.81  # m, kg, kg, m/s^2
 speeds = [15.0, 20.0]  # rad/s
@@ -17,43 +17,45 @@ ramp, rest = 0.5, 2.5  # s
 height = (1 + sleeve / ball) * g / speeds[0] ** 2  # height of the cone, from the pivots down to the balls
 angle = np.arccos(height / arm)
 
-mbs = exu.SystemContainer().AddSystem()
-mbs.CreateGround("ground", graphicsDataList=[graphics.Cylinder([0, 0, -0.7], [0, 0, 0.05], 0.15, graphics.color.grey)])
-spindle = mbs.CreateRigidBody(
-    "spindle",
-    initialAngularVelocity=[0, 0, speeds[0]],
-    inertia=InertiaCylinder(7800, 0.7, 0.01, axis=2),
-    nodeType=exu.NodeType.RotationRxyz,
-    graphicsDataList=[graphics.Cylinder([0, 0, -0.65], [0, 0, 0.7], 0.01, color=graphics.color.grey)],
+model = db.Model()
+model.create_ground(
+    "foot", graphics_data_list=[db.graphics.Cylinder([0, 0, -0.7], [0, 0, 0.05], 0.15, db.graphics.color.grey)]
 )
-mbs.CreateRevoluteJoint(bodyNumbers=["ground", "spindle"], position=[0, 0, 0], axis=[0, 0, 1], show=False)
+spindle = model.create_rigid_body(
+    "spindle",
+    initial_angular_velocity=[0, 0, speeds[0]],
+    inertia=InertiaCylinder(7800, 0.7, 0.01, axis=2),
+    node_type=db.NodeType.RotationRxyz,
+    graphics_data_list=[db.graphics.Cylinder([0, 0, -0.65], [0, 0, 0.7], 0.01, color=db.graphics.color.grey)],
+)
+model.create_revolute_joint(body_numbers=["ground", "spindle"], position=[0, 0, 0], axis=[0, 0, 1], show=False)
 place = [0, 0, -2 * height]
-mbs.CreateRigidBody(
+model.create_rigid_body(
     "sleeve",
-    referencePosition=place,
-    initialAngularVelocity=[0, 0, speeds[0]],
+    reference_position=place,
+    initial_angular_velocity=[0, 0, speeds[0]],
     inertia=InertiaCylinder(sleeve / (np.pi * 0.04**2 * 0.06), 0.06, 0.04, axis=2),
     gravity=[0, 0, -g],
-    graphicsDataList=[graphics.Cylinder([0, 0, -0.03], [0, 0, 0.06], 0.04, color=graphics.color.steelblue)],
+    graphics_data_list=[db.graphics.Cylinder([0, 0, -0.03], [0, 0, 0.06], 0.04, color=db.graphics.color.steelblue)],
 )
-mbs.CreatePrismaticJoint("guide", ["spindle", "sleeve"], position=place, axis=[0, 0, 1], show=False)
+model.create_prismatic_joint("guide", ["spindle", "sleeve"], position=place, axis=[0, 0, 1], show=False)
 for side in (1, -1):
     name, direction = f"arm {side}", np.array([side * np.sin(angle), 0, -np.cos(angle)])
-    mbs.CreateRigidBody(
+    model.create_rigid_body(
         name,
-        referencePosition=arm * direction,
-        referenceRotationMatrix=RotationMatrixY(-side * angle),
-        initialVelocity=np.cross([0, 0, speeds[0]], arm * direction),
-        initialAngularVelocity=[0, 0, speeds[0]],
+        reference_position=arm * direction,
+        reference_rotation_matrix=RotationMatrixY(-side * angle),
+        initial_velocity=np.cross([0, 0, speeds[0]], arm * direction),
+        initial_angular_velocity=[0, 0, speeds[0]],
         inertia=InertiaSphere(ball, 1e-3),  # of points
         gravity=[0, 0, -g],
-        graphicsDataList=[
-            graphics.Sphere(radius=0.05, color=graphics.color.orange, nTiles=24),
-            graphics.Cylinder([0, 0, 0], [0, 0, arm], 0.008, color=graphics.color.grey),
+        graphics_data_list=[
+            db.graphics.Sphere(radius=0.05, color=db.graphics.color.orange, nTiles=24),
+            db.graphics.Cylinder([0, 0, 0], [0, 0, arm], 0.008, color=db.graphics.color.grey),
         ],
     )
-    mbs.CreateRevoluteJoint(bodyNumbers=["spindle", name], position=[0, 0, 0], axis=[0, 1, 0], show=False)
-    mbs.CreateDistanceConstraint(bodyNumbers=[name, "sleeve"], drawSize=0.008)
+    model.create_revolute_joint(body_numbers=["spindle", name], position=[0, 0, 0], axis=[0, 1, 0], show=False)
+    model.create_distance_constraint(body_numbers=[name, "sleeve"], draw_size=0.008)
 
 
 def motor(mbs, t, itemNumber, offset):
@@ -63,38 +65,32 @@ def motor(mbs, t, itemNumber, offset):
     return speeds[0] * t + gained
 
 
-fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
-turns = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
-angle = mbs.AddMarker(
-    MarkerBodiesRelativeRotationCoordinate(bodyNumbers=["ground", "spindle"], nodeNumber=turns, axis0=[0, 0, 1])
+fixed = model.add(db.MarkerNodeCoordinate(nodeNumber=model.add(db.NodePointGround()), coordinate=0))
+turns = model.add(db.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
+angle = model.add(
+    db.MarkerBodiesRelativeRotationCoordinate(bodyNumbers=["ground", "spindle"], nodeNumber=turns, axis0=[0, 0, 1])
 )
-mbs.AddObject(CoordinateConstraint(markerNumbers=[fixed, angle], offsetUserFunction=motor))
-lift = mbs.AddMarker(MarkerBodiesRelativeTranslationCoordinate(bodyNumbers=["spindle", "sleeve"], axis0=[0, 0, 1]))
-mbs.AddObject(CoordinateSpringDamper(markerNumbers=[fixed, lift], damping=40))  # damping of the oil in the sleeve
-mbs.AddSensor(
-    SensorMarker("lift", markerNumber=lift, outputVariableType=exu.OutputVariableType.Coordinates, storeInternal=True)
-)
-mbs.Assemble()
+model.add(db.CoordinateConstraint(markerNumbers=[fixed, angle], offsetUserFunction=motor))
+lift = model.add(db.MarkerBodiesRelativeTranslationCoordinate(bodyNumbers=["spindle", "sleeve"], axis0=[0, 0, 1]))
+model.add(db.CoordinateSpringDamper(markerNumbers=[fixed, lift], damping=40))  # damping of the oil in the sleeve
+model.create_sensor(lift, "coordinates", name="lift")
 
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = rest + ramp + 2.0
-settings.timeIntegration.numberOfSteps = 2000
+settings = db.SimulationSettings()
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
-settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
-settings.solutionSettings.sensorsWritePeriod = 5e-3
-mbs.SolveDynamic(settings)
+solution = model.solve(end_time=rest + ramp + 2, step_size=2.5e-3, settings=settings)
 
-time, way = mbs.GetSensorStoredData("lift").T
+time, way = solution.times, solution["lift"].values
 for speed, at in zip(speeds, (np.interp(rest, time, way), way[-1]), strict=True):
     theory = (1 + sleeve / ball) * g / speed**2
     print(f"height of the cone at {speed:.0f} rad/s: {-0.5 * at:.5f} m, Porter {theory:.5f} m")
-mbs.PlotSensor(
-    ["lift"], yLabel="place of the sleeve (m)", labels="sleeve", fileName="governor_sleeve.png", closeAll=True
-)
-shown = mbs.GetSystemContainer().visualizationSettings
+solution.plot("lift", file_name="governor_sleeve.png")
+shown = model.container.visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.sensors.show = False
-mbs.Draw(fileName="governor_picture.png", view="axonometric")
-in_a_second = settings.timeIntegration.endTime / 3
-mbs.DrawSolution(
-    fileName="governor_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+model.draw(file_name="governor_picture.png", view="axonometric")
+solution.animate(
+    file_name="governor_motion.gif",
+    window_size=[420, 320],
+    frames_per_second=20,
+    speed=(rest + ramp + 2) / 3,
+    view="axonometric",
 )

@@ -5,10 +5,11 @@ its axis at rest, the gyroscope nutates while it precesses; conservation of ener
 amplitude.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
+from dalembert.utilities import InertiaCylinder, RotationMatrixY
 
 radius, width, arm, spin = 0.1, 0.02, 0.15, 2 * np.pi * 25  # m, m, m from foot to disc, rad/s about the axis
 tilt, g = np.radians(60), 9.81  # of the axis, from the vertical
@@ -23,61 +24,54 @@ precession = min(np.roots([across * np.cos(tilt), -axial * spin, weight]))
 k = (axial * spin) ** 2 / (4 * weight * across)
 lowest = k - np.sqrt(k**2 - 2 * k * np.cos(tilt) + 1)
 
-mbs = exu.SystemContainer().AddSystem()
+model = db.Model()
 feet = np.array([[0, 0, 0], [0, 0.4, 0]])  # m, side by side
-stands = [graphics.Cylinder(foot - [0, 0, 0.12], [0, 0, 0.12], 0.008, color=graphics.color.grey) for foot in feet]
-ground = mbs.CreateGround(graphicsDataList=stands)
+stands = [db.graphics.Cylinder(foot - [0, 0, 0.12], [0, 0, 0.12], 0.008, color=db.graphics.color.grey) for foot in feet]
+ground = model.create_ground("stands", graphics_data_list=stands)
 turn = RotationMatrixY(tilt)
 axis = turn @ [0, 0, 1]
 
 
 def gyroscope(foot, rate, color):
-    """The disc on its shaft, with spin and rate of precession about the vertical; returns a sensor of its place."""
+    """Add a disc on its shaft, with spin and rate of precession about the vertical; return its body."""
     omega = (spin - rate * np.cos(tilt)) * axis + np.array([0, 0, rate])
-    body = mbs.CreateRigidBody(
-        referencePosition=foot + arm * axis,
-        referenceRotationMatrix=turn,
-        initialVelocity=np.cross(omega, arm * axis),
-        initialAngularVelocity=omega,
+    body = model.create_rigid_body(
+        reference_position=foot + arm * axis,
+        reference_rotation_matrix=turn,
+        initial_velocity=np.cross(omega, arm * axis),
+        initial_angular_velocity=omega,
         inertia=disc,
         gravity=[0, 0, -g],
-        graphicsDataList=[
-            graphics.Cylinder([0, 0, -width / 2], [0, 0, width], radius, color=color, nTiles=64),
-            graphics.Cylinder([0, 0, -arm], [0, 0, 1.3 * arm], 0.006, color=graphics.color.lightgrey, nTiles=24),
+        graphics_data_list=[
+            db.graphics.Cylinder([0, 0, -width / 2], [0, 0, width], radius, color=color, nTiles=64),
+            db.graphics.Cylinder([0, 0, -arm], [0, 0, 1.3 * arm], 0.006, color=db.graphics.color.lightgrey, nTiles=24),
         ],
     )
-    mbs.CreateSphericalJoint(bodyNumbers=[ground, body], position=foot)
-    return mbs.AddSensor(
-        SensorBody(bodyNumber=body, outputVariableType=exu.OutputVariableType.Position, storeInternal=True)
-    )
+    model.create_spherical_joint(body_numbers=[ground, body], position=foot)
+    return body
 
 
-steady = gyroscope(feet[0], precession, graphics.color.dodgerblue)
-nodding = gyroscope(feet[1], 0, graphics.color.orange)
-mbs.Assemble()
+steady = gyroscope(feet[0], precession, db.graphics.color.dodgerblue)
+nodding = gyroscope(feet[1], 0, db.graphics.color.orange)
+solution = model.solve(end_time=2, step_size=2.5e-4, every=1e-3)
 
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = 2
-settings.timeIntegration.numberOfSteps = 8000
-settings.solutionSettings.sensorsWritePeriod = 1e-3
-settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
-mbs.SolveDynamic(settings)
+model.draw(file_name="gyroscope_picture.png")
+solution.animate(file_name="gyroscope_motion.gif", window_size=[420, 320], frames_per_second=20, speed=2 / 3)
+paths = [solution[body].position - foot for body, foot in zip((steady, nodding), feet, strict=True)]
+for name, quantities, x, y in (
+    ("height", ("time (s)", "height of the disc (m)"), [solution.times] * 2, [path[:, 2] for path in paths]),
+    ("path", ("x (m)", "y from the foot (m)"), [path[:, 0] for path in paths], [path[:, 1] for path in paths]),
+):
+    figure, axes = plt.subplots()
+    axes.plot(x[0], y[0], label="steady")
+    axes.plot(x[1], y[1], label="let go at rest")
+    axes.set(xlabel=quantities[0], ylabel=quantities[1])
+    axes.legend()
+    figure.savefig(f"gyroscope_{name}.png")
 
-mbs.Draw(fileName="gyroscope_picture.png")
-in_a_second = settings.timeIntegration.endTime / 3
-mbs.DrawSolution(fileName="gyroscope_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)
-mbs.PlotSensor(
-    [steady, nodding], components=[2, 2], labels=["steady", "let go at rest"], yLabel="height of the disc (m)",
-    fileName="gyroscope_height.png", closeAll=True,
-)  # fmt: skip
-mbs.PlotSensor(
-    [steady, nodding], componentsX=[0, 0], components=[1, 1], offsets=list(-feet[:, 1]), xLabel="x (m)",
-    yLabel="y from the foot (m)", labels=["steady", "let go at rest"], fileName="gyroscope_path.png",
-)  # fmt: skip
-
-t, x, y, z = mbs.GetSensorStoredData(steady).T
+t, (x, y, z) = solution.times, paths[0].T
 azimuth = np.unwrap(np.arctan2(y, x))
 print(f"rate of precession: {(azimuth[-1] - azimuth[0]) / t[-1]:.5f} rad/s, closed form {precession:.5f} rad/s")
 print(f"height in steady precession: {z[-1]:.6f} m, closed form {arm * np.cos(tilt):.6f} m")
-height = mbs.GetSensorStoredData(nodding)[:, 3]
+height = paths[1][:, 2]
 print(f"lowest point of nodding: {height.min():.6f} m, closed form {arm * lowest:.6f} m")

@@ -10,17 +10,17 @@ import sys
 
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
+from dalembert.utilities import InertiaSphere
 
 count = int(sys.argv[1]) if len(sys.argv) > 1 else 400
 radius, density, friction, gravity = 0.01, 2500.0, 0.4, 9.81  # m, kg/m^3, 1, m/s^2
 stiffness, damping, zone = 1e4, 1.2, 0.02  # N/m, Ns/m, m/s
 mass = density * 4 / 3 * np.pi * radius**3
 
-mbs = exu.SystemContainer().AddSystem()
-ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
-contact = mbs.AddGeneralContact()
+model = db.Model()
+ground = model.add(db.MarkerBodyRigid(bodyNumber=model.ground))
+contact = model.system.AddGeneralContact()
 contact.SetFrictionPairings([[friction]])
 contact.SetFrictionProportionalZone(zone)
 surface = {"contactStiffness": stiffness, "contactDamping": damping, "frictionMaterialIndex": 0}
@@ -41,7 +41,7 @@ def ring(side, height):
 
 
 def walls(lower, upper):
-    """Points and triangles between two rings."""
+    """Return points and triangles between two rings."""
     corners = np.arange(4)
     right = (corners + 1) % 4
     first = np.stack([corners, corners + 4, right], axis=1)
@@ -56,8 +56,8 @@ shapes = []
 for points, triangles in (floor, funnel, column, box):
     contact.AddTrianglesRigidBodyBased(ground, pointList=points, triangleList=triangles, **surface)
 for points, triangles in (floor, funnel, column, box):
-    shapes.append(graphics.FromPointsAndTrigs(points, triangles, color=[0.5, 0.6, 0.7, 0.25]))
-mbs.CreateGround(graphicsDataList=shapes)
+    shapes.append(db.graphics.FromPointsAndTrigs(points, triangles, color=[0.5, 0.6, 0.7, 0.25]))
+model.create_ground("hopper", graphics_data_list=shapes)
 
 # ---- particles, layer by layer, each shaken a little
 rng = np.random.default_rng(4)
@@ -67,44 +67,40 @@ for i in range(count):
     grid = np.array([*divmod(place, columns), layer], dtype=float)
     corner = [(1 - columns) * 1.04 * radius, (1 - columns) * 1.04 * radius, neck + 1.2 * radius]
     position = corner + 2.08 * radius * grid + rng.uniform(-0.02, 0.02, 3) * radius
-    color = graphics.colorList[layer % 8]
-    body = mbs.CreateRigidBody(
-        referencePosition=list(position),
+    color = db.graphics.colorList[layer % 8]
+    body = model.create_rigid_body(
+        reference_position=list(position),
         inertia=InertiaSphere(mass, radius),
         gravity=[0, 0, -gravity],
-        nodeType=exu.NodeType.RotationRotationVector,
-        graphicsDataList=[graphics.Sphere(radius=radius, color=color, nTiles=6)],
+        node_type=db.NodeType.RotationRotationVector,
+        graphics_data_list=[db.graphics.Sphere(radius=radius, color=color, nTiles=6)],
     )
-    contact.AddSphereWithMarker(mbs.AddMarker(MarkerBodyRigid(bodyNumber=body)), radius=radius, **surface)
+    contact.AddSphereWithMarker(model.add(db.MarkerBodyRigid(bodyNumber=body)), radius=radius, **surface)
     bodies.append(body)
-mbs.Assemble()
 
 # ---- contacts last for 20 steps; first a picture on the way, then until the heap is made
 # It still creeps: the force of the walls is the mean over some time.
 step = np.pi * np.sqrt(mass / stiffness) / 20
-settings = exu.SimulationSettings()
-settings.solutionSettings.solutionWritePeriod = 0.02
-settings.timeIntegration.verboseMode = 0
+settings = db.SimulationSettings()
 settings.parallel.numberOfThreads = 2
-SC = mbs.GetSystemContainer()
-view = SC.visualizationSettings
+view = model.container.visualizationSettings
 view.nodes.show = view.markers.show = view.loads.show = False
 heaped = 2.0 + 2 * top
 times = [0, 0.35 + 0.1 * (outlet + top), *np.linspace(heaped, heaped + 0.2, 41)]
 forces = []
 for begin, end in itertools.pairwise(times):
-    settings.timeIntegration.startTime, settings.timeIntegration.endTime = begin, end
-    settings.timeIntegration.numberOfSteps = int((end - begin) / step)
-    mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.ExplicitEuler)
+    steps = int((end - begin) / step)
+    solution = model.solve(
+        start_time=begin, end_time=end, step_size=(end - begin) / steps, method="explicit_euler", every=0.02,
+        update_initial_values=True, settings=settings,
+    )  # fmt: skip
     if begin == 0:
-        mbs.Draw(fileName="hopper_picture.png", windowSize=[700, 900])
-        mbs.DrawSolution(fileName="hopper_motion.gif", windowSize=[320, 420], framesPerSecond=20, speed=end / 2)
-    state = mbs.systemData.GetSystemState(exu.ConfigurationType.Current)
-    mbs.systemData.SetSystemState(state, exu.ConfigurationType.Initial)
+        model.draw(file_name="hopper_picture.png", window_size=[700, 900])
+        solution.animate(file_name="hopper_motion.gif", window_size=[320, 420], frames_per_second=20, speed=end / 2)
     if end > heaped:
         forces.append(contact.GetSystemODE2RhsContactForces().reshape(count, 6)[:, 2].sum())
 
-places = np.array([mbs.GetObjectOutputBody(b, exu.OutputVariableType.Position, [0, 0, 0]) for b in bodies])
+places = np.array([body.position for body in bodies])
 inside = (np.abs(places[:, :2]).max(axis=1) < wide) & (places[:, 2] < outlet) & (places[:, 2] > 0)
 print(f"particles in the box: {inside.sum():d} pieces, of the hopper {count:d} pieces")
 print(f"force of the walls: {np.mean(forces):.3f} N, by the weight {count * mass * gravity:.3f} N")

@@ -5,10 +5,11 @@ carry the load. After closing, the boom oscillates on the oil until the friction
 moments about the bearing of the boom balance at rest: pressures times areas times lever equal weights times levers.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
+from dalembert.utilities import InertiaCuboid
 
 length, load, g = 4.0, 800, 9.81  # m of the boom, kg at its tip, m/s^2
 bearing, foot = np.array([0, 2.0, 0]), np.array([0.5, 0.4, 0])  # m, of the boom and of the cylinder, on the column
@@ -26,43 +27,41 @@ def geometry(angle):
     return distance, np.cross(arm, cylinder)[2] / distance
 
 
-mbs = exu.SystemContainer().AddSystem()
-column = graphics.Brick([0.1, 1.0, 0], [0.3, 2.0, 0.5], color=graphics.color.darkgrey2)
-foundation = graphics.Brick([0.3, -0.05, 0], [1.6, 0.1, 1.2], color=graphics.color.lightgrey)
-bracket = graphics.Brick([0.35, 0.3, 0], [0.5, 0.2, 0.2], color=graphics.color.darkgrey2)
-ground = mbs.CreateGround(graphicsDataList=[column, foundation, bracket])
-boom = mbs.CreateRigidBody(
-    referencePosition=bearing + [length / 2, 0, 0],
-    inertia=InertiaCuboid(
-        density=1200, sideLengths=[length, 0.2, 0.2]
-    ),  # hollow: the mean density of a box of sheet steel
+model = db.Model()
+column = db.graphics.Brick([0.1, 1.0, 0], [0.3, 2.0, 0.5], color=db.graphics.color.darkgrey2)
+foundation = db.graphics.Brick([0.3, -0.05, 0], [1.6, 0.1, 1.2], color=db.graphics.color.lightgrey)
+bracket = db.graphics.Brick([0.35, 0.3, 0], [0.5, 0.2, 0.2], color=db.graphics.color.darkgrey2)
+ground = model.create_ground("column", graphics_data_list=[column, foundation, bracket])
+boom = model.create_rigid_body(
+    reference_position=bearing + [length / 2, 0, 0],
+    inertia=InertiaCuboid(density=1200, sideLengths=[length, 0.2, 0.2]),  # hollow: the mean density of a box of steel
     gravity=[0, -g, 0],
-    create2D=True,
-    color=graphics.color.orange,
+    create_2d=True,
+    color=db.graphics.color.orange,
 )
 
 
 def marker(body, place):
-    return mbs.AddMarker(MarkerBodyPosition(bodyNumber=body, localPosition=place))
+    return model.add(db.MarkerBodyPosition(bodyNumber=body, localPosition=place))
 
 
-mbs.AddObject(RevoluteJoint2D(markerNumbers=[marker(ground, bearing), marker(boom, [-length / 2, 0, 0])]))
-tip = mbs.CreateMassPoint(
-    referencePosition=bearing + [length, 0, 0], physicsMass=load, gravity=[0, -g, 0], create2D=True, drawSize=0.5
+model.add(db.RevoluteJoint2D(markerNumbers=[marker(ground, bearing), marker(boom, [-length / 2, 0, 0])]))
+tip = model.create_mass_point(
+    reference_position=bearing + [length, 0, 0], physics_mass=load, gravity=[0, -g, 0], create_2d=True, draw_size=0.5
 )
-mbs.AddObject(RevoluteJoint2D(markerNumbers=[marker(boom, [length / 2, 0, 0]), marker(tip, [0, 0, 0])]))
+model.add(db.RevoluteJoint2D(markerNumbers=[marker(boom, [length / 2, 0, 0]), marker(tip, [0, 0, 0])]))
 
-weights = g * (mbs.GetObjectParameter(boom, "physicsMass") / 2 + load) * length  # moment of the horizontal boom
+weights = g * (boom.mass / 2 + load) * length  # moment of the horizontal boom
 initial, lever = geometry(0)
-pressures = mbs.AddNode(
-    NodeGenericODE1(
+pressures = model.add(
+    db.NodeGenericODE1(
         referenceCoordinates=[0, 0],
         initialCoordinates=[(weights / lever + tank * areas[1]) / areas[0], tank],
         numberOfODE1Coordinates=2,
     )
 )
-cylinder = mbs.AddObject(
-    HydraulicActuatorSimple(
+cylinder = model.add(
+    db.HydraulicActuatorSimple(
         markerNumbers=[marker(ground, foot), marker(boom, [lug - length / 2, 0, 0])],
         nodeNumbers=[pressures],
         offsetLength=1.5,
@@ -77,58 +76,42 @@ cylinder = mbs.AddObject(
         systemPressure=supply,
         tankPressure=tank,
         useChamberVolumeChange=True,
-        visualization=VHydraulicActuatorSimple(cylinderRadius=0.06, rodRadius=0.04, pistonRadius=0.055),
+        visualization=db.VHydraulicActuatorSimple(cylinderRadius=0.06, rodRadius=0.04, pistonRadius=0.055),
     )
 )
 
 
 def operate(mbs, t):
-    """The valves open and close within 0.2 s; oil flows from 0.5 s to 3.5 s."""
+    """Open and close the valves within 0.2 s; oil flows from 0.5 s to 3.5 s."""
     opening = np.interp(t, [0.5, 0.7, 3.3, 3.5], [0, 1, 1, 0])
     mbs.SetObjectParameter(cylinder, "valveOpening0", opening)  # valve to the supply
     mbs.SetObjectParameter(cylinder, "valveOpening1", -opening)  # valve to the tank
     return True
 
 
-mbs.SetPreStepUserFunction(operate)
-Variable = exu.OutputVariableType
-angle = mbs.AddSensor(SensorBody(bodyNumber=boom, outputVariableType=Variable.Rotation, storeInternal=True))
-pressure = mbs.AddSensor(SensorNode(nodeNumber=pressures, outputVariableType=Variable.Coordinates, storeInternal=True))
-speed = mbs.AddSensor(
-    SensorObject(objectNumber=cylinder, outputVariableType=Variable.VelocityLocal, storeInternal=True)
-)
-mbs.Assemble()
+model.system.SetPreStepUserFunction(operate)
+speed = model.create_sensor(cylinder, "velocity_local")
+solution = model.solve(end_time=8, step_size=1e-3, every=5e-3)
 
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = 8
-settings.timeIntegration.numberOfSteps = 8000
-settings.solutionSettings.sensorsWritePeriod = 5e-3
-settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
-mbs.SolveDynamic(settings)
-
-mbs.Draw(fileName="crane_picture.png", view="axonometric")
-in_a_second = settings.timeIntegration.endTime / 3
-mbs.DrawSolution(
-    fileName="crane_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+model.draw(file_name="crane_picture.png", view="axonometric")
+solution.animate(
+    file_name="crane_motion.gif", window_size=[420, 320], frames_per_second=20, speed=8 / 3, view="axonometric"
 )
-mbs.PlotSensor(
-    angle, factors=[180 / np.pi], yLabel="angle of the boom (deg)", fileName="crane_angle.png", closeAll=True
-)
-mbs.PlotSensor(
-    pressure, components=[0, 1], factors=[1e-5] * 2, labels=["piston", "rod side"], yLabel="pressure (bar)",
-    fileName="crane_pressures.png",
-)  # fmt: skip
+solution.plot((boom, "rotation"), file_name="crane_angle.png")
+plt.figure()
+plt.plot(solution.times, 1e-5 * solution[pressures].coordinates, label=["piston", "rod side"])
+plt.gca().set(xlabel="time (s)", ylabel="pressure (bar)")
+plt.legend()
+plt.savefig("crane_pressures.png")
 
 # flow sqrt(supply - p0) = areas[0] v, flow sqrt(p1 - tank) = areas[1] v, and the pressures carry load and friction
-t, turned = mbs.GetSensorStoredData(angle).T
-k = np.searchsorted(t, 3.2)
+turned = solution[boom].rotation
+k = np.searchsorted(solution.times, 3.2)
 _, lever = geometry(turned[k])
 free = [np.sum(areas**3) / flow**2, friction, weights * np.cos(turned[k]) / lever + tank * areas[1] - supply * areas[0]]
-print(
-    f"speed of the piston: {mbs.GetSensorStoredData(speed)[k, 1]:.4f} m/s, from the flows {max(np.roots(free)):.4f} m/s"
-)
+print(f"speed of the piston: {speed.values[k]:.4f} m/s, from the flows {max(np.roots(free)):.4f} m/s")
 
 _, lever = geometry(turned[-1])
-p0, p1 = mbs.GetSensorStoredData(pressure)[-1, 1:]
+p0, p1 = pressures.coordinates
 held = (p0 * areas[0] - p1 * areas[1]) * lever
 print(f"moment of the cylinder at rest: {held:.1f} Nm, of the weights {weights * np.cos(turned[-1]):.1f} Nm")

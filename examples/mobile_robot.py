@@ -7,14 +7,15 @@ so
 the last scan also gives the final pose of the vehicle, to the tenth of a millimeter.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 from scipy.optimize import least_squares
 
-import dalembert as exu
+import dalembert as db
 from dalembert.robotics.mobile import MobileKinematics, MobileRobot2MBS
 from dalembert.robotics.motion import ProfileConstantAcceleration, Trajectory
 from dalembert.robotics.utilities import AddLidar
-from dalembert.utilities import *
+from dalembert.utilities import HTtranslate
 
 radius, base, track, height = 0.0762, 0.4, 0.39, 0.1532  # m, of wheels, between axles, between wheels, of the platform
 room = np.array([6.0, 4.0])  # m
@@ -31,12 +32,12 @@ for pose, duration in [
     trajectory.Add(ProfileConstantAcceleration(pose, duration))
 end = trajectory.GetTimes()[-1]
 
-mbs = exu.SystemContainer().AddSystem()
+model = db.Model()
 
 # ---- the room: walls, a box and a column, which the lidar sees
 x, y = room / 2
 shapes = [
-    graphics.Brick(centerPoint=center, size=size, color=graphics.color.steelblue)
+    db.graphics.Brick(centerPoint=center, size=size, color=db.graphics.color.steelblue)
     for center, size in [
         ([0, y + 0.1, 0.25], [2 * x + 0.4, 0.2, 0.5]),
         ([0, -y - 0.1, 0.25], [2 * x + 0.4, 0.2, 0.5]),
@@ -45,20 +46,20 @@ shapes = [
     ]
 ]
 box, column = [np.array([-1.2, 1.2]), np.array([0.8, 0.6])], [np.array([1.2, -1.2]), 0.3]
-shapes.append(graphics.Brick(centerPoint=[*box[0], 0.25], size=[*box[1], 0.5], color=graphics.color.orange))
-shapes.append(graphics.Cylinder([*column[0], 0], [0, 0, 0.5], column[1], nTiles=96, color=graphics.color.orange))
-floor = graphics.CheckerBoard(size=room[0] + 0.4, nTiles=16)
-ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround(graphicsDataList=[*shapes, floor])))
+shapes.append(db.graphics.Brick(centerPoint=[*box[0], 0.25], size=[*box[1], 0.5], color=db.graphics.color.orange))
+shapes.append(db.graphics.Cylinder([*column[0], 0], [0, 0, 0.5], column[1], nTiles=96, color=db.graphics.color.orange))
+floor = db.graphics.CheckerBoard(size=room[0] + 0.4, nTiles=16)
+ground = model.add(db.MarkerBodyRigid(bodyNumber=model.create_ground("room", graphics_data_list=[*shapes, floor])))
 points, triangles = np.empty((0, 3)), np.empty((0, 3), dtype=int)
 for shape in shapes:
-    more_points, more_triangles = graphics.ToPointsAndTrigs(shape)
+    more_points, more_triangles = db.graphics.ToPointsAndTrigs(shape)
     triangles = np.vstack([triangles, np.array(more_triangles) + len(points)])
     points = np.vstack([points, more_points])
-seen = mbs.CreateDistanceSensorGeometry(points, triangles, ground, searchTreeCellSize=[16, 16, 1])
+seen = model.create_distance_sensor_geometry(points, triangles, ground, search_tree_cell_size=[16, 16, 1])
 
 # ---- the vehicle, and drives on its axles
 made = MobileRobot2MBS(
-    mbs,
+    model.system,
     {
         "gravity": [0, 0, -9.81],
         "platformDimensions": [0.5, 0.7, 0.2],
@@ -89,15 +90,15 @@ made = MobileRobot2MBS(
 platform = made["bPlatformList"][0]
 drives = []
 for joint in made["oAxlesList"]:
-    axle = mbs.GetObject(joint)
+    axle = model.system.GetObject(joint)
     same = {name: axle[name] for name in ("markerNumbers", "rotationMarker0", "rotationMarker1")}
-    turns = mbs.AddNode(NodeGenericData(initialCoordinates=[0], numberOfDataCoordinates=1))
-    drives.append(mbs.AddObject(TorsionalSpringDamper(**same, nodeNumber=turns, damping=5.0)))
+    turns = model.add(db.NodeGenericData(initialCoordinates=[0], numberOfDataCoordinates=1))
+    drives.append(model.add(db.TorsionalSpringDamper(**same, nodeNumber=turns, damping=5.0)))
 kinematics = MobileKinematics(radius, base / 2, track / 2)
 
 
 def drive(mbs, t):
-    """Wheels turn as the trajectory wants it, whose velocities are those along the axes of the room."""
+    """Turn the wheels along the trajectory, whose velocities are those along the axes of the room."""
     (_, _, heading), (v_x, v_y, omega), _ = trajectory.Evaluate(t)
     along = np.cos(heading) * v_x + np.sin(heading) * v_y
     across = np.cos(heading) * v_y - np.sin(heading) * v_x
@@ -106,36 +107,31 @@ def drive(mbs, t):
     return True
 
 
-mbs.SetPreStepUserFunction(drive)
+model.system.SetPreStepUserFunction(drive)
 
 # ---- sensors ---------------------------------------------------------------------------------------------------------
-lidar = mbs.AddMarker(MarkerBodyRigid(bodyNumber=platform, localPosition=[0, 0, 0.15]))
+lidar = model.add(db.MarkerBodyRigid(bodyNumber=platform, localPosition=[0, 0, 0.15]))
 angles = np.linspace(-np.pi, np.pi, rays, endpoint=False)
 sensors = AddLidar(
-    mbs, seen, lidar, 0.0, 20.0, numberOfSensors=rays, angleStart=angles[0], angleEnd=angles[-1], storeInternal=True
+    model.system,
+    seen,
+    lidar,
+    0.0,
+    20.0,
+    numberOfSensors=rays,
+    angleStart=angles[0],
+    angleEnd=angles[-1],
+    storeInternal=True,
 )
-wheels = [
-    mbs.AddSensor(SensorObject(objectNumber=n, storeInternal=True, outputVariableType=exu.OutputVariableType.Rotation))
-    for n in drives
-]
-poses = [
-    mbs.AddSensor(SensorBody(bodyNumber=platform, storeInternal=True, outputVariableType=what))
-    for what in (exu.OutputVariableType.Position, exu.OutputVariableType.Rotation)
-]
-mbs.Assemble()
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = end
-settings.timeIntegration.numberOfSteps = round(end / step)
-settings.timeIntegration.verboseMode = 0
+wheels = [model.create_sensor(drive, "rotation") for drive in drives]
+settings = db.SimulationSettings()
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.5
-settings.solutionSettings.sensorsWritePeriod = settings.solutionSettings.solutionWritePeriod = scan
-mbs.SolveDynamic(settings)
+solution = model.solve(end_time=end, step_size=step, every=scan, settings=settings)
 
 # ---- odometry: straight lines in each interval, at the heading of its middle -----------------------------------------
-t = mbs.GetSensorStoredData(poses[0])[:, 0]
-place, rotation = (mbs.GetSensorStoredData(sensor)[:, 1:] for sensor in poses)
+t, place, rotation = solution.times, solution[platform].position, solution[platform].rotation
 true = np.column_stack([place[:, :2], np.unwrap(rotation[:, 2])])
-turned = np.column_stack([mbs.GetSensorStoredData(sensor)[:, 1] for sensor in wheels])
+turned = np.column_stack([sensor.values for sensor in wheels])
 steps = kinematics.GetCartesianVelocities(np.diff(turned, axis=0))
 odometry = [start]
 for along, across, turn in steps:
@@ -152,11 +148,11 @@ for along, across, turn in steps:
 odometry = np.array(odometry)
 
 # ---- the map
-distances = np.column_stack([mbs.GetSensorStoredData(sensor)[:, 1] for sensor in sensors])
+distances = np.column_stack([solution[sensor].values for sensor in sensors])
 
 
 def on_map(poses):
-    """Points that the rays of the last scans have hit, for given poses of the vehicle."""
+    """Return points that the rays of the last scans have hit, for given poses of the vehicle."""
     direction = poses[:, 2:] + angles
     return poses[:, None, :2] + distances[-len(poses) :, :, None] * np.stack(
         [np.cos(direction), np.sin(direction)], axis=-1
@@ -164,7 +160,7 @@ def on_map(poses):
 
 
 def distance_to_shapes(p):
-    """How far points are from walls, box and column."""
+    """Return how far points are from walls, box and column."""
     walls = np.abs(np.abs(p) - room / 2).min(axis=-1)
     beyond = np.abs(p - box[0]) - box[1] / 2
     outside = np.linalg.norm(np.maximum(beyond, 0), axis=-1) + np.minimum(beyond.max(axis=-1), 0)
@@ -184,23 +180,15 @@ for name, unit, value, real in zip(["x", "y", "heading"], ["m", "m", "rad"], fou
     print(f"{name} at the end by the lidar: {value:.5f} {unit}, real pose {real:.5f} {unit}")
 
 plan = mapped.reshape(-1, 2)
-mbs.PlotSensor(
-    [np.column_stack([plan[:, 0], plan]), np.column_stack([true[:, 0], true])],
-    componentsX=[0, 0],
-    components=[1, 1],
-    labels=["map", "way"],
-    xLabel="x (m)",
-    yLabel="y (m)",
-    markerStyles=[".", ""],
-    lineStyles=["", "-"],
-    legendArgs={"loc": "lower center", "bbox_to_anchor": (0.5, 1), "ncols": 2},
-    fileName="mobile_robot_map.png",
-    closeAll=True,
-)
-view = mbs.GetSystemContainer().visualizationSettings
+plt.plot(plan[:, 0], plan[:, 1], ".", label="map")
+plt.plot(true[:, 0], true[:, 1], label="way")
+plt.gca().set(xlabel="x (m)", ylabel="y (m)")
+plt.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
+plt.savefig("mobile_robot_map.png")
+view = model.container.visualizationSettings
 view.nodes.show = view.markers.show = view.connectors.show = view.sensors.show = False
-mbs.Draw(fileName="mobile_robot_picture.png", around=platform, zoom=0.5)
-for n in range(1, mbs.systemData.NumberOfObjects()):
-    if mbs.GetObject(n)["objectType"] == "Ground":  # rays are those of the last scan
-        mbs.SetObjectParameter(n, "Vshow", False)
-mbs.DrawSolution(fileName="mobile_robot_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=end / 6)
+model.draw(file_name="mobile_robot_picture.png", around=platform, zoom=0.5)
+for item in model:
+    if item.type == "ObjectGround" and item.name != "room":  # rays are those of the last scan
+        item.hide()
+solution.animate(file_name="mobile_robot_motion.gif", window_size=[420, 320], frames_per_second=20, speed=end / 6)

@@ -6,12 +6,13 @@ torques from the transposed Jacobians of their feet. The controller updates set 
 balance of momentum gives the ground force: its mean over whole periods of a steady gait is the weight.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
+import dalembert as db
 from dalembert.robotics import Robot, RobotLink, VRobotLink
 from dalembert.treeDynamics import TreeDynamics
-from dalembert.utilities import *
+from dalembert.utilities import HTtranslate
 
 thigh, shank, foot, stance = 0.2, 0.2, 0.02, 0.28  # lengths of the legs, radius of feet, height of hips over feet (m)
 length, width, trunk_mass, masses, g = 0.38, 0.22, 6, (0.5, 0.8, 0.2), 9.81  # m, kg, m/s^2
@@ -37,18 +38,18 @@ def drawn(*graphics):
 
 
 def bar(size, radius, color):
-    return exu.graphics.Cylinder([0, 0, -size], [0, 0, size], radius, color)
+    return db.graphics.Cylinder([0, 0, -size], [0, 0, size], radius, color)
 
 
-dark, bright = exu.graphics.color.darkgrey, exu.graphics.color.orange
-trunk = drawn(exu.graphics.Brick(size=[length + 0.1, width - 0.06, 0.1], color=bright))
+dark, bright = db.graphics.color.darkgrey, db.graphics.color.orange
+trunk = drawn(db.graphics.Brick(size=[length + 0.1, width - 0.06, 0.1], color=bright))
 robot.AddLink(
     RobotLink(trunk_mass, [0, 0, 0], np.diag([0.02, 0.07, 0.08]), jointType="Rx", name="trunk", visualization=trunk)
 )
-tip_of_leg = exu.graphics.Sphere([0, 0, -shank], foot, dark)
+tip_of_leg = db.graphics.Sphere([0, 0, -shank], foot, dark)
 for leg, (x, y) in hips.items():
     parts = [  # joint, place in the frame of the link before, centre of mass (m), inertia (kg m^2), graphics
-        ("hip", "Rx", [x, y, 0], 0, 5e-4, drawn(exu.graphics.Sphere(radius=0.04, color=dark))),
+        ("hip", "Rx", [x, y, 0], 0, 5e-4, drawn(db.graphics.Sphere(radius=0.04, color=dark))),
         ("thigh", "Ry", [0, 0, 0], -0.04, 2.7e-3, drawn(bar(thigh, 0.02, dark))),
         ("shank", "Ry", [0, 0, -thigh], -0.1, 7e-4, drawn(bar(shank, 0.012, bright), tip_of_leg)),
     ]  # fmt: skip
@@ -66,14 +67,14 @@ of_legs = np.arange(6, 18).reshape(4, 3)  # coordinates
 
 # gait
 def leg_angles(x, z):
-    """Angles of hip, thigh and shank for a foot that is x before and z above the point below its hip."""
+    """Return angles of hip, thigh and shank for a foot that is x before and z above the point below its hip."""
     down = stance - z
     knee = -np.arccos((x**2 + down**2 - thigh**2 - shank**2) / (2 * thigh * shank))
     return [0, -np.arctan2(x, down) - np.arctan2(shank * np.sin(knee), thigh + shank * np.cos(knee)), knee]
 
 
 def foot_place(phase):
-    """Set position of a foot: constant speed along the ground, then through the air, with continuous velocity."""
+    """Return the set position of a foot: constant speed along the ground, then through the air."""
     step = speed * period / 2
     if phase < 0.5:
         return step * (0.5 - 2 * phase), 0
@@ -86,7 +87,7 @@ def phase_of(leg, t):
 
 
 def aims(t):
-    """Angles of all joints, and whether a foot is to carry; steps grow within the first period."""
+    """Return angles of all joints, and whether a foot is to carry; steps grow within the first period."""
     grown = np.clip((t - start) / period, 0, 1)
     places = [foot_place(phase_of(leg, t)) for leg in range(4)]
     angles = np.concatenate([leg_angles(grown * x, grown * z) for x, z in places])
@@ -95,35 +96,32 @@ def aims(t):
 
 # model
 q0 = np.r_[0, 0, stance + foot, 0, 0, 0, aims(0)[0]]
-mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround(graphicsDataList=[exu.graphics.CheckerBoard(size=4)])
-made = robot.CreateKinematicTree(mbs)
+model = db.Model()
+ground = model.create_ground("floor", graphics_data_list=[db.graphics.CheckerBoard(size=4)])
+made = robot.CreateKinematicTree(model.system)
 tree, links = made["objectKinematicTree"], made["links"]
-mbs.SetNodeParameter(made["nodeGeneric"], "referenceCoordinates", q0)
+model.system.SetNodeParameter(made["nodeGeneric"], "referenceCoordinates", q0)
 contacts, square = [], [[-5, -5, 0], [5, -5, 0], [5, 5, 0], [-5, 5, 0]]
 for leg in hips:
-    tip = mbs.AddMarker(
-        MarkerKinematicTreeRigid(objectNumber=tree, linkNumber=links[f"{leg} shank"], localPosition=[0, 0, -shank])
+    tip = model.add(
+        db.MarkerKinematicTreeRigid(objectNumber=tree, linkNumber=links[f"{leg} shank"], localPosition=[0, 0, -shank])
     )
-    touching = mbs.CreateSphereQuadContact(
-        name=leg, bodyNumbers=[tip, ground], radiusSphere=foot, quadPoints=square,
-        dynamicFriction=0.8, frictionProportionalZone=0.01, contactStiffness=1e4, contactDamping=50,
+    touching = model.create_sphere_quad_contact(
+        name=leg, body_numbers=[tip, ground], radius_sphere=foot, quad_points=square,
+        dynamic_friction=0.8, friction_proportional_zone=0.01, contact_stiffness=1e4, contact_damping=50,
     )  # fmt: skip
     contacts += touching.values()
-sensor = mbs.AddSensor(
-    SensorKinematicTree(
+sensor = model.add(
+    db.SensorKinematicTree(
         objectNumber=tree,
         linkNumber=links["trunk"],
         storeInternal=True,
-        outputVariableType=exu.OutputVariableType.Position,
+        outputVariableType=db.OutputVariableType.Position,
     )
 )
-forces = [
-    mbs.AddSensor(SensorObject(objectNumber=c, storeInternal=True, outputVariableType=exu.OutputVariableType.Force))
-    for c in contacts
-]
-mbs.Assemble()
-dynamics = TreeDynamics(mbs, tree)
+forces = [model.create_sensor(contact, "force") for contact in contacts]
+model.assemble()
+dynamics = TreeDynamics(model.system, tree)
 
 
 def control(mbs, t):
@@ -140,45 +138,32 @@ def control(mbs, t):
     return True
 
 
-control(mbs, 0)  # initial accelerations are those with drives
-mbs.SetPreStepUserFunction(control)
-settings = exu.SimulationSettings()
-settings.solutionSettings.sensorsWritePeriod = 0.002
-settings.timeIntegration.verboseMode = 0
-settings.timeIntegration.endTime = end
-settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
-settings.timeIntegration.numberOfSteps = round(end / sample)
+control(model.system, 0)  # initial accelerations are those with drives
+model.system.SetPreStepUserFunction(control)
+settings = db.SimulationSettings()
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.6  # contacts open and close
-mbs.SolveDynamic(settings)
+solution = model.solve(end_time=end, step_size=sample, every=sample, settings=settings)
 
-way = mbs.GetSensorStoredData(sensor)
-force = mbs.GetSensorStoredData(forces[0])
-force[:, 1:] = sum(mbs.GetSensorStoredData(number)[:, 1:] for number in forces)
-steady = force[:, 0] >= end - 5 * period - 1e-9
-mean = np.trapezoid(force[steady, 3], force[steady, 0]) / np.ptp(force[steady, 0])
+times, way = solution.times, sensor.values
+force = sum(sensor.values for sensor in forces)
+steady = times >= end - 5 * period - 1e-9
+mean = np.trapezoid(force[steady, 2], times[steady]) / np.ptp(times[steady])
 print(f"mean force of the ground over five periods: {mean:.2f} N, weight {weight:.2f} N")
-travelled = way[-1, 1] - np.interp(end - 5 * period, way[:, 0], way[:, 1])
+travelled = way[-1, 0] - np.interp(end - 5 * period, times, way[:, 0])
 print(f"The quadruped trots at {travelled / (5 * period):.3f} m/s; its feet are moved back at {speed} m/s.")
-mbs.PlotSensor(
-    [force] * 3,
-    components=[0, 1, 2],
-    labels=["forward", "sideways", "up"],
-    yLabel="force of the ground (N)",
-    legendArgs={"loc": "lower center", "bbox_to_anchor": (0.5, 1), "ncols": 3},
-    fileName="quadruped_forces.png",
-    closeAll=True,
-)
-mbs.PlotSensor(
-    [way] * 3,
-    components=[0, 1, 2],
-    labels=["x", "y", "z"],
-    yLabel="position of the trunk (m)",
-    fileName="quadruped_way.png",
-)
-shown = mbs.GetSystemContainer().visualizationSettings
+for name, values, quantity in (("forces", force, "force of the ground (N)"), ("way", way, "position of the trunk (m)")):
+    figure, axes = plt.subplots()
+    axes.plot(times, values, label=["forward", "sideways", "up"])
+    axes.set(xlabel="time (s)", ylabel=quantity)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3)
+    figure.savefig(f"quadruped_{name}.png")
+shown = model.container.visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.connectors.show = shown.sensors.show = False
-mbs.Draw(fileName="quadruped_picture.png")
-in_a_second = settings.timeIntegration.endTime / 3
-mbs.DrawSolution(
-    fileName="quadruped_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+model.draw(file_name="quadruped_picture.png")
+solution.animate(
+    file_name="quadruped_motion.gif",
+    window_size=[420, 320],
+    frames_per_second=20,
+    speed=end / 3,
+    view="axonometric",
 )

@@ -4,28 +4,26 @@ Column, upper arm and forearm are connected by motors, which are joints with pre
 the position of the hand. The arm starts and ends at rest, so the work of its motors is the change of potential energy.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
+from dalembert.utilities import InertiaCuboid, InertiaCylinder, InertiaSphere, RotationMatrixX, RotationMatrixY
 
 column, upper, fore, width = 0.5, 0.6, 0.5, 0.08  # m
 payload, g, duration = 5.0, 9.81, 2.0  # kg, m/s^2, s
-start, end = (
-    np.radians([0, -20, -60]),
-    np.radians([120, 60, -40]),
-)  # about z, and up from the horizontal and the upper arm
-Variable = exu.OutputVariableType
+# about z, and up from the horizontal and the upper arm
+start, end = np.radians([0, -20, -60]), np.radians([120, 60, -40])
 
 
 def smooth(t):
-    """A step from 0 to 1 with zero rates and accelerations at both ends; and its rate."""
+    """Return a step from 0 to 1 with zero rates and accelerations at both ends; and its rate."""
     s = min(t / duration, 1)
     return s**3 * (10 - 15 * s + 6 * s**2), 30 * s**2 * (1 - s) ** 2 / duration
 
 
 def places(angles):
-    """Forward kinematics: elbow and hand."""
+    """Return the places of elbow and hand."""
     yaw, shoulder, elbow = angles
     radial = np.array([np.cos(yaw), np.sin(yaw), 0])
 
@@ -37,12 +35,12 @@ def places(angles):
 
 
 def motor(k):
-    """The angle of joint k against its start, about the third axis of the joint, as a user function."""
+    """Return the angle of joint k against its start, about the third axis of the joint, as a user function."""
     return lambda mbs, t, itemNumber, parameters: [0, 0, 0, 0, 0, smooth(t)[0] * (end[k] - start[k])]
 
 
-mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround(graphicsDataList=[graphics.CheckerBoard(size=1.6, nTiles=8)])
+model = db.Model()
+ground = model.create_ground("floor", graphics_data_list=[db.graphics.CheckerBoard(size=1.6, nTiles=8)])
 elbow, hand = places(start)
 shoulder = np.array([0, 0, column])
 pitch = RotationMatrixY(-start[1]), RotationMatrixY(-start[1] - start[2])
@@ -55,69 +53,50 @@ links = [
     ((elbow + hand) / 2, pitch[1], tube[1] + load),
 ]
 shapes = [
-    [graphics.Cylinder([0, 0, -column / 2], [0, 0, column], width, color=graphics.color.lightgrey, nTiles=48)],
-    [graphics.RigidLink([-upper / 2, 0, 0], [upper / 2, 0, 0], [0, 1, 0], [0, 1, 0], [width] * 2, width,
-                        [2 * width] * 2, color=graphics.color.orange, nTiles=48)],
-    [graphics.RigidLink([-fore / 2, 0, 0], [fore / 2, 0, 0], [0, 1, 0], [0, 0, 0], [0.06, 0], 0.07, [0.14, 0.0],
-                        color=graphics.color.orange, nTiles=48),
-     graphics.Sphere([fore / 2, 0, 0], radius=0.07, color=graphics.color.darkgrey2, nTiles=32)],
+    [db.graphics.Cylinder([0, 0, -column / 2], [0, 0, column], width, color=db.graphics.color.lightgrey, nTiles=48)],
+    [db.graphics.RigidLink([-upper / 2, 0, 0], [upper / 2, 0, 0], [0, 1, 0], [0, 1, 0], [width] * 2, width,
+                        [2 * width] * 2, color=db.graphics.color.orange, nTiles=48)],
+    [db.graphics.RigidLink([-fore / 2, 0, 0], [fore / 2, 0, 0], [0, 1, 0], [0, 0, 0], [0.06, 0], 0.07, [0.14, 0.0],
+                        color=db.graphics.color.orange, nTiles=48),
+     db.graphics.Sphere([fore / 2, 0, 0], radius=0.07, color=db.graphics.color.darkgrey2, nTiles=32)],
 ]  # fmt: skip
 bodies = [ground] + [
-    mbs.CreateRigidBody(
-        referencePosition=p, referenceRotationMatrix=A, inertia=inertia, gravity=[0, 0, -g], graphicsDataList=shape
+    model.create_rigid_body(
+        reference_position=p, reference_rotation_matrix=A, inertia=inertia, gravity=[0, 0, -g], graphics_data_list=shape
     )
     for (p, A, inertia), shape in zip(links, shapes, strict=True)
 ]
 upwards = RotationMatrixX(np.pi / 2)  # its third axis is -y: arms turn upwards
 joints = [
-    mbs.CreateGenericJoint(
-        bodyNumbers=bodies[k : k + 2], position=place, rotationMatrixAxes=axes, offsetUserFunction=motor(k)
+    model.create_generic_joint(
+        body_numbers=bodies[k : k + 2], position=place, rotation_matrix_axes=axes, offset_user_function=motor(k)
     )
     for k, (place, axes) in enumerate([([0, 0, 0], np.eye(3)), (shoulder, upwards), (elbow, upwards)])
 ]
-torques = [
-    mbs.AddSensor(SensorObject(objectNumber=joint, outputVariableType=Variable.TorqueLocal, storeInternal=True))
-    for joint in joints
-]
-tip = mbs.AddSensor(
-    SensorBody(
-        bodyNumber=bodies[3], localPosition=[fore / 2, 0, 0], outputVariableType=Variable.Position, storeInternal=True
-    )
-)
-mbs.Assemble()
 
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = duration
-settings.timeIntegration.numberOfSteps = 2000
+settings = db.SimulationSettings()
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
-settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
-settings.solutionSettings.sensorsWritePeriod = duration / 2000
-mbs.SolveDynamic(settings)
-mbs.Draw(fileName="robot_picture.png")
-in_a_second = settings.timeIntegration.endTime / 3
-mbs.DrawSolution(fileName="robot_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)
+solution = model.solve(end_time=duration, step_size=duration / 2000, settings=settings)
+model.draw(file_name="robot_picture.png")
+solution.animate(file_name="robot_motion.gif", window_size=[420, 320], frames_per_second=20, speed=duration / 3)
 
-names = ["column", "shoulder", "elbow"]
-mbs.PlotSensor(
-    torques,
-    components=[2] * 3,
-    labels=names,
-    yLabel="torque of the motor (Nm)",
-    fileName="robot_torques.png",
-    closeAll=True,
-)
-mbs.PlotSensor(tip, components=[0, 1, 2], yLabel="position of the hand (m)", fileName="robot_hand.png")
+torques = [solution[joint].torque_local[:, 2] for joint in joints]
+for name, torque in zip(("column", "shoulder", "elbow"), torques, strict=True):
+    plt.plot(solution.times, torque, label=name)
+plt.gca().set(xlabel="time (s)", ylabel="torque of the motor (Nm)")
+plt.legend()
+plt.savefig("robot_torques.png")
+solution.plot((bodies[3], "position", [fore / 2, 0, 0]), file_name="robot_hand.png")
 
-halfway = len(mbs.GetSensorStoredData(tip)) // 2
-time, *reached = mbs.GetSensorStoredData(tip)[halfway]
+halfway = len(solution) // 2
+time, reached = solution.times[halfway], solution[bodies[3]].position_at([fore / 2, 0, 0])[halfway]
 _, wanted = places(start + smooth(time)[0] * (end - start))
 for name, is_at, should in zip("xyz", reached, wanted, strict=True):
     print(f"hand halfway, {name}: {is_at:.6f} m, forward kinematics {should:.6f} m")
 
-t = mbs.GetSensorStoredData(torques[0])[:, 0]
-rates = np.array([smooth(time)[1] for time in t])
+rates = np.array([smooth(time)[1] for time in solution.times])
 # the third multiplier of a locked joint is the torque about -z
-work = sum(np.trapezoid(mbs.GetSensorStoredData(torques[k])[:, 3] * rates, t) * (end[k] - start[k]) for k in range(3))
+work = sum(np.trapezoid(torques[k] * rates, solution.times) * (end[k] - start[k]) for k in range(3))
 
 
 def potential(angles):

@@ -9,10 +9,11 @@ rate w. The weight and the rate of angular momentum balance if
 with the distance d = c - R sin a of its center from the middle, and I3 about its own axis.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
+from dalembert.utilities import InertiaCylinder
 
 radius, thickness, density, g = 0.1, 0.005, 8000.0, 9.81  # m, m, kg/m^3, m/s^2
 lean, circle = 0.4, 0.5  # rad, m
@@ -26,47 +27,40 @@ end = 2 * np.pi / rate
 
 axis, forward = np.array([np.cos(lean), 0, np.sin(lean)]), np.array([0, 1, 0])
 upward = np.cross(axis, forward)
-mbs = exu.SystemContainer().AddSystem()
-mbs.CreateGround("table", graphicsDataList=[graphics.CheckerBoard(size=1.6, nTiles=8, color=graphics.color.lightgrey)])
-mbs.CreateRigidBody(
+model = db.Model()
+model.create_ground(
+    "table", graphics_data_list=[db.graphics.CheckerBoard(size=1.6, nTiles=8, color=db.graphics.color.lightgrey)]
+)
+model.create_rigid_body(
     "coin",
-    referencePosition=[distance, 0, radius * np.cos(lean)],
-    referenceRotationMatrix=np.column_stack([axis, forward, upward]),
-    initialVelocity=rate * distance * forward,
-    initialAngularVelocity=-rate * (circle / radius - np.sin(lean)) * axis + rate * np.cos(lean) * upward,
+    reference_position=[distance, 0, radius * np.cos(lean)],
+    reference_rotation_matrix=np.column_stack([axis, forward, upward]),
+    initial_velocity=rate * distance * forward,
+    initial_angular_velocity=-rate * (circle / radius - np.sin(lean)) * axis + rate * np.cos(lean) * upward,
     inertia=coin,
     gravity=[0, 0, -g],
-    graphicsDataList=[
-        graphics.Cylinder([-0.5 * thickness, 0, 0], [thickness, 0, 0], radius, graphics.color.orange, nTiles=48),
-        graphics.Brick([0, 0, 0.5 * radius], [1.2 * thickness, 0.01, 0.5 * radius], graphics.color.brown),
+    graphics_data_list=[
+        db.graphics.Cylinder([-0.5 * thickness, 0, 0], [thickness, 0, 0], radius, db.graphics.color.orange, nTiles=48),
+        db.graphics.Brick([0, 0, 0.5 * radius], [1.2 * thickness, 0.01, 0.5 * radius], db.graphics.color.brown),
     ],
 )
-mbs.CreateRollingDisc("contact", ["table", "coin"], axisPosition=[0, 0, 0], axisVector=[1, 0, 0], discRadius=radius)
-mbs.AddSensor(
-    SensorBody("way", bodyNumber="coin", outputVariableType=exu.OutputVariableType.Position, storeInternal=True)
+model.create_rolling_disc(
+    "contact", ["table", "coin"], axis_position=[0, 0, 0], axis_vector=[1, 0, 0], disc_radius=radius
 )
-mbs.Assemble()
+model.create_sensor("coin", "position", name="way")  # its trace is drawn
+solution = model.solve(end_time=end, step_size=end / 800)
 
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = end
-settings.timeIntegration.numberOfSteps = 800
-settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
-settings.solutionSettings.sensorsWritePeriod = end / 200
-mbs.SolveDynamic(settings)
-
-way = mbs.GetSensorStoredData("way")
-angle = np.unwrap(np.arctan2(way[:, 2], way[:, 1]))[-1]
+way = solution["way"].values
+angle = np.unwrap(np.arctan2(way[:, 1], way[:, 0]))[-1]
 print(f"angle in the time of one turn: {angle:.5f} rad, of steady rolling {2 * np.pi:.5f} rad")
-print(f"height at the end: {way[-1, 3]:.6f} m, at the start {way[0, 3]:.6f} m")
-mbs.PlotSensor(
-    "way", componentsX=0, components=1, xLabel="x (m)", yLabel="y (m)", labels="center", fileName="coin_way.png",
-    closeAll=True,
-)  # fmt: skip
-shown = mbs.GetSystemContainer().visualizationSettings
+print(f"height at the end: {way[-1, 2]:.6f} m, at the start {way[0, 2]:.6f} m")
+plt.plot(way[:, 0], way[:, 1])
+plt.gca().set(xlabel="x of the center (m)", ylabel="y (m)")
+plt.savefig("coin_way.png")
+shown = model.container.visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.connectors.show = False
 shown.sensors.traces.showPositionTrace = True
-mbs.Draw(fileName="coin_picture.png", view="axonometric")
-in_a_second = settings.timeIntegration.endTime / 3
-mbs.DrawSolution(
-    fileName="coin_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+model.draw(file_name="coin_picture.png", view="axonometric")
+solution.animate(
+    file_name="coin_motion.gif", window_size=[420, 320], frames_per_second=20, speed=end / 3, view="axonometric"
 )

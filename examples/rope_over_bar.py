@@ -6,11 +6,11 @@ x be half the difference of the lengths; the weight of 2 x moves the whole rope 
 displacement grows as cosh(t sqrt(2 g / L)), independently of the radius of the bar.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
+import dalembert as db
 from dalembert.beams import PointsAndSlopes2ANCFCable2D
-from dalembert.utilities import *
 
 length, density, stiffness, g = 3.0, 0.5, 2e4, 9.81  # m, kg/m, N, m/s^2
 radius, thickness, start, end = 0.1, 0.01, 0.05, 1.0  # m, m, m, s
@@ -24,51 +24,50 @@ straight = np.minimum(along, length - longer - np.pi * bend) - (length - longer 
 points = np.column_stack([-bend * np.cos(angle), bend * np.sin(angle) + straight, np.sin(angle), np.cos(angle)])
 points[:, 1] -= np.maximum(along - (length - longer), 0)  # right, down from the bar
 
-mbs = exu.SystemContainer().AddSystem()
-disc = graphics.Cylinder([0, 0, -0.1], [0, 0, 0.2], radius, graphics.color.grey, nTiles=64)
-bar = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround(graphicsDataList=[disc])))
-rope = Cable2D(
+model = db.Model()
+disc = db.graphics.Cylinder([0, 0, -0.1], [0, 0, 0.2], radius, db.graphics.color.grey, nTiles=64)
+bar = model.add(db.MarkerBodyRigid(bodyNumber=model.create_ground("bar", graphics_data_list=[disc])))
+rope = db.Cable2D(
     physicsMassPerLength=density, physicsBendingStiffness=1e-4, physicsAxialStiffness=stiffness,
-    physicsAxialDamping=20, visualization=VCable2D(drawHeight=thickness),
+    physicsAxialDamping=20, visualization=db.VCable2D(drawHeight=thickness),
 )  # fmt: skip
 nodes, cables, *_ = PointsAndSlopes2ANCFCable2D(
-    mbs, points, [length / elements] * elements, rope, massProportionalLoad=[0, -g, 0], firstNodeIsLastNode=False
+    model.system,
+    points,
+    [length / elements] * elements,
+    rope,
+    massProportionalLoad=[0, -g, 0],
+    firstNodeIsLastNode=False,
 )
 for cable in cables:
-    shape = mbs.AddMarker(MarkerBodyCable2DShape(bodyNumber=cable, numberOfSegments=segments))
-    gaps = mbs.AddNode(NodeGenericData(numberOfDataCoordinates=segments, initialCoordinates=[0.1] * segments))
-    mbs.AddObject(
-        ObjectContactCircleCable2D(
+    shape = model.add(db.MarkerBodyCable2DShape(bodyNumber=cable, numberOfSegments=segments))
+    gaps = model.add(db.NodeGenericData(numberOfDataCoordinates=segments, initialCoordinates=[0.1] * segments))
+    model.add(
+        db.ObjectContactCircleCable2D(
             markerNumbers=[bar, shape], nodeNumber=gaps, numberOfContactSegments=segments, contactStiffness=1e4,
             contactDamping=1, circleRadius=radius, offset=0.5 * thickness,
-            visualization=VObjectContactCircleCable2D(show=False),
+            visualization=db.VObjectContactCircleCable2D(show=False),
         )
     )  # fmt: skip
-way = mbs.AddSensor(SensorNode("end of the rope", nodeNumber=nodes[-1], storeInternal=True,
-                               outputVariableType=exu.OutputVariableType.Displacement))  # fmt: skip
-mbs.Assemble()
 
-settings = exu.SimulationSettings()
-settings.solutionSettings.sensorsWritePeriod = end / 100
-settings.timeIntegration.endTime = end
-settings.timeIntegration.numberOfSteps = 1000
+settings = db.SimulationSettings()
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.6
-settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
-mbs.SolveDynamic(settings)
+solution = model.solve(end_time=end, step_size=end / 1000, every=end / 100, settings=settings)
 
-time, _, y, _ = mbs.GetSensorStoredData(way).T
+tip, time = solution[nodes[-1]], solution.times
+y = tip.displacement[:, 1]
 moved, rate = start - y, np.sqrt(2 * g / length)
 theory = start * np.cosh(rate * time)
-speed = -mbs.GetNodeOutput(nodes[-1], exu.OutputVariableType.Velocity)[1]
+speed = -tip.velocity[-1, 1]
 print(f"x after {end:.0f} s: {moved[-1]:.4f} m, by cosh {theory[-1]:.4f} m")
 print(f"speed after {end:.0f} s: {speed:.4f} m/s, by sinh {start * rate * np.sinh(rate * end):.4f} m/s")
-mbs.PlotSensor(
-    [np.column_stack([time, moved]), np.column_stack([time, theory])], components=[0, 0], yLabel="x (m)",
-    labels=["rope", "cosh"], lineStyles=["-", "--"], fileName="rope_way.png", closeAll=True,
-)  # fmt: skip
-shown = mbs.GetSystemContainer().visualizationSettings
+plt.plot(time, moved, label="rope")
+plt.plot(time, theory, "--", label="cosh")
+plt.gca().set(xlabel="time (s)", ylabel="x (m)")
+plt.legend()
+plt.savefig("rope_way.png")
+shown = model.container.visualizationSettings
 shown.nodes.show = shown.markers.show = shown.sensors.show = shown.connectors.show = shown.loads.show = False
-shown.contour.outputVariable = exu.OutputVariableType.ForceLocal  # tension, as color
-mbs.Draw(fileName="rope_picture.png", view="front")
-in_a_second = settings.timeIntegration.endTime / 3
-mbs.DrawSolution(fileName="rope_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="front")
+shown.contour.outputVariable = db.OutputVariableType.ForceLocal  # tension, as color
+model.draw(file_name="rope_picture.png", view="front")
+solution.animate(file_name="rope_motion.gif", window_size=[420, 320], frames_per_second=20, speed=end / 3, view="front")

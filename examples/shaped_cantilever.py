@@ -10,50 +10,49 @@ from itertools import pairwise
 import numpy as np
 from scipy.optimize import minimize
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
 
 length, width, elements, tip = 1.2, 0.05, 12, 400.0  # m, m, -, kg
 E, density, uniform = 7e10, 2700, 0.04  # N/m^2, kg/m^3, m
 
-mbs = exu.SystemContainer().AddSystem()
-fixed = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
+model = db.Model()
+fixed = model.add(db.MarkerNodeCoordinate(nodeNumber=model.add(db.NodePointGround()), coordinate=0))
 names, size = [f"beam {i}" for i in range(elements)], length / elements
 
 
 def add_beam(y, heights):
     """Add a cantilever with a mass; the first one has names, by which its heights are parameters."""
-    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[i * size, y, 1, 0])) for i in range(elements + 1)]
+    nodes = [model.add(db.NodePoint2DSlope1(referenceCoordinates=[i * size, y, 1, 0])) for i in range(elements + 1)]
     for name, ends, h in zip(names, pairwise(nodes), heights, strict=True):
         section = {"physicsMassPerLength": density * width * h, "physicsAxialStiffness": E * width * h}
-        mbs.AddObject(
-            ObjectANCFCable2D(
+        model.add(
+            db.ObjectANCFCable2D(
                 name=name if y == 0 else "", nodeNumbers=ends, physicsLength=size, **section,
-                physicsBendingStiffness=E * width * h**3 / 12, visualization=VObjectANCFCable2D(drawHeight=h),
+                physicsBendingStiffness=E * width * h**3 / 12, visualization=db.VObjectANCFCable2D(drawHeight=h),
             )
         )  # fmt: skip
     for coordinate in (0, 1, 3):
-        moving = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=coordinate))
-        mbs.AddObject(CoordinateConstraint(markerNumbers=[fixed, moving]))
-    load = graphics.Sphere(radius=0.06, color=graphics.color.orange, nTiles=32)
-    mbs.AddObject(MassPoint2D(physicsMass=tip, nodeNumber=nodes[-1], visualization=VMassPoint2D(graphicsData=[load])))
+        moving = model.add(db.MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=coordinate))
+        model.add(db.CoordinateConstraint(markerNumbers=[fixed, moving]))
+    load = db.graphics.Sphere(radius=0.06, color=db.graphics.color.orange, nTiles=32)
+    model.add(db.MassPoint2D(physicsMass=tip, nodeNumber=nodes[-1], visualization=db.VMassPoint2D(graphicsData=[load])))
 
 
 add_beam(0, np.full(elements, uniform))
-mbs.Assemble()
+model.assemble()
 height = {
-    name: exu.DesignParameter(uniform, {(name, "physicsBendingStiffness"): lambda h: E * width * h**3 / 12,
+    name: db.DesignParameter(uniform, {(name, "physicsBendingStiffness"): lambda h: E * width * h**3 / 12,
                                         (name, "physicsAxialStiffness"): E * width,
                                         (name, "physicsMassPerLength"): density * width})
     for name in names
 }  # fmt: skip
-model = exu.DifferentiableModel(mbs, height, {"omega^2": exu.Eigenvalue(0)}, solverType="static")
-wanted = model.Values(model.x0)["omega^2"]
+twin = db.DifferentiableModel(model.system, height, {"omega^2": db.Eigenvalue(0)}, solverType="static")
+wanted = twin.Values(twin.x0)["omega^2"]
 
 
 def frequency(x):
-    """The square of the frequency and its gradient, relative to what is wanted; x: heights relative to the uniform."""
-    value, gradient = model.ValueAndGradient(uniform * x)
+    """Return the square of the frequency and its gradient, relative to the wanted one; x: relative heights."""
+    value, gradient = twin.ValueAndGradient(uniform * x)
     return value / wanted - 1, gradient * uniform / wanted
 
 
@@ -71,9 +70,9 @@ for where, i in (("clamp", 0), ("tip", -1)):
 print(f"material: {100 * found.fun:.3f} %, closed form {100 * best.mean():.3f} %")
 
 add_beam(-0.4, uniform * found.x)
-mbs.Assemble()
-frequencies = mbs.ComputeVibrationModes(2).frequencies
+model.assemble()
+frequencies = model.system.ComputeVibrationModes(2).frequencies
 print(f"frequency after: {frequencies[0]:.4f} Hz, before {frequencies[1]:.4f} Hz")
-shown = mbs.GetSystemContainer().visualizationSettings
+shown = model.container.visualizationSettings
 shown.nodes.show = shown.markers.show = shown.connectors.show = False
-mbs.Draw(fileName="shaped_cantilever_picture.png")
+model.draw(file_name="shaped_cantilever_picture.png")

@@ -10,13 +10,14 @@ is the change of potential energy plus the dissipation in its bearings.
 
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
+import dalembert as db
 from dalembert.robotics import InverseKinematicsNumerical
 from dalembert.robotics.motion import ProfilePTP, Trajectory
 from dalembert.robotics.utilities import ReadRobot
-from dalembert.utilities import *
+from dalembert.utilities import HTrotateY, HTtranslate
 
 file = Path(__file__).parent / "six_axis_arm.urdf"
 sample, duration = 0.002, 1.6  # s
@@ -36,7 +37,7 @@ trajectory.Add(ProfilePTP(end))
 
 
 def computed_torque(q, q_t, wanted):
-    """Torques of the motion, such that errors decay like a damped oscillator."""
+    """Return torques of the motion, such that errors decay like a damped oscillator."""
     s, v, a = wanted
     return arm.InverseDynamics(q, q_t, a + damping * (v - q_t) + stiffness * (s - q))
 
@@ -45,17 +46,17 @@ inertias = np.diag(arm.MassMatrix(start))
 
 
 def drives_alone(q, q_t, wanted):
-    """The same correction for each drive by itself, with the weight that it carries."""
+    """Return the same correction for each drive by itself, with the weight that it carries."""
     s, v, _ = wanted
     return inertias * (damping * (v - q_t) + stiffness * (s - q)) - arm.StaticTorques(arm.JointHT(q))
 
 
 # model
 def follow(law):
-    """Run the motion; return errors (mrad), torques, the work that is not lost, where the arm ends, and the system."""
-    mbs = exu.SystemContainer().AddSystem()
-    mbs.CreateGround(graphicsDataList=[exu.graphics.CheckerBoard(size=1.2, nTiles=6)])
-    made = mbs.CreateRobot(file, referenceConfiguration=start)
+    """Run the motion; return times, errors (mrad), torques, work without losses, last state, model and solution."""
+    model = db.Model()
+    model.create_ground("floor", graphics_data_list=[db.graphics.CheckerBoard(size=1.2, nTiles=6)])
+    made = model.create_robot(file, reference_configuration=start)
     tree, rows = made["objectKinematicTree"], []
 
     def control(mbs, t):
@@ -67,43 +68,34 @@ def follow(law):
         rows.append([t, *(wanted[0] - q), *q, *q_t, *torques])
         return True
 
-    mbs.SetPreStepUserFunction(control)
-    mbs.Assemble()
-    settings = exu.SimulationSettings()
-    settings.timeIntegration.endTime = duration
-    settings.timeIntegration.numberOfSteps = round(duration / sample)
-    settings.solutionSettings.coordinatesSolutionFileName = f"{law.__name__}.txt"
-    mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.RK44)
-    last = np.array(mbs.systemData.GetODE2Coordinates()) + start
+    model.system.SetPreStepUserFunction(control)
+    solution = model.solve(end_time=duration, step_size=sample, method="rk44")
+    last = np.array(model.system.systemData.GetODE2Coordinates()) + start
     t, errors, q, q_t, torques = np.split(np.array(rows), [1, 7, 13, 19], axis=1)
     work = (torques * np.diff([*q, last], axis=0)).sum()
     taken = np.trapezoid((q_t * arm.JointResistance(q_t)).sum(axis=1), t[:, 0])
-    return np.hstack([t, 1e3 * errors]), np.hstack([t, torques]), work - taken, last, mbs
+    return t[:, 0], 1e3 * errors, torques, work - taken, last, model, solution
 
 
-errors, torques, gained, last, moved = follow(computed_torque)
-others, *_ = follow(drives_alone)
-mbs = exu.SystemContainer().AddSystem()
-beside = {"loc": "center left", "bbox_to_anchor": (1, 0.5)}
-common = {
-    "components": list(range(6)),
-    "labels": names,
-    "newFigure": True,
-    "legendArgs": beside,
-    "sizeInches": [9, 4.8],
-}
-mbs.PlotSensor([torques] * 6, **common, yLabel="torque (Nm)", fileName="arm_torques.png", closeAll=True)
-mbs.PlotSensor(
-    [errors] * 6, **common, yLabel="error (mrad)", title="computed torque", fileName="arm_computed_torque.png"
-)
-mbs.PlotSensor([others] * 6, **common, yLabel="error (mrad)", title="drives alone", fileName="arm_drives_alone.png")
+times, errors, torques, gained, last, model, solution = follow(computed_torque)
+_, others, *_ = follow(drives_alone)
+for name, values, quantity, title in (
+    ("torques", torques, "torque (Nm)", ""),
+    ("computed_torque", errors, "error (mrad)", "computed torque"),
+    ("drives_alone", others, "error (mrad)", "drives alone"),
+):
+    figure, axes = plt.subplots(figsize=[9, 4.8], layout="tight")
+    axes.plot(times, values, label=names)
+    axes.set(xlabel="time (s)", ylabel=quantity, title=title)
+    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    figure.savefig(f"arm_{name}.png")
 
-largest, larger = (np.abs(rows[:, 1:]).max() for rows in (errors, others))
+largest, larger = (np.abs(rows).max() for rows in (errors, others))
 print(f"Largest error under computed torque {largest:.2f} mrad, of drives alone {larger:.1f} mrad.")
 reached = arm.FrameHT("gripper", last)
 for name, is_at, should in zip("xyz", reached[:3, 3], high[:3, 3], strict=True):
     print(f"gripper at the end, {name}: {is_at:.6f} m, wanted pose {should:.6f} m")
 height = arm.PotentialEnergy(end) - arm.PotentialEnergy(start)
 print(f"work of the drives, less that of bearings: {gained:.3f} J, gain of height {height:.3f} J")
-moved.Draw(fileName="arm_picture.png")
-moved.DrawSolution(fileName="arm_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=duration / 4)
+model.draw(file_name="arm_picture.png")
+solution.animate("arm_motion.gif", window_size=[420, 320], frames_per_second=20, speed=duration / 4)

@@ -4,59 +4,51 @@ Chenciner and Montgomery found this orbit in 2000. Each mass passes every place 
 before it; energy and angular momentum, which is zero, stay.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
 
 period, corner = 6.32591398, [0.97000436, -0.24308753, 0]  # valid for masses of 1 kg and a gravitational constant of 1
 speed = np.array([-0.93240737, -0.86473146, 0])  # m/s, of the mass in the middle
 
-mbs = exu.SystemContainer().AddSystem()
+model = db.Model()
 places = [corner, [-x for x in corner], [0, 0, 0]]
-colors = [graphics.color.red, graphics.color.green, graphics.color.blue]
+colors = [db.graphics.color.red, db.graphics.color.green, db.graphics.color.blue]
 masses = [
-    mbs.CreateMassPoint(
+    model.create_mass_point(
         name=f"mass {i}",
-        referencePosition=places[i],
-        initialVelocity=velocity,
-        physicsMass=1,
-        graphicsDataList=[graphics.Sphere(radius=0.05, color=colors[i], nTiles=32)],
+        reference_position=places[i],
+        initial_velocity=velocity,
+        physics_mass=1,
+        graphics_data_list=[db.graphics.Sphere(radius=0.05, color=colors[i], nTiles=32)],
     )
     for i, velocity in enumerate([-speed / 2, -speed / 2, speed])
 ]
-markers = [mbs.AddMarker(MarkerBodyPosition(bodyNumber=mass)) for mass in masses]
+markers = [model.add(db.MarkerBodyPosition(bodyNumber=mass)) for mass in masses]
 for pair in ([0, 1], [1, 2], [2, 0]):
     ends = [markers[i] for i in pair]
-    mbs.AddObject(ConnectorGravity(markerNumbers=ends, gravitationalConstant=1, mass0=1, mass1=1))
-ways = [
-    mbs.AddSensor(
-        SensorMarker(markerNumber=marker, outputVariableType=exu.OutputVariableType.Position, storeInternal=True)
-    )
-    for marker in markers
-]
-mbs.Assemble()
+    model.add(db.ConnectorGravity(markerNumbers=ends, gravitationalConstant=1, mass0=1, mass1=1))
+for mass in masses:
+    model.create_sensor(mass, "position")  # their traces are drawn
 
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = period
-settings.timeIntegration.numberOfSteps = 300
+settings = db.SimulationSettings()
 settings.timeIntegration.relativeTolerance = 1e-10
 settings.timeIntegration.absoluteTolerance = 1e-10
-settings.solutionSettings.sensorsWritePeriod = period / 300
-settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
-mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.DOP853)
+step = period / 300
+solution = model.solve(end_time=period, step_size=step, method="dop853", every=step, settings=settings)
 
-first, second, third = (mbs.GetSensorStoredData(way) for way in ways)
-print(f"first mass after one period: {first[-1, 1]:.6f} m, at the start {corner[0]:.6f} m")
-follower = min((second, third), key=lambda way: abs(way[100, 1] - corner[0]))
-print(f"the next mass a third of the period later: {follower[100, 2]:.6f} m, where the first was {corner[1]:.6f} m")
-mbs.PlotSensor(
-    ways, componentsX=[0] * 3, components=[1] * 3, labels=["first", "second", "third"], lineStyles=["-", "--", ":"],
-    xLabel="x (m)", yLabel="y (m)", fileName="eight.png", closeAll=True,
-)  # fmt: skip
-shown = mbs.GetSystemContainer().visualizationSettings
+first, second, third = ways = [solution[mass].position for mass in masses]
+print(f"first mass after one period: {first[-1, 0]:.6f} m, at the start {corner[0]:.6f} m")
+follower = min((second, third), key=lambda way: abs(way[100, 0] - corner[0]))
+print(f"the next mass a third of the period later: {follower[100, 1]:.6f} m, where the first was {corner[1]:.6f} m")
+for way, name, style in zip(ways, ("first", "second", "third"), ("-", "--", ":"), strict=True):
+    plt.plot(way[:, 0], way[:, 1], style, label=name)
+plt.gca().set(xlabel="x (m)", ylabel="y (m)")
+plt.legend()
+plt.savefig("eight.png")
+shown = model.container.visualizationSettings
 shown.connectors.show = shown.nodes.show = shown.markers.show = False
 shown.sensors.traces.showPositionTrace = True
-mbs.Draw(fileName="eight_picture.png")
-in_a_second = settings.timeIntegration.endTime / 3
-mbs.DrawSolution(fileName="eight_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)
+model.draw(file_name="eight_picture.png")
+solution.animate(file_name="eight_motion.gif", window_size=[420, 320], frames_per_second=20, speed=period / 3)

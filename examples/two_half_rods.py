@@ -5,10 +5,10 @@ of
 each half, and couples them by a row of factors; modes of the free rod are c n / (2 L).
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
 
 length, area, modulus, density = 1.0, 1e-4, 2.1e11, 7850.0  # m, m^2, N/m^2, kg/m^3
 elements = 40  # per half
@@ -22,46 +22,37 @@ for i in range(elements):
     mass[i : i + 2, i : i + 2] += masses
 damping = 2e-8 * stiffness
 
-mbs = exu.SystemContainer().AddSystem()
+model = db.Model()
 zeros = [0.0] * (elements + 1)
 halves = []
 for name in ("left half", "right half"):
-    node = mbs.AddNode(
-        NodeGenericODE2(
+    node = model.add(
+        db.NodeGenericODE2(
             referenceCoordinates=zeros, initialCoordinates=zeros, initialCoordinates_t=zeros,
             numberOfODE2Coordinates=elements + 1,
         )
     )  # fmt: skip
     halves.append(
-        mbs.AddObject(
-            ObjectGenericODE2(
+        model.add(
+            db.ObjectGenericODE2(
                 name, nodeNumbers=[node], massMatrix=mass, stiffnessMatrix=stiffness, dampingMatrix=damping
             )
         )
     )
-markers = [mbs.AddMarker(MarkerObjectODE2Coordinates(objectNumber=half)) for half in halves]
+markers = [model.add(db.MarkerObjectODE2Coordinates(objectNumber=half)) for half in halves]
 last, first = np.eye(elements + 1)[[-1]], np.eye(elements + 1)[[0]]
-weld = mbs.AddObject(CoordinateVectorConstraint(markerNumbers=markers, scalingMarker0=last, scalingMarker1=first))
-pull = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=1, coordinate=elements))
-mbs.AddLoad(LoadCoordinate(markerNumber=pull, loadUserFunction=lambda mbs, t, load: 1e3 if t < 2e-5 else 0.0))
-mbs.AddSensor(
-    SensorNode("end", nodeNumber=1, outputVariableType=exu.OutputVariableType.Coordinates, storeInternal=True)
-)
-mbs.Assemble()
+weld = model.add(db.CoordinateVectorConstraint(markerNumbers=markers, scalingMarker0=last, scalingMarker1=first))
+pull = model.add(db.MarkerNodeCoordinate(nodeNumber=1, coordinate=elements))
+model.add(db.LoadCoordinate(markerNumber=pull, loadUserFunction=lambda mbs, t, load: 1e3 if t < 2e-5 else 0.0))
+model.assemble()
 
-values, _ = mbs.ComputeODE2Eigenvalues(computeComplexEigenvalues=False)
+values, _ = model.system.ComputeODE2Eigenvalues(computeComplexEigenvalues=False)
 found = np.sqrt(np.maximum(values, 0)) / (2 * np.pi)
 speed = np.sqrt(modulus / density)  # of sound
 for i, name in enumerate(("first", "second", "third"), 1):
     print(f"{name} frequency: {found[i]:.2f} Hz, of the whole rod {i * speed / (2 * length):.2f} Hz")
 
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = 4e-4
-settings.timeIntegration.numberOfSteps = 800
-settings.solutionSettings.writeSolutionToFile = False
-settings.solutionSettings.sensorsWritePeriod = 1e-6
-mbs.SolveDynamic(settings)
-mbs.PlotSensor(
-    ["end"], components=[elements], yLabel="displacement of the pulled end (m)", labels="end", fileName="rod_end.png",
-    closeAll=True,
-)  # fmt: skip
+solution = model.solve(end_time=4e-4, step_size=5e-7)
+plt.plot(solution.times, solution[model.nodes[1]].coordinates[:, elements])
+plt.gca().set(xlabel="time (s)", ylabel="displacement of the pulled end (m)")
+plt.savefig("rod_end.png")

@@ -6,44 +6,44 @@ these are equations for exact derivatives of frequency responses, by the damper 
 are those of the formulas of Den Hartog (Mechanical Vibrations, section 3.3) and Brock.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 from scipy.optimize import brentq, least_squares
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
 
 mass, stiffness, small = 10.0, 4000.0, 0.5  # kg, N/m, kg
 ratio, own = small / mass, np.sqrt(stiffness / mass)
 
-mbs = exu.SystemContainer().AddSystem()
-markers = [mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))]
+model = db.Model()
+markers = [model.add(db.MarkerNodeCoordinate(nodeNumber=model.add(db.NodePointGround()), coordinate=0))]
 for name, size in (("machine", mass), ("absorber", small)):
-    node = mbs.AddNode(Node1D(name=name))
-    mbs.AddObject(Mass1D(physicsMass=size, nodeNumber=node))
-    markers.append(mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0)))
-mbs.AddObject(CoordinateSpringDamper(markerNumbers=markers[:2], stiffness=stiffness))
+    node = model.add(db.Node1D(name=name))
+    model.add(db.Mass1D(physicsMass=size, nodeNumber=node))
+    markers.append(model.add(db.MarkerNodeCoordinate(nodeNumber=node, coordinate=0)))
+model.add(db.CoordinateSpringDamper(markerNumbers=markers[:2], stiffness=stiffness))
 absorber = {"stiffness": ratio * stiffness, "damping": 1}
-mbs.AddObject(CoordinateSpringDamper(name="coupling", markerNumbers=markers[1:], **absorber))
-mbs.AddLoad(LoadCoordinate(name="shaker", markerNumber=markers[1], load=1))
-mbs.AddSensor(SensorNode(name="x", nodeNumber="machine", outputVariableType=exu.OutputVariableType.Coordinates))
-mbs.Assemble()
+model.add(db.CoordinateSpringDamper(name="coupling", markerNumbers=markers[1:], **absorber))
+model.add(db.LoadCoordinate(name="shaker", markerNumber=markers[1], load=1))
+model.add(db.SensorNode(name="x", nodeNumber="machine", outputVariableType=db.OutputVariableType.Coordinates))
+model.assemble()
 
-below, above = exu.DesignParameter(0.9 * own), exu.DesignParameter(1.05 * own)  # frequencies in rad/s
+below, above = db.DesignParameter(0.9 * own), db.DesignParameter(1.05 * own)  # frequencies in rad/s
 parameters = {"k": ("coupling", "stiffness"), "d": ("coupling", "damping"), "below": below, "above": above}
-outputs = {name: exu.FrequencyResponse("shaker", "x", omega=name) for name in ("below", "above")}
-model = exu.DifferentiableModel(mbs, parameters, outputs, solverType="static")
+outputs = {name: db.FrequencyResponse("shaker", "x", omega=name) for name in ("below", "above")}
+twin = db.DifferentiableModel(model.system, parameters, outputs, solverType="static")
 
 
 def fixed_points(factors):
-    """What vanishes at the best spring: derivatives by the damper at two frequencies, and the difference there."""
-    found = model.Sensitivities(model.x0 * [factors[0], 1.0, *factors[1:]])
+    """Return values that vanish at the best spring: derivatives by the damper, and the difference of amplitudes."""
+    found = twin.Sensitivities(twin.x0 * [factors[0], 1.0, *factors[1:]])
     below, above = found.values.values()
     return [found.Derivative("below", "d") / below, found.Derivative("above", "d") / above, above / below - 1]
 
 
-k, *frequencies = model.x0[[0, 2, 3]] * least_squares(fixed_points, np.ones(3), bounds=(0.8, 1.1), gtol=1e-13).x
+k, *frequencies = twin.x0[[0, 2, 3]] * least_squares(fixed_points, np.ones(3), bounds=(0.8, 1.1), gtol=1e-13).x
 level = [
-    brentq(lambda d, name=name: model.Sensitivities([k, d, *frequencies]).Derivative(name, name), 0.5, 8, xtol=1e-10)
+    brentq(lambda d, name=name: twin.Sensitivities([k, d, *frequencies]).Derivative(name, name), 0.5, 8, xtol=1e-10)
     for name in outputs
 ]
 d = np.sqrt(np.mean(np.square(level)))
@@ -52,14 +52,14 @@ expected = ratio * stiffness / (1 + ratio) ** 2
 print(f"stiffness of the absorber: {k:.5f} N/m, Den Hartog's {expected:.5f} N/m")
 damper = 2 * small * own * np.sqrt(3 * ratio / (8 * (1 + ratio) ** 3))
 print(f"damper of the absorber: {d:.6f} Ns/m, Den Hartog's and Brock's {damper:.6f} Ns/m")
-highest = model.Values([k, d, *frequencies])["below"]
+highest = twin.Values([k, d, *frequencies])["below"]
 print(f"amplitude at both frequencies: {1e3 * highest:.6f} mm/N, sqrt(1 + 2/ratio)/stiffness "
       f"{1e3 * np.sqrt(1 + 2 / ratio) / stiffness:.6f} mm/N")  # fmt: skip
 
 grid = np.linspace(0.75, 1.25, 81) * own
-curves = [
-    np.column_stack([grid / (2 * np.pi), [1e3 * model.Values([*tuned, w, w])["below"] for w in grid]])
-    for tuned in ([ratio * stiffness, 1.0], [k, d])
-]
-mbs.PlotSensor(curves, labels=["before", "after"], xLabel="frequency (Hz)", yLabel="amplitude (mm/N)",
-               fileName="absorber_responses.png", closeAll=True)  # fmt: skip
+for name, tuned in (("before", [ratio * stiffness, 1.0]), ("after", [k, d])):
+    amplitude = [1e3 * twin.Values([*tuned, w, w])["below"] for w in grid]
+    plt.plot(grid / (2 * np.pi), amplitude, label=name)
+plt.gca().set(xlabel="frequency (Hz)", ylabel="amplitude (mm/N)")
+plt.legend()
+plt.savefig("absorber_responses.png")

@@ -5,11 +5,11 @@ stiffen the blade, out of the plane of the rotor more than in it. A reference wi
 shapes of a beam without shear, under the pull of its mass (Ritz).
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 
-import dalembert as exu
+import dalembert as db
 from dalembert.beams import ComputeSectionConstants, SectionPolygon
-from dalembert.utilities import *
 
 length, elements = 30.0, 40  # m
 chord, thickness, wall, taper = 1.6, 0.7, 0.03, 0.6  # m, m, m, relative reduction at the tip
@@ -30,28 +30,27 @@ def section(place):
 sections = [section((i + 0.5) / elements) for i in range(elements)]
 
 # the blade, along x
-mbs = exu.SystemContainer().AddSystem()
+model = db.Model()
 nodes = [
-    mbs.AddNode(NodeRigidBodyRotVecLG(referenceCoordinates=[x, 0, 0, 0, 0, 0]))
+    model.add(db.NodeRigidBodyRotVecLG(referenceCoordinates=[x, 0, 0, 0, 0, 0]))
     for x in np.linspace(0, length, elements + 1)
 ]
 for i, part in enumerate(sections):
-    drawn = VObjectBeamGeometricallyExact(sectionGeometry=part.BeamSectionGeometry())
-    mbs.AddObject(
-        ObjectBeamGeometricallyExact(
+    drawn = db.VObjectBeamGeometricallyExact(sectionGeometry=part.BeamSectionGeometry())
+    model.add(
+        db.ObjectBeamGeometricallyExact(
             physicsLength=length / elements, sectionData=part.BeamSection(), nodeNumbers=nodes[i : i + 2],
             visualization=drawn,
         )
     )  # fmt: skip
-markers = [mbs.AddMarker(MarkerNodeRigid(nodeNumber=node)) for node in nodes]
-mbs.AddObject(GenericJoint(markerNumbers=[mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround())), markers[0]]))
-gusts = [
-    mbs.AddLoad(Force(markerNumber=marker, loadVector=[0, 0, 0])) for marker in markers[1:]
-]  # share of one element each, the last one half
-mbs.Assemble()
+markers = [model.add(db.MarkerNodeRigid(nodeNumber=node)) for node in nodes]
+model.add(db.GenericJoint(markerNumbers=[model.add(db.MarkerBodyRigid(bodyNumber=model.ground)), markers[0]]))
+# shares of one element each, the last one half
+gusts = [model.add(db.Force(markerNumber=marker, loadVector=[0, 0, 0])) for marker in markers[1:]]
+model.assemble()
 
 # frequencies: the rotor turns about z, so that z is out of its plane
-found = np.array([mbs.ComputeVibrationModes(4, [0, 0, rpm * np.pi / 30]).frequencies for rpm in speeds])
+found = np.array([model.system.ComputeVibrationModes(4, [0, 0, rpm * np.pi / 30]).frequencies for rpm in speeds])
 
 
 places_of_fit = np.linspace(0, 1, 9)
@@ -59,7 +58,7 @@ sections_of_fit = [section(place) for place in places_of_fit]
 
 
 def ritz(rpm, out_of_plane, terms=7):
-    """The first two frequencies (Hz), from stiffness and mass of the sections along the blade."""
+    """Return the first two frequencies (Hz), from stiffness and mass of the sections along the blade."""
     bending = [part.stiffnessMatrix[4 if out_of_plane else 5, 4 if out_of_plane else 5] for part in sections_of_fit]
     s, weights = np.polynomial.legendre.leggauss(40)
     s, weights = (s + 1) / 2, weights / 2 * length
@@ -87,26 +86,23 @@ for k in (0, -1):
 # the wind, at rest and at full speed
 for i, gust in enumerate(gusts):
     share = 0.5 if i == elements - 1 else 1.0
-    mbs.SetLoadParameter(gust, "loadVector", [0, 0, share * wind * length / elements])
-mbs.Assemble()
+    gust.load_vector = [0, 0, share * wind * length / elements]
+model.assemble()
 tips = []
 for rpm in (0, speeds[-1]):
-    bent = mbs.ComputeVibrationModes(1, [0, 0, rpm * np.pi / 30])
-    mbs.systemData.SetODE2Coordinates(bent.coordinates)
-    tips.append(mbs.GetNodeOutput(nodes[-1], exu.OutputVariableType.Position)[2])
+    bent = model.system.ComputeVibrationModes(1, [0, 0, rpm * np.pi / 30])
+    model.system.systemData.SetODE2Coordinates(bent.coordinates)
+    tips.append(nodes[-1].position[2])
 print(f"the wind bends the tip by {tips[0]:.3f} m at rest, by {tips[1]:.3f} m at {speeds[-1]:.0f} rpm")
 
 names = ["first flap", "first lag", "second flap", "second lag"]
-mbs.PlotSensor(
-    [np.column_stack([speeds, found[:, k]]) for k in range(4)],
-    components=[0] * 4, labels=names, xLabel="speed of the rotor (rpm)", yLabel="frequency (Hz)",
-    fileName="blade_frequencies.png",
-    closeAll=True,
-)  # fmt: skip
-SC = mbs.GetSystemContainer()
-shown = SC.visualizationSettings
-mbs.systemData.SetODE2Coordinates(bent.coordinates, exu.ConfigurationType.Visualization)
+plt.plot(speeds, found, label=names)
+plt.gca().set(xlabel="speed of the rotor (rpm)", ylabel="frequency (Hz)")
+plt.legend()
+plt.savefig("blade_frequencies.png")
+shown = model.container.visualizationSettings
+model.system.systemData.SetODE2Coordinates(bent.coordinates, db.ConfigurationType.Visualization)
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.connectors.show = False
-shown.contour.outputVariable, shown.contour.outputVariableComponent = exu.OutputVariableType.Displacement, 2  # as color
-SC.renderer.SetModelView(zoom=15, rotationVector=[-1.1, 0.1, 0.3], centerPoint=[length / 2, 0, 0])
-mbs.Draw(fileName="blade_picture.png")
+shown.contour.outputVariable, shown.contour.outputVariableComponent = db.OutputVariableType.Displacement, 2  # as color
+model.container.renderer.SetModelView(zoom=15, rotationVector=[-1.1, 0.1, 0.3], centerPoint=[length / 2, 0, 0])
+model.draw(file_name="blade_picture.png")

@@ -11,6 +11,8 @@ from typing import Any
 
 from plain_docstrings import as_rst, escaped
 
+from codegen.names import snake_case
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 INTRO = """\
@@ -40,7 +42,8 @@ def row(argument: Any) -> str:
 def page(name: str, function: Any, create: ModuleType, examples: dict[str, str]) -> str:
     plain, mirrors = inspect.unwrap(function), create._mirrors
     items = ", ".join(f":ref:`{item} <item-{item}>`" for item in mirrors.MIRRORS.get(name, ()))
-    used = [stem for stem, code in examples.items() if f".{name}(" in code]
+    calls = [f".{each}(" for each in (name, snake_case(name))]
+    used = [stem for stem, code in examples.items() if any(call in code for call in calls)]
     return "\n".join(
         (
             f".. _create-{name}:\n\n{heading(name)}",

@@ -7,12 +7,11 @@ from __future__ import annotations
 
 import ast
 import os
-import re
 from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 from pathlib import Path
 
-from example_runs import EXAMPLES, run
+from example_runs import EXAMPLES, RUNS, run
 
 INTRO = """\
 Complete models, each in one file, which run by ``dalembert run examples/name.py`` or by Python. Most print a result
@@ -22,9 +21,9 @@ its theoretical value; tests compare them.
 
 
 def pictures(path: Path) -> list[str]:
-    """Names of the files that an example draws and plots into. The first stands for it: the model, if it is drawn."""
-    names = re.findall(r'(?:fileName=|file_name=|savefig\()"(\w+\.(?:png|gif))"', path.read_text("utf-8"))
-    return sorted(names, key=lambda name: "_picture" not in name)
+    """Names of the files that the example has drawn. The first stands for it: the model, if it is drawn."""
+    names = [file.name for file in (RUNS / path.stem).iterdir() if file.suffix in (".png", ".gif")]
+    return sorted(names, key=lambda name: ("_picture" not in name, name))
 
 
 def title(path: Path) -> str:
