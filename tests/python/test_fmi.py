@@ -168,6 +168,43 @@ def test_inputs_and_parameters_of_an_exported_model(tmp_path: Path, version: Any
             assert abs(found["x"][-1] - state[0]) < 1e-8
 
 
+@pytest.mark.parametrize("interval", [0.02, 0.1])
+def test_steps_of_error_control_end_at_communication_points(tmp_path: Path, interval: float) -> None:
+    model = oscillator()
+    settings = db.SimulationSettings()
+    settings.timeIntegration.relativeTolerance = settings.timeIntegration.absoluteTolerance = 1e-10
+    signals: Any = {"x": ("mass", "displacement", 0)}
+    model.export_fmu(tmp_path / "o.fmu", {}, signals, 0.02, method="dopri5", settings=settings)
+    found = fmpy.simulate_fmu(str(tmp_path / "o.fmu"), stop_time=2, output_interval=interval)
+    assert len(found) == round(2 / interval) + 1
+    assert np.abs(found["x"] - displacement(found["time"])).max() < 1e-9
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_steps_that_leave_the_grid_end_at_communication_points(tmp_path: Path, version: Any) -> None:
+    """An event of the model at an odd time switches a force on; steps of equal size go on from there."""
+    model = oscillator()
+    model.system.SetEventsUserFunction(odd_time)
+    model.system.SetEventActionUserFunction(switch_on)
+    model.export_fmu(tmp_path / "o.fmu", {}, {"x": ("mass", "displacement", 0)}, 1e-3, version=version, method="rk44")
+    found = fmpy.simulate_fmu(str(tmp_path / "o.fmu"), stop_time=0.5, output_interval=5e-3)
+    system = np.array([[0, 1, 0], [-(OMEGA**2), -2 * DAMPING * OMEGA, 30 / MASS], [0, 0, 0]])
+    before = [expm(system * min(t, 0.1234)) @ [0.1, 0, 0] for t in found["time"]]
+    states = [expm(system * max(t - 0.1234, 0)) @ [x, v, 1] for t, (x, v, _) in zip(found["time"], before, strict=True)]
+    assert np.abs(found["x"] - np.array(states)[:, 0]).max() < 1e-8
+    assert found["time"][-1] == 0.5
+
+
+def odd_time(mbs: Any, t: float) -> Any:
+    return [t - 0.1234]
+
+
+def switch_on(mbs: Any, t: float, event: int, direction: int) -> bool:
+    assert event == 0
+    mbs.SetLoadParameter("push", "loadVector", [30, 0, 0])
+    return True
+
+
 def test_an_exported_model_starts_where_the_model_would(tmp_path: Path) -> None:
     """The initial state of an earlier solution, user functions and the start time are those of the model."""
     model = oscillator()
@@ -243,7 +280,7 @@ print(fmu.getReal([0]))
     [
         ({"version": "1.0"}, "version: received '1.0', but expected '2.0' or '3.0'"),
         ({"step_size": 0}, "step_size: expected a positive number"),
-        ({"method": "dopri5"}, "method: DOPRI5 chooses its steps by their error"),
+        ({"method": "dopri6"}, "method: received 'dopri6'. Expected one of 'GeneralizedAlpha'"),
         ({"inputs": {"2x": "push"}}, "inputs: received the name '2x'; expected letters, digits and _"),
         ({"inputs": {"f": "spring"}}, "CartesianSpringDamper 'spring'.*without a parameter"),
         ({"inputs": {"f": ("spring", "stifness")}}, "no parameter 'stifness'. Did you mean 'stiffness'"),

@@ -27,7 +27,7 @@ from dalembert._model.fmi_signals import (
     parameters_of,
     signal_of,
 )
-from dalembert._model.solve import _FIXED_STEPS, _settings
+from dalembert._model.solve import _settings
 
 _SCRIPT = '''"""A model of dalembert {package} as a slave of co-simulation."""
 
@@ -89,13 +89,6 @@ def export_fmu(
     path = Path(file_to_write(f"{where}: file_name", file_name))
     used = _settings(where, settings)
     kind = words.member(DynamicSolverType, method, f"{where}: method")
-    implicit = kind in (DynamicSolverType.GeneralizedAlpha, DynamicSolverType.TrapezoidalIndex2)
-    controlled = used.stepSizeControl.implicitSolvers and used.timeIntegration.automaticStepSize
-    if kind not in _FIXED_STEPS or (implicit and controlled):
-        raise ValueError(
-            f"{where}: method: {kind.name} chooses its steps by their error, but those of an FMU are equal; use "
-            "another method, such as generalized_alpha or rk44"
-        )
     if events_of(model.system):
         raise ValueError(f"{where}: the model has FMUs itself; connect them in the program that imports the new one")
     used.timeIntegration.verboseMode = 0 if settings is None else used.timeIntegration.verboseMode

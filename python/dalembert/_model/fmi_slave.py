@@ -7,6 +7,7 @@ The solution is therefore the same as that of model.solve, to the last bit, and 
 from __future__ import annotations
 
 import json
+import sys
 import threading
 import weakref
 from functools import partial
@@ -109,43 +110,67 @@ class Slave:
 
 
 class _Step:
-    """Function of the solver after each step."""
+    """Functions of the system at the ends of steps: outputs and inputs, and an event if a step passes the next point.
+
+    Steps of equal size end at communication points, without an event. Others are cut there.
+    """
 
     def __init__(self, slave: Slave) -> None:
-        self.own = slave._mbs.GetPostStepUserFunction()
-        self.target, self.tolerance = slave.time, _ON_TIME * slave.step_size
+        self.target, self.count = slave.time, 0
+        self.tolerance = 1e-9 * slave.step_size
         self.parameters, self.applied, self.sources = slave._parameters, slave._applied, slave._sources
         self.commands, self.answers = slave._commands, slave._answers
+        mbs = slave._mbs
+        self.own = mbs.GetPostStepUserFunction(), mbs.GetEventsUserFunction(), mbs.GetEventActionUserFunction()
 
-    def __call__(self, mbs: Any, t: float) -> bool:
-        if self.own != 0 and not self.own(mbs, t):
+    def attach(self, mbs: Any) -> None:
+        mbs.SetPostStepUserFunction(self.after_step)
+        mbs.SetEventsUserFunction(self.values)
+        if self.own[2] != 0:
+            mbs.SetEventActionUserFunction(self.act)
+
+    def detach(self, mbs: Any) -> None:
+        mbs.SetPostStepUserFunction(self.own[0])
+        mbs.SetEventsUserFunction(self.own[1])
+        mbs.SetEventActionUserFunction(self.own[2])
+
+    def values(self, mbs: Any, t: float) -> list[Any]:
+        values = [t - self.target - 0.5 * self.margin(), -self.tolerance]
+        if self.count % 2:  # solvers refuse events of one function in each step
+            values.reverse()
+        return values + ([] if self.own[1] == 0 else list(self.own[1](mbs, t)))
+
+    def act(self, mbs: Any, t: float, event: int, direction: int) -> bool:
+        return event < 2 or bool(self.own[2](mbs, t, event - 2, direction))
+
+    def margin(self) -> float:
+        return self.tolerance + 32 * sys.float_info.epsilon * abs(self.target)
+
+    def after_step(self, mbs: Any, t: float) -> bool:
+        if self.own[0] != 0 and not self.own[0](mbs, t):
             return False
-        if t < self.target - self.tolerance:
+        if t < self.target - self.margin():
             return True
-        if t > self.target + self.tolerance:
-            raise RuntimeError(
-                f"a step that was repeated with another size ends at {t!r} s instead of {self.target!r} s; export the "
-                "model with a smaller step_size"
-            )
         self.answers.put(_read(self.sources))
         command = self.commands.get()
         if command is None:
             return False
         self.target, values = command
+        self.count += 1
         _apply(self.parameters, self.applied, values)
         return True
 
 
 def _solve(mbs: Any, settings: Any, kind: DynamicSolverType, step: _Step, answers: Any) -> None:
     """Solve until the function after steps ends it; the last answer is an error, or None."""
-    mbs.SetPostStepUserFunction(step)
+    step.attach(mbs)
     result: Any = None
     try:
         mbs.SolveDynamic(settings, solverType=kind, autoAssemble=False)
     except BaseException as error:  # also SystemExit of a user function
         result = error
     finally:
-        mbs.SetPostStepUserFunction(step.own)
+        step.detach(mbs)
         answers.put(result)
 
 

@@ -408,9 +408,8 @@ class Model(CreateMethods):
         inputs: parameters by the names of the FMU: {"torque": load, "k": (spring, "stiffness"), "f": (load,
             "load_vector", 0)}; all entries of a vector are "f[1]", "f[2]", ...; constant between communications.
         outputs: {"angle": sensor, "x": (body, "position", 0), "v": "body.velocity"}: components are selected likewise.
-        step_size: size of the steps (s); communication steps are multiples of it.
-        parameters: like inputs, for tunable parameters of the FMU. version: of FMI. method: one with equal steps. See
-            solve for settings.
+        step_size: size of the steps, the largest one with error control (s); communication steps are multiples of it.
+        parameters: like inputs, for tunable parameters of the FMU. version: of FMI. See solve for the others.
         """
         from dalembert._model.fmi_export import export_fmu
 
