@@ -122,6 +122,7 @@ def test_an_exported_model_moves_like_the_model(tmp_path: Path, version: Any, me
     outputs = {"x": ("mass", "displacement", 0), "v": "speed", "a": ("mass", "acceleration", 0)}
     model.export_fmu(tmp_path / "oscillator.fmu", {}, outputs, 1e-3, version=version, method=method)
     own = model.solve(1, 1e-3, method=method)
+    before = threading.enumerate()
     found = fmpy.simulate_fmu(str(tmp_path / "oscillator.fmu"), stop_time=1, output_interval=0.01)
     assert found.dtype.names == ("time", "x", "v[1]", "v[2]", "v[3]", "a")
     assert np.array_equal(found["x"], own["mass"].displacement[::10, 0])
@@ -129,7 +130,7 @@ def test_an_exported_model_moves_like_the_model(tmp_path: Path, version: Any, me
     assert np.array_equal(found["a"], own["mass"].acceleration[::10, 0])
     accuracy = 1e-8 if method == "rk44" else 1e-4
     assert np.abs(found["x"] - displacement(found["time"])).max() < accuracy
-    assert not [each for each in threading.enumerate() if each.name == "dalembert FMU"]
+    assert threading.enumerate() == before
 
 
 @pytest.mark.parametrize("version", VERSIONS)
@@ -205,12 +206,14 @@ def switch_on(mbs: Any, t: float, event: int, direction: int) -> bool:
     return True
 
 
-def test_an_exported_model_starts_where_the_model_would(tmp_path: Path) -> None:
+@pytest.mark.parametrize("version", VERSIONS)
+def test_an_exported_model_starts_where_the_model_would(tmp_path: Path, version: Any) -> None:
     """The initial state of an earlier solution, user functions and the start time are those of the model."""
     model = oscillator()
     model["spring"].spring_force_user_function = spring
     model.solve(0.3, 1e-3, method="rk44", update_initial_values=True)
-    model.export_fmu(tmp_path / "o.fmu", {}, {"x": ("mass", "displacement", 0)}, 1e-3, method="rk44")
+    signals: Any = {"x": ("mass", "displacement", 0)}
+    model.export_fmu(tmp_path / "o.fmu", {}, signals, 1e-3, version=version, method="rk44")
     found = fmpy.simulate_fmu(str(tmp_path / "o.fmu"), start_time=0.3, stop_time=0.8, output_interval=0.01)
     own = model.solve(0.8, 1e-3, start_time=0.3, method="rk44")
     assert np.abs(found["x"] - own["mass"].displacement[::10, 0]).max() < 1e-14
@@ -220,16 +223,28 @@ def spring(mbs: Any, t: float, item: int, u: Any, v: Any, k: Any, d: Any, offset
     return [k[0] * u[0] + 1e4 * u[0] ** 3, k[1] * u[1], k[2] * u[2] + 0 * np.cos(t)]
 
 
-def test_an_fmu_in_a_model(tmp_path: Path) -> None:
-    """An exported model is an FMU in another one: springs of a spring, held between communications."""
+@pytest.mark.parametrize("version", VERSIONS)
+def test_an_exported_model_in_a_model(tmp_path: Path, version: Any) -> None:
+    """The displacement of a mass under a constant force, at the end of each period, is a force on the other mass."""
     inner = db.Model()
     inner.create_mass_point("mass", mass=1)
-    inner.create_force("push", "mass", load_vector=[2, 0, 0])
-    inner.export_fmu(tmp_path / "inner.fmu", {"force": ("push", 0)}, {"x": ("mass", "displacement", 0)}, 1e-3)
+    inner.create_force("push", "mass")
+    signals: Any = ({"force": ("push", 0)}, {"x": ("mass", "displacement", 0)})
+    inner.export_fmu(tmp_path / "inner.fmu", *signals, 1e-3, version=version, method="rk44")
+    before = threading.enumerate()
     model = oscillator()
-    model.add_fmu(tmp_path / "inner.fmu", {"force": ("speed", 1)}, {"x": ("spring", "offset", 1)}, 0.01)
-    model.solve(0.5, 5e-3)
-    assert "dalembert FMU" not in [each.name for each in threading.enumerate()]
+    model["spring"].stiffness = [MASS * OMEGA**2, 0, 0]
+    model.create_force("constant", "mass", load_vector=[0, 2, 0])
+    model.create_sensor("constant", name="two")
+    model.add_fmu(tmp_path / "inner.fmu", {"force": ("two", 1)}, {"x": ("push", 2)}, PERIOD)
+    z = speed = 0.0
+    for k in range(1, SAMPLES + 1):
+        force = (k * PERIOD) ** 2
+        z, speed = z + PERIOD * speed + PERIOD**2 / 2 * force / MASS, speed + PERIOD * force / MASS
+    for _ in range(2):
+        solution = model.solve(PERIOD * SAMPLES, PERIOD, method="rk44")
+        assert abs(solution["mass"].displacement[-1, 2] - z) < 1e-12
+    assert threading.enumerate() == before
 
 
 @pytest.mark.parametrize("version", VERSIONS)
@@ -412,6 +427,10 @@ def test_other_solvers_refuse_models_with_fmus(tmp_path: Path) -> None:
             solve()
     with pytest.raises(ValueError, match="steps of 0.1 s are longer than 0.005 s, the step size of an FMU"):
         model.solve(1, 0.1)
+    settings = db.SimulationSettings()
+    settings.continuation.restartFileName = "restart.txt"
+    with pytest.raises(ValueError, match="settings.continuation: a solution with FMUs cannot be continued"):
+        model.solve(1, 1e-3, settings=settings)
     with pytest.raises(ValueError, match="model files do not keep FMUs"):
         model.save(tmp_path / "m.json")
     with pytest.raises(ValueError, match="the model has FMUs itself"):

@@ -44,7 +44,7 @@ except ImportError as error:
 class {identifier}(Fmi{n}Slave):
     def __init__(self, **options):
         super().__init__(**options)
-        self.model = connect(self, {module}, "{n}", {module})
+        self.model = connect(self, {module}, "{n}")
 
     def setup_experiment(self, start_time, *others):
         self.model.time = start_time
@@ -56,7 +56,8 @@ class {identifier}(Fmi{n}Slave):
         return self.run(self.model.do_step, current_time, step_size)
 
     def terminate(self):
-        self.model.stop()
+        for text in self.model.stop():
+            self.log(text, Fmi{n}Status.warning)
 
     def run(self, function, *arguments):
         try:

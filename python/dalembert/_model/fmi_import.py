@@ -10,7 +10,6 @@ from __future__ import annotations
 import copy
 import math
 import os
-import shutil
 import sys
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
@@ -78,8 +77,9 @@ class _Run:
         references = {each.name: each.valueReference for each in description.modelVariables}
         self.input_references = [references[name] for name in fmu.inputs]
         self.output_references = [references[name] for name in fmu.outputs]
-        self.folder = tempfile.mkdtemp(prefix="dalembert")
-        self._call("extract", 0.0, lambda: fmpy.extract(fmu.file, self.folder))
+        self.files = tempfile.TemporaryDirectory(prefix="dalembert", ignore_cleanup_errors=True)
+        self.folder = self.files.name
+        fmpy.extract(fmu.file, self.folder)
 
     def _log(self, *arguments: Any) -> None:
         *_, status, _, message = arguments
@@ -88,6 +88,7 @@ class _Run:
 
     def _call(self, what: str, time: float, function: Callable[[], Any]) -> Any:
         """Call the FMU; errors have its name, the time and its messages."""
+        self.messages.clear()
         try:
             return function()
         except Exception as error:
@@ -170,7 +171,7 @@ class _Run:
         for name, module in list(sys.modules.items()):
             if str(getattr(module, "__file__", None)).startswith(inside):
                 del sys.modules[name]
-        shutil.rmtree(self.folder, ignore_errors=True)
+        self.files.cleanup()
 
 
 class _Events:
@@ -228,6 +229,8 @@ def stepped(system: Any, settings: Any, kind: Any, where: str) -> Iterator[None]
     if events is None:
         yield
         return
+    if settings.continuation.restartFileName or settings.continuation.ifAvailable:
+        raise ValueError(f"{where}: settings.continuation: a solution with FMUs cannot be continued from a file")
     time = settings.timeIntegration
     duration, smallest = time.endTime - time.startTime, min(each.step_size for each in events.fmus)
     steps = math.ceil(duration / smallest * (1 - 1e-9))

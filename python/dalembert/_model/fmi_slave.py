@@ -84,20 +84,23 @@ class Slave:
                 f"the communication step is {step_size!r} s, but expected a multiple of the step size of the model, "
                 f"{self.step_size!r} s"
             )
-        if abs(time - self.time) > _ON_TIME * self.step_size:
+        late = abs(time - self.time) > _ON_TIME * self.step_size
+        if self._moved and late:
             raise ValueError(f"the step begins at {time!r} s, but the model is at {self.time!r} s")
-        if self._outputs is None or (not self._moved and self.values != self._applied):
+        if self._outputs is None or (not self._moved and (late or self.values != self._applied)):
+            self.time = time  # pythonfmu3 does not pass the start time
             self.start()
         self._commands.put((time + step_size, dict(self.values)))
         self._outputs, self._moved = self._answer(), True
         self.time = time + step_size
 
-    def stop(self) -> None:
-        """End the solution and wait until it has ended."""
-        if self._outputs is not None:
-            self._outputs = None
-            self._commands.put(None)
-            self._answers.get()
+    def stop(self) -> list[str]:
+        """End the solution; return reasons not to trust it."""
+        if self._outputs is None:
+            return []
+        self._outputs = None
+        self._commands.put(None)
+        return getattr(self._answers.get(), "doubts", [])
 
     def _answer(self) -> list[float]:
         answer = self._answers.get()
@@ -162,11 +165,11 @@ class _Step:
 
 
 def _solve(mbs: Any, settings: Any, kind: DynamicSolverType, step: _Step, answers: Any) -> None:
-    """Solve until the function after steps ends it; the last answer is an error, or None."""
+    """Solve until the function after steps ends it; the last answer is the result, or an error."""
     step.attach(mbs)
     result: Any = None
     try:
-        mbs.SolveDynamic(settings, solverType=kind, autoAssemble=False)
+        result = mbs.SolveDynamic(settings, solverType=kind, autoAssemble=False)
     except BaseException as error:  # also SystemExit of a user function
         result = error
     finally:
@@ -192,23 +195,21 @@ def _read(sources: list[Output]) -> list[float]:
     return [float(value) for each in sources for value in each.values()]
 
 
-def connect(fmu: Any, variables: Any, version: str, standard: Any) -> Slave:
+def connect(fmu: Any, package: Any, version: str) -> Slave:
     """Register the variables of the model at a slave of pythonfmu or pythonfmu3, and return the model."""
     slave = Slave(fmu.resources)
-    real = variables.Real if version == "2" else variables.Float64
-    causality, variability = (getattr(standard, f"Fmi{version}{each}") for each in ("Causality", "Variability"))
+    real = package.Real if version == "2" else package.Float64
+    causality, variability = (getattr(package, f"Fmi{version}{each}") for each in ("Causality", "Variability"))
     if version == "3":
         time = real("time", causality=causality.independent, getter=lambda: slave.time)
         fmu.register_variable(time, nested=False)
     for name in slave.facts["parameters"]:
-        tunable = name in slave.facts["tunable"]
-        kind = {"causality": causality.parameter, "variability": variability.tunable} if tunable else {
-            "causality": causality.input
-        }  # fmt: skip
-        access = {"getter": partial(slave.values.get, name), "setter": partial(slave.set, name)}
-        fmu.register_variable(real(name, **kind, **access), nested=False)
+        options = {"causality": causality.input, "getter": partial(slave.values.get, name)}
+        if name in slave.facts["tunable"]:
+            options |= {"causality": causality.parameter, "variability": variability.tunable}
+        fmu.register_variable(real(name, setter=partial(slave.set, name), **options), nested=False)
     for number, name in enumerate(slave.facts["names"]):
         output = real(name, causality=causality.output, getter=partial(slave.output, number))
         fmu.register_variable(output, nested=False)
-    fmu.default_experiment = standard.DefaultExperiment(start_time=0.0, step_size=slave.step_size)
+    fmu.default_experiment = package.DefaultExperiment(start_time=0.0, step_size=slave.step_size)
     return slave
