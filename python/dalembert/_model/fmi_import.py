@@ -14,6 +14,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -35,27 +36,19 @@ _ON_TIME = 1e-6  # part of a step; there is no step at the end of a solution
 _ERROR, _FATAL = 3, 4  # statuses of calls
 
 
+@dataclass(frozen=True)
 class Fmu:
-    """An FMU of a model: its file and variables, and its instance while a solver runs."""
+    """An FMU of a model. Inputs and outputs are plain forms of signals by variables."""
 
-    def __init__(
-        self,
-        file: str,
-        step_size: float,
-        values: dict[str, Any],
-        inputs: dict[str, list[Any]],
-        outputs: dict[str, list[Any]],
-    ) -> None:
-        self.file, self.step_size, self.values = file, step_size, values
-        self.inputs, self.outputs = inputs, outputs  # plain forms of signals, by variables
-        self.name = os.path.basename(file)
-        self._run: _Run | None = None
+    file: str
+    step_size: float
+    values: dict[str, Any]
+    inputs: dict[str, list[Any]]
+    outputs: dict[str, list[Any]]
 
-    def __getstate__(self) -> dict[str, Any]:
-        return {**vars(self), "_run": None}
-
-    def __repr__(self) -> str:
-        return f"<FMU '{self.name}', step size {self.step_size:g} s>"
+    @property
+    def name(self) -> str:
+        return os.path.basename(self.file)
 
 
 class _Run:
@@ -182,31 +175,31 @@ class _Events:
 
     def __init__(self, functions: Any, action: Any) -> None:
         self.fmus: list[Fmu] = []
+        self.runs: list[_Run] = []  # while model.solve runs
         self._functions, self._action = functions, action
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "runs": []}
 
     def values(self, mbs: Any, t: float) -> list[Any]:
         values: list[Any] = []
-        for run in self._runs():
+        if len(self.runs) < len(self.fmus):
+            names = ", ".join(f"'{each.name}'" for each in self.fmus)
+            raise RuntimeError(f"the model has FMUs ({names}), which only model.solve(...) steps")
+        for run in self.runs:
             later = run.next_time + run.fmu.step_size
             times = (run.next_time, later) if run.count % 2 == 0 else (later, run.next_time)
             values += [(t - each, 1) for each in times]
         return values + ([] if self._functions == 0 else list(self._functions(mbs, t)))
 
     def act(self, mbs: Any, t: float, event: int, direction: int) -> bool:
-        runs = self._runs()
-        if event >= 2 * len(runs):
-            return self._action == 0 or bool(self._action(mbs, t, event - 2 * len(runs), direction))
-        run = runs[event // 2]
+        own = event - 2 * len(self.runs)
+        if own >= 0:
+            return self._action == 0 or bool(self._action(mbs, t, own, direction))
+        run = self.runs[event // 2]
         if t < run.end_time - _ON_TIME * run.fmu.step_size:
             run.step()
         return True
-
-    def _runs(self) -> list[_Run]:
-        runs = [each._run for each in self.fmus if each._run is not None]
-        if len(runs) < len(self.fmus):
-            names = ", ".join(f"'{each.name}'" for each in self.fmus)
-            raise RuntimeError(f"the model has FMUs ({names}), which only model.solve(...) steps")
-        return runs
 
 
 def events_of(system: Any) -> _Events | None:
@@ -242,16 +235,14 @@ def stepped(system: Any, settings: Any, kind: Any, where: str) -> Iterator[None]
     time.numberOfSteps = max(time.numberOfSteps, steps)  # steps by tolerances are not longer, either
     try:
         for fmu in events.fmus:
-            fmu._run = _Run(fmu, system, time.startTime, time.endTime)
+            events.runs.append(_Run(fmu, system, time.startTime, time.endTime))
         _accelerate(system, settings)
-        for fmu in events.fmus:
-            fmu._run.step()  # type: ignore[union-attr]
+        for run in events.runs:
+            run.step()
         yield
     finally:
-        for fmu in events.fmus:
-            if fmu._run is not None:
-                fmu._run.close()
-                fmu._run = None
+        while events.runs:
+            events.runs.pop().close()
 
 
 def _accelerate(system: Any, settings: Any) -> None:
@@ -259,7 +250,7 @@ def _accelerate(system: Any, settings: Any) -> None:
     if not system.systemIsConsistent:
         system.Assemble()
     quiet = copy.deepcopy(settings)
-    quiet.timeIntegration.verboseMode = 0
+    quiet.timeIntegration.verboseMode = quiet.timeIntegration.verboseModeFile = 0
     quiet.solutionSettings.writeSolutionToFile = quiet.solutionSettings.sensorsStoreAndWriteFiles = False
     solver = _core.MainSolverImplicitSecondOrder()
     _core._collect_warnings([])  # the solver gives them again
