@@ -36,7 +36,7 @@ from {module}.enums import Fmi{n}Status
 from {module} import Fmi{n}Slave
 
 try:
-    from dalembert._model.fmi_slave import connect
+    from dalembert._model.fmi_slave import connect, with_initial_unknowns
 except ImportError as error:
     raise ImportError("this FMU needs the Python package dalembert {package}: pip install dalembert") from error
 
@@ -45,6 +45,9 @@ class {identifier}(Fmi{n}Slave):
     def __init__(self, **options):
         super().__init__(**options)
         self.model = connect(self, {module}, "{n}")
+
+    def to_xml(self, *options):
+        return with_initial_unknowns(super().to_xml(*options))
 
     def setup_experiment(self, start_time, *others):
         self.model.time = start_time

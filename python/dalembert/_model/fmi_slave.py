@@ -14,6 +14,7 @@ from functools import partial
 from pathlib import Path
 from queue import SimpleQueue
 from typing import Any
+from xml.etree.ElementTree import SubElement
 
 import numpy as np
 
@@ -193,6 +194,14 @@ def _apply(parameters: dict[str, Parameter], applied: dict[str, float], values: 
 
 def _read(sources: list[Output]) -> list[float]:
     return [float(value) for each in sources for value in each.values()]
+
+
+def with_initial_unknowns(description: Any) -> Any:
+    """Return a model description that lists outputs as initial unknowns, which FMI 2.0 requires; pythonfmu does not."""
+    outputs = description.find("ModelStructure/Outputs")
+    if outputs is not None:
+        SubElement(description.find("ModelStructure"), "InitialUnknowns").extend(outputs)
+    return description
 
 
 def connect(fmu: Any, package: Any, version: str) -> Slave:
