@@ -45,6 +45,7 @@ from dalembert.create import (
     lines,
     loads,
     robots,
+    ropes,
     sensors,
     shapes,
     trees,
@@ -312,8 +313,9 @@ class MainSystem(_Bound):
     CreateTorqueFromTable = drives.CreateTorqueFromTable
     CreateCable = lines.CreateCable
     CreateBeam = lines.CreateBeam
-    CreateRope = lines.CreateRope
     CreateHydraulicCylinder = lines.CreateHydraulicCylinder
+    CreateRope = ropes.CreateRope
+    CreateBelt = ropes.CreateBelt
     CreateRollingDisc = joints.CreateRollingDisc
     CreateRollingDiscPenalty = joints.CreateRollingDiscPenalty
     CreateSphereSphereContact = contacts.CreateSphereSphereContact

@@ -74,6 +74,7 @@ def test_every_implemented_function_has_a_case():
         "CreateMotor", "CreatePIDController", "CreateJointStops", "CreatePrescribedMotion",  # see test_drives.py
         "CreateForceFromTable", "CreateTorqueFromTable",
         "CreateCable", "CreateBeam", "CreateRope", "CreateHydraulicCylinder",  # see test_create_lines.py
+        "CreateBelt",  # see test_create_belts.py
         "CreateLinearSpringDamper",  # see test_linear_spring_damper.py
     }  # fmt: skip
     assert functions == set(create.functions) - elsewhere

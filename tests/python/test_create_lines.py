@@ -247,7 +247,7 @@ def test_a_rope_over_a_turned_block(mbs: Any) -> None:
         ({"positions": [[0, 0, 0]]}, "'positions': expected a point for each of the 3 bodies"),
         ({"radii": []}, "'radii': expected a radius for each of the 1 pulleys between the ends"),
         ({"radii": [2.0]}, "'positions': expected points 0 and 1 more than 2 m apart"),
-        ({"axis": [0, 0, 0]}, "'axis': expected a vector that is not zero"),
+        ({"axis": [0, 0, 0]}, "'axis': expected a vector with 3 components that is not zero"),
         ({"length": -1.0}, "'length': expected a finite number greater than zero"),
     ],
 )

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import dalembert as db
 from dalembert import create
@@ -383,6 +384,22 @@ def test_solutions_go_on_from_the_last_state() -> None:
     assert solution["mass"].displacement[-1, 0] == pytest.approx(displacement(1.0)[0], abs=5e-5)
 
 
+def test_equilibria_stay_initial_states_when_sensors_are_added() -> None:
+    model = oscillator()
+    at_rest = model.solve_static(update_initial_values=True)["mass"].position[-1]
+    sensor = model.create_sensor("mass", "position")
+    solution = model.solve(0.1, 1e-3)
+    assert sensor.values[[0, -1]] == pytest.approx(np.array([at_rest] * 2), abs=1e-9)  # tolerance of the static solver
+    model["mass"].nodes[0].initial_velocities = [0, 1, 0]
+    solution = model.solve(0.1, 1e-3)
+    assert solution["mass"].velocity[0] == pytest.approx([0, 1, 0], abs=0)
+    assert solution["mass"].position[0] == pytest.approx(at_rest, abs=0)
+    model.create_mass_point(name="second", mass=1)
+    with pytest.warns(UserWarning, match="initial state that update_initial_values has set is lost"):
+        solution = model.solve(0.1, 1e-3)
+    assert np.abs(solution["mass"].position[0] - at_rest).max() > 1e-3
+
+
 def test_tables_and_files(tmp_path: Path) -> None:
     model = oscillator()
     speed = model.create_sensor("mass", "velocity", name="speed")
@@ -479,6 +496,38 @@ def test_plots() -> None:
     ax = solution.plot("mass.displacement", (model["mass"], "position"))
     assert len(ax.lines) == 6
     assert ax.lines[0].get_ydata() == pytest.approx(solution["mass"].displacement[:, 0], abs=0)
+
+
+def test_states_at_a_time() -> None:
+    model = oscillator()
+    speed = model.create_sensor("mass", "velocity", name="speed")
+    solution = model.solve(0.1, 1e-3, outputs=["mass.displacement"])
+    state = solution.at(0.0502)
+    assert state.times == pytest.approx([0.05], rel=1e-12) and len(state) == 1
+    assert state["mass"].displacement[0] == pytest.approx(solution["mass"].displacement[50], abs=0)
+    assert state["mass"].velocity[0] == pytest.approx(speed.values[50], abs=0)
+    assert state["speed"].values[0] == pytest.approx(speed.values[50], abs=0)
+    assert state.energies.total[0] == pytest.approx(solution.energies.total[50], abs=0)
+    for outside in (-0.01, 0.11, np.nan):
+        with pytest.raises(ValueError, match="solution.at: time: expected"):
+            solution.at(outside)
+
+
+def test_motions_are_written(tmp_path: Path) -> None:
+    model = oscillator()
+    solution = model.solve(0.1, 1e-3)
+    solution.animate(tmp_path / "motion.gif", speed=0.1, frames_per_second=10, window_size=[120, 90])
+    with Image.open(tmp_path / "motion.gif") as film:
+        assert film.n_frames == 11 and film.size == (120, 90)  # one second, with both ends
+    solution.animate(tmp_path / "motion.html", title="oscillator")
+    assert "<html" in (tmp_path / "motion.html").read_text("utf-8")
+    with pytest.raises(TypeError, match=r"solution\.animate: unknown argument 'speeds'"):
+        solution.animate(tmp_path / "motion.gif", speeds=2)
+    with pytest.raises(TypeError, match=r"solution\.animate: unknown argument 'solution'"):
+        solution.animate(tmp_path / "motion.gif", solution={})
+    model.create_mass_point(name="second", mass=1)
+    with pytest.raises(ValueError, match="solution"):
+        solution.animate(tmp_path / "motion.gif")
 
 
 def test_wrong_arguments_of_solve() -> None:

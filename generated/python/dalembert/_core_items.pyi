@@ -3184,7 +3184,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
     def sheavesAxes(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
     def sheavesRadii(self) -> Array:
-        """radius of every sheave; first and last must be zero, 0 between means a deflection point [n; m]"""
+        """radius of every sheave; 0: a point. At an end with a radius, the moment of the rope about the center acts on the body of the marker [n; m]"""
     @sheavesRadii.setter
     def sheavesRadii(self, value: ArrayLike) -> None: ...
     activeConnector: bool

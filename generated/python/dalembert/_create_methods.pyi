@@ -39,6 +39,22 @@ class CreateMethods:
         show: bool = ...,
     ) -> dict[str, Any]:
         """Add a straight beam of geometrically exact elements between two points (m): bending, shear, torsion, tension."""
+    def create_belt(
+        self,
+        name: str = ...,
+        body_numbers: Sequence[Connected | None] = ...,
+        positions: Sequence[Vector] = ...,
+        radii: Sequence[float] = ...,
+        axis: Vector | str = ...,
+        carrier_numbers: Sequence[ObjectIndex | int | str] = ...,
+        stiffness: float = ...,
+        damping: float = ...,
+        pretension: float = ...,
+        diameter: float = ...,
+        show: bool = ...,
+        color: Vector | str = ...,
+    ) -> list[ObjectHandle]:
+        """Add a massless elastic belt that runs around pulleys without slip, as a toothed belt or a chain does."""
     def create_box(
         self,
         name: str = ...,

@@ -4,6 +4,7 @@
 
 MIRRORS: dict[str, tuple[str, ...]] = {
     "CreateBeam": ("ObjectBeamGeometricallyExact",),
+    "CreateBelt": ("ObjectConnectorReevingSystemSprings",),
     "CreateBox": ("ObjectRigidBody", "ObjectRigidBody2D", "NodeRigidBodyEP", "NodeRigidBody2D",),
     "CreateCable": ("ObjectANCFCable",),
     "CreateCartesianSpringDamper": ("ObjectConnectorCartesianSpringDamper",),

@@ -5266,12 +5266,12 @@ class ObjectConnectorReevingSystemSprings(ObjectHandle):
     def sheavesAxes(self, value: Sequence[ArrayLike] | Vector3DList | str) -> None: ...
     @property
     def sheaves_radii(self) -> Array:
-        """radius of every sheave; first and last must be zero, 0 between means a deflection point [n; m]"""
+        """radius of every sheave; 0: a point. At an end with a radius, the moment of the rope about the center acts on the body of the marker [n; m]"""
     @sheaves_radii.setter
     def sheaves_radii(self, value: ArrayLike) -> None: ...
     @property
     def sheavesRadii(self) -> Array:
-        """radius of every sheave; first and last must be zero, 0 between means a deflection point [n; m]"""
+        """radius of every sheave; 0: a point. At an end with a radius, the moment of the rope about the center acts on the body of the marker [n; m]"""
     @sheavesRadii.setter
     def sheavesRadii(self, value: ArrayLike) -> None: ...
     @property

@@ -19,6 +19,7 @@ from dalembert._checks import as_number, shape_error
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings
 from dalembert._io.files import file_to_write, replacing
 from dalembert._model import words
+from dalembert._model.assembly import assemble_if_needed
 from dalembert._model.fmi_import import events_of
 from dalembert._model.fmi_signals import (
     Parameter,
@@ -97,8 +98,7 @@ def export_fmu(
         raise ValueError(f"{where}: the model has FMUs itself; connect them in the program that imports the new one")
     used.timeIntegration.verboseMode = 0 if settings is None else used.timeIntegration.verboseMode
     used.solutionSettings.writeSolutionToFile = used.solutionSettings.sensorsStoreAndWriteFiles = False
-    if not model.system.systemIsConsistent:
-        model.system.Assemble()
+    assemble_if_needed(model.system)
     facts = _facts(model, inputs, outputs, parameters or {}, where)
     facts |= {"stepSize": step, "method": kind.name, "package": _version.__version__}
     module = "pythonfmu" if version == "2.0" else "pythonfmu3"

@@ -21,6 +21,7 @@ from typing import Any
 from dalembert import _core
 from dalembert._checks import as_number, shape_error
 from dalembert._io.files import file_to_read
+from dalembert._model.assembly import assemble_if_needed
 from dalembert._model.fmi_signals import (
     Output,
     Parameter,
@@ -247,8 +248,7 @@ def stepped(system: Any, settings: Any, kind: Any, where: str) -> Iterator[None]
 
 def _accelerate(system: Any, settings: Any) -> None:
     """Set the current state to the initial one with its accelerations and reactions, for the first measurement."""
-    if not system.systemIsConsistent:
-        system.Assemble()
+    assemble_if_needed(system)
     quiet = copy.deepcopy(settings)
     quiet.timeIntegration.verboseMode = quiet.timeIntegration.verboseModeFile = 0
     quiet.solutionSettings.writeSolutionToFile = quiet.solutionSettings.sensorsStoreAndWriteFiles = False

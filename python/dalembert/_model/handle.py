@@ -30,6 +30,7 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType
 from dalembert._model import words
+from dalembert._model.assembly import assemble_if_needed, needs_assembly
 from dalembert._model.item_facts import OF_WHOLE_BODY, Output, Row, facts_of, is_body
 from dalembert._snake_case import snake_case
 from dalembert._tools.item_packages import item_class
@@ -253,6 +254,8 @@ class Handle:
         where = f"{self!r}: {snake_case(row.name)}"
         value = words.value_of(own(self._mbs, value, where), row.type, row.check, where)
         getattr(self._mbs, f"Set{self._kind}Parameter")(number, prefix + row.name, value)
+        if self._kind == "Node" and row.name.startswith(("initial", "reference")):
+            needs_assembly(self._mbs)
         if row.name == "name" and not prefix:
             object.__setattr__(self, "_name", value)
 
@@ -308,8 +311,7 @@ class Handle:
         variable = words.member(OutputVariableType, own_output and own_output.source or variable, where)
         configuration = words.member(ConfigurationType, configuration, f"{where}: configuration")
         number = self._number()
-        if not self._mbs.systemIsConsistent:
-            self._mbs.Assemble()
+        assemble_if_needed(self._mbs)
         function, arguments = self._arguments(local_position, mesh_node)
         value = getattr(self._mbs, function)(number, variable, *arguments, configuration=configuration)
         return shaped(variable, value if part == slice(None) else value[part])
@@ -480,8 +482,7 @@ class LoadHandle(Handle, _core.LoadIndex):
     def value(self) -> Any:
         """current value of the load"""
         number = self._number()
-        if not self._mbs.systemIsConsistent:
-            self._mbs.Assemble()
+        assemble_if_needed(self._mbs)
         return self._mbs.GetLoadValues(number)
 
 
@@ -495,8 +496,7 @@ class SensorHandle(Handle, _core.SensorIndex):
     def value(self) -> Any:
         """current value"""
         number = self._number()
-        if not self._mbs.systemIsConsistent:
-            self._mbs.Assemble()
+        assemble_if_needed(self._mbs)
         return self._mbs.GetSensorValues(number)
 
     def _stored(self) -> FloatArray:

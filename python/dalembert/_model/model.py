@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 from dalembert import _core, create
 from dalembert._core import DynamicSolverType, MainSystem, OutputVariableType, SimulationSettings, SystemContainer
 from dalembert._model import words
+from dalembert._model.assembly import assemble, assemble_if_needed
 from dalembert._model.handle import KINDS, Handle, handle_of, own, wrapped
 from dalembert._model.item_facts import Output, facts_of, is_body, is_constraint
 from dalembert._model.solution import Solution, check_output
@@ -261,13 +262,12 @@ class Model(CreateMethods):
 
     def assemble(self) -> None:
         """Check the model and set the state to the initial one; solvers and outputs do it if the model has changed."""
-        self.system.Assemble()
+        assemble(self.system)
 
     @property
     def time(self) -> float:
         """time of the current state (s)"""
-        if not self.system.systemIsConsistent:
-            self.system.Assemble()
+        assemble_if_needed(self.system)
         return float(self.system.systemData.GetTime())
 
     def solve(
@@ -372,9 +372,8 @@ class Model(CreateMethods):
 
     def draw(self, **options: Any) -> Any:
         """Return a picture of the current state; arguments of MainSystem.Draw, in snake_case too."""
-        if not self.system.systemIsConsistent:
-            self.system.Assemble()
-        return self.system.Draw(**_camel_case(MainSystem.Draw, options, "model.draw"))
+        assemble_if_needed(self.system)
+        return self.system.Draw(**camel_case(MainSystem.Draw, options, "model.draw"))
 
     def save(self, file_name: str | os.PathLike[str]) -> None:
         """Write the model to a JSON file, without FMUs."""
@@ -480,7 +479,7 @@ def arguments_of(function: Callable[..., Any]) -> dict[str, str]:
     return {snake_case(name): name for name in names if name not in _OLD_ARGUMENTS}
 
 
-def _camel_case(function: Callable[..., Any], given: dict[str, Any], where: str) -> dict[str, Any]:
+def camel_case(function: Callable[..., Any], given: dict[str, Any], where: str) -> dict[str, Any]:
     """Return arguments by the names of the interface with indices; TypeError for unknown ones."""
     known = arguments_of(function)
     result = {}
@@ -543,7 +542,7 @@ def _create_method(name: str, create_name: str) -> Callable[..., Any]:
         where = f"model.{name}"
         if len(args) > len(parameters):
             raise TypeError(f"{where}: received {len(args)} positional arguments, but has only {len(parameters)}")
-        given = _camel_case(function, kwargs, where)
+        given = camel_case(function, kwargs, where)
         for parameter, value in zip(parameters, args, strict=False):
             if parameter.name in given:
                 raise TypeError(f"{where}: argument '{snake_case(parameter.name)}' is given twice")

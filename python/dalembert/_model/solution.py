@@ -21,10 +21,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dalembert import _core, _version
-from dalembert._checks import FloatArray
+from dalembert._checks import FloatArray, as_number, shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, symbolic
 from dalembert._io.solution_rows import solution_of
 from dalembert._io.solution_states import _set_row, check_solution_of
+from dalembert._model.assembly import assemble_if_needed
 from dalembert._model.handle import Handle, handle_of, own, side_of
 from dalembert._model.item_facts import facts_of
 from dalembert._snake_case import snake_case
@@ -221,6 +222,23 @@ class Solution:
                 warnings.warn(text, SolutionWarning, stacklevel=2)
         return self._energies
 
+    def at(self, time: float) -> Solution:
+        """Return the solution with one row: the stored state that is nearest to a time (s)."""
+        time = as_number("solution.at: time", time)
+        apart = np.abs(self.times - time)
+        row, step = int(apart.argmin()), float(np.abs(np.diff(self.times)).max(initial=0.0))
+        if not apart[row] <= step:
+            expected = f"a time from {self.times.min():g} to {self.times.max():g} s"
+            raise shape_error("solution.at: time", expected, time)
+        made = copy.copy(self)
+        made._states = {**self._states, "data": self._states["data"][[row]], "nRows": 1}
+        made.times, made._energies, made._computed = self.times[[row]], None, {}
+        for key, each in self._computed.items():
+            nearest_row = row if each.time is None else int(np.abs(each.time - self.times[row]).argmin())
+            stored = None if each.time is None else each.time[[nearest_row]]
+            made._computed[key] = each._replace(values=each.values[[nearest_row]], time=stored)
+        return made
+
     def _require_model(self, what: str) -> None:
         if self._snapshot is None:
             raise ValueError(
@@ -361,6 +379,26 @@ class Solution:
             ax.figure.savefig(file_to_write("Solution.plot: file_name", file_name))
         return ax
 
+    def animate(self, file_name: str | os.PathLike[str] = "", **options: Any) -> None:
+        """Show the motion, or write it to a file: a film (.gif, .webp, .mp4, 'frame%04d.png') or a page (.html).
+
+        Without a file, notebooks play it in the cell, and the browser does elsewhere. options: arguments of
+        MainSystem.DrawSolution, SaveHTML or SolutionViewer, such as speed=0.2 (time of the solution that passes in a
+        second), view="axonometric" or window_size=(640, 480) of films. model.container has the settings of pictures.
+        """
+        from dalembert._model.model import camel_case
+
+        self._require_model("animate")
+        name = os.fspath(file_name)
+        is_page = name.lower().endswith((".html", ".htm"))
+        kind = "SaveHTML" if is_page else "DrawSolution" if name else "SolutionViewer"
+        named = camel_case(getattr(_core.MainSystem, kind), options, "solution.animate")
+        if "solution" in named:
+            raise TypeError("solution.animate: unknown argument 'solution': it is this one")
+        assemble_if_needed(self._system)
+        file = {"fileName": name} if name else {}
+        getattr(self._system, kind)(**file, solution=self._states, **named)
+
     def _key_of(self, wanted: Any) -> _Key:
         if isinstance(wanted, str) and (found := [key for key in self._computed if wanted in (str(key), key.item)]):
             return found[0]
@@ -439,8 +477,7 @@ class Solution:
             made._energies = EnergyHistory(*(energies[name][:] for name in EnergyHistory._fields)) if energies else None
         made._system = made._snapshot = None
         if model is not None:
-            if not model.system.systemIsConsistent:
-                model.system.Assemble()
+            assemble_if_needed(model.system)
             check_solution_of(model.system, "Solution.load", made._states)
             if solved is not None:
                 _require_same_items(solved, _facts_of_items(model.system), os.fspath(file_name))

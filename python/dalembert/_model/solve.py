@@ -18,6 +18,7 @@ from dalembert._checks import as_number, shape_error
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings, testing
 from dalembert._io.solution_states import LoadSolutionFile
 from dalembert._model import words
+from dalembert._model.assembly import assemble_if_needed, keep_initial_state, state_of_items
 from dalembert._model.item_facts import facts_of
 from dalembert._model.progress import progress as progress_bar
 from dalembert._model.solution import Solution, SolutionWarning
@@ -70,7 +71,8 @@ def solve(
         run(
             lambda: model.system.SolveDynamic(
                 used, solverType=kind, updateInitialValues=update_initial_values, autoAssemble=False
-            )
+            ),
+            update_initial_values,
         )
     return _with_outputs(run.solution, wanted)
 
@@ -92,7 +94,10 @@ def solve_static(
     wanted = _wanted(model, outputs, where)
     with _recorded(model, used, where, "staticSolver", "Static") as run:
         try:
-            run(lambda: model.system.SolveStatic(used, updateInitialValues=update_initial_values, autoAssemble=False))
+            run(
+                lambda: model.system.SolveStatic(used, updateInitialValues=update_initial_values, autoAssemble=False),
+                update_initial_values,
+            )
         except SolverError as error:
             if model.system.systemData.ODE1Size() > 0:
                 error.add_note(f"{_HELD}; without P, an integral part alone resists no motion")
@@ -202,8 +207,7 @@ def differentiable(
     if not isinstance(parameters, Mapping):
         raise TypeError(f"{where}: parameters: expected {{'k': (spring, 'stiffness')}}, received {parameters!r}")
     places = {name: _place(model, each, f"{where}: parameters['{name}']") for name, each in parameters.items()}
-    if not model.system.systemIsConsistent:
-        model.system.Assemble()
+    assemble_if_needed(model.system)
     return DifferentiableModel(model.system, places, outputs, used, kind, steps=steps)
 
 
@@ -246,10 +250,10 @@ class _Run:
         self._model, self._settings, self._slot, self._method, self._folder = model, settings, slot, method, folder
         self.solution: Any = None
 
-    def __call__(self, solver: Any) -> None:
+    def __call__(self, solver: Any, updates: bool) -> None:
         system, solution = self._model.system, self._settings.solutionSettings
-        if not system.systemIsConsistent:
-            system.Assemble()
+        assemble_if_needed(system)
+        of_items = state_of_items(system)
         snapshot = copy.copy(system)
         temporary = solution.coordinatesSolutionFileName == _DEFAULT_FILE
         if temporary:
@@ -266,6 +270,8 @@ class _Run:
             _core._collect_warnings(None)
             for text in written:
                 warnings.warn(text, SolutionWarning, stacklevel=4)
+        if updates:
+            keep_initial_state(system, of_items)
         texts = [*written, *(str(each.message) for each in caught)]
         doubts = list(finished.doubts) if isinstance(finished, FinishedNotTrusted) else []
         for each in caught:

@@ -142,23 +142,28 @@ class MovingSystem:
                 return work, error
             before, parts = work, 2 * parts
 
-    def turned_springs(self) -> dict[int, tuple[float, float]]:
-        """Return the reference angle and the angle of torsional springs that are turned by more than half a turn.
+    def stored_by_turns(self) -> dict[int, float]:
+        """Return the potential energy of connectors that count turns, which the path does not have, by number.
 
-        They count turns, which the path does not have.
+        These are torsional springs that are turned by more than half a turn, and ropes that pulleys take up.
         """
-        if not (np.abs(self.state.data) > np.pi).any():
-            return {}
         mbs, angle = self.mbs, OutputVariableType.Rotation
-        found = {}
+        turned = bool((np.abs(self.state.data) > np.pi).any())
+        stored = {}
         for i in range(mbs.systemData.NumberOfObjects()):
             item = mbs.GetObject(i)
-            if item["objectType"] == "ConnectorTorsionalSpringDamper" and item["activeConnector"]:
+            if turned and item["objectType"] == "ConnectorTorsionalSpringDamper" and item["activeConnector"]:
                 at_rest = float(mbs.GetObjectOutput(i, angle, ConfigurationType.Reference))
-                turned = float(mbs.GetObjectOutput(i, angle, self.configuration))
-                if abs(turned) > np.pi:
-                    found[i] = float(np.remainder(at_rest + np.pi, 2 * np.pi) - np.pi), turned
-        return found
+                end = float(mbs.GetObjectOutput(i, angle, self.configuration))
+                if abs(end) > np.pi:
+                    start = float(np.remainder(at_rest + np.pi, 2 * np.pi) - np.pi)
+                    stored[i] = _stored_by_torque(mbs, i, start, end, self.state.t)
+            takes_up = item["objectType"] == "ConnectorReevingSystemSprings" and item["hasCoordinateMarkers"]
+            if takes_up and item["activeConnector"]:
+                configurations = (self.configuration, ConfigurationType.Reference)
+                now, at_rest = (_stored_by_rope(mbs, i, item, each) for each in configurations)
+                stored[i] = now - at_rest
+        return stored
 
     def rows_with_history(self) -> IntArray:
         """Return the rows whose forces in the reference configuration depend on the past, such as the sticking point of
@@ -204,6 +209,19 @@ def _stored_by_torque(mbs: Any, number: int, start: float, end: float, time: flo
     return half * float(sum(weights @ [torque(float(angle)) for angle in row] for row in places))
 
 
+def _stored_by_rope(mbs: Any, number: int, item: dict[str, Any], configuration: ConfigurationType) -> float:
+    """Return the energy of the stretch of a rope whose ends are taken up by two coordinates."""
+    own = item["referenceLength"]
+    for factor, marker in zip(item["coordinateFactors"], item["markerNumbers"][-2:], strict=True):
+        own += factor * float(np.ravel(mbs.GetMarkerOutput(marker, OutputVariableType.Coordinates, configuration))[0])
+    stretch = float(mbs.GetObjectOutput(number, OutputVariableType.Distance, configuration)) - own
+    k, limit = item["stiffnessPerLength"] * (1 / own if own != 0 else 1e3), item["regularizationForce"]
+    if stretch >= 0 or limit < 0 or k == 0:
+        return float(k * stretch**2 / 2)
+    ratio = k * stretch / limit  # of compression, whose force is limit * tanh(ratio)
+    return float(limit**2 / k * (np.logaddexp(ratio, -ratio) - np.log(2)))
+
+
 @contextmanager
 def _inactive(mbs: Any, connectors: Iterable[int]) -> Iterator[None]:
     for number in connectors:
@@ -231,11 +249,10 @@ def ComputeEnergies(
 
 def energies_of(system: MovingSystem) -> Energies:
     """Return the energies of a system in the state that it holds."""
-    mbs, turned = system.mbs, system.turned_springs()
-    stored = sum(_stored_by_torque(mbs, number, *ends, system.state.t) for number, ends in turned.items())
+    stored = system.stored_by_turns()
     power = system.dissipated_power()
-    with _inactive(mbs, turned):
-        return _energies_on_path(system, stored, power)
+    with _inactive(system.mbs, stored):
+        return _energies_on_path(system, sum(stored.values()), power)
 
 
 def _energies_on_path(system: MovingSystem, stored: float, power: float) -> Energies:

@@ -205,6 +205,19 @@ mbs.CreateRope(
     stiffness=1e5, damping=500,
 )
 """,
+    "CreateBelt": """
+ground = mbs.CreateGround()
+pulleys = [mbs.CreateCylinder(radius=r, length=0.02, axis=[0, 0, 1], density=7850, referencePosition=[x, 0, 0])
+           for r, x in ((0.05, 0), (0.1, 0.4))]
+for pulley, x in zip(pulleys, (0, 0.4)):
+    mbs.CreateRevoluteJoint(bodyNumbers=[ground, pulley], position=[x, 0, 0], axis=[0, 0, 1])
+mbs.CreateMotor(bodyNumbers=[ground, pulleys[0]], position=[0, 0, 0], axis=[0, 0, 1], speed=20, ramp=0.2, damping=5)
+mbs.CreateTorque(bodyNumber=pulleys[1], loadVector=[0, 0, -10])
+mbs.CreateBelt(
+    bodyNumbers=pulleys, positions=[[0, 0, 0], [0.4, 0, 0]], radii=[0.05, 0.1], carrierNumbers=[ground],
+    stiffness=5e4, damping=50, pretension=500,
+)
+""",
     "CreateHydraulicCylinder": """
 ground = mbs.CreateGround()
 boom = mbs.CreateBox(size=[2, 0.1, 0.1], density=2700, referencePosition=[1, 0, 0], gravity=[0, -9.81, 0])

@@ -1,4 +1,4 @@
-"""Create functions of cables and beams between two points, ropes over pulleys, and hydraulic cylinders."""
+"""Create functions of cables and beams between two points, and of hydraulic cylinders."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
-from dalembert._core import MainSystem, ObjectIndex, OutputVariableType, SystemContainer, Vector3DList
+from dalembert._core import MainSystem, ObjectIndex
 from dalembert.create._arguments import (
     DEFAULT_COLOR,
     FLAG,
@@ -28,9 +28,6 @@ from dalembert.create._frames import (
     add_end_markers,
     connector_ends,
     end_distance,
-    reference_position,
-    reference_rotation,
-    require_items,
 )
 from dalembert.rigidBodyUtilities import ComputeOrthonormalBasis
 
@@ -184,84 +181,6 @@ def CreateBeam(
     return _result(mbs, chain, name, rigid=True)
 
 
-def _length_of_rope(points: FloatArray, parameters: dict[str, Any]) -> float:
-    """Return the length of a rope over pulleys at these centers."""
-    mbs = SystemContainer().AddSystem()
-    ground = mbs.AddObject(items.ObjectGround())
-    markers = [mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=ground, localPosition=point)) for point in points]
-    rope = mbs.AddObject(items.ObjectConnectorReevingSystemSprings(markerNumbers=markers, **parameters))
-    mbs.Assemble()
-    return float(mbs.GetObjectOutput(rope, OutputVariableType.Distance))
-
-
-def CreateRope(
-    mbs: MainSystem,
-    name: str = "",
-    bodyNumbers: Sequence[ObjectIndex | int | str] = (),
-    positions: Sequence[Vector] = (),
-    radii: Sequence[float] = (),
-    axis: Vector = (0.0, 0.0, 1.0),
-    stiffness: float = 1e6,
-    damping: float = 0.0,
-    length: float | None = None,
-    diameter: float = 0.01,
-    show: bool = True,
-    color: Vector = DEFAULT_COLOR,
-) -> ObjectIndex:
-    """Add a massless elastic rope between points of two bodies, which runs without friction over pulleys between them.
-
-    The first and the last of bodyNumbers and positions are the ends; those between are pulleys with their centers.
-    Along the rope, it turns about the axis at pulleys of positive radius, and about the opposite one at negative radii;
-    0: a ring. It carries no compression. Its force is ForceLocal, its length Distance. Returns the ObjectIndex.
-    """
-    function, count = "CreateRope", len(bodyNumbers)
-    try:
-        points = np.array([*positions], dtype=float)
-    except ValueError:
-        points = np.zeros(0)
-    if points.shape != (count, 3) or not np.isfinite(points).all():
-        raise argument_error(function, "positions", f"a point for each of the {count} bodies", positions)
-    if np.shape(radii) != (count - 2,) or not np.isfinite(radii).all():
-        expected = f"a radius for each of the {count - 2} pulleys between the ends"
-        raise argument_error(function, "radii", expected, list(radii))
-    turns = np.array([0.0, *radii, 0.0])
-    apart, needed = np.linalg.norm(np.diff(points, axis=0), axis=1), np.abs(turns[:-1] - turns[1:])
-    if (apart <= needed).any():
-        i = int(np.argmax(apart <= needed))
-        expected = (
-            f"points {i} and {i + 1} more than {needed[i]:g} m apart, so that the rope runs from one to the other"
-        )
-        raise argument_error(function, "positions", expected, points[i : i + 2].tolist())
-    if not np.linalg.norm(axis) > 0:
-        raise argument_error(function, "axis", "a vector that is not zero", axis)
-    require_items(mbs, function, "bodyNumbers", bodyNumbers)
-    unit = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
-    axes = [(-1 if turn < 0 else 1) * unit for turn in turns]
-    common = {"sheavesRadii": np.abs(turns), "stiffnessPerLength": stiffness}
-    if length is None:
-        length = _length_of_rope(points, {**common, "sheavesAxes": Vector3DList(axes), "referenceLength": 1.0})
-    poses = [(reference_position(mbs, each), reference_rotation(mbs, each)) for each in bodyNumbers]
-    markers = [
-        mbs.AddMarker(
-            items.MarkerBodyRigid(
-                name=f"Marker{i}:{name}" if name else "", bodyNumber=body, localPosition=turned.T @ (point - origin)
-            )
-        )
-        for i, (body, point, (origin, turned)) in enumerate(zip(bodyNumbers, points, poses, strict=True))
-    ]
-    return mbs.AddObject(
-        items.ObjectConnectorReevingSystemSprings(
-            name=name,
-            markerNumbers=markers,
-            dampingPerLength=damping,
-            referenceLength=length,
-            sheavesAxes=Vector3DList([turned.T @ each for each, (_, turned) in zip(axes, poses, strict=True)]),
-            visualization=items.VObjectConnectorReevingSystemSprings(show=show, ropeRadius=diameter / 2, color=color),
-            **common,
-        )
-    )
-
-
 def CreateHydraulicCylinder(
     mbs: MainSystem,
     name: str = "",
@@ -376,16 +295,6 @@ TEXTS = {
         "section": "outline of the section, such as SectionI(...) of dalembert.beams",
         "poissonsRatio": "Poisson's ratio",
     },
-    "CreateRope": {
-        "bodyNumbers": "bodies that carry the ends and the pulleys, along the rope",
-        "positions": "ends and centers of pulleys at the reference configuration, in the global frame (m)",
-        "radii": "radii of the pulleys (m), without the ends; negative: the rope turns about the opposite axis",
-        "axis": "axis of all pulleys, in the global frame; the body of a pulley carries it along",
-        "stiffness": "EA (N)",
-        "damping": "force per rate of strain (Ns)",
-        "length": "length without force (m); None: that of the reference configuration",
-        "diameter": "diameter of the drawing (m)",
-    },
     "CreateHydraulicCylinder": {
         "pistonDiameter": "diameter of the piston (m)",
         "rodDiameter": "diameter of the rod (m)",
@@ -415,18 +324,6 @@ CHECKS: dict[str, dict[str, Check]] = {
         "width": POSITIVE.optional(),
         "height": POSITIVE.optional(),
         "diameter": POSITIVE.optional(),
-    },
-    "CreateRope": {
-        "bodyNumbers": Check(
-            lambda value: isinstance(value, (list, tuple)) and len(value) >= 2, "a list of at least two body numbers"
-        ),
-        "axis": vector(3),
-        "stiffness": POSITIVE,
-        "damping": NOT_NEGATIVE,
-        "length": POSITIVE.optional(),
-        "diameter": POSITIVE,
-        "show": FLAG,
-        "color": color_check(),
     },
     "CreateHydraulicCylinder": {
         "color": color_check(),

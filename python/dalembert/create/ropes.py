@@ -1,0 +1,254 @@
+"""Create functions of ropes and belts over pulleys."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from dalembert import itemInterface as items
+from dalembert._checks import FloatArray
+from dalembert._core import MainSystem, ObjectIndex, OutputVariableType, SystemContainer, Vector3DList
+from dalembert.create._arguments import (
+    DEFAULT_COLOR,
+    FLAG,
+    NOT_NEGATIVE,
+    POSITIVE,
+    Check,
+    Vector,
+    argument_error,
+    require_axis,
+    vector,
+)
+from dalembert.create._arguments import color as color_check
+from dalembert.create._frames import reference_position, reference_rotation, require_items
+
+
+def _points(function: str, positions: Sequence[Vector], count: int) -> FloatArray:
+    """Return the positions as a matrix with a row for each of the bodies; ValueError otherwise."""
+    try:
+        points = np.array([*positions], dtype=float)
+    except ValueError:
+        points = np.zeros(0)
+    if points.shape != (count, 3) or not np.isfinite(points).all():
+        raise argument_error(function, "positions", f"a point for each of the {count} bodies", positions)
+    return points
+
+
+def _require_tangents(function: str, points: FloatArray, radii: FloatArray, pairs: Sequence[tuple[int, int]]) -> None:
+    """Raise a ValueError if the pulleys of a pair have no common tangent; radii have the sign of the rotation."""
+    for i, j in pairs:
+        needed = abs(radii[i] - radii[j])
+        if np.linalg.norm(points[j] - points[i]) <= needed:
+            expected = f"points {i} and {j} more than {needed:g} m apart, so that the rope runs from one to the other"
+            raise argument_error(function, "positions", expected, points[[i, j]].tolist())
+
+
+def _distance(points: FloatArray, parameters: dict[str, Any]) -> float:
+    """Return the length of a rope over pulleys at these centers."""
+    mbs = SystemContainer().AddSystem()
+    ground = mbs.AddObject(items.ObjectGround())
+    markers = [mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=ground, localPosition=point)) for point in points]
+    rope = mbs.AddObject(items.ObjectConnectorReevingSystemSprings(markerNumbers=markers, **parameters))
+    mbs.Assemble()
+    return float(mbs.GetObjectOutput(rope, OutputVariableType.Distance))
+
+
+def _add_marker(mbs: Any, name: str, body: Any, point: FloatArray) -> Any:
+    """Add a rigid marker at a point, given in the global frame of the reference configuration."""
+    local = reference_rotation(mbs, body).T @ (point - reference_position(mbs, body))
+    return mbs.AddMarker(items.MarkerBodyRigid(name=name, bodyNumber=body, localPosition=local))
+
+
+def _axes(
+    mbs: Any, axis: Vector, radii: FloatArray, bodies: Sequence[Any]
+) -> tuple[list[FloatArray], list[FloatArray]]:
+    """Return the unit axes of pulleys in the global frame, opposite for negative radii, and those in their bodies."""
+    unit = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
+    axes = [-unit if radius < 0 else unit for radius in radii]
+    return axes, [reference_rotation(mbs, body).T @ each for body, each in zip(bodies, axes, strict=True)]
+
+
+def CreateRope(
+    mbs: MainSystem,
+    name: str = "",
+    bodyNumbers: Sequence[ObjectIndex | int | str] = (),
+    positions: Sequence[Vector] = (),
+    radii: Sequence[float] = (),
+    axis: Vector = (0.0, 0.0, 1.0),
+    stiffness: float = 1e6,
+    damping: float = 0.0,
+    length: float | None = None,
+    diameter: float = 0.01,
+    show: bool = True,
+    color: Vector = DEFAULT_COLOR,
+) -> ObjectIndex:
+    """Add a massless elastic rope between points of two bodies, which runs without friction over pulleys between them.
+
+    The first and the last of bodyNumbers and positions are the ends; those between are pulleys with their centers.
+    Along the rope, it turns about the axis at pulleys of positive radius, and about the opposite one at negative radii;
+    0: a ring. It carries no compression. Its force is ForceLocal, its length Distance. Returns the ObjectIndex.
+    """
+    function, count = "CreateRope", len(bodyNumbers)
+    points = _points(function, positions, count)
+    if np.shape(radii) != (count - 2,) or not np.isfinite(radii).all():
+        expected = f"a radius for each of the {count - 2} pulleys between the ends"
+        raise argument_error(function, "radii", expected, list(radii))
+    require_axis(function, axis)
+    require_items(mbs, function, "bodyNumbers", bodyNumbers)
+    turns = np.array([0.0, *radii, 0.0])
+    _require_tangents(function, points, turns, [(i, i + 1) for i in range(count - 1)])
+    axes, local_axes = _axes(mbs, axis, turns, bodyNumbers)
+    common = {"sheavesRadii": np.abs(turns), "stiffnessPerLength": stiffness}
+    if length is None:
+        length = _distance(points, {**common, "sheavesAxes": Vector3DList(axes), "referenceLength": 1.0})
+    markers = [
+        _add_marker(mbs, f"Marker{i}:{name}" if name else "", body, point)
+        for i, (body, point) in enumerate(zip(bodyNumbers, points, strict=True))
+    ]
+    return mbs.AddObject(
+        items.ObjectConnectorReevingSystemSprings(
+            name=name,
+            markerNumbers=markers,
+            dampingPerLength=damping,
+            referenceLength=length,
+            sheavesAxes=Vector3DList(local_axes),
+            visualization=items.VObjectConnectorReevingSystemSprings(show=show, ropeRadius=diameter / 2, color=color),
+            **common,
+        )
+    )
+
+
+def CreateBelt(
+    mbs: MainSystem,
+    name: str = "",
+    bodyNumbers: Sequence[ObjectIndex | int | str] = (),
+    positions: Sequence[Vector] = (),
+    radii: Sequence[float] = (),
+    axis: Vector = (0.0, 0.0, 1.0),
+    carrierNumbers: Sequence[ObjectIndex | int | str] = (),
+    stiffness: float = 1e6,
+    damping: float = 0.0,
+    pretension: float = 0.0,
+    diameter: float = 0.01,
+    show: bool = True,
+    color: Vector = DEFAULT_COLOR,
+) -> list[ObjectIndex]:
+    """Add a massless elastic belt that runs around pulleys without slip, as a toothed belt or a chain does.
+
+    The bodies are pulleys, in their order along the belt, which comes back to the first one; revolute joints hold them
+    at their carriers, which take the pull of the belt. Along the belt, it turns about the axis at pulleys of positive
+    radius, and about the opposite one at negative radii, as in a crossed belt. Each span between two pulleys has a
+    tension of its own: the pretension at the start, never compression. Returns the list of spans, ObjectIndex, span i
+    from pulley i to the next one: their tension is ForceLocal, their length Distance.
+    """
+    function, count = "CreateBelt", len(bodyNumbers)
+    points = _points(function, positions, count)
+    if np.shape(radii) != (count,) or not np.isfinite(radii).all() or not np.all(radii):
+        raise argument_error(function, "radii", f"a radius other than 0 for each of the {count} pulleys", list(radii))
+    require_axis(function, axis)
+    carriers = list(carrierNumbers)
+    if len(carriers) == 1:
+        carriers *= count
+    if len(carriers) != count:
+        raise argument_error(function, "carrierNumbers", f"one body, or {count}: one for each pulley", carriers)
+    require_items(mbs, function, "bodyNumbers", bodyNumbers)
+    require_items(mbs, function, "carrierNumbers", carriers)
+    for i, (pulley, carrier) in enumerate(zip(bodyNumbers, carriers, strict=True)):
+        if int(pulley) == int(carrier):
+            raise argument_error(function, f"carrierNumbers[{i}]", "another body than the pulley", carrier)
+    turns = np.array(radii, dtype=float)
+    spans = [(i, (i + 1) % count) for i in range(count)]
+    _require_tangents(function, points, turns, spans)
+    axes, local_axes = _axes(mbs, axis, turns, carriers)
+    centers, angles = [], []
+    for i, (pulley, carrier) in enumerate(zip(bodyNumbers, carriers, strict=True)):
+        label = f"Marker{i}:{name}" if name else ""
+        centers.append(_add_marker(mbs, label, carrier, points[i]))
+        turned = mbs.AddNode(items.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
+        angles.append(
+            mbs.AddMarker(
+                items.MarkerBodiesRelativeRotationCoordinate(
+                    name=f"{label}:angle" if name else "",
+                    bodyNumbers=[carrier, pulley],
+                    nodeNumber=turned,
+                    axis0=local_axes[i],
+                )
+            )
+        )
+    strands = []
+    for i, j in spans:
+        common = {"sheavesRadii": np.abs(turns[[i, j]]), "stiffnessPerLength": stiffness}
+        distance = _distance(points[[i, j]], {**common, "sheavesAxes": Vector3DList([axes[i], axes[j]])})
+        strands.append(
+            mbs.AddObject(
+                items.ObjectConnectorReevingSystemSprings(
+                    name=f"{name}:{i}" if name else "",
+                    markerNumbers=[centers[i], centers[j], angles[i], angles[j]],
+                    hasCoordinateMarkers=True,
+                    # pulley i feeds the belt into the span, pulley j takes it out
+                    coordinateFactors=[abs(turns[i]), -abs(turns[j])],
+                    dampingPerLength=damping,
+                    referenceLength=distance / (1 + pretension / stiffness),
+                    sheavesAxes=Vector3DList([local_axes[i], local_axes[j]]),
+                    visualization=items.VObjectConnectorReevingSystemSprings(
+                        show=show, ropeRadius=diameter / 2, color=color
+                    ),
+                    **common,
+                )
+            )
+        )
+    return strands
+
+
+_COMMON_TEXTS = {
+    "axis": "axis of all pulleys, in the global frame; the body of a pulley carries it along",
+    "stiffness": "EA (N)",
+    "damping": "force per rate of strain (Ns)",
+    "diameter": "diameter of the drawing (m)",
+}
+TEXTS = {
+    "CreateRope": {
+        **_COMMON_TEXTS,
+        "bodyNumbers": "bodies that carry the ends and the pulleys, along the rope",
+        "positions": "ends and centers of pulleys at the reference configuration, in the global frame (m)",
+        "radii": "radii of the pulleys (m), without the ends; negative: the rope turns about the opposite axis",
+        "length": "length without force (m); None: that of the reference configuration",
+    },
+    "CreateBelt": {
+        **_COMMON_TEXTS,
+        "bodyNumbers": "pulleys, along the belt",
+        "positions": "centers of the pulleys at the reference configuration, in the global frame (m)",
+        "radii": "radii of the pulleys (m); negative: the belt turns about the opposite axis",
+        "axis": "axis of all pulleys, in the global frame; the carriers carry it along",
+        "carrierNumbers": "body that carries the bearings of all pulleys, or one body for each pulley",
+        "pretension": "tension of all spans in the reference configuration (N)",
+    },
+}
+_COMMON_CHECKS: dict[str, Check] = {
+    "axis": vector(3),
+    "stiffness": POSITIVE,
+    "damping": NOT_NEGATIVE,
+    "diameter": POSITIVE,
+    "show": FLAG,
+    "color": color_check(),
+}
+
+
+def _bodies(least: int) -> Check:
+    words = {1: "one", 2: "two"}
+    expected = f"a list of at least {words[least]} body number{'s' if least > 1 else ''}"
+    return Check(lambda value: isinstance(value, (list, tuple)) and len(value) >= least, expected)
+
+
+# Requirements on arguments besides those of the mirrored item and COMMON.
+CHECKS: dict[str, dict[str, Check]] = {
+    "CreateRope": {**_COMMON_CHECKS, "bodyNumbers": _bodies(2), "length": POSITIVE.optional()},
+    "CreateBelt": {
+        **_COMMON_CHECKS,
+        "bodyNumbers": _bodies(2),
+        "carrierNumbers": _bodies(1),
+        "pretension": NOT_NEGATIVE,
+    },
+}
