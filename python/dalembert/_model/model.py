@@ -376,7 +376,11 @@ class Model(CreateMethods):
         return self.system.Draw(**camel_case(MainSystem.Draw, options, "model.draw"))
 
     def save(self, file_name: str | os.PathLike[str]) -> None:
-        """Write the model to a JSON file."""
+        """Write the model to a JSON file, without FMUs."""
+        from dalembert._model.fmi_import import events_of
+
+        if events_of(self.system):
+            raise ValueError("model.save: model files do not keep FMUs; save the model before model.add_fmu")
         self.system.Save(file_name)
 
     @classmethod
@@ -385,6 +389,62 @@ class Model(CreateMethods):
         system = SystemContainer().AddSystem()
         system.Load(file_name)
         return cls(system)
+
+    def export_fmu(
+        self,
+        file_name: str | os.PathLike[str],
+        inputs: Mapping[str, Any],
+        outputs: Mapping[str, Any],
+        step_size: float,
+        *,
+        parameters: Mapping[str, Any] | None = None,
+        version: Literal["2.0", "3.0"] = "2.0",
+        method: str | DynamicSolverType = "generalized_alpha",
+        settings: SimulationSettings | None = None,
+    ) -> None:
+        """Write the model as an FMU for co-simulation, which other programs run with Python and dalembert.
+
+        inputs: parameters by the names of the FMU: {"torque": load, "k": (spring, "stiffness"), "f": (load,
+            "load_vector", 0)}; all entries of a vector are "f[1]", "f[2]", ...; constant between communications.
+        outputs: {"angle": sensor, "x": (body, "position", 0), "v": "body.velocity"}: components are selected likewise.
+        step_size: size of the steps, the largest one with error control (s); communication steps are multiples of it.
+        parameters: like inputs, for tunable parameters of the FMU. version: of FMI. See solve for the others.
+        """
+        from dalembert._model.fmi_export import export_fmu
+
+        export_fmu(
+            self,
+            file_name,
+            inputs,
+            outputs,
+            step_size,
+            parameters=parameters,
+            version=version,
+            method=method,
+            settings=settings,
+        )
+
+    def add_fmu(
+        self,
+        file_name: str | os.PathLike[str],
+        inputs: Mapping[str, Any],
+        outputs: Mapping[str, Any],
+        step_size: float,
+        *,
+        values: Mapping[str, Any] | None = None,
+    ) -> Any:
+        """Let an FMU for co-simulation, of FMI 2.0 or 3.0, act on the model while solve runs, such as a controller.
+
+        At the times start_time + k step_size (s), the inputs of the FMU are measured, it advances by step_size, and its
+        outputs are set, which the model holds until the next time. Each solution has a new instance of the FMU.
+
+        inputs: what its inputs measure: {"x": sensor, "v": (body, "velocity", 0)}.
+        outputs: what its outputs set: {"force": (load, "load_vector", 0), "k": (spring, "stiffness")}.
+        values: start values of its parameters and other variables.
+        """
+        from dalembert._model.fmi_import import add_fmu
+
+        return add_fmu(self, file_name, inputs, outputs, step_size, values=values)
 
     # ---- the model as an object
 

@@ -61,8 +61,11 @@ def solve(
     if period > 0:
         used.denseOutput.atRequestedTimes = True
     wanted = _wanted(model, outputs, where)
+    from dalembert._model.fmi_import import stepped
+
     with (
         _recorded(model, used, where, "dynamicSolver", kind.name) as run,
+        stepped(model.system, used, kind, where),
         progress_bar(model.system, "dynamicSolver", time.startTime, end_time, time.verboseMode == 0 and progress),
     ):
         run(

@@ -15,20 +15,36 @@ import numpy as np
 from dalembert import laws
 from dalembert._checks import FloatArray
 from dalembert._core import symbolic
+from dalembert._io.mat_files import read_mat
 from dalembert.create._arguments import argument_error
 
-Signal = float | str | os.PathLike[str] | Sequence[Sequence[float]] | FloatArray | Callable[[Any], Any]
+Signal = (
+    float
+    | str
+    | os.PathLike[str]
+    | tuple[str | os.PathLike[str], *tuple[str, ...]]
+    | Sequence[Sequence[float]]
+    | FloatArray
+    | Callable[[Any], Any]
+)
 _symbolic: Any = symbolic
-SIGNAL = "a number, a table [[t, value], ...], the name of a file with such columns, or a function of t"
+SIGNAL = (
+    "a number, a table [[t, value], ...], the name of a CSV or MAT file with such columns, (file, 'time', 'force') for "
+    "columns or variables by name, or a function of t"
+)
 
 
 def table_of(function: str, argument: str, given: Any) -> FloatArray:
-    """Return a table with the columns time and value, from rows or from a file of numbers (CSV, or with blanks).
+    """Return a table with the columns time and value, from rows or from a file: MAT, or numbers (CSV, or with blanks).
 
-    Lines that begin with letters before the first row, such as a header, and comments after # are skipped.
+    Lines that begin with letters before the first row, such as a header, and comments after # are skipped. In
+    (file, 'time', 'force'), names are those of the header, or variables of a MAT file; (file, 'force') is one variable
+    with both columns.
     """
     if isinstance(given, (str, os.PathLike)):
-        given = _read(function, argument, Path(given))
+        given = (given,)
+    if isinstance(given, tuple) and given and isinstance(given[0], (str, os.PathLike)):
+        given = _read_columns(function, argument, Path(given[0]), given[1:])
     try:
         rows = np.asarray(given, dtype=float)
     except (TypeError, ValueError):
@@ -45,17 +61,42 @@ def table_of(function: str, argument: str, given: Any) -> FloatArray:
     return rows
 
 
-def _read(function: str, argument: str, path: Path) -> list[list[float]]:
+def _read_columns(function: str, argument: str, path: Path, names: Any) -> Any:
+    """Return the table in a file, or its columns with these names."""
+    if len(names) > 2 or not all(isinstance(each, str) for each in names):
+        raise argument_error(function, argument, "(file, 'time', 'force') or (file, 'matrix')", (str(path), *names))
+    if path.suffix.lower() != ".mat":
+        return _read(function, argument, path, names)
+    where = f"MainSystem.{function}(...): argument '{argument}'"
+    try:
+        columns = read_mat(where, path, names)
+    except OSError as error:
+        raise _unreadable(function, argument, path, error) from None
+    if len(names) < 2:
+        return columns[0]
+    if len({each.size for each in columns}) > 1 or any(each.size != max(each.shape, default=1) for each in columns):
+        shapes = " and ".join(f"{each.shape} of '{name}'" for name, each in zip(names, columns, strict=True))
+        raise ValueError(f"{where}: expected two vectors of one length in {path}, received the shapes {shapes}")
+    return np.column_stack([np.ravel(each) for each in columns])
+
+
+def _unreadable(function: str, argument: str, path: Path, error: OSError) -> ValueError:
+    return argument_error(function, argument, "a file that can be read", f"{path}: {error.strerror or error}")
+
+
+def _read(function: str, argument: str, path: Path, names: tuple[str, ...]) -> list[list[float]]:
     try:
         lines = path.read_text("utf-8-sig").splitlines()
     except OSError as error:
-        raise argument_error(function, argument, "a file that can be read", f"{path}: {error.strerror}") from None
+        raise _unreadable(function, argument, path, error) from None
     except UnicodeDecodeError:
         raise argument_error(function, argument, "a text file in UTF-8", str(path)) from None
     rows: list[list[float]] = []
+    header: list[str] = []
     for number, line in enumerate(lines, 1):
         text = line.partition("#")[0].strip()
         if not text or (not rows and (text[0].isalpha() or text[0] == '"')):
+            header = _cells(text) if text else header
             continue
         try:
             rows.append([float(each) for each in text.replace(";", " ").replace(",", " ").split()])
@@ -63,7 +104,23 @@ def _read(function: str, argument: str, path: Path) -> list[list[float]]:
             raise argument_error(function, argument, f"numbers in line {number} of {path}", line) from None
     if len({len(row) for row in rows}) > 1:
         raise argument_error(function, argument, f"the same number of columns in all lines of {path}", "several")
-    return rows
+    if not names:
+        return rows
+    for name in names:
+        if header.count(name) != 1 or len(names) < 2:
+            columns = ", ".join(header) or "no header"
+            expected = f"names of two columns of {path} ({columns}), such as (file, 'time', 'force')"
+            raise argument_error(function, argument, expected, names)
+    if rows and len(rows[0]) != len(header):
+        raise argument_error(function, argument, f"{len(header)} columns as in the header of {path}", len(rows[0]))
+    places = [header.index(name) for name in names]
+    return [[row[place] for place in places] for row in rows]
+
+
+def _cells(text: str) -> list[str]:
+    """Return the names in a header."""
+    separator = next((each for each in ",;\t" if each in text), None)
+    return [each.strip().strip('"') for each in text.split(separator)]
 
 
 def signal(function: str, argument: str, given: Any, smooth: bool, ramp: float = 0.0) -> Callable[[Any], Any]:
