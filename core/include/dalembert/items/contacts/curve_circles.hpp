@@ -22,7 +22,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     for (int segment = 0; segment < segments(p); ++segment) {
       const Data at(c.data, segment);
       if (!at.touches(circles(p))) continue;
-      const Meeting<S> touch(p, x, segment, at.circle());
+      const Meeting<S> touch(p, Segment(p, segment), at.circle(), Centre<S>(p, x, at.circle()));
       const Vec3<S> force = touch.direct(-force_on_curve(p, at, touch));
       const Vec3<S> arm = touch.direct(touch.arm), span = touch.span + arm;
       x.apply(1 + at.circle(), Wrench<S>{force, cross(arm, force)});
@@ -45,7 +45,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       data[Data::distance] = std::numeric_limits<double>::max();
       double error = 0;
       const auto meet = [&](int circle) {
-        const Meeting<double> touch(p, x, at, circle, centres.of(circle));
+        const Meeting<double> touch(p, at, circle, centres.of(circle));
         data[Data::distance] = touch.gap;
         data[Data::slip] = touch.slip;
         error = std::abs(p.contactDamping * touch.rate - p.contactStiffness * touch.gap);
@@ -53,7 +53,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       };
       int nearest = -1;
       for (int circle = 0; circle < circles(p); ++circle) {
-        const double gap = centres.gap(at, circle);
+        const double gap = centres.gap(at, circle, data[Data::distance]);
         if (!(gap < data[Data::distance])) continue;
         data[Data::distance] = gap;
         nearest = circle;
@@ -77,13 +77,13 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       int tested = touched;  // without a contact: the nearest circle
       for (int circle = 0; circle < circles(p); ++circle) {
         if (circle == touched) continue;
-        const double gap = centres.gap(line, circle);
+        const double gap = centres.gap(line, circle, nearest);
         if (!(gap < nearest)) continue;
         nearest = gap;
         if (touched < 0) tested = circle;
       }
       if (tested >= 0) {
-        const Meeting<double> touch(p, x, line, tested, centres.of(tested));
+        const Meeting<double> touch(p, line, tested, centres.of(tested));
         pressed = touch.normal_force(p, false);
         if (touched >= 0) own = touch.gap, slip = touch.slip;
       }
@@ -108,9 +108,10 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
         const std::size_t i = static_cast<std::size_t>(circle);
         const Data at(c.data, segment);
         const bool acts = p.activeConnector && at.touches(circles(p)) && at.circle() == circle;
-        const bool is_nearest = centres.gap(Segment(p, segment), circle) < gaps[i];
+        const Segment line(p, segment);
+        const bool is_nearest = centres.gap(line, circle, gaps[i]) < gaps[i];
         if (!acts && !is_nearest) continue;
-        const Meeting<double> touch(p, x, segment, circle);
+        const Meeting<double> touch(p, line, circle, centres.of(circle));
         if (is_nearest) gaps[i] = touch.gap, rates[i] = -touch.rate;
         if (!acts) continue;
         const Vec<double, 2> force = force_on_curve(p, at, touch);
@@ -185,19 +186,23 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     }
   };
 
-  // A circle in the axes of the curve.
+  // A circle and its motion in the axes of the curve.
   template <class S>
   struct Centre {
     Mat3<S> axes;
-    Vec3<S> span;     // from the marker of the curve to the centre, in global axes
-    Vec<S, 2> place;  // of the centre
+    Vec3<S> span;             // from the marker of the curve to the centre, in global axes
+    Vec<S, 2> place, motion;  // of the centre; velocity relative to the curve
+    S spin;                   // angular velocity relative to the curve, about its axis
     Centre(const Parameters& p, const Exchange<S>& x, int circle)
         : Centre(x.template frame<RigidPort>(0).rotation * p.rotationMarker0, x, circle) {}
-    Centre(const Mat3<S>& axes_of_curve, const Exchange<S>& x, int circle)
-        : axes(axes_of_curve),
-          span(x.template frame<RigidPort>(1 + circle).position - x.template frame<RigidPort>(0).position) {
+    Centre(const Mat3<S>& axes_of_curve, const Exchange<S>& x, int circle) : axes(axes_of_curve) {
+      const RigidFrame<S>&m0 = x.template frame<RigidPort>(0), &m1 = x.template frame<RigidPort>(1 + circle);
+      span = m1.position - m0.position;
       const Vec3<S> at = transposed_times(axes, span);
+      const Vec3<S> moves = transposed_times(axes, m1.velocity - m0.velocity - cross(m0.angular_velocity, span));
       place = {at[0], at[1]};
+      motion = {moves[0], moves[1]};
+      spin = transposed_times(axes, m1.angular_velocity - m0.angular_velocity)[2];
     }
   };
 
@@ -209,8 +214,12 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
       for (int circle = 0; circle < circles(p); ++circle) centres_.emplace_back(axes, x, circle);
     }
     const Centre<double>& of(int circle) const { return centres_[static_cast<std::size_t>(circle)]; }
-    double gap(const Segment& at, int circle) const {
-      return norm_or_zero(at.distance_to(of(circle).place - at.begin)) - radii_[static_cast<std::size_t>(circle)];
+    // The gap of a circle if it is below the limit, and the limit otherwise.
+    double gap(const Segment& at, int circle, double limit) const {
+      const double radius = radii_[static_cast<std::size_t>(circle)], reach = limit + radius;
+      const Vec<double, 2> distance = at.distance_to(of(circle).place - at.begin);
+      const double square = dot(distance, distance);
+      return reach > 0 && square < reach * reach ? std::sqrt(square) - radius : limit;
     }
 
    private:
@@ -234,11 +243,8 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
     S gap, rate, slip;  // rate: of penetration; slip: of the circle relative to the curve, along the tangent
     S extent{}, extent_rate{};  // length times penetration, or the area that both share
 
-    Meeting(const Parameters& p, const Exchange<S>& x, int segment, int circle)
-        : Meeting(p, x, Segment(p, segment), circle, Centre<S>(p, x, circle)) {}
-    Meeting(const Parameters& p, const Exchange<S>& x, const Segment& at, int circle, const Centre<S>& centre)
+    Meeting(const Parameters& p, const Segment& at, int circle, const Centre<S>& centre)
         : axes(centre.axes), span(centre.span) {
-      const RigidFrame<S>&m0 = x.template frame<RigidPort>(0), &m1 = x.template frame<RigidPort>(1 + circle);
       const double radius = p.circlesRadii[static_cast<std::size_t>(circle)];
       const Vec<S, 2> from_begin{centre.place[0] - at.begin[0], centre.place[1] - at.begin[1]};
       const Vec<S, 2> distance = at.distance_to(from_begin);
@@ -252,11 +258,9 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, Switches
         depth = dot(normal, from_begin) - radius;
       }
       arm = -(radius + 0.5 * depth) * normal;
-      const Vec3<S> lever = direct(arm);
-      const Vec3<S> velocity = transposed_times(axes, m1.velocity + cross(m1.angular_velocity, lever) - m0.velocity -
-                                                          cross(m0.angular_velocity, span + lever));
-      rate = -(normal[0] * velocity[0] + normal[1] * velocity[1]);
-      slip = tangent()[0] * velocity[0] + tangent()[1] * velocity[1];
+      const Vec<S, 2> velocity{centre.motion[0] - centre.spin * arm[1], centre.motion[1] + centre.spin * arm[0]};
+      rate = -dot(normal, velocity);
+      slip = dot(tangent(), velocity);
       if (p.contactModel == 0) {
         extent = -(at.length * gap);
         extent_rate = at.length * rate;
