@@ -4,11 +4,11 @@ import numpy as np
 
 import dalembert as db
 
-weight = {"gravity": [0, -9.81, 0]}
+gravity = [0, -9.81, 0]  # m/s^2
 
 model = db.Model()
-boom = model.create_box(size=[3, 0.15, 0.15], mass=200, reference_position=[1.5, 0, 0], color="orange", **weight)
-load = model.create_sphere(radius=0.2, mass=300, reference_position=[3, -1.5, 0], color="steelblue", **weight)
+boom = model.create_box(size=[3, 0.15, 0.15], mass=200, reference_position=[1.5, 0, 0], color="orange", gravity=gravity)
+load = model.create_sphere(radius=0.2, mass=300, reference_position=[3, -1.5, 0], color="steelblue", gravity=gravity)
 model.create_revolute_joint(body_numbers=["ground", boom], position=[0, 0, 0], axis="z")
 model.create_distance_constraint(body_numbers=[boom, load], local_position0=[1.5, 0, 0])
 

@@ -4,17 +4,18 @@ import numpy as np
 
 import dalembert as db
 
-points = {"O": [0, 0, 0], "A": [0, 0.2, 0], "B": [0.7, 0.5, 0], "C": [0.6, 0, 0]}  # m
+points = {"O": [0.0, 0, 0], "A": [0, 0.2, 0], "B": [0.7, 0.5, 0], "C": [0.6, 0, 0]}  # m
 
 model = db.Model()
 bars = {}
-for name, (start, end) in {"crank": "OA", "coupler": "AB", "rocker": "BC"}.items():
-    line = np.subtract(points[end], points[start])
+for name, ends in {"crank": "OA", "coupler": "AB", "rocker": "BC"}.items():
+    start, end = (np.array(points[point]) for point in ends)
+    line = end - start
     bars[name] = model.create_box(
         name=name,
-        size=[np.linalg.norm(line), 0.04, 0.02],
+        size=[float(np.linalg.norm(line)), 0.04, 0.02],
         density=7850,
-        reference_position=np.add(points[start], points[end]) / 2,
+        reference_position=(start + end) / 2,
         reference_rotation_matrix=db.rigidBodyUtilities.RotationMatrixZ(np.arctan2(line[1], line[0])),
         gravity=[0, -9.81, 0],
     )

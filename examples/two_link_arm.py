@@ -10,20 +10,21 @@ paths = {"shoulder": 1.2 * smooth, "elbow": -0.8 * smooth}  # rad
 gains = {"shoulder": {"P": 2000, "I": 4000, "D": 150}, "elbow": {"P": 800, "I": 1500, "D": 50}}
 
 model = db.Model()
-common = {"size": [0.5, 0.06, 0.06], "density": 2700, "gravity": [0, -9.81, 0]}
-upper = model.create_box(name="upper arm", reference_position=[0.25, 0, 0], color="orange", **common)
-lower = model.create_box(name="lower arm", reference_position=[0.75, 0, 0], color="steelblue", **common)
-places = {"shoulder": (["ground", upper], [0, 0, 0]), "elbow": ([upper, lower], [0.5, 0, 0])}
-for name, (bodies, position) in places.items():
-    place = {"body_numbers": bodies, "position": position, "axis": "z"}
-    model.create_revolute_joint(name=name, axis_radius=0.05, axis_length=0.1, **place)
-    path = np.column_stack([times, paths[name]])
+size, gravity = [0.5, 0.06, 0.06], [0, -9.81, 0]  # m, m/s^2
+for name, x, color in (("upper arm", 0.25, "orange"), ("lower arm", 0.75, "steelblue")):
+    model.create_box(name, size=size, density=2700, reference_position=[x, 0, 0], gravity=gravity, color=color)
+pairs = {"shoulder": ["ground", "upper arm"], "elbow": ["upper arm", "lower arm"]}
+for name, bodies in pairs.items():
+    position = [0.5 if name == "elbow" else 0, 0, 0]
+    model.create_revolute_joint(name, bodies, position=position, axis="z", axis_radius=0.05, axis_length=0.1)
+    path, gain = np.column_stack([times, paths[name]]), gains[name]
     model.create_pid_controller(
-        name=f"{name} drive", set_point=path, smooth=True, limit=80, show=False, **place, **gains[name]
-    )
+        f"{name} drive", bodies, position=position, axis="z", set_point=path, smooth=True, limit=80, show=False,
+        p=gain["P"], i=gain["I"], d=gain["D"],
+    )  # fmt: skip
 
 solution = model.solve(end_time=3, step_size=1e-3)
-for name in places:
+for name in pairs:
     angle, torque = solution[name].rotation[:, 2], solution[f"{name} drive"].force[:, 5]
     print(f"{name}: {angle[-1]:.4f} of {paths[name][-1]:.1f} rad, largest torque {np.abs(torque).max():.1f} Nm")
 solution.plot("shoulder.rotation", "elbow.rotation", file_name="two_link_arm.png")

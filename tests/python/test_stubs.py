@@ -66,14 +66,27 @@ def config(tmp_path_factory) -> Path:
     return file
 
 
-def run_mypy(config: Path, file: Path) -> str:
-    command = [sys.executable, "-m", "mypy", "--config-file", str(config), "--hide-error-context", str(file)]
+def run_mypy(config: Path, *arguments: Path | str) -> str:
+    command = [sys.executable, "-m", "mypy", "--config-file", str(config), "--hide-error-context", *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, check=False, cwd=config.parent).stdout
 
 
 def test_a_typed_model_passes_strict_checks(config):
     assert run_mypy(config, ROOT / "tests/data/typed_model.py").startswith("Success")
     assert run_mypy(config, ROOT / "tests/data/typed_handles.py").startswith("Success")
+
+
+FIRST_MODELS = (
+    "ball_bearing", "boom_crane", "driven_four_bar", "identified_damper", "quarter_car", "timing_belt", "tip_mass",
+    "two_link_arm",
+)  # fmt: skip
+
+
+def test_first_models_of_new_users_pass(config):
+    """They have no annotations; arguments and outputs are checked, as editors do."""
+    files = [ROOT / f"examples/{name}.py" for name in FIRST_MODELS]
+    assert all(len(file.read_text().splitlines()) < 40 for file in files)
+    assert run_mypy(config, "--allow-untyped-defs", "--ignore-missing-imports", *files).startswith("Success")
 
 
 def test_misspelt_names_of_handles_are_found(config, tmp_path):
