@@ -172,19 +172,17 @@ LEFT_OUT = {
     ),
     "<keyframe>": hinged().replace("</mujoco>", '<keyframe><key qpos="0.7"/></keyframe></mujoco>'),
     "density of <option>, wind of <option>": hinged(before='<option density="1.2" wind="1 0 0"/>'),
-    "<flag damper='disable'>": hinged(before='<option><flag damper="disable"/></option>'),
     "alignfree of <compiler>": hinged(before='<compiler alignfree="true"/>'),
     "align of free joints 'f'": hinged(joint='<freejoint name="f" align="true"/>'),
     "<attach> in bodies 'b'": hinged(BOX + '<attach model="m" prefix="p"/>'),
     "<composite> in bodies 'b'": hinged(BOX + '<composite type="cable"/>'),
     "<flexcomp> in bodies 'b'": hinged(BOX + '<flexcomp type="grid"/>'),
-    "gravcomp of bodies 'b'": hinged(body='gravcomp="1"'),
-    "stiffness of joints 'j'": hinged(joint='<joint name="j" stiffness="2"/>'),
-    "springdamper of joints 'j'": hinged(joint='<joint name="j" springdamper=".1 1"/>'),
     "shellinertia of ellipsoids and meshes, which are taken for solid, of bodies 'b'": hinged(
         '<geom type="ellipsoid" size=".1 .2 .3" shellinertia="true"/>'
     ),
     "mass of geoms of type sdf of bodies 'b'": hinged(BOX + '<geom type="sdf" mesh="m"/>'),
+    "coefficients of higher order of stiffness of joints 'j'": hinged(joint='<joint name="j" stiffness="2 1"/>'),
+    "springdamper of ball and free joints 'j'": hinged(joint='<joint name="j" type="ball" springdamper=".1 1"/>'),
     "frictionloss of ball and free joints 'j'": hinged(joint='<joint name="j" type="ball" frictionloss="1"/>'),
     "range of ball joints 'j'": hinged(joint='<joint name="j" type="ball" range="0 30"/>'),
     "armature against angular velocities, which acts on rates of angles, of joints 'j'": hinged(

@@ -1,7 +1,7 @@
 """Robots from MJCF files, as MuJoCo uses them (https://mujoco.readthedocs.io/en/stable/XMLreference.html).
 
 Bodies, joints, geoms and sites become links, joints, shapes and frames. A warning lists ignored elements, such as
-actuators, tendons, equality constraints, springs and contacts.
+actuators, tendons, equality constraints and contacts.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert.robotics import _drawing, _mjcf_inertia, _shapes
 from dalembert.robotics._description import Body, Description, Joint, translated, turned
 from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import gravity_of, included, left_out, refuse_misspelt, repeated
+from dalembert.robotics._mjcf_elements import Options, included, left_out, refuse_misspelt, repeated
 from dalembert.robotics._xml import Element, read
 
 _JOINTS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
@@ -55,8 +56,8 @@ def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, Flo
 class _Reader:
     """Goes through the bodies of a file."""
 
-    def __init__(self, compiler: Compiler) -> None:
-        self.compiler = compiler
+    def __init__(self, compiler: Compiler, options: Options) -> None:
+        self.compiler, self.options = compiler, options
         self.bodies: dict[str, Body] = {}
         self.joints: list[Joint] = []
         self.notes: dict[str, list[str]] = {}
@@ -139,8 +140,6 @@ class _Reader:
         """Add the joints between a body and its parent, with a body without mass between two of them."""
         name = element.text("name", f"body{len(self.bodies)}")
         place = T @ self.compiler.place(element)
-        if element.number("gravcomp", "0"):
-            self.note("gravcomp of bodies", name)
         if element.text("mocap", "false") == "true":
             self.note("mocap of bodies", name)
         joints = [
@@ -158,6 +157,8 @@ class _Reader:
             self.joints.append(replace(joint, parent=parent, child=child, T=place))
             parent, place = child, np.eye(4)
         self.bodies_of(element, name, child_class)
+        if self.options.passive:
+            self.bodies[name].supported = element.number("gravcomp", "0")
 
     def _joint(self, element: Element, child_class: str, frame: FloatArray) -> Joint:
         """Return a joint; frame leads from the body to the <frame> that it is in."""
@@ -170,13 +171,11 @@ class _Reader:
         if kind not in _JOINTS:
             element.fail(f"type: expected one of {', '.join(_JOINTS)}, received '{kind}'")
         joint = Joint(element.text("name", ""), _JOINTS[kind], "", "", np.eye(4), element)
-        for name in ("stiffness", "springdamper"):
-            if element.numbers(name, (1, 2), "0").any():
-                self.note(f"{name} of joints", joint.name)
         place = (frame @ np.append(element.numbers("pos", 3, "0 0 0"), 1))[:3]
         if kind in ("ball", "free"):
             joint.place = place if kind == "ball" else np.zeros(3)
-            joint.values = {"damping": element.amount("damping", "0"), "rotorInertia": element.amount("armature", "0")}
+            damping = 0.0 if "damper" in self.options.off else self._linear(element, "damping", joint)
+            joint.values = {"damping": damping, "rotorInertia": element.amount("armature", "0")}
             self._note_of_several(element, joint)
             return joint
         turns = self.compiler.angle if kind == "hinge" else float
@@ -184,9 +183,8 @@ class _Reader:
         joint.axis = frame[:3, :3] @ axis / self.compiler.length(element, "axis", axis)
         joint.place = place
         joint.reference = float(turns(element.number("ref", "0")))
-        amounts = {"damping": "damping", "frictionloss": "friction", "armature": "rotorInertia"}
-        joint.values = {argument: element.amount(name, "0") for name, argument in amounts.items()}
-        if self._is_limited(element):
+        joint.values = self._resistance(element, joint, turns)
+        if self._is_limited(element) and "limit" not in self.options.off:
             lower, upper = element.numbers("range", 2)
             if lower > upper:
                 element.fail(f"range: expected two numbers that grow, received {lower:g} and {upper:g}")
@@ -195,14 +193,38 @@ class _Reader:
             joint.values["maxForce"] = float(np.abs(element.numbers("actuatorfrcrange", 2)).max())
         return joint
 
+    def _linear(self, element: Element, name: str, joint: Joint) -> float:
+        """Return the constant of a linear law; polynomials have further coefficients."""
+        first, *further = element.numbers(name, (1, 3), "0")
+        if any(further):
+            self.note(f"coefficients of higher order of {name} of joints", joint.name)
+        return float(first) if first >= 0 else element.amount(name)
+
+    def _resistance(self, element: Element, joint: Joint, turns: Any) -> dict[str, Any]:
+        """Return rotor, spring, damping and friction of a joint of one coordinate as arguments of a link."""
+        values: dict[str, Any] = {"rotorInertia": element.amount("armature", "0")}
+        if "frictionloss" not in self.options.off:
+            values["friction"] = element.amount("frictionloss", "0")
+        if "damper" not in self.options.off:
+            values["damping"] = self._linear(element, "damping", joint)
+        if "spring" not in self.options.off:
+            values["stiffness"] = self._linear(element, "stiffness", joint)
+        values["springReference"] = float(turns(element.number("springref", "0")))
+        time, ratio = element.numbers("springdamper", 2, "0 0")
+        if time > 0 and ratio > 0:
+            stiffness = 0.0 if "spring" in self.options.off else 1 / (time * ratio) ** 2
+            joint.per_inertia = stiffness, 0.0 if "damper" in self.options.off else 2 / time
+        return values
+
     def _is_limited(self, element: Element) -> bool:
         limited = element.text("limited", "auto")
         return limited == "true" or (limited == "auto" and self.compiler.autolimits and "range" in element.attributes)
 
     def _note_of_several(self, element: Element, joint: Joint) -> None:
         """Record differences of ball and free joints, whose coordinates are angles here."""
-        if element.amount("frictionloss", "0"):
-            self.note("frictionloss of ball and free joints", joint.name)
+        for name in ("frictionloss", "stiffness", "springdamper"):
+            if element.numbers(name, (1, 3), "0").any():
+                self.note(f"{name} of ball and free joints", joint.name)
         if joint.kind == "ball" and self._is_limited(element):
             self.note("range of ball joints", joint.name)
         for name, value in joint.values.items():
@@ -229,7 +251,8 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     refuse_misspelt(root)
     compiler = Compiler(root, folder, shapes)
     root = repeated(root, compiler)
-    reader = _Reader(compiler)
+    options = Options(root)
+    reader = _Reader(compiler, options)
     worlds = list(root.every("worldbody"))
     world = replace(root, tag="worldbody", children=[child for element in worlds for child in element.children])
     reader.bodies_of(world, _WORLD, world.text("childclass", "main"))
@@ -242,4 +265,4 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     left = left_out(root) + [f"{what} {', '.join(map(repr, names))}" for what, names in reader.notes.items()]
     if left:
         warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
-    return Description(root.text("model", ""), reader.bodies, reader.joints, _WORLD, gravity_of(root))
+    return Description(root.text("model", ""), reader.bodies, reader.joints, _WORLD, options.gravity)

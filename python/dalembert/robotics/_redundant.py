@@ -19,6 +19,7 @@ from dalembert._tools.found_items import index_of
 from dalembert.create._frames import reference_rotation
 from dalembert.robotics import _drawing, _kinematics
 from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
+from dalembert.robotics._tree import add_supports
 
 if TYPE_CHECKING:
     from dalembert.robotics._robot import Robot
@@ -183,11 +184,12 @@ def _add_spring_damper(mbs: Any, link: RobotLink, q: float, ends: Ends, i: int, 
         return None
     factors = link.GetPDcontrol() if listed or link.HasPDcontrol() else (0.0, 0.0)
     law = _drive_law(link, options.springUserFunctions[i] if listed else 0)
-    values: dict[str, Any] = {
-        "markerNumbers": ends.markers,
-        "stiffness": factors[0],
-        "damping": factors[1] + link.damping,
-    }
+    return _add_connector(mbs, link, q, ends, law, stiffness=factors[0], damping=factors[1] + link.damping)
+
+
+def _add_connector(mbs: Any, link: RobotLink, q: float, ends: Ends, law: Any, **values: Any) -> Any:
+    """Add a spring-damper about, or along, the axis of a joint, which measures the coordinate of the joint."""
+    values["markerNumbers"] = ends.markers
     if not is_revolute(link.jointType):
         axis = ends.rotations[0] @ JOINT_AXES[link.jointType]
         view = items.VLinearSpringDamper(show=False)
@@ -213,7 +215,8 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
     baseMarker = index_of(mbs, "Marker", baseMarker, "Robot.CreateRedundantCoordinateMBS: baseMarker")
     _check(robot, mbs, baseMarker, options)
     lists = "nodeList bodyList jointList markerList0 markerList1 springDamperList jointTorque0List jointTorque1List"
-    result: dict[str, Any] = {name: [] for name in (*lists.split(), "unitTorque0List", "unitTorque1List")}
+    lists += " unitTorque0List unitTorque1List springList"
+    result: dict[str, Any] = {name: [] for name in lists.split()}
     base = _drawing.add_base(robot, mbs)
     q = robot.referenceConfiguration
     at_base = _base_rotation(robot, mbs, baseMarker, options.rotationMarkerBase)
@@ -235,7 +238,15 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
         units = [-turned @ JOINT_AXES[link.jointType], back[:3, :3] @ JOINT_AXES[link.jointType]]
         loads = _add_loads(mbs, link, i, ends, units, options)
         drive = _add_spring_damper(mbs, link, q[i], ends, i, options)
-        row = [body["nodeNumber"], body["bodyNumber"], joint, marker0, marker1, drive, *loads, *units]
+        spring = None
+        if link.stiffness:
+            spring = _add_connector(mbs, link, q[i], ends, 0, stiffness=link.stiffness, offset=link.springReference)
+        row = [body["nodeNumber"], body["bodyNumber"], joint, marker0, marker1, drive, *loads, *units, spring]
         for entries, entry in zip(result.values(), row, strict=True):
             entries.append(entry)
-    return result | {"baseObject": -1 if base is None else base, "links": robot.LinkNumbers()}
+
+    def marker(i: int, place: FloatArray) -> Any:
+        return mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=result["bodyList"][i], localPosition=place))
+
+    supports = add_supports(robot, mbs, marker)
+    return result | {"baseObject": -1 if base is None else base, "links": robot.LinkNumbers(), "supports": supports}

@@ -243,16 +243,36 @@ class Robot:
     def InverseDynamics(
         self, q: npt.ArrayLike, q_t: npt.ArrayLike, q_tt: npt.ArrayLike, gravity: npt.ArrayLike | None = None
     ) -> FloatArray:
-        """Return forces and torques of the drives for a motion: inertia, gravity, damping and friction of joints."""
-        rates, seconds = self._coordinates("q_t", q_t), self._coordinates("q_tt", q_tt)
-        rigid = self.Dynamics(gravity).InverseDynamics(self._coordinates("q", q), rates, seconds)
-        return rigid + self.JointResistance(rates) + self._rotors() * seconds
+        """Return forces and torques of the drives for a motion: inertia, gravity, and minus PassiveForces."""
+        at, rates, seconds = (self._coordinates(*each) for each in (("q", q), ("q_t", q_t), ("q_tt", q_tt)))
+        rigid = self.Dynamics(gravity).InverseDynamics(at, rates, seconds)
+        return rigid - self.PassiveForces(at, rates, gravity) + self._rotors() * seconds
 
     def JointResistance(self, q_t: npt.ArrayLike) -> FloatArray:
         """Return forces and torques of damping and dry friction, which drives have to overcome."""
         rates = self._coordinates("q_t", q_t)
         damping, friction = (np.array([getattr(link, what) for link in self.links]) for what in ("damping", "friction"))
         return np.asarray(damping * rates + friction * np.sign(rates))
+
+    def PassiveForces(self, q: npt.ArrayLike, q_t: npt.ArrayLike, gravity: npt.ArrayLike | None = None) -> FloatArray:
+        """Return forces and torques of springs, dampers and dry friction in the joints, and of supported masses."""
+        at, rates = self._coordinates("q", q), self._coordinates("q_t", q_t)
+        k, q0 = (np.array([getattr(link, what) for link in self.links]) for what in ("stiffness", "springReference"))
+        forces = -k * (at - q0) - self.JointResistance(rates)
+        return np.asarray(forces + self._support(at, gravity))
+
+    def _support(self, q: FloatArray, gravity: npt.ArrayLike | None) -> FloatArray | float:
+        """Return the forces in the joints that carry the weight of supported masses."""
+        if not any(link.supported for link in self.links):
+            return 0.0
+        weight = -(self.gravity if gravity is None else as_vector("Robot: gravity", gravity, 3))
+        frames, total = self.JointHT(q), np.zeros_like(q)
+        for i, link in enumerate(self.links):
+            for mass, place in link.supported:
+                T = np.asarray(frames[i] @ link.localHT)
+                point = T[..., :3, 3] + T[..., :3, :3] @ place
+                total += mass * (weight @ self.Jacobian(frames, point, "trans", i))
+        return total
 
     def MassMatrix(self, q: npt.ArrayLike) -> FloatArray:
         """Return the mass matrix in the coordinates of the joints."""
@@ -261,7 +281,7 @@ class Robot:
     def ForwardDynamics(self, q: npt.ArrayLike, q_t: npt.ArrayLike, torques: npt.ArrayLike) -> FloatArray:
         """Return the accelerations that forces and torques of drives bring about, the inverse of InverseDynamics."""
         rates = self._coordinates("q_t", q_t)
-        applied = self._coordinates("torques", torques) - self.JointResistance(rates)
+        applied = self._coordinates("torques", torques) + self.PassiveForces(q, rates)
         if not self._rotors().any():
             return self.Dynamics().ForwardDynamics(self._coordinates("q", q), rates, applied)
         bias = self.Dynamics().BiasForces(self._coordinates("q", q), rates)
@@ -274,7 +294,10 @@ class Robot:
         return self.Dynamics().KineticEnergy(self._coordinates("q", q), rates) + rotors.sum(axis=-1)
 
     def PotentialEnergy(self, q: npt.ArrayLike) -> FloatArray:
-        """Return the potential energy of the weight (J), zero with all centres of mass in the global origin."""
+        """Return the potential energy of the weight (J), zero with all centres of mass in the global origin.
+
+        Springs and supported masses are not in there.
+        """
         return self.Dynamics().PotentialEnergy(self._coordinates("q", q))
 
     def CenterOfMass(self, q: npt.ArrayLike) -> FloatArray:
@@ -296,9 +319,9 @@ class Robot:
         Factors of PDcontrol become those of the tree; jointPositionOffsetVector and jointVelocityOffsetVector of the
         object are the set values of the drives. limitStiffness or limitDamping make joint limits elastic stops.
         Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
-        links (the indices of links and joints by name), resistances (a connector per joint with damping, friction or
-        stops, else None), couplings (a constraint per joint that follows another, else None), and rotors (an object
-        with the inertia of rotors, or None).
+        links (the indices of links and joints by name), resistances (a connector per joint with spring, damping,
+        friction or stops, else None), couplings (a constraint per joint that follows another, else None), rotors (an
+        object with the inertia of rotors, or None), and supports (the loads that carry supported masses).
         """
         return _tree.create(self, mbs, name, forceUserFunction, (limitStiffness, limitDamping))
 
@@ -322,8 +345,9 @@ class Robot:
         against its marker; without it the base is as base.HT says. Bodies and joints have the names of links and their
         joints, after a name, which tells several robots apart. Returns a dict with lists of one entry per link:
         nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
-        unitTorque0List, unitTorque1List; baseObject, the ground that draws the base, or -1; and links, the indices of
-        links and joints by name.
+        unitTorque0List, unitTorque1List, springList (springs of joints, or None); baseObject, the ground that draws the
+        base, or -1; links, the indices of links and joints by name; and supports, the loads that carry supported
+        masses.
         """
         return _redundant.create(
             self,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
@@ -58,21 +59,27 @@ def _control(robot: Robot) -> dict[str, Any]:
 
 
 def _resistance(robot: Robot, i: int, stops: tuple[float, float]) -> dict[str, Any]:
-    """Return damping, friction and stops of a joint as parameters of a connector; empty if there are none."""
+    """Return spring, damping, friction and stops of a joint as parameters of a connector; empty if there are none."""
     link, parameters = robot.links[i], dict[str, Any]()
+    reference = robot.referenceConfiguration[i]  # markers measure from there
+    if link.stiffness:
+        parameters |= {"stiffness": link.stiffness, "offset": link.springReference - reference}
     if link.damping:
         parameters["damping"] = link.damping
     if link.friction:
         parameters |= {"fDynamicFriction": link.friction, "frictionProportionalZone": REGULAR_VELOCITY}
     if link.jointLimits is not None and any(stops) and np.isfinite(link.jointLimits).all():
-        lower, upper = link.jointLimits - robot.referenceConfiguration[i]  # markers measure from there
+        lower, upper = link.jointLimits - reference
         parameters |= {"useLimitStops": True, "limitStopsLower": lower, "limitStopsUpper": upper}
         parameters |= {"limitStopsStiffness": stops[0], "limitStopsDamping": stops[1]}
     return parameters
 
 
 def _add_resistances(robot: Robot, mbs: Any, node: Any, stops: tuple[float, float]) -> list[Any]:
-    """Add a connector from ground to each coordinate whose joint has damping, friction or stops; None for others."""
+    """Add a connector from ground to each coordinate whose joint has a spring, damping, friction or stops.
+
+    It is None for other joints.
+    """
     wanted = [_resistance(robot, i, stops) for i in range(len(robot.links))]
     if not any(wanted):
         return [None] * len(wanted)
@@ -88,7 +95,7 @@ def _add_resistances(robot: Robot, mbs: Any, node: Any, stops: tuple[float, floa
             parameters["nodeNumber"] = mbs.AddNode(history)
         view = items.VObjectConnectorCoordinateSpringDamperExt(show=False)
         connector = items.ObjectConnectorCoordinateSpringDamperExt(
-            markerNumbers=[ground, marker], stiffness=0, visualization=view, **parameters
+            markerNumbers=[ground, marker], visualization=view, **parameters
         )
         added.append(mbs.AddObject(connector))
     return added
@@ -116,6 +123,26 @@ def _add_rotors(robot: Robot, mbs: Any, node: Any) -> Any:
         return None
     view = items.VObjectGenericODE2(show=False)
     return mbs.AddObject(items.ObjectGenericODE2(nodeNumbers=[node], massMatrix=np.diag(inertias), visualization=view))
+
+
+def _add_supports(robot: Robot, mbs: Any, tree: Any) -> list[Any]:
+    """Add the forces that carry supported masses."""
+
+    def marker(i: int, place: FloatArray) -> Any:
+        T = np.asarray(robot.links[i].localHT)
+        place = T[:3, :3] @ place + T[:3, 3]
+        return mbs.AddMarker(items.MarkerKinematicTreeRigid(objectNumber=tree, linkNumber=i, localPosition=place))
+
+    return add_supports(robot, mbs, marker)
+
+
+def add_supports(robot: Robot, mbs: Any, marker: Callable[[int, FloatArray], Any]) -> list[Any]:
+    """Add the forces that carry supported masses, at markers by link and position in it."""
+    return [
+        mbs.AddLoad(items.LoadForceVector(markerNumber=marker(i, place), loadVector=-mass * robot.gravity))
+        for i, link in enumerate(robot.links)
+        for mass, place in link.supported
+    ]
 
 
 def _mechanics(robot: Robot, gravity: FloatArray) -> dict[str, Any]:
@@ -195,4 +222,5 @@ def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tup
         "resistances": _add_resistances(robot, mbs, node, stops),
         "couplings": [_add_coupling(robot, mbs, node, i) for i in range(n)],
         "rotors": _add_rotors(robot, mbs, node),
+        "supports": _add_supports(robot, mbs, tree),
     }
