@@ -51,13 +51,14 @@ def states(n: int, count: int = 3) -> Any:
     return np.random.default_rng(7).uniform(-1, 1, (count, 3, n))
 
 
-def accelerations(robot: Any, q: Any, v: Any) -> Any:
+def accelerations(robot: Any, q: Any, v: Any, controls: Any = ()) -> Any:
     """Return the accelerations of the assembled tree at a state, which the solver computes at the start."""
     mbs = exu.SystemContainer().AddSystem()
     made = robot.CreateKinematicTree(mbs)
     node = made["nodeGeneric"]
     mbs.SetNodeParameter(node, "initialCoordinates", q - robot.referenceConfiguration)
     mbs.SetNodeParameter(node, "initialCoordinates_t", v)
+    robot.SetControls(mbs, made, controls)
     sensor = mbs.AddSensor(
         items.SensorNode(
             nodeNumber=node,
@@ -148,3 +149,159 @@ def test_rigid_bodies_move_like_the_tree(name: str, tmp_path: Path) -> None:
     tree, bodies = (tip_of(robot, redundant) for redundant in (False, True))
     assert np.linalg.norm(tree - robot.FrameHT("tip", robot.referenceConfiguration)[:3, 3]) > 0.01
     np.testing.assert_allclose(bodies, tree, atol=1e-5)
+
+
+RANGES = 'ctrlrange="-.5 .6" forcerange="-2 1.5"'
+DEFAULTS = """<default><default class="x"><position kp="40" kv="3"/><default class="y"><general gear="-2" ctrlrange="-.4 .4"/>
+</default></default><default class="z"><general gaintype="affine" gainprm="4 .3 -.2" biastype="affine" biasprm=".3 -5 -1"/>
+</default><default class="w"><general gainprm="7" biastype="affine" biasprm="0 -7 -2"/></default></default>"""
+ACTUATED = {
+    "motors": f'<motor name="a" joint="s" gear="3"/><motor name="b" joint="j" {RANGES}/><motor joint="k" gear="-.5" {RANGES}/>',
+    "position controls": f'<position name="a" joint="s" kp="30" kv="2"/><position name="b" joint="j" kp="20" {RANGES} gear="2"/>'
+    '<position joint="k" kp="8" dampratio=".7" gear="3"/><position joint="l" kp="4" inheritrange=".5"/>',
+    "velocity controls": f'<velocity name="a" joint="s" kv="30"/><velocity name="b" joint="j" kv="2" gear="3" {RANGES}/>',
+    "general": f'<general joint="s" gainprm="30" biastype="affine" biasprm="1 -30 -2"/><general joint="j" class="z" {RANGES}/>'
+    '<damper joint="k" kv="3" ctrlrange="0 2"/>',
+    "defaults": '<position joint="s" class="x"/><position joint="j" class="y"/><motor joint="k" class="y"/>'
+    '<general joint="l" class="x" gainprm="2"/><velocity joint="s" class="x"/><position joint="k" class="z" kp="3"/>'
+    '<position joint="l" class="w"/><velocity joint="j" class="w"/><position joint="j" class="w" kv="1"/>',
+    "limits of joints": '<motor name="a" joint="s" gear="-3" forcerange="-9 .2"/><position joint="l" kp="70"/>',
+    "clamping switched off": f'<motor joint="s" {RANGES}/><position joint="j" kp="2" {RANGES}/>',
+    "switched off": '<motor joint="s" group="3"/><motor joint="j"/>',
+}  # fmt: skip
+FLAGS = {
+    "clamping switched off": '<option><flag clampctrl="disable"/></option>',
+    "switched off": '<option actuatorgroupdisable="3"/>',
+}
+
+
+def actuated(name: str) -> str:
+    joints = arm('actuatorfrcrange="-1 2"' if name == "limits of joints" else "", "", "", 'range="-20 40" damping="2"')
+    before = FLAGS.get(name, "") + (DEFAULTS if name in ("defaults", "general") else "")
+    return model(joints, before, f"<actuator>{ACTUATED[name]}</actuator>")
+
+
+@pytest.mark.parametrize("name", ACTUATED)
+def test_actuators_are_those_of_mujoco(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    robot, told = read(tmp_path / "robot.xml", actuated(name))
+    assert told == []
+    mujoco, made, data = in_mujoco(tmp_path / "robot.xml")
+    made.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_LIMIT  # stops are elastic in both, in different ways
+    on = [i for i in range(made.nu) if made.actuator_group[i] != 3]
+    for q, v, u in states(max(made.nv, made.nu)):
+        q, v = q[: made.nv], v[: made.nv]
+        data.qpos[:], data.qvel[:], data.ctrl[:] = q, v, u[: made.nu]
+        mujoco.mj_forward(made, data)
+        close = {"rtol": 1e-10, "atol": 1e-10 * np.abs(data.qacc).max()}
+        controls = data.ctrl[on]
+        forces = robot.ActuatorForces(controls, q, v)
+        np.testing.assert_allclose(forces, data.qfrc_actuator, **close)
+        np.testing.assert_allclose(robot.ForwardDynamics(q, v, forces), data.qacc, **close)
+        np.testing.assert_allclose(accelerations(robot, q, v, controls), data.qacc, **close)
+
+
+DYNAMIC = (
+    '<position name="a" joint="s" kp="30" timeconst=".3"/><intvelocity name="b" joint="j" kp="20" actrange="-1 .2"/>'
+    '<general name="c" joint="k" dyntype="filter" dynprm=".2" gainprm="4" ctrlrange="-.1 .1"/>'
+    '<cylinder name="d" joint="l" area="3" timeconst=".4" bias="0 -1 -1"/>'
+)
+
+
+def test_activations_are_those_of_mujoco(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Forces by activations, and after 0.2 s activations of filters and integrators, by formulas."""
+    monkeypatch.chdir(tmp_path)
+    robot, told = read(tmp_path / "robot.xml", model(arm(), "", f"<actuator>{DYNAMIC}</actuator>"))
+    assert told == []
+    mujoco, made, data = in_mujoco(tmp_path / "robot.xml")
+    for q, v, u in states(made.nv):
+        data.qpos[:], data.qvel[:], data.act[:] = q, v, u
+        mujoco.mj_forward(made, data)
+        np.testing.assert_allclose(robot.ActuatorForces(u, q, v), data.qfrc_actuator, rtol=1e-12)
+    mbs = exu.SystemContainer().AddSystem()
+    created = robot.CreateKinematicTree(mbs)
+    robot.SetControls(mbs, created, {"a": 0.5, "b": 2.0, "c": 3.0})
+    robot.SetControls(mbs, created, {"d": -1.0})
+    solve(mbs, 0.2, 400)
+    wanted = [0.5 * (1 - np.exp(-0.2 / 0.3)), 0.2, 0.1 * (1 - np.exp(-1)), -(1 - np.exp(-0.5))]
+    for item, value in zip(created["actuators"].values(), wanted, strict=True):
+        node = mbs.GetObject(item)["nodeNumbers"][0]
+        state = mbs.GetNodeOutput(node, exu.OutputVariableType.Coordinates)
+        assert state == pytest.approx(value, abs=1e-6)  # (h / 0.2 s)^2 / 12
+
+
+def test_controls_are_numbers_or_functions_of_time(tmp_path: Path) -> None:
+    """A motor on a single hinge: the velocity is the integral of its torque over the inertia."""
+    hinge = '<body><joint name="j" axis="0 0 1"/><geom size=".1" pos="1 0 0" mass="2"/></body>'
+    motor = '<actuator><motor name="m" joint="j" gear="3"/></actuator>'
+    robot, _ = read(tmp_path / "robot.xml", model(hinge, "", motor).replace("1 -2 -9", "0 0 -9"))
+    inertia = 2 * (1 + 0.4 * 0.1**2)
+
+    def rate(redundant: bool) -> float:
+        mbs = exu.SystemContainer().AddSystem()
+        if redundant:
+            base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
+            created = robot.CreateRedundantCoordinateMBS(mbs, base)
+            subject = items.SensorBody(
+                bodyNumber=created["bodyList"][0], outputVariableType=exu.OutputVariableType.AngularVelocity
+            )
+        else:
+            created = robot.CreateKinematicTree(mbs)
+            subject = items.SensorNode(
+                nodeNumber=created["nodeGeneric"], outputVariableType=exu.OutputVariableType.Coordinates_t
+            )
+        subject.storeInternal, subject.writeToFile = True, False
+        sensor = mbs.AddSensor(subject)
+        if callable(robot.actuators["m"].control):
+            with pytest.raises(ValueError, match="the control of actuator 'm' is a function of time"):
+                robot.SetControls(mbs, created, {"m": 1.0})
+        else:
+            robot.SetControls(mbs, created, [0.5])
+            assert mbs.GetObjectParameter(created["actuators"]["m"], created["controls"]["m"]) == 0.5
+        solve(mbs, 1.0, 400)
+        return float(mbs.GetSensorStoredData(sensor)[-1, -1])
+
+    for redundant in (False, True):
+        robot.actuators["m"].control = 0.0
+        assert rate(redundant) == pytest.approx(3 * 0.5 / inertia, rel=1e-6)  # bodies integrate Euler parameters
+        robot.actuators["m"].control = lambda t: 2 * np.sin(3 * t)
+        exact = 3 * 2 * (1 - np.cos(3)) / 3 / inertia
+        assert rate(redundant) == pytest.approx(exact, rel=1e-5)  # trapezoidal rule: (w h)^2 / 12 = 5e-6
+    with pytest.raises(ValueError, match="there is no actuator 'n'; there are: m"):
+        robot.ActuatorForces({"n": 1.0}, [0.0], [0.0])
+    with pytest.raises(ValueError, match="expected 1 numbers, one per actuator"):
+        robot.ActuatorForces([1.0, 2.0], [0.0], [0.0])
+
+
+def test_actuators_move_rigid_bodies_like_the_tree(tmp_path: Path) -> None:
+    drives = '<position joint="s" kp="300" kv="10" forcerange="-40 50"/><position joint="j" kp="40" kv="2" gear="2"/>'
+    text = model(arm(), "", f'<actuator>{drives}<motor joint="k"/></actuator>').replace('armature=".1"', "")
+    robot, _ = read(tmp_path / "robot.xml", text)
+    for actuator, control in zip(robot.actuators.values(), (0.3, -0.5, 0.4), strict=True):
+        actuator.control = control
+    tree, bodies = (tip_of(robot, redundant) for redundant in (False, True))
+    np.testing.assert_allclose(bodies, tree, atol=3e-5)  # as above, of a motion of 0.3 m
+
+
+def test_wrong_actuators_are_refused(tmp_path: Path) -> None:
+    from dalembert.robotics import RobotActuator
+
+    robot, _ = read(tmp_path / "robot.xml", model(arm()))
+    with pytest.raises(ValueError, match="Robot: there is no joint 'm'; there are: s, j, k, l"):
+        robot.AddActuator(RobotActuator("a", "m"))
+    robot.AddActuator(RobotActuator("a", "j", dynamics="integrator"))
+    with pytest.raises(ValueError, match="Robot.AddActuator: there is another 'a' already; names must differ"):
+        robot.AddActuator(RobotActuator("a", "k"))
+    with pytest.raises(ValueError, match="RobotActuator 'a': expected a gear and a gain that are not zero"):
+        RobotActuator("a", "j", gear=0)
+    with pytest.raises(ValueError, match=r"forceRange: expected \[lower, upper\] with lower <= upper"):
+        RobotActuator("a", "j", forceRange=(2, 1))
+    with pytest.raises(ValueError, match="dynamics: expected one of none, filter, integrator"):
+        RobotActuator("a", "j", dynamics="muscle")
+    mbs = exu.SystemContainer().AddSystem()
+    base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
+    robot.links[0].rotorInertia = 0
+    with pytest.raises(ValueError, match="actuator 'a' has dynamics, which need .* use CreateKinematicTree"):
+        robot.CreateRedundantCoordinateMBS(mbs, base)
+    with pytest.raises(ValueError, match=r"line 9: <motor>: there is no joint 'm'; there are: s, j, k, l"):
+        read(tmp_path / "robot.xml", model(arm(), "", '\n<actuator><motor joint="m"/></actuator>'))

@@ -20,6 +20,10 @@ def hinged(content: str = BOX, before: str = "", joint: str = '<joint name="j" a
     return f'<mujoco>{before}<worldbody><body name="b" {body}>{joint}{content}</body></worldbody></mujoco>'
 
 
+def actuated(actuator: str, content: str = BOX, joint: str = '<joint name="j" axis="0 1 0"/>') -> str:
+    return hinged(content, joint=joint).replace("</mujoco>", f"<actuator>{actuator}</actuator></mujoco>")
+
+
 # Files with the first entry of their mass matrix, by formulas; nothing is left out of them.
 CARRIED = {
     "plain": (hinged(), BOX_ABOUT_Y),
@@ -166,7 +170,17 @@ def test_agreement_with_mujoco(name: str, tmp_path: Path, monkeypatch: pytest.Mo
 SUPPORT = '<asset><mesh name="m" inertia="convex" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/></asset>'
 OTHER = '<body name="c"><joint name="k" axis="1 0 0"/><geom size=".1"/></body>'
 LEFT_OUT = {
-    "<actuator>": hinged().replace("</mujoco>", '<actuator><motor joint="j"/></actuator></mujoco>'),
+    "actuators <muscle>: 'm'": actuated('<muscle name="m" joint="j"/>'),
+    "actuators with dyntype muscle: 'm'": actuated('<general name="m" joint="j" dyntype="muscle"/>'),
+    "actuators that act on site: 'actuator 0'": actuated('<motor site="t"/>', BOX + '<site name="t"/>'),
+    "actuators of ball joints: 'j'": actuated('<motor joint="j"/>', joint='<joint name="j" type="ball"/>'),
+    "armature of actuators 'j'": actuated('<motor joint="j" armature="2"/>'),
+    "actuatorfrcrange of joints with several actuators: 'j'": actuated(
+        '<motor joint="j"/><motor joint="j"/>', joint='<joint name="j" actuatorfrcrange="-1 2"/>'
+    ),
+    "actuatorgravcomp of joints with actuatorfrcrange: 'j'": hinged(
+        joint='<joint name="j" actuatorfrcrange="-1 2" actuatorgravcomp="true"/>'
+    ),
     "<equality> (loops that it closes are open)": hinged(BOX + OTHER).replace(
         "</mujoco>", '<equality><joint joint1="j" joint2="k"/></equality></mujoco>'
     ),

@@ -47,7 +47,8 @@ class Joint:
     """A joint of a file: T leads from the parent to the child at coordinate `reference`; axis and place in the child.
 
     kind is revolute, prismatic, fixed, floating or planar; values are further arguments of RobotLink. per_inertia are
-    stiffness and damping, divided by the inertia of the joint at the reference configuration.
+    stiffness and damping, divided by the inertia of the joint at the reference configuration; force_range limits the
+    force of actuators.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Joint:
     reference: float = 0.0
     values: dict[str, Any] = field(default_factory=dict)
     per_inertia: tuple[float, float] | None = None
+    force_range: tuple[float, float] | None = None
 
 
 @dataclass
@@ -239,16 +241,19 @@ class _Builder:
         return robot
 
     def _tune(self, robot: Robot) -> None:
-        """Set spring and damper of joints that are given per inertia: that of the joint if all others are free.
-
-        This is the inverse of a diagonal entry of the inverse mass matrix.
-        """
-        if all(link.per_inertia is None for link in self.moving):
-            return
-        inertias = 1 / np.diag(np.linalg.inv(robot.MassMatrix(robot.referenceConfiguration)))
-        for link, moving, inertia in zip(robot.links, self.moving, inertias, strict=True):
+        """Set spring and damper of joints that are given per inertia."""
+        for i, moving in enumerate(self.moving):
             if moving.per_inertia is not None:
-                link.stiffness, link.damping = inertia * np.array(moving.per_inertia)
+                link = robot.links[i]
+                link.stiffness, link.damping = (float(free_inertias(robot)[i] * each) for each in moving.per_inertia)
+
+
+def free_inertias(robot: Robot) -> FloatArray:
+    """Return the inertias that joints have at the reference configuration if all other joints are free to move.
+
+    These are the inverse values of the diagonal of the inverse mass matrix.
+    """
+    return np.asarray(1 / np.diag(np.linalg.inv(robot.MassMatrix(robot.referenceConfiguration))))
 
 
 def robot_of(description: Description) -> Robot:

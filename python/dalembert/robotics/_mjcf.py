@@ -1,7 +1,7 @@
 """Robots from MJCF files, as MuJoCo uses them (https://mujoco.readthedocs.io/en/stable/XMLreference.html).
 
 Bodies, joints, geoms and sites become links, joints, shapes and frames. A warning lists ignored elements, such as
-actuators, tendons, equality constraints and contacts.
+tendons, equality constraints and contacts.
 """
 
 from __future__ import annotations
@@ -18,8 +18,9 @@ from dalembert._checks import FloatArray
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert.robotics import _drawing, _mjcf_inertia, _shapes
 from dalembert.robotics._description import Body, Description, Joint, translated, turned
+from dalembert.robotics._mjcf_actuators import Actuators
 from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import Options, included, left_out, refuse_misspelt, repeated
+from dalembert.robotics._mjcf_elements import Notes, Options, included, left_out, refuse_misspelt, repeated
 from dalembert.robotics._xml import Element, read
 
 _JOINTS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
@@ -60,11 +61,7 @@ class _Reader:
         self.compiler, self.options = compiler, options
         self.bodies: dict[str, Body] = {}
         self.joints: list[Joint] = []
-        self.notes: dict[str, list[str]] = {}
-
-    def note(self, what: str, name: str) -> None:
-        """Record an ignored part of an element."""
-        self.notes.setdefault(what, []).append(name)
+        self.notes = Notes()
 
     def _body(self, element: Element, name: str) -> Body:
         if name in self.bodies:
@@ -95,7 +92,7 @@ class _Reader:
                 site = self.compiler.complete(part, own_class)
                 body.frames[site.text("name", f"{name} site {len(body.frames)}")] = T @ _site(site, self.compiler)
             elif part.tag in _NOT_READ:
-                self.note(f"<{part.tag}> in bodies", name)
+                self.notes.add(f"<{part.tag}> in bodies", name)
             elif part.tag == "body":
                 self._carried(part, T, name, part.text("childclass", own_class))
         if given is not None and self.compiler.from_shapes != "true":
@@ -108,7 +105,7 @@ class _Reader:
         kind = geom.attributes.get("type", "mesh" if "mesh" in geom.attributes else "sphere")
         needs_inertia = needs_inertia and int(geom.number("group", "0")) in self.compiler.weighed_groups
         if needs_inertia and kind == "sdf":
-            self.note("mass of geoms of type sdf of bodies", body.name)
+            self.notes.add("mass of geoms of type sdf of bodies", body.name)
         if not self.compiler.shapes and (kind == "mesh") and not needs_inertia:
             return RigidBodyInertia()
         shape, place = _shape(geom, self.compiler)
@@ -121,9 +118,9 @@ class _Reader:
         if not needs_inertia:
             return RigidBodyInertia()
         if _mjcf_inertia.is_shell(geom) and _shapes.shell_inertia(shape, 1.0) is None:
-            self.note("shellinertia of ellipsoids and meshes, which are taken for solid, of bodies", body.name)
+            self.notes.add("shellinertia of ellipsoids and meshes, which are taken for solid, of bodies", body.name)
         if shape.kind == "mesh" and (other := self._other_volume(geom, shape)):
-            self.note(f"{other} of meshes, which exact volumes replace, of bodies", body.name)
+            self.notes.add(f"{other} of meshes, which exact volumes replace, of bodies", body.name)
         return _mjcf_inertia.of_geom(geom, shape).Transformed(T @ place)
 
     def _other_volume(self, geom: Element, shape: _shapes.Shape) -> str:
@@ -141,7 +138,7 @@ class _Reader:
         name = element.text("name", f"body{len(self.bodies)}")
         place = T @ self.compiler.place(element)
         if element.text("mocap", "false") == "true":
-            self.note("mocap of bodies", name)
+            self.notes.add("mocap of bodies", name)
         joints = [
             self._joint(part, own_class, frame)
             for part, frame, own_class in self._parts(element, np.eye(4), child_class)
@@ -164,7 +161,7 @@ class _Reader:
         """Return a joint; frame leads from the body to the <frame> that it is in."""
         if element.tag == "freejoint":
             if element.text("align", "auto") == "true":
-                self.note("align of free joints", element.text("name", ""))
+                self.notes.add("align of free joints", element.text("name", ""))
             return Joint(element.text("name", ""), "floating", "", "", np.eye(4), element)
         element = self.compiler.complete(element, child_class)
         kind = element.text("type", "hinge")
@@ -189,15 +186,21 @@ class _Reader:
             if lower > upper:
                 element.fail(f"range: expected two numbers that grow, received {lower:g} and {upper:g}")
             joint.values["jointLimits"] = [float(turns(lower)), float(turns(upper))]
-        if "actuatorfrcrange" in element.attributes:
-            joint.values["maxForce"] = float(np.abs(element.numbers("actuatorfrcrange", 2)).max())
+        limited = element.text("actuatorfrclimited", "auto")
+        given = self.compiler.autolimits and "actuatorfrcrange" in element.attributes
+        if limited == "true" or (limited == "auto" and given):
+            lower, upper = element.numbers("actuatorfrcrange", 2)
+            joint.force_range = float(lower), float(upper)
+            if element.text("actuatorgravcomp", "false") == "true":
+                self.notes.add("actuatorgravcomp of joints with actuatorfrcrange:", joint.name)
+            joint.values["maxForce"] = float(max(abs(lower), abs(upper)))
         return joint
 
     def _linear(self, element: Element, name: str, joint: Joint) -> float:
         """Return the constant of a linear law; polynomials have further coefficients."""
         first, *further = element.numbers(name, (1, 3), "0")
         if any(further):
-            self.note(f"coefficients of higher order of {name} of joints", joint.name)
+            self.notes.add(f"coefficients of higher order of {name} of joints", joint.name)
         return float(first) if first >= 0 else element.amount(name)
 
     def _resistance(self, element: Element, joint: Joint, turns: Any) -> dict[str, Any]:
@@ -224,13 +227,15 @@ class _Reader:
         """Record differences of ball and free joints, whose coordinates are angles here."""
         for name in ("frictionloss", "stiffness", "springdamper"):
             if element.numbers(name, (1, 3), "0").any():
-                self.note(f"{name} of ball and free joints", joint.name)
+                self.notes.add(f"{name} of ball and free joints", joint.name)
         if joint.kind == "ball" and self._is_limited(element):
-            self.note("range of ball joints", joint.name)
+            self.notes.add("range of ball joints", joint.name)
         for name, value in joint.values.items():
             if value:
                 own = {"rotorInertia": "armature"}.get(name, name)
-                self.note(f"{own} against angular velocities, which acts on rates of angles, of joints", joint.name)
+                self.notes.add(
+                    f"{own} against angular velocities, which acts on rates of angles, of joints", joint.name
+                )
 
 
 def _site(site: Element, compiler: Compiler) -> FloatArray:
@@ -261,8 +266,10 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     _mjcf_inertia.finish([body for name, body in reader.bodies.items() if name != _WORLD], compiler)
     hidden = [frame for body in reader.bodies.values() for frame in body.frames if frame in reader.bodies]
     if hidden:
-        reader.notes["sites that have names of bodies:"] = hidden
-    left = left_out(root) + [f"{what} {', '.join(map(repr, names))}" for what, names in reader.notes.items()]
+        reader.notes.names["sites that have names of bodies:"] = hidden
+    actuators = Actuators(root, compiler, options, reader.notes, reader.joints)
+    left = left_out(root) + reader.notes.texts()
     if left:
         warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
-    return Description(root.text("model", ""), reader.bodies, reader.joints, _WORLD, options.gravity)
+    name = root.text("model", "")
+    return Description(name, reader.bodies, reader.joints, _WORLD, options.gravity, [actuators.complete])

@@ -17,7 +17,7 @@ from dalembert._geometry.transformations import InverseHT
 from dalembert._solving.quiet import require_system
 from dalembert._tools.found_items import index_of
 from dalembert.create._frames import reference_rotation
-from dalembert.robotics import _drawing, _kinematics
+from dalembert.robotics import _actuators, _drawing, _kinematics
 from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
 from dalembert.robotics._tree import add_supports
 
@@ -84,6 +84,12 @@ def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
             )
         if i < len(options.springUserFunctions):
             link.GetPDcontrol()
+    for actuator in robot.actuators.values():
+        if actuator.dynamics != "none" and is_revolute(robot.GetLink(robot.GetJointIndex(actuator.joint)).jointType):
+            raise ValueError(
+                f"{where}: actuator '{actuator.name}' has dynamics, which need the coordinate of a joint that "
+                "turns; use CreateKinematicTree"
+            )
     beside = any(not robot.HasParent(i) and np.any(link.preHT[:3, 3]) for i, link in enumerate(robot.links))
     kind = mbs.GetMarker(baseMarker)["markerType"]
     if beside and kind != "BodyRigid":
@@ -210,6 +216,35 @@ def _add_connector(mbs: Any, link: RobotLink, q: float, ends: Ends, law: Any, **
     )
 
 
+def _add_actuators(robot: Robot, mbs: Any, ends_of: list[Ends]) -> dict[str, Any]:
+    """Add the actuators between the markers of their joints."""
+    objects = {}
+    for name, actuator in robot.actuators.items():
+        i = robot.GetJointIndex(actuator.joint)
+        link, ends = robot.links[i], ends_of[i]
+        if is_revolute(link.jointType):
+            made = _actuators.law(actuator, "rotation", lambda phi, omega: (phi, omega), lambda torque: -torque)
+            turned = [A @ _FROM_Z[link.jointType[1]] for A in ends.rotations]
+            turns = items.NodeGenericData(
+                initialCoordinates=[robot.referenceConfiguration[i]], numberOfDataCoordinates=1
+            )
+            further = {"nodeNumber": mbs.AddNode(turns)}
+        else:
+            axis = JOINT_AXES[link.jointType]
+
+            def motion(u: Any, phi: Any, v: Any, omega: Any, axis: FloatArray = axis) -> tuple[Any, Any]:
+                return u @ axis, v @ axis
+
+            def result(force: Any, axis: FloatArray = axis) -> Any:
+                return [-force * component for component in axis], [0.0] * 3
+
+            made, turned, further = _actuators.law(actuator, "frames", motion, result), list(ends.rotations), {}
+        objects[name] = _actuators.add(
+            mbs, made, ends.markers, rotationMarker0=turned[0], rotationMarker1=turned[1], **further
+        )
+    return {"actuators": objects, "controls": _actuators.control_parameters(mbs, objects)}
+
+
 def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[str, Any]:
     """Add bodies, joints and drives; see Robot.CreateRedundantCoordinateMBS."""
     baseMarker = index_of(mbs, "Marker", baseMarker, "Robot.CreateRedundantCoordinateMBS: baseMarker")
@@ -221,6 +256,7 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
     q = robot.referenceConfiguration
     at_base = _base_rotation(robot, mbs, baseMarker, options.rotationMarkerBase)
     placed: list[FloatArray] = []
+    ends_of: list[Ends] = []
     for i, link in enumerate(robot.links):
         parent = robot.GetParentIndex(i)
         before = robot.base.HT if parent < 0 else placed[parent]
@@ -234,6 +270,7 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
             carrier, turned = result["bodyList"][parent], link.preHT[:3, :3]
             marker0 = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=carrier, localPosition=link.preHT[:3, 3]))
         ends = Ends([marker0, marker1], (turned, back[:3, :3]))
+        ends_of.append(ends)
         joint = _add_joint(robot, mbs, link, ends, options)
         units = [-turned @ JOINT_AXES[link.jointType], back[:3, :3] @ JOINT_AXES[link.jointType]]
         loads = _add_loads(mbs, link, i, ends, units, options)
@@ -248,5 +285,10 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
     def marker(i: int, place: FloatArray) -> Any:
         return mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=result["bodyList"][i], localPosition=place))
 
-    supports = add_supports(robot, mbs, marker)
-    return result | {"baseObject": -1 if base is None else base, "links": robot.LinkNumbers(), "supports": supports}
+    return {
+        **result,
+        "baseObject": -1 if base is None else base,
+        "links": robot.LinkNumbers(),
+        "supports": add_supports(robot, mbs, marker),
+        **_add_actuators(robot, mbs, ends_of),
+    }

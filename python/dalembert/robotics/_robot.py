@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_array, as_vector, shape_error
+from dalembert._checks import FloatArray, as_array, as_number, as_vector, shape_error
 from dalembert._core import NodeType, _joint_poses, _robot_jacobian, _static_torques
 from dalembert._geometry.rigid_transformation import HT as HomogeneousTransformation
 from dalembert._geometry.rigid_transformation import sharing
 from dalembert._geometry.transformations import HTtranslate, RotationTranslation2T66Inverse
 from dalembert.kinematicTree import Inertia2T66, KinematicTree66
 from dalembert.robotics import _drawing, _redundant, _tree
+from dalembert.robotics._actuators import RobotActuator
 from dalembert.robotics._denavit_hartenberg import StdDH2HT
 from dalembert.robotics._parts import (
     PREVIOUS_LINK,
@@ -58,6 +59,7 @@ class Robot:
         self.isSerialRobot = True
         self.name = ""
         self.frames: dict[str, tuple[int, FloatArray]] = {}
+        self.actuators: dict[str, RobotActuator] = {}
 
     def __repr__(self) -> str:
         parts = {"base": self.base, "tool": self.tool, "links": self.links}
@@ -88,6 +90,15 @@ class Robot:
         self.isSerialRobot = self.isSerialRobot and link.parent == i - 1
         self.links.append(link)
         return i
+
+    def AddActuator(self, actuator: RobotActuator) -> None:
+        """Add an actuator, whose joint must be there; robot.actuators has all of them by name."""
+        if not isinstance(actuator, RobotActuator):
+            raise TypeError(f"Robot.AddActuator: received {actuator!r}, but expected a RobotActuator(...)")
+        if actuator.name in self.actuators:
+            raise ValueError(f"Robot.AddActuator: there is another '{actuator.name}' already; names must differ")
+        self.GetJointIndex(actuator.joint)
+        self.actuators[actuator.name] = actuator
 
     def IsSerialRobot(self) -> bool:
         """Return whether each link is carried by the one before."""
@@ -261,6 +272,50 @@ class Robot:
         forces = -k * (at - q0) - self.JointResistance(rates)
         return np.asarray(forces + self._support(at, gravity))
 
+    def ActuatorForces(
+        self, controls: npt.ArrayLike | Mapping[str, float], q: npt.ArrayLike, q_t: npt.ArrayLike
+    ) -> FloatArray:
+        """Return forces and torques of the actuators in the joints; ForwardDynamics takes them as torques.
+
+        controls are one number per actuator, in the order of robot.actuators, or numbers by name, zero for others;
+        actuators with dynamics take their activation.
+        """
+        at, rates = self._coordinates("q", q), self._coordinates("q_t", q_t)
+        values = np.moveaxis(self._controls("Robot.ActuatorForces", controls), -1, 0)
+        total = np.zeros(np.broadcast_shapes(at.shape, (*values.shape[1:], len(self.links))))
+        for actuator, u in zip(self.actuators.values(), values, strict=True):
+            i, gear = self.GetJointIndex(actuator.joint), actuator.gear
+            total[..., i] += gear * actuator.Force(u, gear * at[..., i], gear * rates[..., i])
+        return total
+
+    def _controls(self, where: str, controls: npt.ArrayLike | Mapping[str, float]) -> FloatArray:
+        """Return controls in the order of the actuators."""
+        if isinstance(controls, Mapping):
+            for name in controls:
+                if name not in self.actuators:
+                    names = ", ".join(self.actuators) or "none"
+                    raise ValueError(f"{where}: controls: there is no actuator '{name}'; there are: {names}")
+            return np.array([as_number(f"{where}: controls", controls.get(name, 0.0)) for name in self.actuators])
+        values = as_array(f"{where}: controls", controls)
+        if values.ndim == 0 or values.shape[-1] != len(self.actuators):
+            raise shape_error(f"{where}: controls", f"{len(self.actuators)} numbers, one per actuator", controls)
+        return values
+
+    def SetControls(self, mbs: Any, made: dict[str, Any], controls: npt.ArrayLike | Mapping[str, float]) -> None:
+        """Set the controls of the actuators of a created robot: one number per actuator, or some of them by name.
+
+        made is the result of CreateKinematicTree, CreateRedundantCoordinateMBS or CreateRobot. It may be called before
+        a step of a solution as well.
+        """
+        values = self._controls("Robot.SetControls", controls)
+        names = list(controls) if isinstance(controls, Mapping) else list(self.actuators)
+        for name, value in zip(self.actuators, values, strict=True):
+            if name not in names:
+                continue
+            if not made["controls"][name]:
+                raise ValueError(f"Robot.SetControls: the control of actuator '{name}' is a function of time")
+            mbs.SetObjectParameter(made["actuators"][name], made["controls"][name], float(value))
+
     def _support(self, q: FloatArray, gravity: npt.ArrayLike | None) -> FloatArray | float:
         """Return the forces in the joints that carry the weight of supported masses."""
         if not any(link.supported for link in self.links):
@@ -321,7 +376,8 @@ class Robot:
         Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
         links (the indices of links and joints by name), resistances (a connector per joint with spring, damping,
         friction or stops, else None), couplings (a constraint per joint that follows another, else None), rotors (an
-        object with the inertia of rotors, or None), and supports (the loads that carry supported masses).
+        object with the inertia of rotors, or None), supports (the loads that carry supported masses), actuators (their
+        objects by name) and controls (the names of the parameters of these that are the controls, see SetControls).
         """
         return _tree.create(self, mbs, name, forceUserFunction, (limitStiffness, limitDamping))
 
@@ -346,8 +402,8 @@ class Robot:
         joints, after a name, which tells several robots apart. Returns a dict with lists of one entry per link:
         nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
         unitTorque0List, unitTorque1List, springList (springs of joints, or None); baseObject, the ground that draws the
-        base, or -1; links, the indices of links and joints by name; and supports, the loads that carry supported
-        masses.
+        base, or -1; links, the indices of links and joints by name; supports, the loads that carry supported masses;
+        actuators and controls as in CreateKinematicTree.
         """
         return _redundant.create(
             self,

@@ -12,7 +12,7 @@ from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import Matrix3DList, Vector3DList
 from dalembert._solving.quiet import require_system
-from dalembert.robotics import _drawing
+from dalembert.robotics import _actuators, _drawing
 from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList
 from dalembert.treeDynamics import TreeDynamics
 
@@ -125,6 +125,25 @@ def _add_rotors(robot: Robot, mbs: Any, node: Any) -> Any:
     return mbs.AddObject(items.ObjectGenericODE2(nodeNumbers=[node], massMatrix=np.diag(inertias), visualization=view))
 
 
+def _add_actuators(robot: Robot, mbs: Any, node: Any) -> dict[str, Any]:
+    """Add the actuators between their joints and ground."""
+    if not robot.actuators:
+        return {"actuators": {}, "controls": {}}
+    ground = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(items.NodePointGround()), coordinate=0))
+    objects = {}
+    for name, actuator in robot.actuators.items():
+        i = robot.GetJointIndex(actuator.joint)
+        reference = robot.referenceConfiguration[i]  # markers measure from there; ground is the second one
+
+        def motion(q: Any, q_t: Any, reference: float = reference) -> tuple[Any, Any]:
+            return reference - q, -q_t
+
+        made = _actuators.law(actuator, "coordinates", motion, lambda force: force)
+        marker = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=i))
+        objects[name] = _actuators.add(mbs, made, [marker, ground])
+    return {"actuators": objects, "controls": _actuators.control_parameters(mbs, objects)}
+
+
 def _add_supports(robot: Robot, mbs: Any, tree: Any) -> list[Any]:
     """Add the forces that carry supported masses."""
 
@@ -223,4 +242,5 @@ def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tup
         "couplings": [_add_coupling(robot, mbs, node, i) for i in range(n)],
         "rotors": _add_rotors(robot, mbs, node),
         "supports": _add_supports(robot, mbs, tree),
+        **_add_actuators(robot, mbs, node),
     }

@@ -8,6 +8,7 @@ from __future__ import annotations
 from copy import copy as copy  # models take these from here
 from copy import deepcopy as deepcopy
 
+from dalembert.robotics._actuators import RobotActuator
 from dalembert.robotics._denavit_hartenberg import ModDHKK2HT, StdDH2HT, projectAngleToPMPi
 from dalembert.robotics._inverse_kinematics import InverseKinematicsNumerical
 from dalembert.robotics._parts import RobotBase, RobotLink, RobotTool, VRobotBase, VRobotLink, VRobotTool
@@ -17,6 +18,7 @@ __all__ = [
     "InverseKinematicsNumerical",
     "ModDHKK2HT",
     "Robot",
+    "RobotActuator",
     "RobotBase",
     "RobotLink",
     "RobotTool",

@@ -1,0 +1,203 @@
+"""Actuators of MJCF files: motor, position, velocity, intvelocity, damper, cylinder, and general without muscles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from dalembert.robotics._actuators import RobotActuator
+from dalembert.robotics._description import Joint, free_inertias
+from dalembert.robotics._mjcf_compiler import Compiler
+from dalembert.robotics._mjcf_elements import Notes, Options
+from dalembert.robotics._robot import Robot
+from dalembert.robotics._xml import Element
+
+_NOT_READ = ("muscle", "adhesion", "dcmotor", "plugin")
+_DYNAMICS = {"none": "none", "integrator": "integrator", "filter": "filter", "filterexact": "filter"}
+_FURTHER = ("armature", "damping", "delay")  # attributes of actuators that are named
+_RANGES = {"ctrlrange": "ctrllimited", "forcerange": "forcelimited", "actrange": "actlimited"}
+
+
+@dataclass
+class _Law:
+    """Gain, bias and dynamics of an actuator with the names of MJCF, and the shortcut that has set them."""
+
+    kind: str = ""
+    gain_type: str = "fixed"
+    gain: list[float] = field(default_factory=lambda: [1.0, 0.0, 0.0])
+    bias_type: str = "none"
+    bias: list[float] = field(default_factory=lambda: [0.0, 0.0, 0.0])
+    dynamics: str = "none"
+    time: float = 1.0
+    ratio: float = 0.0
+
+
+def _numbers(element: Element, name: str, old: list[float]) -> list[float]:
+    """Return three numbers of an attribute; those that are not given stay."""
+    given = element.numbers(name, (1, 100), " ".join(map(repr, old)))[:3].tolist()
+    return [*given, *old[len(given) :]]
+
+
+def _general(element: Element, law: _Law) -> _Law:
+    """Return a law with the attributes that <general> gives."""
+    return replace(
+        law,
+        gain_type=element.text("gaintype", law.gain_type),
+        gain=_numbers(element, "gainprm", law.gain),
+        bias_type=element.text("biastype", law.bias_type),
+        bias=_numbers(element, "biasprm", law.bias),
+        dynamics=element.text("dyntype", law.dynamics),
+        time=float(element.numbers("dynprm", (1, 100), repr(law.time))[0]),
+        ratio=0.0 if "biasprm" in element.attributes else law.ratio,
+    )
+
+
+def _next(element: Element, law: _Law) -> _Law:
+    """Return the law after an element, one of the defaults or the actuator itself.
+
+    Shortcuts go on with what a default of their own kind, or of <general>, has set.
+    """
+    if element.tag == "general":
+        return _general(element, law)
+    kept = law.kind == element.tag or (not law.kind and (law.gain_type, law.dynamics) == ("fixed", "none"))
+    old = law if kept else _Law()
+    match element.tag:
+        case "motor":
+            return _Law("motor")
+        case "position" | "intvelocity":
+            k, d = element.number("kp", repr(old.gain[0])), element.number("kv", repr(-old.bias[2]))
+            ratio = element.number("dampratio", "0" if "kv" in element.attributes else repr(old.ratio))
+            time = element.number("timeconst", repr(old.time if old.dynamics == "filterexact" else 0.0))
+            if element.tag == "intvelocity":
+                dynamics, time = "integrator", 1.0
+            else:
+                dynamics, time = ("filterexact", time) if time else ("none", 1.0)
+            return _Law(element.tag, "fixed", [k, 0.0, 0.0], "affine", [0.0, -k, 0.0 - d], dynamics, time, ratio)
+        case "velocity":
+            k = element.number("kv", repr(old.gain[0]))
+            return _Law("velocity", "fixed", [k, 0.0, 0.0], "affine", [0.0, 0.0, -k])
+        case "damper":
+            k = element.amount("kv", repr(-old.gain[2]))
+            return _Law("damper", "affine", [0.0, 0.0, 0.0 - k])
+        case "cylinder":
+            area = element.number("area", repr(old.gain[0]))
+            if "diameter" in element.attributes:
+                area = np.pi / 4 * element.number("diameter") ** 2
+            time = element.number("timeconst", repr(old.time))
+            return _Law(
+                "cylinder", "fixed", [area, 0.0, 0.0], "affine", _numbers(element, "bias", old.bias), "filter", time
+            )
+    return replace(law, kind=element.tag)
+
+
+class Actuators:
+    """The actuators of a file; complete() adds them to the robot."""
+
+    def __init__(self, root: Element, compiler: Compiler, options: Options, notes: Notes, joints: list[Joint]) -> None:
+        self.compiler, self.options, self.notes = compiler, options, notes
+        self.joints = {joint.name: joint for joint in joints if joint.name}
+        self.names: list[str] = []
+        self.read: list[tuple[RobotActuator, float, float]] = []  # with damping ratio and inherited range
+        for element in (child for group in root.every("actuator") for child in group.children):
+            self._take(element)
+        acted = [actuator.joint for actuator, _, _ in self.read]
+        self.several = {joint for joint in acted if acted.count(joint) > 1}
+        for joint in self.several:
+            if self.joints[joint].force_range is not None:
+                notes.add("actuatorfrcrange of joints with several actuators:", joint)
+
+    def _take(self, element: Element) -> None:
+        name = element.text("name", element.text("joint", element.text("tendon", "")))
+        if not name or name in self.names:
+            name = f"actuator {len(self.names)}"
+        self.names.append(name)
+        defaults = self.compiler.actuator_defaults[self.compiler.class_of(element, "main")]
+        law, common = _Law(), dict[str, str]()
+        for each in (*defaults, element):
+            law = _next(each, law)
+            common |= each.attributes
+        element = replace(element, attributes=common | element.attributes)
+        joint = self._joint(element)
+        if (reason := self._unsupported(element, law, joint)) or joint is None:
+            self.notes.add(f"actuators {reason}:", name)
+            return
+        group = int(element.number("group", "0"))
+        if "actuation" in self.options.off or group in self.options.groups_off:
+            return
+        for what in _FURTHER:
+            if element.number(what, "0"):
+                self.notes.add(f"{what} of actuators", name)
+        gear = float(element.numbers("gear", (1, 6), "1")[0])
+        if not gear or not any(law.gain):
+            self.notes.add("actuators without a gear or gain:", name)
+            return
+        actuator = RobotActuator(
+            name,
+            joint.name,
+            gear,
+            law.gain if law.gain_type == "affine" else (law.gain[0], 0.0, 0.0),
+            law.bias if law.bias_type == "affine" else (0.0, 0.0, 0.0),
+            None if "clampctrl" in self.options.off else self._range(element, "ctrlrange"),
+            self._range(element, "forcerange"),
+            dynamics=_DYNAMICS[law.dynamics],
+            timeConstant=law.time,
+            activationRange=self._range(element, "actrange"),
+        )
+        self.read.append((actuator, law.ratio, element.number("inheritrange", "0")))
+
+    def _joint(self, element: Element) -> Joint | None:
+        """Return the joint that an actuator acts on; None if it acts on something else."""
+        name = element.text("joint", element.text("jointinparent", ""))
+        if name and name not in self.joints:
+            element.fail(f"there is no joint '{name}'; there are: {', '.join(self.joints) or 'none with a name'}")
+        return self.joints[name] if name else None
+
+    @staticmethod
+    def _unsupported(element: Element, law: _Law, joint: Joint | None) -> str:
+        """Return what is not supported; empty if everything is."""
+        if element.tag in _NOT_READ:
+            return f"<{element.tag}>"
+        if law.gain_type not in ("fixed", "affine") or law.bias_type not in ("none", "affine"):
+            return f"with gaintype {law.gain_type} and biastype {law.bias_type}"
+        if law.dynamics not in _DYNAMICS:
+            return f"with dyntype {law.dynamics}"
+        if joint is None:
+            return "that act on " + next(
+                (what for what in ("tendon", "site", "body") if what in element.attributes), "others"
+            )
+        return f"of {joint.kind} joints" if joint.kind in ("ball", "floating") else ""
+
+    def _range(self, element: Element, name: str) -> tuple[float, float] | None:
+        limited = element.text(_RANGES[name], "auto")
+        if limited == "false" or (limited == "auto" and not (self.compiler.autolimits and name in element.attributes)):
+            return None
+        lower, upper = element.numbers(name, 2)
+        if lower > upper:
+            element.fail(f"{name}: expected two numbers that grow, received {lower:g} and {upper:g}")
+        return float(lower), float(upper)
+
+    def complete(self, robot: Robot) -> None:
+        """Add the actuators; some depend on the inertias and the limits of their joints."""
+        for actuator, ratio, inherited in self.read:
+            i = robot.GetJointIndex(actuator.joint)
+            limits: Any = robot.links[i].jointLimits
+            if ratio > 0:
+                inertia = free_inertias(robot)[i] / actuator.gear**2
+                damping = 2 * ratio * np.sqrt(actuator.gain[0] * inertia)
+                actuator.bias = (*actuator.bias[:2], -float(damping))
+            if inherited > 0 and limits is not None:
+                middle, half = limits.mean(), 0.5 * inherited * (limits[1] - limits[0])
+                actuator.controlRange = (float(middle - half), float(middle + half))
+            self._limit_joint(robot, actuator)
+            robot.AddActuator(actuator)
+
+    def _limit_joint(self, robot: Robot, actuator: RobotActuator) -> None:
+        """Apply the force range of a joint to its only actuator."""
+        found = self.joints[actuator.joint].force_range
+        if found is None or actuator.joint in self.several:
+            return
+        lower, upper = sorted(np.array(found) / actuator.gear)
+        own = actuator.forceRange or (-np.inf, np.inf)
+        actuator.forceRange = tuple(float(np.clip(value, lower, upper)) for value in own)
