@@ -11,6 +11,7 @@ import pytest
 
 import dalembert as exu
 from dalembert import itemInterface as items
+from dalembert.rigidBodyUtilities import RotXYZ2RotationMatrix
 from dalembert.robotics.utilities import ReadRobot
 
 # A chain of a slider and two hinges about skew axes, and a hinge beside it; {} are further attributes of the joints.
@@ -113,18 +114,18 @@ def test_motion_is_that_of_mujoco(name: str, tmp_path: Path, monkeypatch: pytest
         np.testing.assert_allclose(robot.InverseDynamics(q, v, a), data.qfrc_inverse, **close)
 
 
-def tip_of(robot: Any, redundant: bool, duration: float = 0.3, steps: int = 300) -> Any:
-    """Return where the site 'tip' is after a motion of a kinematic tree, or of rigid bodies and joints."""
+def tip_of(robot: Any, redundant: bool, site: str = "tip", duration: float = 0.3, steps: int = 300) -> Any:
+    """Return where a site is after a motion of a kinematic tree, or of rigid bodies and joints."""
     mbs = exu.SystemContainer().AddSystem()
-    place = robot.frames["tip"][1][:3, 3]
+    place = robot.frames[site][1][:3, 3]
     if redundant:
         base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
         made = robot.CreateRedundantCoordinateMBS(mbs, base)
-        body = made["bodyList"][robot.FrameLink("tip")]
+        body = made["bodyList"][robot.FrameLink(site)]
         marker = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=body, localPosition=place))
     else:
         tree = robot.CreateKinematicTree(mbs)["objectKinematicTree"]
-        number = robot.FrameLink("tip")
+        number = robot.FrameLink(site)
         link = robot.links[number]
         place = (np.asarray(link.localHT) @ [*place, 1.0])[:3]
         marker = mbs.AddMarker(
@@ -305,3 +306,160 @@ def test_wrong_actuators_are_refused(tmp_path: Path) -> None:
         robot.CreateRedundantCoordinateMBS(mbs, base)
     with pytest.raises(ValueError, match=r"line 9: <motor>: there is no joint 'm'; there are: s, j, k, l"):
         read(tmp_path / "robot.xml", model(arm(), "", '\n<actuator><motor joint="m"/></actuator>'))
+
+
+# Equality constraints: a four-bar linkage closed by three equations, of which one is redundant, and more.
+BARS = """<body name="a"><joint name="p" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0 0 .4" size=".03"/>
+<body name="b" pos="0 0 .4" euler="0 10 0"><joint name="q" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 .5 0 0" size=".03"/></body></body>
+<body name="c" pos=".5 0 0"><joint name="r" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0 0 .35" size=".03"/><site name="top" pos="0 .02 .35"/></body>
+<body name="pin" pos="0 0 .2"/>"""
+CUT = BARS.replace(
+    '<site name="top" pos="0 .02 .35"/>',
+    '<body name="e" pos="0 0 .35" euler="0 10 0"><joint name="h" axis="0 1 0"/><geom size=".04" pos=".1 0 0"/></body>',
+)
+CLOSED = {
+    "four bars": (BARS, '<connect body1="b" body2="c" anchor=".48 0 0"/>'),
+    "polynomial of joints": (arm(), '<joint joint1="j" joint2="l" polycoef=".2 -.5 .3 .2 -.1"/>'),
+    "gear and lock": (arm(), '<joint joint1="j" joint2="l" polycoef=".2 -.5"/><joint joint1="k" polycoef=".1"/>'),
+    "chain of gears": (arm(), '<joint joint1="j" joint2="l" polycoef="0 2"/><joint joint1="l" joint2="k"/>'),
+    "connected to the world": (arm(), '<connect body1="c" anchor=".2 0 .1"/>'),
+    "connected sites": (BARS, '<connect site1="top" site2="end"/>'),
+    "welded": (CUT, '<weld body1="b" body2="e"/>'),
+    "welded with a pose": (CUT, '<weld body1="b" body2="e" relpose=".48 0 -.01 1 0 .1 0" anchor=".1 0 .02"/>'),
+    "welded with an anchor": (CUT, '<weld body1="e" body2="b" anchor=".1 .1 .2"/>'),
+    "switched off": (arm(), '<connect body1="c" anchor=".2 0 .1" active="false"/>'),
+}  # fmt: skip
+
+
+def closed(name: str) -> str:
+    bodies, constraints = CLOSED[name]
+    bodies = bodies.replace(
+        'size=".03"/></body></body>', 'size=".03"/><site name="end" pos=".49 .02 0"/></body></body>'
+    )
+    return model(bodies, "", f"<equality>{constraints}</equality>")
+
+
+def equations(mujoco: Any, made: Any, data: Any, q: Any) -> tuple[Any, Any]:
+    """Return residuals and Jacobian of the equality constraints."""
+    data.qpos[:] = q
+    mujoco.mj_forward(made, data)
+    return data.efc_pos[: data.ne].copy(), np.reshape(data.efc_J, (-1, made.nv))[: data.ne].copy()
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_closed_loops_are_those_of_mujoco(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Residuals of translations at random states; accelerations at states that fit, against the equations of motion.
+
+    MuJoCo's own constraints are soft. Its mass matrix, forces and Jacobians give those of rigid ones; the derivative of
+    the Jacobian is a central difference, which has an error of about 1e-9.
+    """
+    monkeypatch.chdir(tmp_path)
+    robot, told = read(tmp_path / "robot.xml", closed(name))
+    assert told == []
+    mujoco, made, data = in_mujoco(tmp_path / "robot.xml")
+    made.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE
+    n = made.nv
+    for q, _, _ in states(n):
+        residual, _ = equations(mujoco, made, data, q)
+        mine = gaps(robot, q)
+        if len(residual) == 6:  # of a weld, MuJoCo has the vector part of a quaternion
+            residual, mine = (np.linalg.norm(each.reshape(2, 3), axis=1) for each in (residual, mine))
+        np.testing.assert_allclose(np.abs(mine), np.abs(residual), atol=1e-12)
+    for q, v, _ in states(n):
+        q = robot.referenceConfiguration + 0.4 * q
+        for _ in range(60):
+            residual, J = equations(mujoco, made, data, q)
+            q = q - np.linalg.pinv(J, rcond=1e-8) @ residual if len(residual) else q
+        assert np.abs(residual).max(initial=0.0) < 1e-12
+        v = v - np.linalg.pinv(J, rcond=1e-8) @ (J @ v)
+        h = 1e-5
+        J_t = (equations(mujoco, made, data, q + h * v)[1] - equations(mujoco, made, data, q - h * v)[1]) / (2 * h)
+        data.qvel[:] = v
+        equations(mujoco, made, data, q)
+        mass = np.zeros((n, n))
+        for row, unit in zip(mass, np.eye(n), strict=True):
+            mujoco.mj_mulM(made, data, row, unit)
+        inverse = np.linalg.inv(mass)
+        free = inverse @ data.qfrc_smooth
+        push = np.linalg.pinv(J @ inverse @ J.T, rcond=1e-9) @ (-J_t @ v - J @ free)
+        wanted = free + inverse @ J.T @ push
+        np.testing.assert_allclose(accelerations(robot, q, v), wanted, atol=1e-7 * np.abs(wanted).max())
+
+
+def gaps(robot: Any, q: Any) -> Any:
+    """Return the residuals of all constraints that are switched on."""
+    mbs = exu.SystemContainer().AddSystem()
+    created = robot.CreateKinematicTree(mbs)
+    mbs.SetNodeParameter(created["nodeGeneric"], "initialCoordinates", q - robot.referenceConfiguration)
+    mbs.Assemble()
+    found = []
+    for item in created["constraints"].values():
+        parameters = mbs.GetObject(item)
+        if not parameters["activeConnector"]:
+            continue
+        kind = parameters["objectType"]
+        names = {"Generic": ["DisplacementLocal", "Rotation"], "Spherical": ["Displacement"]}
+        for variable in names.get(kind.removeprefix("Joint"), ["ConstraintEquation"]):
+            value = np.atleast_1d(mbs.GetObjectOutput(item, getattr(exu.OutputVariableType, variable)))
+            if variable == "Rotation":  # the vector part of the quaternion is as long as the sine of half of the angle
+                A = RotXYZ2RotationMatrix(value)
+                value = np.array([np.sqrt(np.maximum(3 - np.trace(A), 0)) / 2, 0, 0])
+            found.append(value)
+    return np.concatenate([*found, []])
+
+
+@pytest.mark.parametrize("name", ["four bars", "welded", "connected to the world"])
+def test_closed_loops_of_rigid_bodies_move_like_the_tree(name: str, tmp_path: Path) -> None:
+    robot, _ = read(tmp_path / "robot.xml", closed(name).replace('armature=".1"', ""))
+    site = "side" if "world" in name else "end"
+    tree, bodies = (tip_of(robot, redundant, site) for redundant in (False, True))
+    assert np.linalg.norm(tree - robot.FrameHT(site, robot.referenceConfiguration)[:3, 3]) > 0.01
+    np.testing.assert_allclose(bodies, tree, atol=3e-5)  # as above
+
+
+def test_couplings_determine_coordinates(tmp_path: Path) -> None:
+    """The reference configuration fits, and joints that are coupled in a chain follow the first one."""
+    robot, _ = read(tmp_path / "robot.xml", closed("chain of gears"))
+    q = robot.FollowedCoordinates([0.1, 0, 0.3, 0])
+    assert q == pytest.approx([0.1, np.deg2rad(20) + 0.6, 0.3, 0.3])
+    robot, _ = read(tmp_path / "robot.xml", closed("gear and lock"))
+    assert robot.referenceConfiguration == pytest.approx([0, np.deg2rad(20) + 0.2, 0.1, 0])
+
+
+def test_constraints_of_own_robots(tmp_path: Path) -> None:
+    from dalembert.robotics import RobotCoupling, RobotLoop
+
+    robot, _ = read(tmp_path / "robot.xml", model(arm().replace('armature=".1"', "")))
+    robot.AddConstraint(RobotLoop("hook", "tip", HT1=robot.FrameHT("tip", robot.referenceConfiguration)))
+    robot.AddConstraint(RobotLoop("weld", "fixed", "c", HT1=robot.frames["fixed"][1], rotation=True))
+    assert gaps(robot, robot.referenceConfiguration) == pytest.approx(np.zeros(9), abs=1e-15)
+    with pytest.raises(ValueError, match="there is another 'hook' already"):
+        robot.AddConstraint(RobotLoop("hook", "tip"))
+    with pytest.raises(ValueError, match="there is no link or joint 'nose'"):
+        robot.AddConstraint(RobotLoop("other", "nose"))
+    with pytest.raises(ValueError, match="there is no joint 'tip'"):
+        robot.AddConstraint(RobotCoupling("other", "j", "tip"))
+    with pytest.raises(ValueError, match="coefficients: expected one number without a leader"):
+        RobotCoupling("other", "j")
+    mbs = exu.SystemContainer().AddSystem()
+    point = mbs.AddMarker(items.MarkerBodyPosition(bodyNumber=mbs.AddObject(items.ObjectGround())))
+    robot.base.HT = np.eye(4)
+    with pytest.raises(ValueError, match="a loop that is closed at the base needs a MarkerBodyRigid"):
+        robot.CreateRedundantCoordinateMBS(mbs, point, rotationMarkerBase=np.eye(3))
+    robot.AddConstraint(RobotCoupling("gear", "j", "k"))
+    with pytest.raises(
+        ValueError, match="constraint 'gear' needs the coordinates of the joints; use CreateKinematicTree"
+    ):
+        robot.CreateRedundantCoordinateMBS(mbs, point)
+
+
+def test_wrong_constraints_are_refused(tmp_path: Path) -> None:
+    for constraint, problem in {
+        '<connect body1="z" anchor="0 0 0"/>': "<connect>: there is no body 'z'; there are: world, a, b, c, fixed, d",
+        '<weld site1="z" site2="tip"/>': "<weld>: there is no site 'z'; there are: tip, side",
+        '<joint joint1="j" joint2="z"/>': "<joint>: there is no joint 'z'; there are: s, j, k, l",
+        '<connect body1="a"/>': "<connect>: expected the attribute 'anchor'",
+        '<joint polycoef="1"/>': "<joint>: expected the attribute 'joint1'",
+    }.items():
+        with pytest.raises(ValueError, match=problem):
+            read(tmp_path / "robot.xml", model(arm(), "", f"<equality>{constraint}</equality>"))

@@ -13,6 +13,7 @@ from dalembert.robotics.utilities import ReadRobot
 
 BOX = '<geom type="box" size=".1 .2 .3" pos=".3 0 0"/>'  # 48 kg
 BOX_ABOUT_Y = 48 * (0.1**2 + 0.3**2) / 3 + 48 * 0.3**2
+OTHER = '<body name="c"><joint name="k" axis="1 0 0"/><geom size=".1"/></body>'
 BALL = 1000 * 4 / 3 * np.pi * 0.1**3
 
 
@@ -22,6 +23,11 @@ def hinged(content: str = BOX, before: str = "", joint: str = '<joint name="j" a
 
 def actuated(actuator: str, content: str = BOX, joint: str = '<joint name="j" axis="0 1 0"/>') -> str:
     return hinged(content, joint=joint).replace("</mujoco>", f"<actuator>{actuator}</actuator></mujoco>")
+
+
+def related(constraint: str, content: str = "") -> str:
+    third = '<body name="e"><joint name="i" type="ball"/><geom size=".1"/></body>'
+    return hinged(BOX + content + OTHER + third).replace("</mujoco>", f"<equality>{constraint}</equality></mujoco>")
 
 
 # Files with the first entry of their mass matrix, by formulas; nothing is left out of them.
@@ -168,7 +174,6 @@ def test_agreement_with_mujoco(name: str, tmp_path: Path, monkeypatch: pytest.Mo
 
 
 SUPPORT = '<asset><mesh name="m" inertia="convex" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/></asset>'
-OTHER = '<body name="c"><joint name="k" axis="1 0 0"/><geom size=".1"/></body>'
 LEFT_OUT = {
     "actuators <muscle>: 'm'": actuated('<muscle name="m" joint="j"/>'),
     "actuators with dyntype muscle: 'm'": actuated('<general name="m" joint="j" dyntype="muscle"/>'),
@@ -181,8 +186,11 @@ LEFT_OUT = {
     "actuatorgravcomp of joints with actuatorfrcrange: 'j'": hinged(
         joint='<joint name="j" actuatorfrcrange="-1 2" actuatorgravcomp="true"/>'
     ),
-    "<equality> (loops that it closes are open)": hinged(BOX + OTHER).replace(
-        "</mujoco>", '<equality><joint joint1="j" joint2="k"/></equality></mujoco>'
+    "constraints <tendon>: 't'": related('<tendon name="t" tendon1="u"/>'),
+    "constraints of ball joints: 'joint-i'": related('<joint joint1="i"/>'),
+    "constraints with torquescale 0: 'weld-b'": related('<weld body1="b" torquescale="0"/>'),
+    "sites that have names of bodies: 'b', constraints on sites that have names of bodies: 'connect-b-s'": related(
+        '<connect site1="b" site2="s"/>', '<site name="b"/><site name="s"/>'
     ),
     "<keyframe>": hinged().replace("</mujoco>", '<keyframe><key qpos="0.7"/></keyframe></mujoco>'),
     "density of <option>, wind of <option>": hinged(before='<option density="1.2" wind="1 0 0"/>'),

@@ -1,7 +1,7 @@
 """Robots from MJCF files, as MuJoCo uses them (https://mujoco.readthedocs.io/en/stable/XMLreference.html).
 
 Bodies, joints, geoms and sites become links, joints, shapes and frames. A warning lists ignored elements, such as
-tendons, equality constraints and contacts.
+tendons and contacts.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from dalembert.robotics._description import Body, Description, Joint, translated
 from dalembert.robotics._mjcf_actuators import Actuators
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_elements import Notes, Options, included, left_out, refuse_misspelt, repeated
+from dalembert.robotics._mjcf_equality import WORLD, Equality
 from dalembert.robotics._xml import Element, read
 
 _JOINTS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
@@ -28,7 +29,6 @@ _SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
 _UNSHAPED = ("plane", "hfield", "sdf")
 _NOT_READ = ("attach", "composite", "flexcomp", "plugin")
 _SAME_VOLUME = 1e-6  # relative differences between ways to weigh meshes that do not count
-_WORLD = "world"
 
 
 def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, FloatArray]:
@@ -86,7 +86,7 @@ class _Reader:
         for part, T, own_class in list(self._parts(element, np.eye(4), child_class)):
             if part.tag == "geom":
                 geom = self.compiler.complete(part, own_class)
-                needs_inertia = name != _WORLD and (given is None or self.compiler.from_shapes == "true")
+                needs_inertia = name != WORLD and (given is None or self.compiler.from_shapes == "true")
                 weighed = weighed + self._geom(geom, T, body, needs_inertia)
             elif part.tag == "site":
                 site = self.compiler.complete(part, own_class)
@@ -260,16 +260,17 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     reader = _Reader(compiler, options)
     worlds = list(root.every("worldbody"))
     world = replace(root, tag="worldbody", children=[child for element in worlds for child in element.children])
-    reader.bodies_of(world, _WORLD, world.text("childclass", "main"))
+    reader.bodies_of(world, WORLD, world.text("childclass", "main"))
     if len(reader.bodies) == 1:
         root.fail("expected an element <body> in <worldbody>")
-    _mjcf_inertia.finish([body for name, body in reader.bodies.items() if name != _WORLD], compiler)
+    _mjcf_inertia.finish([body for name, body in reader.bodies.items() if name != WORLD], compiler)
     hidden = [frame for body in reader.bodies.values() for frame in body.frames if frame in reader.bodies]
     if hidden:
         reader.notes.names["sites that have names of bodies:"] = hidden
     actuators = Actuators(root, compiler, options, reader.notes, reader.joints)
+    equality = Equality(root, compiler, options, reader.notes, reader.joints, reader.bodies)
     left = left_out(root) + reader.notes.texts()
     if left:
         warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
-    name = root.text("model", "")
-    return Description(name, reader.bodies, reader.joints, _WORLD, options.gravity, [actuators.complete])
+    later = [actuators.complete, equality.complete]  # constraints may move the reference configuration
+    return Description(root.text("model", ""), reader.bodies, reader.joints, WORLD, options.gravity, [*later])

@@ -103,7 +103,7 @@ class Actuators:
         for element in (child for group in root.every("actuator") for child in group.children):
             self._take(element)
         acted = [actuator.joint for actuator, _, _ in self.read]
-        self.several = {joint for joint in acted if acted.count(joint) > 1}
+        self.several = dict.fromkeys(joint for joint in acted if acted.count(joint) > 1)
         for joint in self.several:
             if self.joints[joint].force_range is not None:
                 notes.add("actuatorfrcrange of joints with several actuators:", joint)

@@ -142,7 +142,6 @@ class Options:
 _ELEMENTS = {
     "contact": "",
     "deformable": "",
-    "equality": " (loops that it closes are open)",
     "extension": "",
     "keyframe": "",
     "tendon": "",

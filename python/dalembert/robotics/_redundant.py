@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,8 @@ from dalembert._geometry.transformations import InverseHT
 from dalembert._solving.quiet import require_system
 from dalembert._tools.found_items import index_of
 from dalembert.create._frames import reference_rotation
-from dalembert.robotics import _actuators, _drawing, _kinematics
+from dalembert.robotics import _actuators, _constraints, _drawing, _kinematics
+from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
 from dalembert.robotics._tree import add_supports
 
@@ -84,6 +85,11 @@ def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
             )
         if i < len(options.springUserFunctions):
             link.GetPDcontrol()
+    for each in robot.constraints.values():
+        if isinstance(each, RobotCoupling):
+            raise ValueError(
+                f"{where}: constraint '{each.name}' needs the coordinates of the joints; use CreateKinematicTree"
+            )
     for actuator in robot.actuators.values():
         if actuator.dynamics != "none" and is_revolute(robot.GetLink(robot.GetJointIndex(actuator.joint)).jointType):
             raise ValueError(
@@ -92,6 +98,12 @@ def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
             )
     beside = any(not robot.HasParent(i) and np.any(link.preHT[:3, 3]) for i, link in enumerate(robot.links))
     kind = mbs.GetMarker(baseMarker)["markerType"]
+    ends = [each for loop in robot.constraints.values() if isinstance(loop, RobotLoop) for each in loop.Links(robot)]
+    if -1 in ends and kind != "BodyRigid":
+        raise ValueError(
+            f"{where}: baseMarker: a loop that is closed at the base needs a MarkerBodyRigid, received a marker "
+            f"of type {kind}"
+        )
     if beside and kind != "BodyRigid":
         raise ValueError(
             f"{where}: baseMarker: a joint beside the origin of the base (preHT) needs a MarkerBodyRigid, received a "
@@ -282,13 +294,20 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
         for entries, entry in zip(result.values(), row, strict=True):
             entries.append(entry)
 
-    def marker(i: int, place: FloatArray) -> Any:
-        return mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=result["bodyList"][i], localPosition=place))
+    def marker(i: int, T: FloatArray) -> tuple[Any, FloatArray]:
+        if i < 0:
+            return _base_marker(mbs, baseMarker, at_base @ T[:3, 3]), at_base @ T[:3, :3]
+        made = items.MarkerBodyRigid(bodyNumber=result["bodyList"][i], localPosition=T[:3, 3])
+        return mbs.AddMarker(made), T[:3, :3]
+
+    def coordinate(i: int) -> NoReturn:
+        raise AssertionError(f"rigid bodies have no coordinate of joint {i}")
 
     return {
         **result,
         "baseObject": -1 if base is None else base,
         "links": robot.LinkNumbers(),
         "supports": add_supports(robot, mbs, marker),
+        "constraints": _constraints.add(robot, mbs, marker, coordinate),
         **_add_actuators(robot, mbs, ends_of),
     }

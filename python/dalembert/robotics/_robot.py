@@ -17,6 +17,7 @@ from dalembert._geometry.transformations import HTtranslate, RotationTranslation
 from dalembert.kinematicTree import Inertia2T66, KinematicTree66
 from dalembert.robotics import _drawing, _redundant, _tree
 from dalembert.robotics._actuators import RobotActuator
+from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._denavit_hartenberg import StdDH2HT
 from dalembert.robotics._parts import (
     PREVIOUS_LINK,
@@ -60,6 +61,7 @@ class Robot:
         self.name = ""
         self.frames: dict[str, tuple[int, FloatArray]] = {}
         self.actuators: dict[str, RobotActuator] = {}
+        self.constraints: dict[str, RobotLoop | RobotCoupling] = {}
 
     def __repr__(self) -> str:
         parts = {"base": self.base, "tool": self.tool, "links": self.links}
@@ -99,6 +101,16 @@ class Robot:
             raise ValueError(f"Robot.AddActuator: there is another '{actuator.name}' already; names must differ")
         self.GetJointIndex(actuator.joint)
         self.actuators[actuator.name] = actuator
+
+    def AddConstraint(self, constraint: RobotLoop | RobotCoupling) -> None:
+        """Add a loop or a coupling of joints, whose links must be there; robot.constraints has all of them by name."""
+        if not isinstance(constraint, RobotLoop | RobotCoupling):
+            expected = "a RobotLoop(...) or a RobotCoupling(...)"
+            raise TypeError(f"Robot.AddConstraint: received {constraint!r}, but expected {expected}")
+        if constraint.name in self.constraints:
+            raise ValueError(f"Robot.AddConstraint: there is another '{constraint.name}' already; names must differ")
+        constraint.check(self)
+        self.constraints[constraint.name] = constraint
 
     def IsSerialRobot(self) -> bool:
         """Return whether each link is carried by the one before."""
@@ -165,12 +177,16 @@ class Robot:
         return array
 
     def FollowedCoordinates(self, q: npt.ArrayLike) -> FloatArray:
-        """Return coordinates in which joints that follow others are where those take them."""
+        """Return coordinates in which joints that follow others, or are coupled to them, are where those take them."""
         result = self._coordinates("q", q).copy()
         for i, link in enumerate(self.links):
             if link.follows is not None:
                 leader, factor, offset = link.follows
                 result[..., i] = factor * result[..., self.GetJointIndex(leader)] + offset
+        couplings = [each for each in self.constraints.values() if isinstance(each, RobotCoupling) and each.active]
+        for coupling in couplings * len(couplings):  # leaders may follow others, in any order
+            at = result[..., self.GetJointIndex(coupling.leader)] if coupling.leader else 0.0
+            result[..., self.GetJointIndex(coupling.joint)] = coupling.Coordinate(at)
         return result
 
     def JointHT(self, q: npt.ArrayLike) -> list[Any]:
@@ -376,8 +392,9 @@ class Robot:
         Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
         links (the indices of links and joints by name), resistances (a connector per joint with spring, damping,
         friction or stops, else None), couplings (a constraint per joint that follows another, else None), rotors (an
-        object with the inertia of rotors, or None), supports (the loads that carry supported masses), actuators (their
-        objects by name) and controls (the names of the parameters of these that are the controls, see SetControls).
+        object with the inertia of rotors, or None), supports (the loads that carry supported masses), actuators and
+        constraints (their objects by name) and controls (the names of the parameters of actuators that are the
+        controls, see SetControls).
         """
         return _tree.create(self, mbs, name, forceUserFunction, (limitStiffness, limitDamping))
 
@@ -403,7 +420,7 @@ class Robot:
         nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
         unitTorque0List, unitTorque1List, springList (springs of joints, or None); baseObject, the ground that draws the
         base, or -1; links, the indices of links and joints by name; supports, the loads that carry supported masses;
-        actuators and controls as in CreateKinematicTree.
+        actuators, controls and constraints as in CreateKinematicTree.
         """
         return _redundant.create(
             self,

@@ -11,8 +11,10 @@ import numpy as np
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import Matrix3DList, Vector3DList
+from dalembert._geometry.transformations import HTtranslate
 from dalembert._solving.quiet import require_system
-from dalembert.robotics import _actuators, _drawing
+from dalembert.robotics import _actuators, _constraints, _drawing
+from dalembert.robotics._constraints import AddMarker
 from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList
 from dalembert.treeDynamics import TreeDynamics
 
@@ -75,40 +77,35 @@ def _resistance(robot: Robot, i: int, stops: tuple[float, float]) -> dict[str, A
     return parameters
 
 
-def _add_resistances(robot: Robot, mbs: Any, node: Any, stops: tuple[float, float]) -> list[Any]:
+def _add_resistances(robot: Robot, mbs: Any, coordinate: Callable[[int], Any], stops: tuple[float, float]) -> list[Any]:
     """Add a connector from ground to each coordinate whose joint has a spring, damping, friction or stops.
 
     It is None for other joints.
     """
-    wanted = [_resistance(robot, i, stops) for i in range(len(robot.links))]
-    if not any(wanted):
-        return [None] * len(wanted)
-    ground = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(items.NodePointGround()), coordinate=0))
     added: list[Any] = []
-    for i, parameters in enumerate(wanted):
+    for i, parameters in enumerate(_resistance(robot, i, stops) for i in range(len(robot.links))):
         if not parameters:
             added.append(None)
             continue
-        marker = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=i))
         if "useLimitStops" in parameters:
             history = items.NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[0, 0, 0])
             parameters["nodeNumber"] = mbs.AddNode(history)
         view = items.VObjectConnectorCoordinateSpringDamperExt(show=False)
         connector = items.ObjectConnectorCoordinateSpringDamperExt(
-            markerNumbers=[ground, marker], visualization=view, **parameters
+            markerNumbers=[coordinate(-1), coordinate(i)], visualization=view, **parameters
         )
         added.append(mbs.AddObject(connector))
     return added
 
 
-def _add_coupling(robot: Robot, mbs: Any, node: Any, i: int) -> Any:
+def _add_coupling(robot: Robot, mbs: Any, coordinate: Callable[[int], Any], i: int) -> Any:
     """Add the constraint of a joint that follows another; None if it does not."""
     follows = robot.links[i].follows
     if follows is None:
         return None
     leader, factor, offset = robot.GetJointIndex(follows[0]), *follows[1:]
     reference = robot.referenceConfiguration  # reference of the markers
-    markers = [mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=j)) for j in (i, leader)]
+    markers = [coordinate(i), coordinate(leader)]
     apart = reference[i] - factor * reference[leader] - offset
     view = items.VObjectConnectorCoordinate(show=False)
     return mbs.AddObject(
@@ -125,11 +122,21 @@ def _add_rotors(robot: Robot, mbs: Any, node: Any) -> Any:
     return mbs.AddObject(items.ObjectGenericODE2(nodeNumbers=[node], massMatrix=np.diag(inertias), visualization=view))
 
 
-def _add_actuators(robot: Robot, mbs: Any, node: Any) -> dict[str, Any]:
+def _coordinate_of(mbs: Any, node: Any) -> Callable[[int], Any]:
+    """Return the function that gives the markers of coordinates, with one for ground at -1."""
+    markers: dict[int, Any] = {}
+
+    def marker(i: int) -> Any:
+        if i not in markers:
+            owner = mbs.AddNode(items.NodePointGround()) if i < 0 else node
+            markers[i] = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=owner, coordinate=max(i, 0)))
+        return markers[i]
+
+    return marker
+
+
+def _add_actuators(robot: Robot, mbs: Any, coordinate: Callable[[int], Any]) -> dict[str, Any]:
     """Add the actuators between their joints and ground."""
-    if not robot.actuators:
-        return {"actuators": {}, "controls": {}}
-    ground = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(items.NodePointGround()), coordinate=0))
     objects = {}
     for name, actuator in robot.actuators.items():
         i = robot.GetJointIndex(actuator.joint)
@@ -139,26 +146,35 @@ def _add_actuators(robot: Robot, mbs: Any, node: Any) -> dict[str, Any]:
             return reference - q, -q_t
 
         made = _actuators.law(actuator, "coordinates", motion, lambda force: force)
-        marker = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=i))
-        objects[name] = _actuators.add(mbs, made, [marker, ground])
+        objects[name] = _actuators.add(mbs, made, [coordinate(i), coordinate(-1)])
     return {"actuators": objects, "controls": _actuators.control_parameters(mbs, objects)}
 
 
-def _add_supports(robot: Robot, mbs: Any, tree: Any) -> list[Any]:
+def _marker_of(robot: Robot, mbs: Any, tree: Any) -> AddMarker:
+    """Return the function that adds markers on links of a tree, and on ground for its base."""
+    ground: list[Any] = []
+
+    def marker(i: int, T: FloatArray) -> tuple[Any, FloatArray]:
+        made: Any
+        if i < 0:
+            if not ground:
+                ground.append(mbs.AddObject(items.ObjectGround(visualization=items.VObjectGround(show=False))))
+            T = np.asarray(robot.base.HT) @ T
+            made = items.MarkerBodyRigid(bodyNumber=ground[0], localPosition=T[:3, 3])
+        else:
+            T = np.asarray(robot.links[i].localHT) @ T
+            made = items.MarkerKinematicTreeRigid(objectNumber=tree, linkNumber=i, localPosition=T[:3, 3])
+        return mbs.AddMarker(made), T[:3, :3]
+
+    return marker
+
+
+def add_supports(robot: Robot, mbs: Any, marker: AddMarker) -> list[Any]:
     """Add the forces that carry supported masses."""
-
-    def marker(i: int, place: FloatArray) -> Any:
-        T = np.asarray(robot.links[i].localHT)
-        place = T[:3, :3] @ place + T[:3, 3]
-        return mbs.AddMarker(items.MarkerKinematicTreeRigid(objectNumber=tree, linkNumber=i, localPosition=place))
-
-    return add_supports(robot, mbs, marker)
-
-
-def add_supports(robot: Robot, mbs: Any, marker: Callable[[int, FloatArray], Any]) -> list[Any]:
-    """Add the forces that carry supported masses, at markers by link and position in it."""
     return [
-        mbs.AddLoad(items.LoadForceVector(markerNumber=marker(i, place), loadVector=-mass * robot.gravity))
+        mbs.AddLoad(
+            items.LoadForceVector(markerNumber=marker(i, HTtranslate(place))[0], loadVector=-mass * robot.gravity)
+        )
         for i, link in enumerate(robot.links)
         for mass, place in link.supported
     ]
@@ -233,14 +249,16 @@ def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tup
     base = _drawing.add_base(robot, mbs)
     node = item.nodeNumber = mbs.AddNode(coordinates)
     tree = mbs.AddObject(item)
+    marker, coordinate = _marker_of(robot, mbs, tree), _coordinate_of(mbs, node)
     return {
         "nodeGeneric": node,
         "objectKinematicTree": tree,
         "baseObject": base,
         "links": robot.LinkNumbers(),
-        "resistances": _add_resistances(robot, mbs, node, stops),
-        "couplings": [_add_coupling(robot, mbs, node, i) for i in range(n)],
+        "resistances": _add_resistances(robot, mbs, coordinate, stops),
+        "couplings": [_add_coupling(robot, mbs, coordinate, i) for i in range(n)],
         "rotors": _add_rotors(robot, mbs, node),
-        "supports": _add_supports(robot, mbs, tree),
-        **_add_actuators(robot, mbs, node),
+        "supports": add_supports(robot, mbs, marker),
+        "constraints": _constraints.add(robot, mbs, marker, coordinate),
+        **_add_actuators(robot, mbs, coordinate),
     }

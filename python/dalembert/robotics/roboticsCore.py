@@ -9,6 +9,7 @@ from copy import copy as copy  # models take these from here
 from copy import deepcopy as deepcopy
 
 from dalembert.robotics._actuators import RobotActuator
+from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._denavit_hartenberg import ModDHKK2HT, StdDH2HT, projectAngleToPMPi
 from dalembert.robotics._inverse_kinematics import InverseKinematicsNumerical
 from dalembert.robotics._parts import RobotBase, RobotLink, RobotTool, VRobotBase, VRobotLink, VRobotTool
@@ -20,7 +21,9 @@ __all__ = [
     "Robot",
     "RobotActuator",
     "RobotBase",
+    "RobotCoupling",
     "RobotLink",
+    "RobotLoop",
     "RobotTool",
     "StdDH2HT",
     "VRobotBase",
