@@ -463,3 +463,74 @@ def test_wrong_constraints_are_refused(tmp_path: Path) -> None:
     }.items():
         with pytest.raises(ValueError, match=problem):
             read(tmp_path / "robot.xml", model(arm(), "", f"<equality>{constraint}</equality>"))
+
+
+FLYING = """<body name="f" pos=".1 .2 .3" euler="10 20 30"><freejoint/><geom type="box" size=".1 .2 .3"/>
+<body name="g" pos=".3 0 0"><joint type="ball" pos=".1 0 0"/><geom size=".1" pos=".2 0 0"/>
+<body name="h"><joint name="h" axis="0 1 0" ref="30"/><geom size=".1" pos=".2 0 0"/><site name="tip" pos=".3 0 0"/></body></body></body>"""
+KEYS = (
+    '<key name="flight" time="2" qpos="1 2 3 .6 .2 -.3 .4 .9 .1 .3 -.2 .7" qvel="1 -2 3 .5 -.7 .3 .2 .4 -.6 .8" ctrl="5 .2 7" '
+    'act=".4"/><key qvel="0 0 0 0 0 0 0 0 0 2"/>'
+)
+FLYERS = '<motor name="m" joint="h"/><position name="p" joint="h" timeconst=".1" kp="3"/><motor joint="h" group="3"/>'
+
+
+def flying() -> str:
+    text = model(
+        FLYING, '<option actuatorgroupdisable="3"/>', f"<actuator>{FLYERS}</actuator><keyframe>{KEYS}</keyframe>"
+    )
+    return text
+
+
+def test_keyframes_are_states_of_mujoco(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Poses and velocities of free, ball and hinge joints, and what the actuators do there."""
+    monkeypatch.chdir(tmp_path)
+    robot, told = read(tmp_path / "robot.xml", flying())
+    assert told == []
+    key = robot.keyframes["flight"]
+    assert key.controls == {"m": 5, "p": 0.2} and key.activations == {"p": 0.4} and key.time == 2
+    rest = robot.keyframes["key 1"]
+    assert rest.q == pytest.approx(robot.referenceConfiguration) and rest.q_t == pytest.approx([0] * 9 + [2])
+    mujoco, made, data = in_mujoco(tmp_path / "robot.xml")
+    mujoco.mj_resetDataKeyframe(made, data, 0)
+    mujoco.mj_forward(made, data)
+    velocity = np.zeros(6)
+    for name in ("f", "g", "h"):
+        T = robot.FrameHT(name, key.q)
+        np.testing.assert_allclose(T[:3, 3], data.body(name).xpos, atol=1e-12)
+        np.testing.assert_allclose(T[:3, :3].ravel(), data.body(name).xmat, atol=1e-12)
+        body = mujoco.mj_name2id(made, mujoco.mjtObj.mjOBJ_BODY, name)
+        mujoco.mj_objectVelocity(made, data, mujoco.mjtObj.mjOBJ_XBODY, body, velocity, 0)
+        J = robot.Jacobian(robot.JointHT(key.q), T[:3, 3], "all", name)
+        np.testing.assert_allclose(J @ key.q_t, [*velocity[3:], *velocity[:3]], atol=1e-12)
+    mbs = exu.SystemContainer().AddSystem()
+    created = mbs.CreateRobot(tmp_path / "robot.xml", graphics=False, keyframe="flight")
+    mbs.Assemble()
+    coordinates = mbs.GetNodeOutput(created["nodeGeneric"], exu.OutputVariableType.CoordinatesTotal)
+    np.testing.assert_allclose(coordinates, key.q, atol=1e-15)
+    rates = mbs.GetNodeOutput(created["nodeGeneric"], exu.OutputVariableType.Coordinates_t)
+    np.testing.assert_allclose(rates, key.q_t, atol=1e-15)
+    forces = [mbs.GetObjectOutput(item, exu.OutputVariableType.Force) for item in created["actuators"].values()]
+    np.testing.assert_allclose(np.ravel(forces), data.actuator_force[:2], rtol=1e-12)
+
+
+def test_keyframes_of_rigid_bodies(tmp_path: Path) -> None:
+    key = '<keyframe><key name="home" qpos=".1 .2 .3 .4" ctrl="3"/><key name="run" qvel="1 0 0 0"/></keyframe>'
+    text = model(arm(), "", f'<actuator><motor name="m" joint="j"/></actuator>{key}').replace('armature=".1"', "")
+    (tmp_path / "robot.xml").write_text(text)
+    mbs = exu.SystemContainer().AddSystem()
+    base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
+    created = mbs.CreateRobot(tmp_path / "robot.xml", baseMarker=base, keyframe="home", graphics=False)
+    mbs.Assemble()
+    robot = created["robot"]
+    for body, T in zip(created["bodyList"], robot.LinkHT([0.1, 0.2, 0.3, 0.4]), strict=True):
+        place = mbs.GetObjectOutputBody(body, exu.OutputVariableType.Position, [0, 0, 0])
+        np.testing.assert_allclose(place, T[:3, 3], atol=1e-14)
+    assert mbs.GetObjectParameter(created["actuators"]["m"], created["controls"]["m"]) == 3
+    with pytest.raises(ValueError, match="keyframe: there is no 'away'; there are: home, run"):
+        robot.CreateKinematicTree(mbs, keyframe="away")
+    with pytest.raises(ValueError, match="keyframe 'run' has rates, which need the coordinates of the joints"):
+        robot.CreateRedundantCoordinateMBS(mbs, base, keyframe="run")
+    (tmp_path / "robot.xml").write_text(text.replace("qpos=", 'qpos="1 2" mpos='))
+    with pytest.raises(ValueError, match="<key>: qpos: expected 4 finite numbers, received '1 2'"):
+        ReadRobot(tmp_path / "robot.xml")

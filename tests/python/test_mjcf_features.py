@@ -192,7 +192,9 @@ LEFT_OUT = {
     "sites that have names of bodies: 'b', constraints on sites that have names of bodies: 'connect-b-s'": related(
         '<connect site1="b" site2="s"/>', '<site name="b"/><site name="s"/>'
     ),
-    "<keyframe>": hinged().replace("</mujoco>", '<keyframe><key qpos="0.7"/></keyframe></mujoco>'),
+    "actuators <dcmotor>: 'm', act of keyframes with actuators 'm'": actuated('<dcmotor name="m" joint="j"/>').replace(
+        "</mujoco>", '<keyframe><key act="1"/></keyframe></mujoco>'
+    ),
     "density of <option>, wind of <option>": hinged(before='<option density="1.2" wind="1 0 0"/>'),
     "alignfree of <compiler>": hinged(before='<compiler alignfree="true"/>'),
     "align of free joints 'f'": hinged(joint='<freejoint name="f" align="true"/>'),

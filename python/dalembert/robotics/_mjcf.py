@@ -22,6 +22,7 @@ from dalembert.robotics._mjcf_actuators import Actuators
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_elements import Notes, Options, included, left_out, refuse_misspelt, repeated
 from dalembert.robotics._mjcf_equality import WORLD, Equality
+from dalembert.robotics._mjcf_keyframes import Keyframes
 from dalembert.robotics._xml import Element, read
 
 _JOINTS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
@@ -269,8 +270,9 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
         reader.notes.names["sites that have names of bodies:"] = hidden
     actuators = Actuators(root, compiler, options, reader.notes, reader.joints)
     equality = Equality(root, compiler, options, reader.notes, reader.joints, reader.bodies)
+    keyframes = Keyframes(root, reader.notes, reader.joints, actuators)
     left = left_out(root) + reader.notes.texts()
     if left:
         warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
-    later = [actuators.complete, equality.complete]  # constraints may move the reference configuration
+    later = [actuators.complete, equality.complete, keyframes.complete]  # the second may move the reference
     return Description(root.text("model", ""), reader.bodies, reader.joints, WORLD, options.gravity, [*later])

@@ -99,6 +99,8 @@ class Actuators:
         self.compiler, self.options, self.notes = compiler, options, notes
         self.joints = {joint.name: joint for joint in joints if joint.name}
         self.names: list[str] = []
+        self.with_activation: list[str] = []
+        self.unknown_activations: list[str] = []  # actuators with a number of activations that is not known here
         self.read: list[tuple[RobotActuator, float, float]] = []  # with damping ratio and inherited range
         for element in (child for group in root.every("actuator") for child in group.children):
             self._take(element)
@@ -119,6 +121,10 @@ class Actuators:
             law = _next(each, law)
             common |= each.attributes
         element = replace(element, attributes=common | element.attributes)
+        if element.tag in ("plugin", "dcmotor") or law.dynamics not in (*_DYNAMICS, "muscle"):
+            self.unknown_activations.append(name)
+        elif element.tag == "muscle" or law.dynamics != "none":
+            self.with_activation.append(name)
         joint = self._joint(element)
         if (reason := self._unsupported(element, law, joint)) or joint is None:
             self.notes.add(f"actuators {reason}:", name)

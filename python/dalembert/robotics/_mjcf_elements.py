@@ -139,19 +139,13 @@ class Options:
 
 
 # Unsupported elements, in the order of the warning, and settings of <option>.
-_ELEMENTS = {
-    "contact": "",
-    "deformable": "",
-    "extension": "",
-    "keyframe": "",
-    "tendon": "",
-}
+_ELEMENTS = ("contact", "deformable", "extension", "tendon")
 _MEDIUM = ("density", "viscosity", "wind")
 
 
 def left_out(root: Element) -> list[str]:
     """Return the unsupported data of a file, in elements outside of the bodies."""
-    found = [f"<{tag}>{more}" for tag, more in _ELEMENTS.items() if any(e.children for e in root.every(tag))]
+    found = [f"<{tag}>" for tag in _ELEMENTS if any(e.children for e in root.every(tag))]
     for option in root.every("option"):
         found += [f"{name} of <option>" for name in _MEDIUM if option.numbers(name, (1, 3), "0").any()]
     if any(compiler.text("alignfree", "false") == "true" for compiler in root.every("compiler")):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import copy, deepcopy
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -207,6 +208,18 @@ class RobotLink:
         shown = {name.lstrip("_"): str(value) for name, value in vars(self).items() if value is not None}
         lines = [f"  {name} = {value}" for name, value in shown.items() if value and name != "visualization"]
         return "\n".join([*lines, "  visualization:", repr(self.visualization)])
+
+
+@dataclass
+class RobotKeyframe:
+    """A state of a robot: coordinates and rates of the joints, controls and activations of actuators by name."""
+
+    name: str
+    q: FloatArray
+    q_t: FloatArray
+    controls: dict[str, float] = field(default_factory=dict)
+    activations: dict[str, float] = field(default_factory=dict)
+    time: float = 0.0
 
 
 class VRobotTool:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from copy import copy
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,6 +25,7 @@ from dalembert.robotics._parts import (
     PREVIOUS_LINK,
     GraphicsList,
     RobotBase,
+    RobotKeyframe,
     RobotLink,
     RobotTool,
     VRobotLink,
@@ -62,6 +65,7 @@ class Robot:
         self.frames: dict[str, tuple[int, FloatArray]] = {}
         self.actuators: dict[str, RobotActuator] = {}
         self.constraints: dict[str, RobotLoop | RobotCoupling] = {}
+        self.keyframes: dict[str, RobotKeyframe] = {}
 
     def __repr__(self) -> str:
         parts = {"base": self.base, "tool": self.tool, "links": self.links}
@@ -384,11 +388,14 @@ class Robot:
         forceUserFunction: Callable[..., Any] | int = 0,
         limitStiffness: float = 0.0,
         limitDamping: float = 0.0,
+        keyframe: str = "",
     ) -> dict[str, Any]:
         """Add the robot to a system as a kinematic tree, on a node with the coordinates of the joints.
 
         Factors of PDcontrol become those of the tree; jointPositionOffsetVector and jointVelocityOffsetVector of the
         object are the set values of the drives. limitStiffness or limitDamping make joint limits elastic stops.
+        keyframe is the name of a state of robot.keyframes, which gives initial values and controls.
+
         Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
         links (the indices of links and joints by name), resistances (a connector per joint with spring, damping,
         friction or stops, else None), couplings (a constraint per joint that follows another, else None), rotors (an
@@ -396,7 +403,33 @@ class Robot:
         constraints (their objects by name) and controls (the names of the parameters of actuators that are the
         controls, see SetControls).
         """
-        return _tree.create(self, mbs, name, forceUserFunction, (limitStiffness, limitDamping))
+        start = self._keyframe("Robot.CreateKinematicTree", keyframe)
+        stops = limitStiffness, limitDamping
+        return _tree.create(self._driven(start), mbs, name, forceUserFunction, stops, start)
+
+    def _keyframe(self, where: str, name: str) -> RobotKeyframe | None:
+        """Return a keyframe by its name; None if there is no name."""
+        if not name:
+            return None
+        if name not in self.keyframes:
+            names = ", ".join(self.keyframes) or "none"
+            raise ValueError(f"{where}: keyframe: there is no '{name}'; there are: {names}")
+        return self.keyframes[name]
+
+    def _driven(self, start: RobotKeyframe | None) -> Robot:
+        """Return the robot with controls and activations of a keyframe."""
+        if start is None:
+            return self
+        robot = copy(self)
+        robot.actuators = {
+            name: replace(
+                actuator,
+                control=start.controls.get(name, actuator.control),
+                activation=start.activations.get(name, actuator.activation),
+            )
+            for name, actuator in self.actuators.items()
+        }
+        return robot
 
     def CreateRedundantCoordinateMBS(
         self,
@@ -408,6 +441,7 @@ class Robot:
         rotationMarkerBase: npt.ArrayLike | None = None,
         rigidBodyNodeType: NodeType = NodeType.RotationEulerParameters,
         name: str = "",
+        keyframe: str = "",
     ) -> dict[str, Any]:
         """Add the robot to a system as rigid bodies and joints, on a rigid marker that may move.
 
@@ -416,14 +450,24 @@ class Robot:
         functions of loads, or zero until mbs.SetLoadParameter sets them (unitTorque0List and unitTorque1List have their
         directions); with createJointTorqueLoads=False there are only the former. rotationMarkerBase turns the base
         against its marker; without it the base is as base.HT says. Bodies and joints have the names of links and their
-        joints, after a name, which tells several robots apart. Returns a dict with lists of one entry per link:
+        joints, after a name, which tells several robots apart. keyframe is as in CreateKinematicTree, without
+        rates. Returns a dict with lists of one entry per link:
         nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
         unitTorque0List, unitTorque1List, springList (springs of joints, or None); baseObject, the ground that draws the
         base, or -1; links, the indices of links and joints by name; supports, the loads that carry supported masses;
         actuators, controls and constraints as in CreateKinematicTree.
         """
+        robot, start = self, self._keyframe("Robot.CreateRedundantCoordinateMBS", keyframe)
+        if start is not None:
+            if start.q_t.any():
+                raise ValueError(
+                    f"Robot.CreateRedundantCoordinateMBS: keyframe '{keyframe}' has rates, which need the "
+                    "coordinates of the joints; use CreateKinematicTree"
+                )
+            robot = self._driven(start)
+            robot.referenceConfiguration = start.q.copy()
         return _redundant.create(
-            self,
+            robot,
             mbs,
             baseMarker,
             _redundant.Options(

@@ -15,7 +15,7 @@ from dalembert._geometry.transformations import HTtranslate
 from dalembert._solving.quiet import require_system
 from dalembert.robotics import _actuators, _constraints, _drawing
 from dalembert.robotics._constraints import AddMarker
-from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList
+from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList, RobotKeyframe
 from dalembert.treeDynamics import TreeDynamics
 
 if TYPE_CHECKING:
@@ -227,7 +227,14 @@ def dynamics(robot: Robot, gravity: FloatArray) -> TreeDynamics:
     return known[1]
 
 
-def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tuple[float, float]) -> dict[str, Any]:
+def create(
+    robot: Robot,
+    mbs: Any,
+    name: str,
+    forceUserFunction: Any,
+    stops: tuple[float, float],
+    start: RobotKeyframe | None = None,
+) -> dict[str, Any]:
     """Add node, tree and the items that act on its joints; see Robot.CreateKinematicTree."""
     require_system("Robot.CreateKinematicTree", mbs)
     n = len(robot.links)
@@ -242,8 +249,8 @@ def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tup
     )
     coordinates = items.NodeGenericODE2(
         referenceCoordinates=robot.referenceConfiguration[:n],
-        initialCoordinates=[0.0] * n,
-        initialCoordinates_t=[0.0] * n,
+        initialCoordinates=np.zeros(n) if start is None else start.q - robot.referenceConfiguration[:n],
+        initialCoordinates_t=np.zeros(n) if start is None else start.q_t,
         numberOfODE2Coordinates=n,
     )
     base = _drawing.add_base(robot, mbs)

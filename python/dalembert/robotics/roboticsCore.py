@@ -12,7 +12,7 @@ from dalembert.robotics._actuators import RobotActuator
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._denavit_hartenberg import ModDHKK2HT, StdDH2HT, projectAngleToPMPi
 from dalembert.robotics._inverse_kinematics import InverseKinematicsNumerical
-from dalembert.robotics._parts import RobotBase, RobotLink, RobotTool, VRobotBase, VRobotLink, VRobotTool
+from dalembert.robotics._parts import RobotBase, RobotKeyframe, RobotLink, RobotTool, VRobotBase, VRobotLink, VRobotTool
 from dalembert.robotics._robot import Robot
 
 __all__ = [
@@ -22,6 +22,7 @@ __all__ = [
     "RobotActuator",
     "RobotBase",
     "RobotCoupling",
+    "RobotKeyframe",
     "RobotLink",
     "RobotLoop",
     "RobotTool",
