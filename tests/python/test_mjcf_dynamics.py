@@ -534,3 +534,82 @@ def test_keyframes_of_rigid_bodies(tmp_path: Path) -> None:
     (tmp_path / "robot.xml").write_text(text.replace("qpos=", 'qpos="1 2" mpos='))
     with pytest.raises(ValueError, match="<key>: qpos: expected 4 finite numbers, received '1 2'"):
         ReadRobot(tmp_path / "robot.xml")
+
+
+# The joints of the first one are in one chain: MuJoCo's mass matrix has no entries for inertia between branches.
+FIXED = '<fixed name="t" {}><joint joint="j" coef="2"/><joint joint="k" coef="-1.5"/></fixed><fixed name="u"><joint joint="l" coef="3"/></fixed>'
+TENDONS = {
+    "spring and damper": 'stiffness="30" damping="2"',
+    "spring of a given length": 'stiffness="30" springlength=".3"',
+    "spring with slack": 'stiffness="30" springlength=".1 .4" armature=".3"',
+    "inertia": 'armature="2" damping="1"',
+}
+
+
+def with_tendon(attributes: str, after: str = "", before: str = "") -> str:
+    joints = arm("", 'springref="15" stiffness="2"', 'springref="-8"')
+    return model(joints, before, f"<tendon>{FIXED.format(attributes)}</tendon>{after}")
+
+
+@pytest.mark.parametrize("name", TENDONS)
+def test_fixed_tendons_are_those_of_mujoco(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    drives = (
+        '<motor tendon="t" gear="2" ctrlrange="-1 2"/><position tendon="u" kp="4" dampratio="1" forcerange="-2 3"/>'
+        '<velocity joint="l" kv="3"/>'
+    )
+    attributes = TENDONS[name] + (' actuatorfrcrange="-.3 .2"' if name == "inertia" else "")
+    robot, told = read(tmp_path / "robot.xml", with_tendon(attributes, f"<actuator>{drives}</actuator>"))
+    assert told == []
+    mujoco, made, data = in_mujoco(tmp_path / "robot.xml")
+    for q, v, u in states(made.nv):
+        data.qpos[:], data.qvel[:], data.ctrl[:] = q, v, u[:3]
+        mujoco.mj_forward(made, data)
+        close = {"rtol": 1e-10, "atol": 1e-10 * np.abs(data.qacc).max()}
+        forces = robot.ActuatorForces(u[:3], q, v)
+        np.testing.assert_allclose(robot.PassiveForces(q, v), data.qfrc_passive, **close)
+        np.testing.assert_allclose(forces, data.qfrc_actuator, **close)
+        np.testing.assert_allclose(robot.ForwardDynamics(q, v, forces), data.qacc, **close)
+        np.testing.assert_allclose(accelerations(robot, q, v, u[:3]), data.qacc, **close)
+        np.testing.assert_allclose(robot.InverseDynamics(q, v, data.qacc), forces, **close)
+        mujoco.mj_energyVel(made, data)
+        assert robot.KineticEnergy(q, v) == pytest.approx(data.energy[1], rel=1e-10)
+
+
+def test_couplings_of_tendons(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    equality = '<tendon tendon1="t" tendon2="u" polycoef=".1 .5 .2"/><tendon tendon1="u" polycoef=".3"/>'
+    robot, told = read(tmp_path / "robot.xml", with_tendon("", f"<equality>{equality}</equality>"))
+    assert told == []
+    mujoco, made, data = in_mujoco(tmp_path / "robot.xml")
+    for q, _, _ in states(made.nv):
+        np.testing.assert_allclose(gaps(robot, q), equations(mujoco, made, data, q)[0], atol=1e-12)
+
+
+def test_stops_and_friction_of_tendons(tmp_path: Path) -> None:
+    """A tendon out of its limits is pushed back; friction acts against the rate."""
+    from dalembert.robotics import RobotTendon
+
+    text = with_tendon('range="-.2 .3" frictionloss="2"').replace('stiffness="2"', "")
+    robot, told = read(tmp_path / "robot.xml", text)
+    assert told == []
+    tendon = robot.tendons["t"]
+    assert tendon.limits == (-0.2, 0.3)
+    assert tendon.Tension(0.5, 1.0, (100, 3)) == pytest.approx(2 + 20 + 3)
+    assert tendon.Tension(-0.5, 1.0, (100, 3)) == pytest.approx(2 - 30 + 3)
+    assert tendon.Tension(0.301, -1.0, (100, 3)) == pytest.approx(-2)  # a stop does not pull
+    mbs = exu.SystemContainer().AddSystem()
+    created = robot.CreateKinematicTree(mbs, limitStiffness=100, limitDamping=3)
+    assert list(created["tendons"]) == ["t"]
+    base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
+    robot.links[0].rotorInertia = 0
+    with pytest.raises(ValueError, match="tendon 't' needs the coordinates of the joints; use CreateKinematicTree"):
+        robot.CreateRedundantCoordinateMBS(mbs, base)
+    with pytest.raises(ValueError, match="there is another 't' already"):
+        robot.AddTendon(RobotTendon("t", {"j": 1}))
+    with pytest.raises(ValueError, match="there is no joint 'z'"):
+        robot.AddTendon(RobotTendon("v", {"z": 1}))
+    with pytest.raises(ValueError, match="restLength: expected"):
+        RobotTendon("v", {"j": 1}, restLength=(2, 1))
+    with pytest.raises(ValueError, match="<joint>: there is no joint 'z'; there are: j, k, l, s"):
+        read(tmp_path / "robot.xml", model(arm(), "", '<tendon><fixed><joint joint="z" coef="1"/></fixed></tendon>'))

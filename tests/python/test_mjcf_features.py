@@ -180,13 +180,15 @@ LEFT_OUT = {
     "actuators that act on site: 'actuator 0'": actuated('<motor site="t"/>', BOX + '<site name="t"/>'),
     "actuators of ball joints: 'j'": actuated('<motor joint="j"/>', joint='<joint name="j" type="ball"/>'),
     "armature of actuators 'j'": actuated('<motor joint="j" armature="2"/>'),
-    "actuatorfrcrange of joints with several actuators: 'j'": actuated(
+    "actuatorfrcrange of joints with several actuators, or with those of tendons: 'j'": actuated(
         '<motor joint="j"/><motor joint="j"/>', joint='<joint name="j" actuatorfrcrange="-1 2"/>'
     ),
     "actuatorgravcomp of joints with actuatorfrcrange: 'j'": hinged(
         joint='<joint name="j" actuatorfrcrange="-1 2" actuatorgravcomp="true"/>'
     ),
-    "constraints <tendon>: 't'": related('<tendon name="t" tendon1="u"/>'),
+    "<spatial> tendons 'u', constraints of tendons that are not fixed: 't'": related(
+        '<tendon name="t" tendon1="u"/>'
+    ).replace("</mujoco>", '<tendon><spatial name="u"/></tendon></mujoco>'),
     "constraints of ball joints: 'joint-i'": related('<joint joint1="i"/>'),
     "constraints with torquescale 0: 'weld-b'": related('<weld body1="b" torquescale="0"/>'),
     "sites that have names of bodies: 'b', constraints on sites that have names of bodies: 'connect-b-s'": related(

@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from inspect import Parameter, Signature
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from dalembert import laws
 from dalembert._checks import as_number, as_vector, shape_error
+from dalembert.robotics._tendons import add_force
+
+if TYPE_CHECKING:
+    from dalembert.robotics._robot import Robot
 
 _DYNAMICS = ("none", "filter", "integrator")
 _STOP_TIME = 1e-3  # s: integrators approach their limits with it, as a jump of the rate has no implicit solution
@@ -17,7 +21,7 @@ _ARGUMENTS = {"coordinates": ("q", "q_t"), "rotation": ("phi", "omega"), "frames
 
 @dataclass
 class RobotActuator:
-    """A drive with the force f = (g0 + g1 l + g2 l_t) u + (b0 + b1 l + b2 l_t) on a joint.
+    """A drive with the force f = (g0 + g1 l + g2 l_t) u + (b0 + b1 l + b2 l_t) on a joint, or on a tendon.
 
     l = gear * q is the length of the transmission, and gear * f is the force or torque in the joint; u is the control.
     A motor has the gain (1, 0, 0); a position control the gain (kp, 0, 0) and the bias (0, -kp, -kv); a velocity
@@ -118,6 +122,20 @@ def add(mbs: Any, made: laws.Law, markers: list[Any], **parameters: Any) -> Any:
     item = made(markers, **parameters)
     item.visualization.show = False
     return mbs.AddObject(item)
+
+
+def add_to_tendon(robot: Robot, mbs: Any, node: Any, actuator: RobotActuator) -> Any:
+    """Add an actuator on a tendon of a tree."""
+    if actuator.dynamics != "none":
+        raise ValueError(f"RobotActuator '{actuator.name}': actuators with dynamics need a joint, not a tendon")
+    given = actuator.control
+    constants = {} if callable(given) else {"control": as_number(f"RobotActuator '{actuator.name}': control", given)}
+
+    def tension(length: Any, rate: Any, t: Any, control: Any = None) -> Any:
+        return -actuator.Force(given(t) if callable(given) else control, length, rate)
+
+    factors = actuator.gear * robot.tendons[actuator.joint].Factors(robot)
+    return add_force(robot, mbs, node, factors, tension, constants)
 
 
 def control_parameters(mbs: Any, objects: dict[str, Any]) -> dict[str, str]:

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from dalembert import itemInterface as items
 from dalembert import laws
 from dalembert._checks import FloatArray, as_number, as_transformation, as_vector
+from dalembert.robotics._tendons import factors_of
 
 if TYPE_CHECKING:
     from dalembert.robotics._robot import Robot
@@ -54,7 +55,8 @@ class RobotLoop:
 class RobotCoupling:
     """A joint whose coordinate is a polynomial of that of another one, c0 + c1 p + c2 p^2 + ..., or a constant c0.
 
-    p = q - leaderReference for the coordinate q of the joint leader; without a leader the coordinate is fixed.
+    p = q - leaderReference for the coordinate q of the joint leader; without a leader the coordinate is fixed. Both may
+    be tendons, whose coordinate is their length.
     """
 
     name: str
@@ -75,7 +77,7 @@ class RobotCoupling:
     def check(self, robot: Robot) -> None:
         """Raise a ValueError if a joint does not exist."""
         for joint in filter(None, (self.joint, self.leader)):
-            robot.GetJointIndex(joint)
+            factors_of(robot, joint)
 
     def Coordinate(self, leader: Any = 0.0) -> Any:
         """Return the coordinate that belongs to that of the leader; arrays as well."""
@@ -105,14 +107,16 @@ def add_loop(robot: Robot, mbs: Any, loop: RobotLoop, marker: AddMarker) -> Any:
     return mbs.AddObject(items.GenericJoint(**values, visualization=items.VObjectJointGeneric(show=False)))
 
 
-def add_coupling(robot: Robot, mbs: Any, coupling: RobotCoupling, marker: Callable[[int], Any]) -> Any:
-    """Add the constraint of a coupling between coordinates of a tree, which markers measure from their reference."""
-    reference = robot.referenceConfiguration
+def add_coupling(robot: Robot, mbs: Any, coupling: RobotCoupling, node: Any, coordinate: Callable[[int], Any]) -> Any:
+    """Add the constraint of a coupling between coordinates of a tree."""
+    if coupling.joint in robot.tendons or coupling.leader in robot.tendons:
+        return _add_vector_coupling(robot, mbs, coupling, node)
+    reference = robot.referenceConfiguration  # markers measure from there
     i = robot.GetJointIndex(coupling.joint)
     j = robot.GetJointIndex(coupling.leader) if coupling.leader else -1
     at = reference[j] if coupling.leader else 0.0
-    markers = [marker(i), marker(j)]
-    if len(coupling.coefficients) > 2 and any(coupling.coefficients[2:]):
+    markers = [coordinate(i), coordinate(j)]
+    if any(coupling.coefficients[2:]):
 
         @laws.constraint(1, 1)
         def Polynomial(q0: Any, q1: Any, t: Any) -> Any:
@@ -120,23 +124,39 @@ def add_coupling(robot: Robot, mbs: Any, coupling: RobotCoupling, marker: Callab
 
         return mbs.AddObject(Polynomial(markers, activeConnector=coupling.active))
     slope = coupling.coefficients[1] if len(coupling.coefficients) > 1 else 0.0
-    apart = reference[i] - coupling.Coordinate(at)
     return mbs.AddObject(
         items.CoordinateConstraint(
             markerNumbers=markers,
             factorValue1=slope,
-            offset=apart,
+            offset=reference[i] - coupling.Coordinate(at),
             activeConnector=coupling.active,
             visualization=items.VObjectConnectorCoordinate(show=False),
         )
     )
 
 
-def add(robot: Robot, mbs: Any, marker: AddMarker, coordinate: Callable[[int], Any]) -> dict[str, Any]:
-    """Add all constraints; return their objects by name."""
+def _add_vector_coupling(robot: Robot, mbs: Any, coupling: RobotCoupling, node: Any) -> Any:
+    """Add the constraint of a coupling with tendons, of all coordinates of a tree."""
+    own = factors_of(robot, coupling.joint)
+    leading = factors_of(robot, coupling.leader) if coupling.leader else np.zeros(len(own))
+
+    @laws.constraint(0, len(own))
+    def Polynomial(q0: Any, q1: Any, t: Any) -> Any:
+        length, leader = (sum(each[i] * q1[i] for i in np.flatnonzero(each)) for each in (own, leading))
+        return length - coupling.Coordinate(leader)
+
+    ground = mbs.AddNode(items.NodePointGround())
+    markers = [mbs.AddMarker(items.MarkerNodeCoordinates(nodeNumber=number)) for number in (ground, node)]
+    return mbs.AddObject(Polynomial(markers, activeConnector=coupling.active))
+
+
+def add(
+    robot: Robot, mbs: Any, marker: AddMarker, node: Any = None, coordinate: Callable[[int], Any] | None = None
+) -> dict[str, Any]:
+    """Add all constraints; return their objects by name. Couplings need the node of a tree, and markers on it."""
     return {
         name: add_loop(robot, mbs, each, marker)
         if isinstance(each, RobotLoop)
-        else add_coupling(robot, mbs, each, coordinate)
+        else add_coupling(robot, mbs, each, node, coordinate)  # type: ignore[arg-type]
         for name, each in robot.constraints.items()
     }

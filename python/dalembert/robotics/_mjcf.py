@@ -1,7 +1,7 @@
 """Robots from MJCF files, as MuJoCo uses them (https://mujoco.readthedocs.io/en/stable/XMLreference.html).
 
-Bodies, joints, geoms and sites become links, joints, shapes and frames. A warning lists ignored elements, such as
-tendons and contacts.
+Bodies, joints, geoms and sites become links, joints, shapes and frames; actuators, tendons, equality constraints and
+keyframes are added to the robot that these make. A warning lists ignored elements, such as muscles and contacts.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_elements import Notes, Options, included, left_out, refuse_misspelt, repeated
 from dalembert.robotics._mjcf_equality import WORLD, Equality
 from dalembert.robotics._mjcf_keyframes import Keyframes
+from dalembert.robotics._mjcf_tendons import Tendons
 from dalembert.robotics._xml import Element, read
 
 _JOINTS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
@@ -268,11 +269,12 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     hidden = [frame for body in reader.bodies.values() for frame in body.frames if frame in reader.bodies]
     if hidden:
         reader.notes.names["sites that have names of bodies:"] = hidden
-    actuators = Actuators(root, compiler, options, reader.notes, reader.joints)
-    equality = Equality(root, compiler, options, reader.notes, reader.joints, reader.bodies)
+    tendons = Tendons(root, compiler, options, reader.notes, reader.joints)
+    actuators = Actuators(root, compiler, options, reader.notes, reader.joints, tendons)
+    equality = Equality(root, compiler, options, reader.notes, reader.joints, reader.bodies, tendons)
     keyframes = Keyframes(root, reader.notes, reader.joints, actuators)
     left = left_out(root) + reader.notes.texts()
     if left:
         warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
-    later = [actuators.complete, equality.complete, keyframes.complete]  # the second may move the reference
+    later = [tendons.complete, actuators.complete, equality.complete, keyframes.complete]
     return Description(root.text("model", ""), reader.bodies, reader.joints, WORLD, options.gravity, [*later])

@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 
 from dalembert.robotics._actuators import RobotActuator
-from dalembert.robotics._description import Joint, free_inertias
+from dalembert.robotics._description import Joint
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_elements import Notes, Options
+from dalembert.robotics._mjcf_tendons import Tendons
 from dalembert.robotics._robot import Robot
+from dalembert.robotics._tendons import factors_of
 from dalembert.robotics._xml import Element
 
 _NOT_READ = ("muscle", "adhesion", "dcmotor", "plugin")
@@ -95,8 +97,16 @@ def _next(element: Element, law: _Law) -> _Law:
 class Actuators:
     """The actuators of a file; complete() adds them to the robot."""
 
-    def __init__(self, root: Element, compiler: Compiler, options: Options, notes: Notes, joints: list[Joint]) -> None:
-        self.compiler, self.options, self.notes = compiler, options, notes
+    def __init__(
+        self,
+        root: Element,
+        compiler: Compiler,
+        options: Options,
+        notes: Notes,
+        joints: list[Joint],
+        tendons: Tendons,
+    ) -> None:
+        self.compiler, self.options, self.notes, self.tendons = compiler, options, notes, tendons
         self.joints = {joint.name: joint for joint in joints if joint.name}
         self.names: list[str] = []
         self.with_activation: list[str] = []
@@ -104,11 +114,15 @@ class Actuators:
         self.read: list[tuple[RobotActuator, float, float]] = []  # with damping ratio and inherited range
         for element in (child for group in root.every("actuator") for child in group.children):
             self._take(element)
-        acted = [actuator.joint for actuator, _, _ in self.read]
-        self.several = dict.fromkeys(joint for joint in acted if acted.count(joint) > 1)
-        for joint in self.several:
-            if self.joints[joint].force_range is not None:
-                notes.add("actuatorfrcrange of joints with several actuators:", joint)
+        targets = [actuator.joint for actuator, _, _ in self.read]
+        acted = [joint for target in targets for joint in tendons.factors.get(target, [target])]
+        self.several = {target for target in targets if targets.count(target) > 1 or acted.count(target) > 1}
+        for joint in dict.fromkeys(acted):
+            if self.joints[joint].force_range is not None and (joint in self.several or joint not in targets):
+                notes.add("actuatorfrcrange of joints with several actuators, or with those of tendons:", joint)
+        for tendon in dict.fromkeys(targets):
+            if tendon in self.several and tendon in tendons.factors and self._range_of_tendon(tendon) is not None:
+                notes.add("actuatorfrcrange of tendons with several actuators:", tendon)
 
     def _take(self, element: Element) -> None:
         name = element.text("name", element.text("joint", element.text("tendon", "")))
@@ -125,8 +139,8 @@ class Actuators:
             self.unknown_activations.append(name)
         elif element.tag == "muscle" or law.dynamics != "none":
             self.with_activation.append(name)
-        joint = self._joint(element)
-        if (reason := self._unsupported(element, law, joint)) or joint is None:
+        target = self._target(element)
+        if reason := self._unsupported(element, law, target):
             self.notes.add(f"actuators {reason}:", name)
             return
         group = int(element.number("group", "0"))
@@ -141,7 +155,7 @@ class Actuators:
             return
         actuator = RobotActuator(
             name,
-            joint.name,
+            target,
             gear,
             law.gain if law.gain_type == "affine" else (law.gain[0], 0.0, 0.0),
             law.bias if law.bias_type == "affine" else (0.0, 0.0, 0.0),
@@ -153,15 +167,15 @@ class Actuators:
         )
         self.read.append((actuator, law.ratio, element.number("inheritrange", "0")))
 
-    def _joint(self, element: Element) -> Joint | None:
-        """Return the joint that an actuator acts on; None if it acts on something else."""
+    def _target(self, element: Element) -> str:
+        """Return the name of the joint or tendon that an actuator acts on; empty if it acts on something else."""
         name = element.text("joint", element.text("jointinparent", ""))
         if name and name not in self.joints:
             element.fail(f"there is no joint '{name}'; there are: {', '.join(self.joints) or 'none with a name'}")
-        return self.joints[name] if name else None
+        tendon = element.text("tendon", "")
+        return name or (tendon if tendon in self.tendons.factors else "")
 
-    @staticmethod
-    def _unsupported(element: Element, law: _Law, joint: Joint | None) -> str:
+    def _unsupported(self, element: Element, law: _Law, target: str) -> str:
         """Return what is not supported; empty if everything is."""
         if element.tag in _NOT_READ:
             return f"<{element.tag}>"
@@ -169,11 +183,13 @@ class Actuators:
             return f"with gaintype {law.gain_type} and biastype {law.bias_type}"
         if law.dynamics not in _DYNAMICS:
             return f"with dyntype {law.dynamics}"
-        if joint is None:
-            return "that act on " + next(
-                (what for what in ("tendon", "site", "body") if what in element.attributes), "others"
-            )
-        return f"of {joint.kind} joints" if joint.kind in ("ball", "floating") else ""
+        if not target:
+            others = ("tendon", "site", "body")
+            return "that act on " + next((what for what in others if what in element.attributes), "others")
+        if target in self.tendons.factors:
+            return f"with dyntype {law.dynamics} on tendons" if law.dynamics != "none" else ""
+        kind = self.joints[target].kind
+        return f"of {kind} joints" if kind in ("ball", "floating") else ""
 
     def _range(self, element: Element, name: str) -> tuple[float, float] | None:
         limited = element.text(_RANGES[name], "auto")
@@ -187,23 +203,22 @@ class Actuators:
     def complete(self, robot: Robot) -> None:
         """Add the actuators; some depend on the inertias and the limits of their joints."""
         for actuator, ratio, inherited in self.read:
-            i = robot.GetJointIndex(actuator.joint)
-            limits: Any = robot.links[i].jointLimits
-            if ratio > 0:
-                inertia = free_inertias(robot)[i] / actuator.gear**2
-                damping = 2 * ratio * np.sqrt(actuator.gain[0] * inertia)
+            target, factors = actuator.joint, actuator.gear * factors_of(robot, actuator.joint)
+            if ratio > 0:  # of the motion of the transmission alone
+                mass = robot.MassMatrix(robot.referenceConfiguration)
+                damping = 2 * ratio * np.sqrt(actuator.gain[0] / (factors @ np.linalg.solve(mass, factors)))
                 actuator.bias = (*actuator.bias[:2], -float(damping))
+            of_tendon = target in self.tendons.factors
+            limits: Any = robot.tendons[target].limits if of_tendon else robot.GetLink(target).jointLimits
             if inherited > 0 and limits is not None:
-                middle, half = limits.mean(), 0.5 * inherited * (limits[1] - limits[0])
+                middle, half = 0.5 * (limits[0] + limits[1]), 0.5 * inherited * (limits[1] - limits[0])
                 actuator.controlRange = (float(middle - half), float(middle + half))
-            self._limit_joint(robot, actuator)
+            found = self._range_of_tendon(target) if of_tendon else self.joints[target].force_range
+            if found is not None and target not in self.several:
+                lower, upper = found if of_tendon else sorted(np.array(found) / actuator.gear)
+                own = actuator.forceRange or (-np.inf, np.inf)
+                actuator.forceRange = tuple(float(np.clip(value, lower, upper)) for value in own)
             robot.AddActuator(actuator)
 
-    def _limit_joint(self, robot: Robot, actuator: RobotActuator) -> None:
-        """Apply the force range of a joint to its only actuator."""
-        found = self.joints[actuator.joint].force_range
-        if found is None or actuator.joint in self.several:
-            return
-        lower, upper = sorted(np.array(found) / actuator.gear)
-        own = actuator.forceRange or (-np.inf, np.inf)
-        actuator.forceRange = tuple(float(np.clip(value, lower, upper)) for value in own)
+    def _range_of_tendon(self, name: str) -> tuple[float, float] | None:
+        return self.tendons.range_of(name, "actuatorfrcrange", "actuatorfrclimited")

@@ -139,7 +139,7 @@ class Options:
 
 
 # Unsupported elements, in the order of the warning, and settings of <option>.
-_ELEMENTS = ("contact", "deformable", "extension", "tendon")
+_ELEMENTS = ("contact", "deformable", "extension")
 _MEDIUM = ("density", "viscosity", "wind")
 
 

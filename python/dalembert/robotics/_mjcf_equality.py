@@ -1,4 +1,4 @@
-"""Equality constraints of MJCF files: connect, weld and joint."""
+"""Equality constraints of MJCF files: connect, weld, joint, and those of fixed tendons."""
 
 from __future__ import annotations
 
@@ -14,10 +14,12 @@ from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._description import Body, Joint, translated, turned
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_elements import Notes, Options
+from dalembert.robotics._mjcf_tendons import Tendons
 from dalembert.robotics._robot import Robot
+from dalembert.robotics._tendons import factors_of
 from dalembert.robotics._xml import Element
 
-_READ = ("connect", "weld", "joint")
+_READ = ("connect", "weld", "joint", "tendon")
 WORLD = "world"
 
 
@@ -35,8 +37,9 @@ class Equality:
         notes: Notes,
         joints: list[Joint],
         bodies: dict[str, Body],
+        tendons: Tendons,
     ) -> None:
-        self.compiler, self.notes = compiler, notes
+        self.compiler, self.notes, self.tendons = compiler, notes, tendons
         self.joints = {joint.name: joint for joint in joints if joint.name}
         self.bodies = bodies
         self.sites = [frame for body in bodies.values() for frame in body.frames]
@@ -66,6 +69,8 @@ class Equality:
             self._require("joint", element, ends, self.joints)
             several = [end for end in ends if self.joints[end].kind in ("ball", "floating")]
             return f"of {self.joints[several[0]].kind} joints" if several else ""
+        if element.tag == "tendon":
+            return "" if all(end in self.tendons.factors for end in ends) else "of tendons that are not fixed"
         if "site1" in element.attributes:
             self._require("site", element, ends, self.sites)
             return "on sites that have names of bodies" if any(end in self.bodies for end in ends) else ""
@@ -84,19 +89,19 @@ class Equality:
         """Add the constraints, and move coupled joints of the reference configuration to where they have to be."""
         for name, element in self.elements:
             active = element.text("active", "true") == "true"
-            made = self._coupling if element.tag == "joint" else self._loop
+            made = self._coupling if element.tag in ("joint", "tendon") else self._loop
             robot.AddConstraint(made(robot, name, element, active))
         robot.referenceConfiguration = robot.FollowedCoordinates(robot.referenceConfiguration)
 
     @staticmethod
     def _coupling(robot: Robot, name: str, element: Element, active: bool) -> RobotCoupling:
-        first, second = element.text("joint1"), element.text("joint2", "")
+        first, second = element.text(f"{element.tag}1"), element.text(f"{element.tag}2", "")
         coefficients = element.numbers("polycoef", (1, 5), "0 1 0 0 0")
         reference = robot.referenceConfiguration
-        coefficients[0] += reference[robot.GetJointIndex(first)]
+        coefficients[0] += reference @ factors_of(robot, first)
         if not second:
             return RobotCoupling(name, first, "", coefficients[:1].tolist(), active=active)
-        at = reference[robot.GetJointIndex(second)]
+        at = reference @ factors_of(robot, second)
         return RobotCoupling(name, first, second, coefficients.tolist(), float(at), active)
 
     def _loop(self, robot: Robot, name: str, element: Element, active: bool) -> RobotLoop:

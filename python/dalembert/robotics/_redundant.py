@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -85,11 +85,11 @@ def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
             )
         if i < len(options.springUserFunctions):
             link.GetPDcontrol()
-    for each in robot.constraints.values():
-        if isinstance(each, RobotCoupling):
-            raise ValueError(
-                f"{where}: constraint '{each.name}' needs the coordinates of the joints; use CreateKinematicTree"
-            )
+    of_coordinates = {f"tendon '{name}'" for name in robot.tendons} | {
+        f"constraint '{name}'" for name, each in robot.constraints.items() if isinstance(each, RobotCoupling)
+    }
+    for what in sorted(of_coordinates):
+        raise ValueError(f"{where}: {what} needs the coordinates of the joints; use CreateKinematicTree")
     for actuator in robot.actuators.values():
         if actuator.dynamics != "none" and is_revolute(robot.GetLink(robot.GetJointIndex(actuator.joint)).jointType):
             raise ValueError(
@@ -300,14 +300,11 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
         made = items.MarkerBodyRigid(bodyNumber=result["bodyList"][i], localPosition=T[:3, 3])
         return mbs.AddMarker(made), T[:3, :3]
 
-    def coordinate(i: int) -> NoReturn:
-        raise AssertionError(f"rigid bodies have no coordinate of joint {i}")
-
     return {
         **result,
         "baseObject": -1 if base is None else base,
         "links": robot.LinkNumbers(),
         "supports": add_supports(robot, mbs, marker),
-        "constraints": _constraints.add(robot, mbs, marker, coordinate),
+        "constraints": _constraints.add(robot, mbs, marker),
         **_add_actuators(robot, mbs, ends_of),
     }

@@ -30,6 +30,7 @@ from dalembert.robotics._parts import (
     RobotTool,
     VRobotLink,
 )
+from dalembert.robotics._tendons import RobotTendon, factors_of
 from dalembert.treeDynamics import TreeDynamics
 
 _MODES = {"all": slice(0, 6), "trans": slice(0, 3), "rot": slice(3, 6)}
@@ -65,6 +66,7 @@ class Robot:
         self.frames: dict[str, tuple[int, FloatArray]] = {}
         self.actuators: dict[str, RobotActuator] = {}
         self.constraints: dict[str, RobotLoop | RobotCoupling] = {}
+        self.tendons: dict[str, RobotTendon] = {}
         self.keyframes: dict[str, RobotKeyframe] = {}
 
     def __repr__(self) -> str:
@@ -98,13 +100,25 @@ class Robot:
         return i
 
     def AddActuator(self, actuator: RobotActuator) -> None:
-        """Add an actuator, whose joint must be there; robot.actuators has all of them by name."""
+        """Add an actuator, whose joint or tendon must be there; robot.actuators has all of them by name."""
         if not isinstance(actuator, RobotActuator):
             raise TypeError(f"Robot.AddActuator: received {actuator!r}, but expected a RobotActuator(...)")
         if actuator.name in self.actuators:
             raise ValueError(f"Robot.AddActuator: there is another '{actuator.name}' already; names must differ")
-        self.GetJointIndex(actuator.joint)
+        factors_of(self, actuator.joint)
         self.actuators[actuator.name] = actuator
+
+    def AddTendon(self, tendon: RobotTendon) -> None:
+        """Add a tendon, whose joints must be there; robot.tendons has all of them by name.
+
+        Actuators and couplings take the name of a tendon in the place of that of a joint.
+        """
+        if not isinstance(tendon, RobotTendon):
+            raise TypeError(f"Robot.AddTendon: received {tendon!r}, but expected a RobotTendon(...)")
+        if tendon.name in self.tendons or any(tendon.name == link.jointName for link in self.links):
+            raise ValueError(f"Robot.AddTendon: there is another '{tendon.name}' already; names must differ")
+        tendon.Factors(self)
+        self.tendons[tendon.name] = tendon
 
     def AddConstraint(self, constraint: RobotLoop | RobotCoupling) -> None:
         """Add a loop or a coupling of joints, whose links must be there; robot.constraints has all of them by name."""
@@ -189,8 +203,9 @@ class Robot:
                 result[..., i] = factor * result[..., self.GetJointIndex(leader)] + offset
         couplings = [each for each in self.constraints.values() if isinstance(each, RobotCoupling) and each.active]
         for coupling in couplings * len(couplings):  # leaders may follow others, in any order
-            at = result[..., self.GetJointIndex(coupling.leader)] if coupling.leader else 0.0
-            result[..., self.GetJointIndex(coupling.joint)] = coupling.Coordinate(at)
+            if coupling.joint not in self.tendons:
+                at = result @ factors_of(self, coupling.leader) if coupling.leader else 0.0
+                result[..., self.GetJointIndex(coupling.joint)] = coupling.Coordinate(at)
         return result
 
     def JointHT(self, q: npt.ArrayLike) -> list[Any]:
@@ -271,13 +286,21 @@ class Robot:
     def _rotors(self) -> FloatArray:
         return np.array([link.rotorInertia for link in self.links])
 
+    def _added_mass(self) -> FloatArray:
+        """Return the mass matrix of rotors and tendons."""
+        M = np.diag(self._rotors())
+        for tendon in self.tendons.values():
+            factors = tendon.Factors(self)
+            M = M + tendon.inertia * np.outer(factors, factors)
+        return M
+
     def InverseDynamics(
         self, q: npt.ArrayLike, q_t: npt.ArrayLike, q_tt: npt.ArrayLike, gravity: npt.ArrayLike | None = None
     ) -> FloatArray:
         """Return forces and torques of the drives for a motion: inertia, gravity, and minus PassiveForces."""
         at, rates, seconds = (self._coordinates(*each) for each in (("q", q), ("q_t", q_t), ("q_tt", q_tt)))
         rigid = self.Dynamics(gravity).InverseDynamics(at, rates, seconds)
-        return rigid - self.PassiveForces(at, rates, gravity) + self._rotors() * seconds
+        return rigid - self.PassiveForces(at, rates, gravity) + seconds @ self._added_mass()
 
     def JointResistance(self, q_t: npt.ArrayLike) -> FloatArray:
         """Return forces and torques of damping and dry friction, which drives have to overcome."""
@@ -286,10 +309,13 @@ class Robot:
         return np.asarray(damping * rates + friction * np.sign(rates))
 
     def PassiveForces(self, q: npt.ArrayLike, q_t: npt.ArrayLike, gravity: npt.ArrayLike | None = None) -> FloatArray:
-        """Return forces and torques of springs, dampers and dry friction in the joints, and of supported masses."""
+        """Return forces in the joints: springs, dampers, dry friction of joints and tendons, and supported masses."""
         at, rates = self._coordinates("q", q), self._coordinates("q_t", q_t)
         k, q0 = (np.array([getattr(link, what) for link in self.links]) for what in ("stiffness", "springReference"))
         forces = -k * (at - q0) - self.JointResistance(rates)
+        for tendon in self.tendons.values():
+            factors = tendon.Factors(self)
+            forces = forces - np.multiply.outer(tendon.Tension(at @ factors, rates @ factors), factors)
         return np.asarray(forces + self._support(at, gravity))
 
     def ActuatorForces(
@@ -304,8 +330,8 @@ class Robot:
         values = np.moveaxis(self._controls("Robot.ActuatorForces", controls), -1, 0)
         total = np.zeros(np.broadcast_shapes(at.shape, (*values.shape[1:], len(self.links))))
         for actuator, u in zip(self.actuators.values(), values, strict=True):
-            i, gear = self.GetJointIndex(actuator.joint), actuator.gear
-            total[..., i] += gear * actuator.Force(u, gear * at[..., i], gear * rates[..., i])
+            factors = actuator.gear * factors_of(self, actuator.joint)
+            total += np.multiply.outer(actuator.Force(u, at @ factors, rates @ factors), factors)
         return total
 
     def _controls(self, where: str, controls: npt.ArrayLike | Mapping[str, float]) -> FloatArray:
@@ -351,13 +377,13 @@ class Robot:
 
     def MassMatrix(self, q: npt.ArrayLike) -> FloatArray:
         """Return the mass matrix in the coordinates of the joints."""
-        return self.Dynamics().MassMatrix(self._coordinates("q", q)) + np.diag(self._rotors())
+        return self.Dynamics().MassMatrix(self._coordinates("q", q)) + self._added_mass()
 
     def ForwardDynamics(self, q: npt.ArrayLike, q_t: npt.ArrayLike, torques: npt.ArrayLike) -> FloatArray:
         """Return the accelerations that forces and torques of drives bring about, the inverse of InverseDynamics."""
         rates = self._coordinates("q_t", q_t)
         applied = self._coordinates("torques", torques) + self.PassiveForces(q, rates)
-        if not self._rotors().any():
+        if not self._added_mass().any():
             return self.Dynamics().ForwardDynamics(self._coordinates("q", q), rates, applied)
         bias = self.Dynamics().BiasForces(self._coordinates("q", q), rates)
         return np.asarray(np.linalg.solve(self.MassMatrix(q), (applied - bias)[..., None])[..., 0])
@@ -365,8 +391,8 @@ class Robot:
     def KineticEnergy(self, q: npt.ArrayLike, q_t: npt.ArrayLike) -> FloatArray:
         """Return the kinetic energy (J)."""
         rates = self._coordinates("q_t", q_t)
-        rotors = 0.5 * self._rotors() * rates**2
-        return self.Dynamics().KineticEnergy(self._coordinates("q", q), rates) + rotors.sum(axis=-1)
+        rotors = 0.5 * np.sum(rates @ self._added_mass() * rates, axis=-1)
+        return self.Dynamics().KineticEnergy(self._coordinates("q", q), rates) + rotors
 
     def PotentialEnergy(self, q: npt.ArrayLike) -> FloatArray:
         """Return the potential energy of the weight (J), zero with all centres of mass in the global origin.
@@ -399,9 +425,9 @@ class Robot:
         Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
         links (the indices of links and joints by name), resistances (a connector per joint with spring, damping,
         friction or stops, else None), couplings (a constraint per joint that follows another, else None), rotors (an
-        object with the inertia of rotors, or None), supports (the loads that carry supported masses), actuators and
-        constraints (their objects by name) and controls (the names of the parameters of actuators that are the
-        controls, see SetControls).
+        object with the inertia of rotors, or None), supports (the loads that carry supported masses), actuators,
+        constraints and tendons (their objects by name, of tendons those with forces), and controls (the names of the
+        parameters of actuators that are the controls, see SetControls).
         """
         start = self._keyframe("Robot.CreateKinematicTree", keyframe)
         stops = limitStiffness, limitDamping

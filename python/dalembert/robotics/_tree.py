@@ -13,7 +13,7 @@ from dalembert._checks import FloatArray
 from dalembert._core import Matrix3DList, Vector3DList
 from dalembert._geometry.transformations import HTtranslate
 from dalembert._solving.quiet import require_system
-from dalembert.robotics import _actuators, _constraints, _drawing
+from dalembert.robotics import _actuators, _constraints, _drawing, _tendons
 from dalembert.robotics._constraints import AddMarker
 from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList, RobotKeyframe
 from dalembert.treeDynamics import TreeDynamics
@@ -135,10 +135,13 @@ def _coordinate_of(mbs: Any, node: Any) -> Callable[[int], Any]:
     return marker
 
 
-def _add_actuators(robot: Robot, mbs: Any, coordinate: Callable[[int], Any]) -> dict[str, Any]:
-    """Add the actuators between their joints and ground."""
+def _add_actuators(robot: Robot, mbs: Any, node: Any, coordinate: Callable[[int], Any]) -> dict[str, Any]:
+    """Add the actuators between their joints and ground, or on the coordinates of tendons."""
     objects = {}
     for name, actuator in robot.actuators.items():
+        if actuator.joint in robot.tendons:
+            objects[name] = _actuators.add_to_tendon(robot, mbs, node, actuator)
+            continue
         i = robot.GetJointIndex(actuator.joint)
         reference = robot.referenceConfiguration[i]  # markers measure from there; ground is the second one
 
@@ -265,7 +268,8 @@ def create(
         "resistances": _add_resistances(robot, mbs, coordinate, stops),
         "couplings": [_add_coupling(robot, mbs, coordinate, i) for i in range(n)],
         "rotors": _add_rotors(robot, mbs, node),
+        "tendons": _tendons.add(robot, mbs, node, stops),
         "supports": add_supports(robot, mbs, marker),
-        "constraints": _constraints.add(robot, mbs, marker, coordinate),
-        **_add_actuators(robot, mbs, coordinate),
+        "constraints": _constraints.add(robot, mbs, marker, node, coordinate),
+        **_add_actuators(robot, mbs, node, coordinate),
     }

@@ -14,6 +14,7 @@ from dalembert.robotics._denavit_hartenberg import ModDHKK2HT, StdDH2HT, project
 from dalembert.robotics._inverse_kinematics import InverseKinematicsNumerical
 from dalembert.robotics._parts import RobotBase, RobotKeyframe, RobotLink, RobotTool, VRobotBase, VRobotLink, VRobotTool
 from dalembert.robotics._robot import Robot
+from dalembert.robotics._tendons import RobotTendon
 
 __all__ = [
     "InverseKinematicsNumerical",
@@ -25,6 +26,7 @@ __all__ = [
     "RobotKeyframe",
     "RobotLink",
     "RobotLoop",
+    "RobotTendon",
     "RobotTool",
     "StdDH2HT",
     "VRobotBase",
