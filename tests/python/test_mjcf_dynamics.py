@@ -444,7 +444,7 @@ def test_constraints_of_own_robots(tmp_path: Path) -> None:
     mbs = exu.SystemContainer().AddSystem()
     point = mbs.AddMarker(items.MarkerBodyPosition(bodyNumber=mbs.AddObject(items.ObjectGround())))
     robot.base.HT = np.eye(4)
-    with pytest.raises(ValueError, match="a loop that is closed at the base needs a MarkerBodyRigid"):
+    with pytest.raises(ValueError, match="a loop or cable that ends at the base needs a MarkerBodyRigid"):
         robot.CreateRedundantCoordinateMBS(mbs, point, rotationMarkerBase=np.eye(3))
     robot.AddConstraint(RobotCoupling("gear", "j", "k"))
     with pytest.raises(
@@ -613,3 +613,31 @@ def test_stops_and_friction_of_tendons(tmp_path: Path) -> None:
         RobotTendon("v", {"j": 1}, restLength=(2, 1))
     with pytest.raises(ValueError, match="<joint>: there is no joint 'z'; there are: j, k, l, s"):
         read(tmp_path / "robot.xml", model(arm(), "", '<tendon><fixed><joint joint="z" coef="1"/></fixed></tendon>'))
+
+
+CABLES = {
+    "spring and damper": 'stiffness="300" damping="20"',
+    "spring of a given length": 'stiffness="300" springlength=".5"',
+    "spring with slack": 'stiffness="300" springlength=".6 .8"',
+}
+
+
+@pytest.mark.parametrize("name", CABLES)
+def test_cables_are_those_of_mujoco(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Springs between two sites on branches, and between a site and the world."""
+    monkeypatch.chdir(tmp_path)
+    spatial = '<spatial name="{}" {}><site site="tip"/><site site="{}"/></spatial>'
+    tendons = spatial.format("x", CABLES[name], "side") + spatial.format("y", 'stiffness="50"', "far")
+    bodies = arm("", 'springref="15"', "", 'springref="-8"').replace('armature=".1"', "")
+    text = model(bodies + '<site name="far" pos="1 1 1"/>', "", f"<tendon>{tendons}</tendon>")
+    robot, told = read(tmp_path / "robot.xml", text)
+    assert told == []
+    mujoco, made, data = in_mujoco(tmp_path / "robot.xml")
+    for q, v, _ in states(made.nv):
+        data.qpos[:], data.qvel[:] = q, v
+        mujoco.mj_forward(made, data)
+        close = {"rtol": 1e-10, "atol": 1e-10 * np.abs(data.qacc).max()}
+        np.testing.assert_allclose(robot.PassiveForces(q, v), data.qfrc_passive, **close)
+        np.testing.assert_allclose(accelerations(robot, q, v), data.qacc, **close)
+    tree, rigid = (tip_of(robot, redundant) for redundant in (False, True))
+    np.testing.assert_allclose(rigid, tree, atol=1e-4)  # as above; the springs oscillate

@@ -186,7 +186,7 @@ LEFT_OUT = {
     "actuatorgravcomp of joints with actuatorfrcrange: 'j'": hinged(
         joint='<joint name="j" actuatorfrcrange="-1 2" actuatorgravcomp="true"/>'
     ),
-    "<spatial> tendons 'u', constraints of tendons that are not fixed: 't'": related(
+    "spatial tendons that are not between two sites: 'u', constraints of tendons that are not fixed: 't'": related(
         '<tendon name="t" tendon1="u"/>'
     ).replace("</mujoco>", '<tendon><spatial name="u"/></tendon></mujoco>'),
     "constraints of ball joints: 'joint-i'": related('<joint joint1="i"/>'),

@@ -11,14 +11,11 @@ import numpy.typing as npt
 
 from dalembert import itemInterface as items
 from dalembert import laws
-from dalembert._checks import FloatArray, as_number, as_transformation, as_vector
-from dalembert.robotics._tendons import factors_of
+from dalembert._checks import as_number, as_transformation, as_vector
+from dalembert.robotics._tendons import AddMarker, factors_of, place_of
 
 if TYPE_CHECKING:
     from dalembert.robotics._robot import Robot
-
-# From a link, -1 for the base, and a transformation in it, to a marker and the rotation from the marker's axes.
-AddMarker = Callable[[int, FloatArray], tuple[Any, FloatArray]]
 
 
 @dataclass
@@ -85,13 +82,6 @@ class RobotCoupling:
         for coefficient in reversed(self.coefficients):
             value = value * (leader - self.leaderReference) + coefficient
         return value
-
-
-def place_of(robot: Robot, frame: str) -> tuple[int, FloatArray]:
-    """Return the link that carries a frame, -1 for the base, and the transformation from the link to it."""
-    if not frame:
-        return -1, np.eye(4)
-    return robot.FrameLink(frame), np.asarray(robot._frameLocalHT(frame))
 
 
 def add_loop(robot: Robot, mbs: Any, loop: RobotLoop, marker: AddMarker) -> Any:

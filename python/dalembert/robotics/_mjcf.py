@@ -269,7 +269,7 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     hidden = [frame for body in reader.bodies.values() for frame in body.frames if frame in reader.bodies]
     if hidden:
         reader.notes.names["sites that have names of bodies:"] = hidden
-    tendons = Tendons(root, compiler, options, reader.notes, reader.joints)
+    tendons = Tendons(root, compiler, options, reader.notes, reader.joints, reader.bodies)
     actuators = Actuators(root, compiler, options, reader.notes, reader.joints, tendons)
     equality = Equality(root, compiler, options, reader.notes, reader.joints, reader.bodies, tendons)
     keyframes = Keyframes(root, reader.notes, reader.joints, actuators)

@@ -1,24 +1,38 @@
-"""Tendons of MJCF files: fixed ones, which are sums of joint coordinates."""
+"""Tendons of MJCF files: fixed ones, which are sums of joint coordinates, and spatial ones between two sites."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
-from dalembert.robotics._description import Joint
+import numpy as np
+
+from dalembert.robotics._description import Body, Joint
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_elements import Notes, Options
 from dalembert.robotics._robot import Robot
-from dalembert.robotics._tendons import RobotTendon
+from dalembert.robotics._tendons import RobotCable, RobotTendon
 from dalembert.robotics._xml import Element
 
 
 class Tendons:
     """The tendons of a file; complete() adds them to the robot."""
 
-    def __init__(self, root: Element, compiler: Compiler, options: Options, notes: Notes, joints: list[Joint]) -> None:
+    def __init__(
+        self,
+        root: Element,
+        compiler: Compiler,
+        options: Options,
+        notes: Notes,
+        joints: list[Joint],
+        bodies: dict[str, Body],
+    ) -> None:
         self.compiler, self.options, self.notes = compiler, options, notes
         self.joints = {joint.name for joint in joints if joint.name}
+        self.bodies = bodies
+        self.sites = [frame for body in bodies.values() for frame in body.frames]
         self.elements: dict[str, Element] = {}
+        self.ends: dict[str, tuple[str, str]] = {}  # of spatial tendons
         self.factors: dict[str, dict[str, float]] = {}
         for element in (child for group in root.every("tendon") for child in group.children):
             self._take(element)
@@ -27,10 +41,20 @@ class Tendons:
         defaults = self.compiler.classes[self.compiler.class_of(element, "main")].get("tendon", {})
         element = replace(element, attributes=defaults | element.attributes)
         name = element.text("name", f"tendon {len(self.elements)}")
-        if element.tag != "fixed":
-            self.notes.add(f"<{element.tag}> tendons", name)
-            return
-        self.elements[name], self.factors[name] = element, {}
+        if element.tag == "spatial":
+            sites = [part.text("site") for part in element.every("site")]
+            for part in element.children:
+                if part.tag == "site" and part.text("site") not in self.sites:
+                    part.fail(f"there is no site '{part.text('site')}'; there are: {', '.join(self.sites) or 'none'}")
+            if len(sites) != 2 or len(element.children) > 2 or any(site in self.bodies for site in sites):
+                self.notes.add("spatial tendons that are not between two sites:", name)
+                return
+            self.ends[name] = sites[0], sites[1]
+            if element.number("armature", "0"):
+                self.notes.add("armature of spatial tendons", name)
+        else:
+            self.factors[name] = {}
+        self.elements[name] = element
         for part in element.every("joint"):
             joint = part.text("joint")
             if joint not in self.joints:
@@ -58,22 +82,22 @@ class Tendons:
         A spring without a length is relaxed with the joints where their own springs are relaxed.
         """
         off = self.options.off
+        relaxed = np.array([link.springReference for link in robot.links])
         for name, element in self.elements.items():
-            factors = self.factors[name]
             rest = element.numbers("springlength", (1, 2), "-1").tolist()
-            if rest[0] < 0:
-                rest = [
-                    sum(f * robot.links[robot.GetJointIndex(joint)].springReference for joint, f in factors.items())
-                ]
-            robot.AddTendon(
-                RobotTendon(
-                    name,
-                    factors,
-                    stiffness=0.0 if "spring" in off else float(element.numbers("stiffness", (1, 3), "0")[0]),
-                    restLength=(rest[0], rest[-1]),
-                    damping=0.0 if "damper" in off else float(element.numbers("damping", (1, 3), "0")[0]),
-                    friction=0.0 if "frictionloss" in off else element.amount("frictionloss", "0"),
-                    inertia=element.amount("armature", "0"),
-                    limits=None if "limit" in off else self.range_of(name, "range", "limited"),
-                )
-            )
+            law: dict[str, Any] = {
+                "stiffness": 0.0 if "spring" in off else float(element.numbers("stiffness", (1, 3), "0")[0]),
+                "damping": 0.0 if "damper" in off else float(element.numbers("damping", (1, 3), "0")[0]),
+                "friction": 0.0 if "frictionloss" in off else element.amount("frictionloss", "0"),
+                "limits": None if "limit" in off else self.range_of(name, "range", "limited"),
+            }
+            if name in self.ends:
+                cable = RobotCable(name, *self.ends[name], **law)
+                own = float(cable.Kinematics(robot, relaxed)[0])
+                cable.restLength = (own, own) if rest[0] < 0 else (rest[0], rest[-1])
+                robot.AddCable(cable)
+            else:
+                tendon = RobotTendon(name, self.factors[name], inertia=element.amount("armature", "0"), **law)
+                own = float(relaxed @ tendon.Factors(robot))
+                tendon.restLength = (own, own) if rest[0] < 0 else (rest[0], rest[-1])
+                robot.AddTendon(tendon)

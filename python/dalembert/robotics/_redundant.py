@@ -17,9 +17,10 @@ from dalembert._geometry.transformations import InverseHT
 from dalembert._solving.quiet import require_system
 from dalembert._tools.found_items import index_of
 from dalembert.create._frames import reference_rotation
-from dalembert.robotics import _actuators, _constraints, _drawing, _kinematics
+from dalembert.robotics import _actuators, _constraints, _drawing, _kinematics, _tendons
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
+from dalembert.robotics._tendons import place_of
 from dalembert.robotics._tree import add_supports
 
 if TYPE_CHECKING:
@@ -98,10 +99,12 @@ def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
             )
     beside = any(not robot.HasParent(i) and np.any(link.preHT[:3, 3]) for i, link in enumerate(robot.links))
     kind = mbs.GetMarker(baseMarker)["markerType"]
-    ends = [each for loop in robot.constraints.values() if isinstance(loop, RobotLoop) for each in loop.Links(robot)]
-    if -1 in ends and kind != "BodyRigid":
+    loops = [each for each in robot.constraints.values() if isinstance(each, RobotLoop)]
+    ends = {name for loop in loops for name in (loop.frame0, loop.frame1)}
+    ends |= {name for cable in robot.cables.values() for name in (cable.frame0, cable.frame1)}
+    if kind != "BodyRigid" and any(place_of(robot, name)[0] < 0 for name in ends):
         raise ValueError(
-            f"{where}: baseMarker: a loop that is closed at the base needs a MarkerBodyRigid, received a marker "
+            f"{where}: baseMarker: a loop or cable that ends at the base needs a MarkerBodyRigid, received a marker "
             f"of type {kind}"
         )
     if beside and kind != "BodyRigid":
@@ -306,5 +309,6 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
         "links": robot.LinkNumbers(),
         "supports": add_supports(robot, mbs, marker),
         "constraints": _constraints.add(robot, mbs, marker),
+        "tendons": _tendons.add_cables(robot, mbs, marker, (0.0, 0.0)),
         **_add_actuators(robot, mbs, ends_of),
     }

@@ -30,7 +30,7 @@ from dalembert.robotics._parts import (
     RobotTool,
     VRobotLink,
 )
-from dalembert.robotics._tendons import RobotTendon, factors_of
+from dalembert.robotics._tendons import RobotCable, RobotTendon, factors_of, place_of
 from dalembert.treeDynamics import TreeDynamics
 
 _MODES = {"all": slice(0, 6), "trans": slice(0, 3), "rot": slice(3, 6)}
@@ -67,6 +67,7 @@ class Robot:
         self.actuators: dict[str, RobotActuator] = {}
         self.constraints: dict[str, RobotLoop | RobotCoupling] = {}
         self.tendons: dict[str, RobotTendon] = {}
+        self.cables: dict[str, RobotCable] = {}
         self.keyframes: dict[str, RobotKeyframe] = {}
 
     def __repr__(self) -> str:
@@ -119,6 +120,16 @@ class Robot:
             raise ValueError(f"Robot.AddTendon: there is another '{tendon.name}' already; names must differ")
         tendon.Factors(self)
         self.tendons[tendon.name] = tendon
+
+    def AddCable(self, cable: RobotCable) -> None:
+        """Add a cable, whose frames must be there; robot.cables has all of them by name."""
+        if not isinstance(cable, RobotCable):
+            raise TypeError(f"Robot.AddCable: received {cable!r}, but expected a RobotCable(...)")
+        if cable.name in self.cables or cable.name in self.tendons:
+            raise ValueError(f"Robot.AddCable: there is another '{cable.name}' already; names must differ")
+        for frame in (cable.frame0, cable.frame1):
+            place_of(self, frame)
+        self.cables[cable.name] = cable
 
     def AddConstraint(self, constraint: RobotLoop | RobotCoupling) -> None:
         """Add a loop or a coupling of joints, whose links must be there; robot.constraints has all of them by name."""
@@ -309,13 +320,17 @@ class Robot:
         return np.asarray(damping * rates + friction * np.sign(rates))
 
     def PassiveForces(self, q: npt.ArrayLike, q_t: npt.ArrayLike, gravity: npt.ArrayLike | None = None) -> FloatArray:
-        """Return forces in the joints: springs, dampers, dry friction of joints and tendons, and supported masses."""
+        """Return forces in the joints: springs, damping and friction of joints, tendons, cables; supported masses."""
         at, rates = self._coordinates("q", q), self._coordinates("q_t", q_t)
         k, q0 = (np.array([getattr(link, what) for link in self.links]) for what in ("stiffness", "springReference"))
         forces = -k * (at - q0) - self.JointResistance(rates)
         for tendon in self.tendons.values():
             factors = tendon.Factors(self)
             forces = forces - np.multiply.outer(tendon.Tension(at @ factors, rates @ factors), factors)
+        for cable in self.cables.values():
+            length, factors = cable.Kinematics(self, at)
+            tension = cable.Tension(length, np.sum(rates * factors, axis=-1))
+            forces = forces - np.asarray(tension)[..., None] * factors
         return np.asarray(forces + self._support(at, gravity))
 
     def ActuatorForces(
@@ -481,7 +496,7 @@ class Robot:
         nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
         unitTorque0List, unitTorque1List, springList (springs of joints, or None); baseObject, the ground that draws the
         base, or -1; links, the indices of links and joints by name; supports, the loads that carry supported masses;
-        actuators, controls and constraints as in CreateKinematicTree.
+        actuators, controls, constraints and tendons as in CreateKinematicTree.
         """
         robot, start = self, self._keyframe("Robot.CreateRedundantCoordinateMBS", keyframe)
         if start is not None:

@@ -1,9 +1,9 @@
-"""Tendons of robots: lengths that are sums of joint coordinates, with springs, dampers and limits."""
+"""Tendons of robots: sums of joint coordinates, or distances, with springs, dampers and limits."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,38 +17,34 @@ if TYPE_CHECKING:
     from dalembert.robotics._robot import Robot
 
 
-@dataclass
-class RobotTendon:
-    """A tendon with the length sum(factor * q) of joints and their factors.
+# From a link, -1 for the base, and a transformation in it, to a marker and the rotation from the marker's axes.
+AddMarker = Callable[[int, FloatArray], tuple[Any, FloatArray]]
 
-    Its spring has no force between the lengths of restLength. Damping, dry friction and inertia belong to the rate of
-    the length; lengths out of limits are pushed back by elastic stops, see Robot.CreateKinematicTree.
-    """
+
+@dataclass
+class _Elastic:
+    """The law of a tendon: force against growing lengths."""
 
     name: str
-    joints: Mapping[str, float]
-    stiffness: float = 0.0
-    restLength: Sequence[float] = (0.0, 0.0)
-    damping: float = 0.0
-    friction: float = 0.0
-    inertia: float = 0.0
-    limits: Sequence[float] | None = None
+    stiffness: float = field(default=0.0, kw_only=True)
+    restLength: Sequence[float] = field(default=(0.0, 0.0), kw_only=True)
+    damping: float = field(default=0.0, kw_only=True)
+    friction: float = field(default=0.0, kw_only=True)
+    limits: Sequence[float] | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
-        where = f"RobotTendon '{self.name}'"
-        for what in ("stiffness", "damping", "friction", "inertia"):
+        where = f"{type(self).__name__} '{self.name}'"
+        for what in ("stiffness", "damping", "friction"):
             as_number(f"{where}: {what}", getattr(self, what), negative=False)
         for what in ("restLength", "limits"):
             given = getattr(self, what)
             if given is not None and np.diff(as_vector(f"{where}: {what}", given, 2))[0] < 0:
                 raise shape_error(f"{where}: {what}", "[lower, upper] with lower <= upper", given)
 
-    def Factors(self, robot: Robot) -> FloatArray:
-        """Return one factor per joint of the robot."""
-        factors = np.zeros(robot.NumberOfLinks())
-        for joint, factor in self.joints.items():
-            factors[robot.GetJointIndex(joint)] += as_number(f"RobotTendon '{self.name}': joints", factor)
-        return factors
+    def HasForce(self, stops: tuple[float, float]) -> bool:
+        """Return whether there can be a force, with these stiffness and damping of stops."""
+        limited = self.limits is not None and any(stops)
+        return bool(self.stiffness or self.damping or self.friction or limited)
 
     def Tension(self, length: Any, rate: Any, stops: tuple[float, float] = (0.0, 0.0)) -> Any:
         """Return the force against growing lengths; arrays as well. stops are stiffness and damping at the limits."""
@@ -62,6 +58,61 @@ class RobotTendon:
             push = stops[0] * (length - lower) + stops[1] * rate
             tension += laws.where(length < lower, laws.minimum(push, 0.0), 0.0)
         return tension
+
+
+@dataclass
+class RobotTendon(_Elastic):
+    """A tendon with the length sum(factor * q) of joints and their factors.
+
+    Its spring has no force between the lengths of restLength. Damping, dry friction and inertia belong to the rate of
+    the length; lengths out of limits are pushed back by elastic stops, see Robot.CreateKinematicTree.
+    """
+
+    joints: Mapping[str, float]
+    inertia: float = field(default=0.0, kw_only=True)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        as_number(f"RobotTendon '{self.name}': inertia", self.inertia, negative=False)
+
+    def Factors(self, robot: Robot) -> FloatArray:
+        """Return one factor per joint of the robot."""
+        factors = np.zeros(robot.NumberOfLinks())
+        for joint, factor in self.joints.items():
+            factors[robot.GetJointIndex(joint)] += as_number(f"RobotTendon '{self.name}': joints", factor)
+        return factors
+
+
+@dataclass
+class RobotCable(_Elastic):
+    """A tendon between two frames, names as in Robot.FrameHT, or '' for the base; its length is their distance.
+
+    Spring, damping, friction and limits are as those of RobotTendon.
+    """
+
+    frame0: str
+    frame1: str
+
+    def Kinematics(self, robot: Robot, q: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return the length, and its derivatives by the coordinates."""
+        frames, points, jacobians = robot.JointHT(q), [], []
+        for frame in (self.frame0, self.frame1):
+            link, T = place_of(robot, frame)
+            carrier = robot.base.HT if link < 0 else frames[link] @ robot.links[link].localHT
+            points.append(np.asarray(np.asarray(carrier) @ T)[..., :3, 3])
+            still = np.zeros((*q.shape[:-1], 3, q.shape[-1]))
+            jacobians.append(still if link < 0 else robot.Jacobian(frames, points[-1], "trans", link))
+        apart = points[1] - points[0]
+        length = np.linalg.norm(apart, axis=-1)
+        direction = apart / np.where(length > 0, length, 1.0)[..., None]
+        return length, np.einsum("...i,...ij->...j", direction, jacobians[1] - jacobians[0])
+
+
+def place_of(robot: Robot, frame: str) -> tuple[int, FloatArray]:
+    """Return the link that carries a frame, -1 for the base, and the transformation from the link to it."""
+    if not frame:
+        return -1, np.eye(4)
+    return robot.FrameLink(frame), np.asarray(robot._frameLocalHT(frame))
 
 
 def beyond(length: Any, rest: Sequence[float], stiffness: float) -> Any:
@@ -107,14 +158,33 @@ def add_force(
 
 
 def add(robot: Robot, mbs: Any, node: Any, stops: tuple[float, float]) -> dict[str, Any]:
-    """Add the tendons with their own forces or inertia; return their objects by name."""
+    """Add the tendons of a tree with their own forces or inertia; return their objects by name."""
     added = {}
     for name, tendon in robot.tendons.items():
-        limited = tendon.limits is not None and any(stops)
-        if tendon.stiffness or tendon.damping or tendon.friction or tendon.inertia or limited:
+        if tendon.HasForce(stops) or tendon.inertia:
 
             def tension(length: Any, rate: Any, t: Any, tendon: RobotTendon = tendon) -> Any:
                 return tendon.Tension(length, rate, stops)
 
             added[name] = add_force(robot, mbs, node, tendon.Factors(robot), tension, {}, tendon.inertia)
+    return added
+
+
+def _tension(cable: RobotCable, stops: tuple[float, float]) -> Callable[..., Any]:
+    def tension(L: Any, L_t: Any, t: Any) -> Any:
+        return cable.Tension(L, L_t, stops)
+
+    return tension
+
+
+def add_cables(robot: Robot, mbs: Any, marker: AddMarker, stops: tuple[float, float]) -> dict[str, Any]:
+    """Add the cables with forces; return their objects by name."""
+    added = {}
+    for name, cable in robot.cables.items():
+        if not cable.HasForce(stops):
+            continue
+
+        made = laws.connector("line")(_tension(cable, stops))
+        ends = [marker(*place_of(robot, frame))[0] for frame in (cable.frame0, cable.frame1)]
+        added[name] = mbs.AddObject(made(ends))
     return added

@@ -14,8 +14,8 @@ from dalembert._core import Matrix3DList, Vector3DList
 from dalembert._geometry.transformations import HTtranslate
 from dalembert._solving.quiet import require_system
 from dalembert.robotics import _actuators, _constraints, _drawing, _tendons
-from dalembert.robotics._constraints import AddMarker
 from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList, RobotKeyframe
+from dalembert.robotics._tendons import AddMarker
 from dalembert.treeDynamics import TreeDynamics
 
 if TYPE_CHECKING:
@@ -268,7 +268,7 @@ def create(
         "resistances": _add_resistances(robot, mbs, coordinate, stops),
         "couplings": [_add_coupling(robot, mbs, coordinate, i) for i in range(n)],
         "rotors": _add_rotors(robot, mbs, node),
-        "tendons": _tendons.add(robot, mbs, node, stops),
+        "tendons": _tendons.add(robot, mbs, node, stops) | _tendons.add_cables(robot, mbs, marker, stops),
         "supports": add_supports(robot, mbs, marker),
         "constraints": _constraints.add(robot, mbs, marker, node, coordinate),
         **_add_actuators(robot, mbs, node, coordinate),

@@ -14,7 +14,7 @@ from dalembert.robotics._denavit_hartenberg import ModDHKK2HT, StdDH2HT, project
 from dalembert.robotics._inverse_kinematics import InverseKinematicsNumerical
 from dalembert.robotics._parts import RobotBase, RobotKeyframe, RobotLink, RobotTool, VRobotBase, VRobotLink, VRobotTool
 from dalembert.robotics._robot import Robot
-from dalembert.robotics._tendons import RobotTendon
+from dalembert.robotics._tendons import RobotCable, RobotTendon
 
 __all__ = [
     "InverseKinematicsNumerical",
@@ -22,6 +22,7 @@ __all__ = [
     "Robot",
     "RobotActuator",
     "RobotBase",
+    "RobotCable",
     "RobotCoupling",
     "RobotKeyframe",
     "RobotLink",
