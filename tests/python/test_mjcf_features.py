@@ -1,4 +1,4 @@
-"""Elements of MJCF files are read as by MuJoCo, or named in a warning; compared with MuJoCo where that is installed."""
+"""Elements of MJCF and URDF files are read as by MuJoCo and Pinocchio, where these are installed, or named."""
 
 from __future__ import annotations
 
@@ -191,9 +191,6 @@ LEFT_OUT = {
     ).replace("</mujoco>", '<tendon><spatial name="u"/></tendon></mujoco>'),
     "constraints of ball joints: 'joint-i'": related('<joint joint1="i"/>'),
     "constraints with torquescale 0: 'weld-b'": related('<weld body1="b" torquescale="0"/>'),
-    "sites that have names of bodies: 'b', constraints on sites that have names of bodies: 'connect-b-s'": related(
-        '<connect site1="b" site2="s"/>', '<site name="b"/><site name="s"/>'
-    ),
     "actuators <dcmotor>: 'm', act of keyframes with actuators 'm'": actuated('<dcmotor name="m" joint="j"/>').replace(
         "</mujoco>", '<keyframe><key act="1"/></keyframe></mujoco>'
     ),
@@ -214,7 +211,9 @@ LEFT_OUT = {
     "armature against angular velocities, which acts on rates of angles, of joints 'j'": hinged(
         joint='<joint name="j" type="ball" armature=".5"/>'
     ),
-    "sites that have names of bodies: 'b'": hinged(BOX + '<site name="b" pos="1 0 0"/>'),
+    "names of sites that are names of bodies (the sites are called 'name (site)') 'b'": hinged(
+        BOX + '<site name="b" pos="1 0 0"/>'
+    ),
     "convex inertia of meshes, which exact volumes replace, of bodies 'b'": hinged(
         '<geom type="mesh" mesh="m"/>', SUPPORT
     ),
@@ -229,8 +228,9 @@ def test_ignored_elements_are_named(what: str, tmp_path: Path) -> None:
 
 
 def test_names_of_bodies_go_before_those_of_sites(tmp_path: Path) -> None:
-    robot, _ = read(tmp_path / "robot.xml", LEFT_OUT["sites that have names of bodies: 'b'"])
+    robot, _ = read(tmp_path / "robot.xml", hinged(BOX + '<site name="b" pos="1 0 0"/>'))
     assert robot.FrameHT("b", [0.0])[:3, 3] == pytest.approx([0, 0, 0])
+    assert robot.FrameHT("b (site)", [0.0])[:3, 3] == pytest.approx([1, 0, 0])
 
 
 def test_meshes_that_lie_in_themselves_are_named(tmp_path: Path) -> None:
@@ -295,6 +295,37 @@ def test_followers_of_followers(tmp_path: Path) -> None:
     circle = urdf(fingers[1].replace('joint="ja"', 'joint="jc"'), fingers[2])
     with pytest.raises(ValueError, match="mimic: expected a joint that moves by itself"):
         read(tmp_path / "robot.urdf", circle)
+
+
+def test_transmissions_are_named(tmp_path: Path) -> None:
+    path = tmp_path / "robot.urdf"
+    drive = '<transmission name="{}"><joint name="j"/><actuator name="m"/></transmission>'
+    text = urdf(LINK.format("a", 0, 1), JOINT.format("j", "revolute", "base", "a", LIMIT), *map(drive.format, "de"))
+    _, told = read(path, text)
+    assert told == [f"{path}: left out: <transmission> 'd', 'e'"]
+
+
+def test_followers_are_those_of_pinocchio(tmp_path: Path) -> None:
+    """Inverse dynamics in the coordinates that are free; Pinocchio has one coordinate for both joints."""
+    pin = pytest.importorskip("pinocchio", reason="pin is installed by the extra [oracles]", exc_type=ImportError)
+    offset = '<origin xyz="0.3 0.1 0.2" rpy="0.4 0.5 0.6"/>'
+    heavy = '<inertial><origin xyz=".1 .2 .3"/>'
+    parts = [LINK.format("a", 0.1, 1), LINK.format("b", 0.2, 1), LINK.format("c", 0, 1)]
+    joints = [
+        JOINT.format("ja", "revolute", "base", "a", LIMIT),
+        JOINT.format("jb", "revolute", "a", "b", LIMIT + offset),
+        JOINT.format("jc", "revolute", "b", "c", LIMIT + offset + '<mimic joint="ja" multiplier="-1.5" offset="0.3"/>'),
+    ]
+    text = urdf(*parts, *joints).replace("<inertial>", heavy)
+    robot, told = read(tmp_path / "robot.urdf", text)
+    assert told == []
+    model = pin.buildModelFromXML(text, mimic=True)
+    assert model.nv == 2
+    factors = np.array([[1, 0], [0, 1], [-1.5, 0]])
+    for q, v, a in np.random.default_rng(3).uniform(-1, 1, (4, 3, 2)):
+        wanted = pin.rnea(model, model.createData(), q, v, a)
+        forces = robot.InverseDynamics(robot.FollowedCoordinates([*q, 0]), factors @ v, factors @ a)
+        np.testing.assert_allclose(factors.T @ forces, wanted, rtol=1e-12, atol=1e-12)
 
 
 def test_extensions_of_vendors_are_ignored(tmp_path: Path) -> None:

@@ -23,7 +23,7 @@ from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_elements import Notes, Options, included, left_out, refuse_misspelt, repeated
 from dalembert.robotics._mjcf_equality import WORLD, Equality
 from dalembert.robotics._mjcf_keyframes import Keyframes
-from dalembert.robotics._mjcf_tendons import Tendons
+from dalembert.robotics._mjcf_tendons import Tendons, site_frame
 from dalembert.robotics._xml import Element, read
 
 _JOINTS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
@@ -101,6 +101,13 @@ class _Reader:
             body.inertia = _mjcf_inertia.of_element(given, self.compiler)
         elif self.compiler.from_shapes != "false":
             body.inertia = weighed
+
+    def rename_sites(self) -> None:
+        """Give sites with the name of a body another name: frames of robots have one name space for both."""
+        for body in self.bodies.values():
+            for name in [frame for frame in body.frames if frame in self.bodies]:
+                self.notes.add("names of sites that are names of bodies (the sites are called 'name (site)')", name)
+                body.frames[site_frame(name, self.bodies)] = body.frames.pop(name)
 
     def _geom(self, geom: Element, T: FloatArray, body: Body, needs_inertia: bool) -> RigidBodyInertia:
         """Draw a geom, and return its inertia if it counts."""
@@ -266,9 +273,7 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     if len(reader.bodies) == 1:
         root.fail("expected an element <body> in <worldbody>")
     _mjcf_inertia.finish([body for name, body in reader.bodies.items() if name != WORLD], compiler)
-    hidden = [frame for body in reader.bodies.values() for frame in body.frames if frame in reader.bodies]
-    if hidden:
-        reader.notes.names["sites that have names of bodies:"] = hidden
+    reader.rename_sites()
     tendons = Tendons(root, compiler, options, reader.notes, reader.joints, reader.bodies)
     actuators = Actuators(root, compiler, options, reader.notes, reader.joints, tendons)
     equality = Equality(root, compiler, options, reader.notes, reader.joints, reader.bodies, tendons)

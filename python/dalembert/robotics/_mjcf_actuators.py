@@ -34,6 +34,7 @@ class _Law:
     dynamics: str = "none"
     time: float = 1.0
     ratio: float = 0.0
+    inherits: float = 0.0  # part of the range of a joint that is the range of the control, or of an integrator
 
 
 def _numbers(element: Element, name: str, old: list[float]) -> list[float]:
@@ -53,6 +54,7 @@ def _general(element: Element, law: _Law) -> _Law:
         dynamics=element.text("dyntype", law.dynamics),
         time=float(element.numbers("dynprm", (1, 100), repr(law.time))[0]),
         ratio=0.0 if "biasprm" in element.attributes else law.ratio,
+        inherits=0.0 if "ctrlrange" in element.attributes else law.inherits,
     )
 
 
@@ -76,7 +78,10 @@ def _next(element: Element, law: _Law) -> _Law:
                 dynamics, time = "integrator", 1.0
             else:
                 dynamics, time = ("filterexact", time) if time else ("none", 1.0)
-            return _Law(element.tag, "fixed", [k, 0.0, 0.0], "affine", [0.0, -k, 0.0 - d], dynamics, time, ratio)
+            own = "actrange" if element.tag == "intvelocity" else "ctrlrange"
+            inherits = 0.0 if own in element.attributes else element.number("inheritrange", repr(old.inherits))
+            bias = [0.0, -k, 0.0 - d]
+            return _Law(element.tag, "fixed", [k, 0.0, 0.0], "affine", bias, dynamics, time, ratio, inherits)
         case "velocity":
             k = element.number("kv", repr(old.gain[0]))
             return _Law("velocity", "fixed", [k, 0.0, 0.0], "affine", [0.0, 0.0, -k])
@@ -111,10 +116,10 @@ class Actuators:
         self.names: list[str] = []
         self.with_activation: list[str] = []
         self.unknown_activations: list[str] = []  # actuators with a number of activations that is not known here
-        self.read: list[tuple[RobotActuator, float, float]] = []  # with damping ratio and inherited range
+        self.read: list[tuple[RobotActuator, _Law]] = []
         for element in (child for group in root.every("actuator") for child in group.children):
             self._take(element)
-        targets = [actuator.joint for actuator, _, _ in self.read]
+        targets = [actuator.joint for actuator, _ in self.read]
         acted = [joint for target in targets for joint in tendons.factors.get(target, [target])]
         self.several = {target for target in targets if targets.count(target) > 1 or acted.count(target) > 1}
         for joint in dict.fromkeys(acted):
@@ -165,7 +170,7 @@ class Actuators:
             timeConstant=law.time,
             activationRange=self._range(element, "actrange"),
         )
-        self.read.append((actuator, law.ratio, element.number("inheritrange", "0")))
+        self.read.append((actuator, law))
 
     def _target(self, element: Element) -> str:
         """Return the name of the joint or tendon that an actuator acts on; empty if it acts on something else."""
@@ -202,17 +207,18 @@ class Actuators:
 
     def complete(self, robot: Robot) -> None:
         """Add the actuators; some depend on the inertias and the limits of their joints."""
-        for actuator, ratio, inherited in self.read:
+        for actuator, law in self.read:
             target, factors = actuator.joint, actuator.gear * factors_of(robot, actuator.joint)
-            if ratio > 0:  # of the motion of the transmission alone
+            if law.ratio > 0:  # of the motion of the transmission alone
                 mass = robot.MassMatrix(robot.referenceConfiguration)
-                damping = 2 * ratio * np.sqrt(actuator.gain[0] / (factors @ np.linalg.solve(mass, factors)))
+                damping = 2 * law.ratio * np.sqrt(actuator.gain[0] / (factors @ np.linalg.solve(mass, factors)))
                 actuator.bias = (*actuator.bias[:2], -float(damping))
             of_tendon = target in self.tendons.factors
             limits: Any = robot.tendons[target].limits if of_tendon else robot.GetLink(target).jointLimits
-            if inherited > 0 and limits is not None:
-                middle, half = 0.5 * (limits[0] + limits[1]), 0.5 * inherited * (limits[1] - limits[0])
-                actuator.controlRange = (float(middle - half), float(middle + half))
+            if law.inherits > 0 and limits is not None:
+                middle, half = 0.5 * (limits[0] + limits[1]), 0.5 * law.inherits * (limits[1] - limits[0])
+                what = "activationRange" if law.kind == "intvelocity" else "controlRange"
+                setattr(actuator, what, (float(middle - half), float(middle + half)))
             found = self._range_of_tendon(target) if of_tendon else self.joints[target].force_range
             if found is not None and target not in self.several:
                 lower, upper = found if of_tendon else sorted(np.array(found) / actuator.gear)

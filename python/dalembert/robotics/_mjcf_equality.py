@@ -14,7 +14,7 @@ from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._description import Body, Joint, translated, turned
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_elements import Notes, Options
-from dalembert.robotics._mjcf_tendons import Tendons
+from dalembert.robotics._mjcf_tendons import Tendons, site_frame
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._tendons import factors_of
 from dalembert.robotics._xml import Element
@@ -72,8 +72,8 @@ class Equality:
         if element.tag == "tendon":
             return "" if all(end in self.tendons.factors for end in ends) else "of tendons that are not fixed"
         if "site1" in element.attributes:
-            self._require("site", element, ends, self.sites)
-            return "on sites that have names of bodies" if any(end in self.bodies for end in ends) else ""
+            self._require("site", element, [site_frame(end, self.bodies) for end in ends], self.sites)
+            return ""
         self._require("body", element, ends, self.bodies)
         return "with torquescale 0" if element.number("torquescale", "1") == 0 else ""
 
@@ -107,7 +107,8 @@ class Equality:
     def _loop(self, robot: Robot, name: str, element: Element, active: bool) -> RobotLoop:
         rotation = element.tag == "weld"
         if "site1" in element.attributes:
-            return RobotLoop(name, element.text("site1"), element.text("site2"), rotation=rotation, active=active)
+            first, second = (site_frame(element.text(key), self.bodies) for key in ("site1", "site2"))
+            return RobotLoop(name, first, second, rotation=rotation, active=active)
         first, second = element.text("body1"), element.text("body2", WORLD)
         between = InverseHT(_pose(robot, first)) @ _pose(robot, second)  # from the second to the first
         if not rotation:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import replace
 from typing import Any
 
@@ -13,6 +14,11 @@ from dalembert.robotics._mjcf_elements import Notes, Options
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._tendons import RobotCable, RobotTendon
 from dalembert.robotics._xml import Element
+
+
+def site_frame(site: str, bodies: Container[str]) -> str:
+    """Return the name of the frame of a site."""
+    return f"{site} (site)" if site in bodies else site
 
 
 class Tendons:
@@ -42,11 +48,11 @@ class Tendons:
         element = replace(element, attributes=defaults | element.attributes)
         name = element.text("name", f"tendon {len(self.elements)}")
         if element.tag == "spatial":
-            sites = [part.text("site") for part in element.every("site")]
-            for part in element.children:
-                if part.tag == "site" and part.text("site") not in self.sites:
+            sites = [site_frame(part.text("site"), self.bodies) for part in element.every("site")]
+            for part, site in zip(element.every("site"), sites, strict=True):
+                if site not in self.sites:
                     part.fail(f"there is no site '{part.text('site')}'; there are: {', '.join(self.sites) or 'none'}")
-            if len(sites) != 2 or len(element.children) > 2 or any(site in self.bodies for site in sites):
+            if len(sites) != 2 or len(element.children) > 2:
                 self.notes.add("spatial tendons that are not between two sites:", name)
                 return
             self.ends[name] = sites[0], sites[1]
