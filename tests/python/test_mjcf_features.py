@@ -194,6 +194,11 @@ LEFT_OUT = {
     "actuators <dcmotor>: 'm', act of keyframes with actuators 'm'": actuated('<dcmotor name="m" joint="j"/>').replace(
         "</mujoco>", '<keyframe><key act="1"/></keyframe></mujoco>'
     ),
+    "contact with geoms of the world 'floor', 'box'": hinged(BOX).replace(
+        "<worldbody>",
+        '<worldbody><geom name="floor" type="plane" size="1 1 1"/><geom type="box" size="1 1 1" contype="0"/>'
+        '<geom size=".1" contype="0" conaffinity="0"/>',
+    ),
     "density of <option>, wind of <option>": hinged(before='<option density="1.2" wind="1 0 0"/>'),
     "alignfree of <compiler>": hinged(before='<compiler alignfree="true"/>'),
     "align of free joints 'f'": hinged(joint='<freejoint name="f" align="true"/>'),

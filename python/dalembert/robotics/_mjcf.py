@@ -112,6 +112,9 @@ class _Reader:
     def _geom(self, geom: Element, T: FloatArray, body: Body, needs_inertia: bool) -> RigidBodyInertia:
         """Draw a geom, and return its inertia if it counts."""
         kind = geom.attributes.get("type", "mesh" if "mesh" in geom.attributes else "sphere")
+        touches = any(geom.number(name, "1") for name in ("contype", "conaffinity"))
+        if body.name == WORLD and touches and "contact" not in self.options.off:
+            self.notes.add("contact with geoms of the world", geom.text("name", kind))
         needs_inertia = needs_inertia and int(geom.number("group", "0")) in self.compiler.weighed_groups
         if needs_inertia and kind == "sdf":
             self.notes.add("mass of geoms of type sdf of bodies", body.name)
